@@ -1,5 +1,5 @@
-// What:   the part of the full alpha complex that is not in the solid: triangles in no tetrahedron, edges in no
-//         triangle, points in no edge.
+// What:   finds the dangling simplices of the full alpha complex: triangles in no tetrahedron, edges in no triangle,
+//         points in no edge.
 // Law:    a simplex is in the full alpha complex if a ball of radius at most alpha has its corners on its sphere and no
 //         point inside. Exact, for any finite input.
 // Cost:   about linear in the Delaunay triangulation; microseconds a simplex where points are cospherical.
@@ -25,10 +25,12 @@ struct DanglingFaces {
   std::vector<std::uint32_t> points;                ///< in no edge of the complex
 };
 
-/// Computes the dangling simplices at `alpha`. For an empty triangulation, as of points in a plane, the simplices are
+/// Computes the dangling simplices at `alpha`. If there is no tetrahedron, as for points in a plane, the simplices are
 /// those of solid_filtration().
-/// Requires: the result of solid() at infinity, with neighbors; its circumradii(); alpha above 0.
-/// Throws:   ContractViolation if radii or neighbors are missing; InvalidInput when alpha is not a valid radius.
+/// Requires: `delaunay` is solid() of these points at infinity, with neighbors; `radii` are its circumradii(); 0 <
+///           alpha ≤ infinity.
+/// Throws:   ContractViolation if radii or neighbors are missing or a corner is not a point; InvalidInput when alpha is
+///           not above 0.
 RBPA_API DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaunay,
                                       std::span<const double> radii, double alpha, MaxThreads threads = 0);
 

@@ -1,7 +1,7 @@
-// What:   the topology of the full alpha complex of points in space, and its voids as a solid of their own.
+// What:   computes the topology of the full alpha complex of points in space, and its voids as a solid of their own.
 // Law:    exact, for any finite input; a function of the set of points and alpha.
-// How:    a void is a bounded component of the space outside of tetrahedra and triangles alike: a set of Delaunay
-//         tetrahedra, connected through triangles that are not in the complex.
+// How:    a void is a bounded component of the space outside of all tetrahedra and triangles of the complex. It
+//         consists of Delaunay tetrahedra, connected through triangles that are not in the complex.
 // Cost:   about linear in the Delaunay triangulation; microseconds a simplex where points are cospherical.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994); Delfinado and Edelsbrunner, An incremental
 //         algorithm for Betti numbers of simplicial complexes on the 3-sphere (1995); docs/explanation/space.md,
@@ -20,6 +20,7 @@
 
 namespace rbpa {
 
+/// Counts of the full alpha complex.
 struct FullCounts {
   std::size_t points = 0, edges = 0, triangles = 0, tetrahedra = 0;  ///< numbers of simplices in the complex
   std::size_t components = 0, tunnels = 0, voids = 0;                ///< Betti numbers 0 to 2
@@ -33,25 +34,27 @@ RBPA_API FullCounts count_full(std::span<const Point3> points, const Solid& dela
 
 /// Returns the voids as a solid: the tetrahedra of the triangulation that are not in the complex and are not connected
 /// to the outside through triangles that are not in the complex. Its solid_components() through triangles are the
-/// voids, each with its volume. Its solid_boundary() is the walls of the voids, seen from inside the voids; a triangle
-/// with a void on both sides is there twice. Points of no void are isolated.
+/// voids; its solid_boundary() has the walls, counter-clockwise seen from outside of the voids, a triangle between two
+/// voids twice. Points of no void are isolated.
 /// Requires: as dangling_faces().
 /// Throws:   as count_full().
 RBPA_API Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                           double alpha, MaxThreads threads = 0, const GoOn& go_on = {});
 
+/// The voids of the full alpha complex.
 struct FullVoids {
-  Surface boundary;  ///< the walls of all voids, seen from within; a triangle with a void on both sides is there twice
+  Surface boundary;            ///< the walls of all voids, seen from within; a triangle between two voids twice
   std::vector<SolidVoid> all;  ///< triangle numbers refer to `boundary`; the largest volume first
 };
 
-/// Returns the voids one by one, each also with the volume outside of the balls of radius alpha around the points. An
-/// island is a set of triangles within a void that are connected through points.
+/// Returns the voids one by one, each with SolidVoid::outside_balls. An island is a set of triangles within a void that
+/// are connected through points.
 /// Requires: void_space() of these points at this alpha.
-/// Throws:   ContractViolation when it visibly is not; Cancelled.
+/// Throws:   ContractViolation when points and space visibly do not belong together; Cancelled.
 RBPA_API FullVoids full_voids(std::span<const Point3> points, const Solid& space, double alpha, MaxThreads threads = 0,
                               const GoOn& go_on = {});
 
+/// Counts and voids of the full alpha complex.
 struct FullTopology {
   FullCounts counts;
   FullVoids voids;

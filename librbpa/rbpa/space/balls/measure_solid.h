@@ -28,30 +28,32 @@
 
 namespace rbpa {
 
-/// The steps whose begin is announced. `counting` stands for measures, voids, the full complex and components.
+/// The steps of measure_solid(), each announced when it begins. `counting` stands for measures, voids, the full complex
+/// and components.
 enum class SolidStep : std::uint8_t { tetrahedra, choosing, boundary, counting, balls };
 
 struct MeasureSolidOptions {
   AlphaChoice alpha = {};      ///< a radius, by default infinity, or a rule
   bool boundary = true;        ///< finds the boundary
-  bool counts = true;          ///< measures, counts and finds voids; implies `boundary`
+  bool counts = true;          ///< measures, counts and finds voids of the solid; implies `boundary`
   bool full = false;           ///< counts the full complex, and finds its voids in place of those of the solid
   bool balls = false;          ///< measures the union of balls of radius alpha, unless alpha is infinity
   bool components = false;     ///< lists the solid components; implies `boundary`
   bool triangulation = false;  ///< keeps all tetrahedra and their radii even if neither a rule nor `full` needs them
   MaxThreads threads = 0;
-  /// Called repeatedly while tetrahedra are computed, as SolidOptions::progress. Then with 0 triangles: repeatedly
-  /// while the radius is chosen, the full complex of points not in a plane is counted and the tetrahedra of the balls
-  /// are computed; elsewhere only between steps. Returning false cancels the run.
+  /// Called repeatedly while tetrahedra are computed, as SolidOptions::progress. Afterwards Progress::triangles is 0:
+  /// called repeatedly while the radius is chosen, the full complex is counted (unless all points are in a plane), and
+  /// the tetrahedra of the balls are computed; else only between steps. Returning false cancels the run.
   OnProgress progress = {};
   /// Called by the calling thread when a step begins, never at the same time as `progress`.
   std::function<void(SolidStep)> on_step = {};
 };
 
 struct MeasuredSolid {
-  Solid solid = {};                         ///< at `alpha`; with neighbors if a boundary or all tetrahedra were needed
-  double alpha = 0;                         ///< given or chosen; infinity if a rule finds no tetrahedron
-  std::vector<SolidPlateau> plateaus = {};  ///< all of them, the best first, if the rule is `plateau`
+  /// The complex at `alpha`; with neighbors if a boundary or all tetrahedra were needed.
+  Solid solid = {};
+  double alpha = 0;                         ///< the radius, given or chosen; infinity if a rule finds no tetrahedron
+  std::vector<SolidPlateau> plateaus = {};  ///< all plateaus, the best first, if the rule is `plateau`
   Solid triangulation = {};                 ///< all tetrahedra of the points, if they were needed
   std::vector<double> radii = {};           ///< circumradii of the tetrahedra of `triangulation`
   SolidBoundary boundary = {};
@@ -69,7 +71,7 @@ struct MeasuredSolid {
   const Surface& around_voids() const { return full ? full_void_boundary : boundary.surface; }
 };
 
-/// Computes the solid, and what the options request of it.
+/// Computes the solid and the results that the options request.
 /// Requires: as solid(); for rules that take a cover, 0 < cover ≤ 1; for the rule `plateau`, a rank from 1 to the
 ///           number of plateaus if there are any; for `balls`, as union_of_balls().
 /// Throws:   InvalidInput that names the violated requirement; ContractViolation when the cover is out of its bounds;

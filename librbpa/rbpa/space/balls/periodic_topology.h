@@ -1,11 +1,11 @@
-// What:   the topology of an alpha complex that repeats, solid or full: its pieces and voids with volume, area and the
-//         number of directions in which they percolate, and its Betti numbers as a part of the torus that the box is.
+// What:   computes the topology of a periodic alpha complex, solid or full: pieces and voids, each with volume, area
+//         and the number of directions in which it percolates, and the Betti numbers in the torus that the box forms.
 // Law:    exact, except volumes and areas, which are sums rounded once; a function of the set of points, the box and
 //         alpha. The volumes of pieces and voids add up to that of the box. b₀ − b₁ + b₂ − b₃ = points − edges +
 //         triangles − tetrahedra.
 // How:    the Delaunay tetrahedra fill the box, so voids are the tetrahedra that are not in the complex; in the full
-//         complex its triangles separate them as well. A path through tetrahedra that ends in an image of its first
-//         tetrahedron is a direction in which a piece or a void percolates. docs/explanation/space.md, section 23.
+//         complex its triangles separate them as well. A piece or a void percolates in a direction if a path through
+//         its tetrahedra leads to an image of the first one in that direction. docs/explanation/space.md, section 23.
 // Cost:   linear in the tetrahedra of the triangulation, and a sort of the edges at each point.
 // Source: Delfinado and Edelsbrunner (1995); Alexander–Lefschetz duality.
 #pragma once
@@ -27,27 +27,29 @@ namespace rbpa {
 struct PeriodicPart {
   std::size_t tetrahedra = 0;
   std::vector<std::uint32_t> points;  ///< corners of its boundary triangles; ascending
-  double volume = 0, area = 0;        ///< in one box; of a void, between the points
-  /// For a void of the full complex, the volume of the points in it that are at least alpha from every input point: the
-  /// possible centers of a ball.
+  double volume = 0, area = 0;        ///< in one box, in cubed and squared units of the points
+  /// For a void of the full complex, the volume of its part that is at least alpha from every input point: the possible
+  /// centers of a ball of radius alpha.
   std::optional<double> outside_balls = {};
-  /// Number of independent directions in which it percolates; for a void 0 = closed, 1 = a channel, 2 = a layer, 3 = a
+  /// Number of independent directions in which it percolates. For a void, 0 = closed, 1 = a channel, 2 = a layer, 3 = a
   /// network.
   unsigned dimension = 0;
 };
 
 struct PeriodicTopology {
   std::size_t points = 0, edges = 0, triangles = 0, tetrahedra = 0;  ///< simplices of the complex in one box
-  std::size_t boundary_triangles = 0;                                ///< triangles that have one tetrahedron
-  std::array<std::size_t, 4> betti = {0, 0, 0, 0};
-  double volume = 0, area = 0;                        ///< of the tetrahedra, and of the triangles that have one
+  std::size_t boundary_triangles = 0;                                ///< triangles of exactly one tetrahedron
+  std::array<std::size_t, 4> betti = {0, 0, 0, 0};                   ///< b₀ to b₃
+  double volume = 0, area = 0;                        ///< of the tetrahedra, and of the boundary triangles
   std::vector<PeriodicPart> solid_components, voids;  ///< the largest volume first
 };
 
 /// Computes the topology of the full alpha complex, whose voids a ball of radius alpha cannot leave, or of the solid
-/// one.
-/// Requires: periodic_solid() at infinity with neighbors, and its circumradii.
-/// Throws:   ContractViolation on others; InvalidInput when alpha is not a valid radius; Cancelled.
+/// alpha complex.
+/// Requires: `delaunay` is periodic_solid() at infinity, with neighbors; `radii` are its circumradii; 0 < alpha ≤
+///           infinity.
+/// Throws:   ContractViolation when sizes differ or a tetrahedron lacks a neighbor; InvalidInput when alpha is not
+///           above 0; Cancelled.
 RBPA_API PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<const double> radii, double alpha,
                                             ComplexKind walls = ComplexKind::full, MaxThreads threads = 0,
                                             const GoOn& go_on = {});

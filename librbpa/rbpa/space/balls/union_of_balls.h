@@ -1,9 +1,9 @@
-// What:   volume and surface area of the union of equal balls around points.
-// How:    inclusion and exclusion over the full alpha complex. A simplex counts by the angle around it that no
-//         tetrahedron fills, so at most three balls have to be intersected. docs/explanation/space.md, section 21, has
-//         the formula and a drawing.
-// Law:    the set of balls that count is exact; sizes and angles are rounded, their sum is exact.
-// Cost:   that of a Delaunay triangulation, which takes most of it.
+// What:   computes the volume and surface area of the union of equal balls around points.
+// How:    inclusion and exclusion over the full alpha complex. Each simplex is weighted by the angle around it that no
+//         tetrahedron fills, so at most three balls are intersected. docs/explanation/space.md, section 21, has the
+//         formula and a drawing.
+// Law:    the choice of simplices is exact; sizes and angles are rounded, their sum is exact and rounded once.
+// Cost:   that of a Delaunay triangulation, and about linear in its tetrahedra.
 // Source: Edelsbrunner, The union of balls and its dual shape (1995).
 #pragma once
 
@@ -23,8 +23,8 @@ struct BallUnion {
 
 /// Computes volume and area of the union. Points may have any position; equal points count once.
 /// Ignores options.neighbors.
-/// Requires: finite points; 0 < radius < infinity; if all points are in one plane, they are not so far apart, and
-///           the balls not so large, that points beyond all balls would overflow double.
+/// Requires: finite points; 0 < radius < infinity. If all points are in one plane, points farther away than all balls
+///           must still fit double.
 /// Throws:   InvalidInput that names the violated requirement; as solid().
 RBPA_API BallUnion union_of_balls(std::span<const Point3> points, double radius, const SolidOptions& options = {});
 

@@ -1,5 +1,5 @@
-// What: chooses the radius of points in space by a rule.
-// Law:  a function of the set of points and the choice.
+// What: chooses alpha for points in space by a rule.
+// Law:  a function of the set of points and the rule.
 // Cost: that of min_alpha(), auto_alpha() or solid_plateaus(); a given radius costs nothing.
 #pragma once
 
@@ -15,16 +15,18 @@
 
 namespace rbpa {
 
+/// The chosen radius, in units of the points.
 struct ChosenSolidAlpha {
   double alpha = std::numeric_limits<double>::infinity();  ///< infinity if a rule finds no tetrahedron
-  std::vector<SolidPlateau> plateaus = {};                 ///< all of them, the best first, if the rule is `plateau`
+  /// All plateaus, the best first, if the rule is `plateau`; else none.
+  std::vector<SolidPlateau> plateaus = {};
 };
 
 /// Returns the given radius, or the radius that the rule chooses.
 /// Requires: the result of solid() of these points at infinity, with neighbors, and its circumradii. The triangulation
 ///           may also be that of a periodic box (without_offsets()), unless the rule is `plateau`.
-/// Throws:   InvalidInput when there are fewer plateaus than the rank, but at least one; ContractViolation when the
-///           triangulation is visibly of other points, or the cover is out of its bounds; Cancelled.
+/// Throws:   InvalidInput when there are plateaus, but fewer than the rank; ContractViolation when the triangulation is
+///           visibly of other points, or the cover is not above 0 and at most 1; Cancelled.
 RBPA_API ChosenSolidAlpha choose_solid_alpha(const AlphaChoice& choice, std::span<const Point3> points,
                                              const Solid& delaunay, std::span<const double> radii,
                                              const GoOn& go_on = {});

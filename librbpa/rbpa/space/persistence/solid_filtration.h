@@ -22,25 +22,26 @@
 
 namespace rbpa {
 
+/// Simplices with the radius of each, in units of the points. Corners are input indices.
 struct SolidFiltration {
   /// The tetrahedra of solid() at infinity, with neighbors, along a space-filling curve in place of lexicographic
-  /// order, so that nearby tetrahedra and their faces are near in memory. Positively oriented, from any corner on. None
-  /// if all points are in a plane.
+  /// order, so that nearby tetrahedra and their faces are near in memory. Rows are positively oriented and begin with
+  /// any corner. There are none if all points are in a plane.
   Solid delaunay;
-  std::vector<double> tetrahedron_alpha;
-  std::vector<Triangle> triangles;  ///< corners ascending; in the order of their first tetrahedra
-  std::vector<double> triangle_alpha;
+  std::vector<double> tetrahedron_alpha;            ///< the radius of each tetrahedron
+  std::vector<Triangle> triangles;                  ///< corners ascending; in the order of their first tetrahedra
+  std::vector<double> triangle_alpha;               ///< the radius of each triangle
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< corners ascending; in the order of their first triangles
-  std::vector<double> edge_alpha;
+  std::vector<double> edge_alpha;                   ///< the radius of each edge; points have radius 0
 
-  /// For each tetrahedron, its triangles across from each corner.
+  /// For each corner of each tetrahedron, the triangle across from it.
   std::vector<std::array<std::uint32_t, 4>> triangles_of;
-  std::vector<std::array<std::uint32_t, 3>> edges_of;  ///< for each triangle, its edges across from each corner
+  std::vector<std::array<std::uint32_t, 3>> edges_of;  ///< for each corner of each triangle, the edge across from it
 };
 
-/// Computes the filtration. Options are as in solid(); neighbors are always computed. `progress` is called with all
-/// points once they are triangulated.
-/// Throws: as solid().
+/// Computes the filtration. Options are those of solid(); neighbors are always computed. Once the points are
+/// triangulated, `progress` is called with the number of all points.
+/// Requires: as solid(). Throws: as solid().
 RBPA_API SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOptions& options = {});
 
 }  // namespace rbpa

@@ -1,9 +1,9 @@
-// What:   births and deaths of components, tunnels and voids of the alpha complex in space while alpha grows from 0 to
-//         infinity.
+// What:   computes the births and deaths of components, tunnels and voids of the alpha complex in space while alpha
+//         grows from 0 to infinity.
 // Law:    the pairs with birth ≤ alpha < death are the components (dimension 0), tunnels (dimension 1) and voids
 //         (dimension 2) at alpha: the Betti numbers of the full alpha complex. A pair never has birth = death. Exact,
 //         with coefficients in Z/2: simplices are ordered by alpha, dimension and number. A function of the set of
-//         points alone, except for the simplices that make pairs if radii are equal.
+//         points alone; of simplices of equal radii, which ones make a pair depends on their numbers.
 // Cost:   union–find for dimensions 0 and 2; for dimension 1 a reduction that is nearly linear in practice.
 // Source: Edelsbrunner, Letscher, Zomorodian, Topological persistence and simplification (2002); Delfinado,
 //         Edelsbrunner (1995): dimension 2 by duality; Chen, Kerber, Persistent homology computation with a twist
@@ -20,21 +20,20 @@
 
 namespace rbpa {
 
-/// A component, tunnel or void that exists for birth ≤ alpha < death, and the numbers of the simplices that create and
-/// destroy it: for dimension 0 a point and an edge, for dimension 1 an edge and a triangle, for dimension 2 a triangle
-/// and a tetrahedron.
+/// A component, tunnel or void that exists for birth ≤ alpha < death. In dimension 0 a point creates it and an edge
+/// destroys it; in dimension 1 an edge and a triangle; in dimension 2 a triangle and a tetrahedron.
 struct SolidPair {
   int dimension = 0;
-  double birth = 0;
-  std::optional<double> death;  ///< absent: never
-  std::uint32_t born_by = 0;
-  std::uint32_t ended_by = Solid::none;
+  double birth = 0;                      ///< alpha, in units of the points
+  std::optional<double> death;           ///< alpha; absent: never
+  std::uint32_t born_by = 0;             ///< number of the simplex that creates it
+  std::uint32_t ended_by = Solid::none;  ///< number of the simplex that destroys it; none if it never dies
   friend bool operator==(const SolidPair&, const SolidPair&) = default;
 };
 
 /// Returns the pairs, sorted by dimension, birth and death, those without a death last, then by the simplex that
 /// creates them.
-/// Throws: ContractViolation when the argument visibly is not a filtration; Cancelled.
+/// Throws: ContractViolation when arrays of the filtration do not fit together; Cancelled.
 RBPA_API std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const GoOn& go_on = {});
 
 }  // namespace rbpa

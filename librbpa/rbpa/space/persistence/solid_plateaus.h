@@ -1,7 +1,7 @@
-// What:   finds plateaus of points in space: ranges of alpha, long as a ratio of their ends, over which the parts and
-//         voids of the solid alpha complex hardly change; and recommends an alpha in each.
-// Law:    a function of the set of points alone; scaled points have the same plateaus, scaled. A few outliers, or dust,
-//         change it in proportion to their share of the points.
+// What:   finds plateaus of points in space, and recommends an alpha in each. A plateau is a range of alpha, long as a
+//         ratio of its ends, over which the parts and voids of the solid alpha complex hardly change.
+// Law:    a function of the set of points alone; scaled points have the same plateaus, scaled. A few outliers or specks
+//         change the result in proportion to their share of the points.
 // Cost:   a few sorts of the tetrahedra; the rest is near-linear.
 // Source: docs/explanation/filtration_and_persistence.md, section 8.
 #pragma once
@@ -17,22 +17,22 @@
 
 namespace rbpa {
 
-/// The range from ≤ alpha < to, and the complex at `alpha`.
+/// The range from ≤ alpha < to, in units of the points, and numbers of the complex at `alpha`.
 struct SolidPlateau {
   double from = 0;
   std::optional<double> to = std::nullopt;  ///< absent: the last plateau, which has no end
   double ratio = 1;  ///< to / from; for the last plateau, half the diagonal of the points' box / from, at least 1
   double alpha = 0;  ///< the recommended alpha: √(from · to), but at most twice `from`
   // At `alpha`:
-  std::size_t tetrahedra = 0;
+  std::size_t tetrahedra = 0;  ///< number of tetrahedra
   std::size_t components = 0;  ///< components of the tetrahedra, connected through points
   std::size_t covered = 0;     ///< number of distinct points in tetrahedra
-  double volume = 0;           ///< of the tetrahedra
+  double volume = 0;           ///< of all tetrahedra, in cubed units
   double effective_parts = 1;  ///< (Σ nᵢ)² / Σ nᵢ², with nᵢ the points of each component
   double void_share = 0;       ///< volume of voids / volume of tetrahedra and voids
   /// Whether several parts, or voids, are of significant size; otherwise nearly all covered points are in one part.
   bool is_structured = false;
-  bool is_long = false;  ///< whether its ratio is above the one that points without any structure reach by chance
+  bool is_long = false;  ///< whether `ratio` is above what random points reach by chance
   friend bool operator==(const SolidPlateau&, const SolidPlateau&) = default;
 };
 

@@ -1,9 +1,9 @@
 // What:   locates the pairs of solid_persistence(): the edge at which a component ends, a cycle of edges around a
 //         tunnel, the triangles around a void with the tetrahedra in it.
-// Law:    a tunnel's cycle is in the complex at its birth, contains the edge that creates the tunnel, and becomes the
-//         boundary of triangles exactly when the tunnel ends. A void's triangles bound its tetrahedra: all of it at its
-//         birth. Every homologous surface there encloses these tetrahedra, so none encloses less volume. A function of
-//         the set of points alone if no radii and lengths are equal.
+// Law:    a tunnel's cycle is in the complex at its birth, contains the edge that creates the tunnel, and becomes a
+//         boundary of triangles exactly when the tunnel ends. A void's triangles bound the tetrahedra that fill the
+//         void at its birth. Every homologous surface in the complex then encloses these tetrahedra, so none encloses
+//         less volume. A function of the set of points alone if no radii and lengths are equal.
 // Cost:   that of solid_persistence(); also a search for a shortest path for each tunnel, and linear time in the
 //         tetrahedra of each void.
 // Source: Obayashi, Volume-optimal cycle (2018): voids; Dijkstra (1959), Hart, Nilsson, Raphael (1968): shortest paths;
@@ -22,25 +22,26 @@
 
 namespace rbpa {
 
+/// The place of one pair. Numbers are those of simplices of the filtration.
 struct SolidRepresentative {
-  /// Dimension 0: the edge that ends it; none if it never dies. Dimension 1: the edges of the cycle, one after the
-  /// other, beginning with the one that creates the tunnel; if the cycle has several loops, the others follow.
-  /// Dimension 2: the triangles around the void, ascending.
+  /// Dimension 0: the edge that ends the component; empty if it never ends. Dimension 1: the edges of the cycle, one
+  /// after the other, beginning with the one that creates the tunnel; if the cycle has several loops, the others
+  /// follow. Dimension 2: the triangles around the void, ascending.
   std::vector<std::uint32_t> cells;
   std::vector<std::uint32_t> tetrahedra;  ///< dimension 2: the tetrahedra in the void, ascending
   /// Dimension 2: the corners of the triangles in `cells`, in the same order, counter-clockwise seen from outside the
   /// void.
   std::vector<Triangle> faces;
-  double length = 0;            ///< sum over the edges
-  double area = 0, volume = 0;  ///< of the triangles, and of the tetrahedra
-  bool is_shortest = false;  ///< dimension 1: whether the cycle is known to be the shortest one for which the law holds
+  double length = 0;            ///< sum of the lengths of the edges, in units of the points
+  double area = 0, volume = 0;  ///< of the triangles, and of the tetrahedra, in squared and cubed units
+  bool is_shortest = false;     ///< dimension 1: whether the cycle is known to be the shortest that obeys the law above
 };
 
-/// Returns one representative for each pair. If a cycle is not known to be the shortest, shorter ones were sought:
-/// shortest paths between its points, half of the cycle apart, a quarter, an eighth and so on, were tried in place of
-/// parts of it. The cycle is never longer than that of the reduction.
+/// Returns one representative for each pair. A cycle that is not known to be the shortest was shortened: shortest paths
+/// between its points that are half of the cycle apart, a quarter, an eighth and so on replace parts of it. The cycle
+/// is never longer than that of the reduction.
 /// Requires: the filtration of these points, and pairs of it.
-/// Throws:   ContractViolation when they visibly are not; Cancelled as solid_persistence().
+/// Throws:   ContractViolation when the points, filtration and pairs visibly do not belong together; Cancelled.
 RBPA_API std::vector<SolidRepresentative> solid_representatives(std::span<const Point3> points,
                                                                 const SolidFiltration& filtration,
                                                                 std::span<const SolidPair> pairs,

@@ -1,9 +1,9 @@
-// What:   all voids of points in space at every radius, as a tree: each void with the radii at which it closes and is
-//         filled, and with the larger void, or the outside, from which it separates when it closes. Below the radius at
-//         which it closes, a void is a pocket, with the triangle that closes it for its mouth.
+// What:   builds the tree of all voids of points in space at every radius. A void has the radii at which it closes and
+//         is filled; its parent is the larger void, or the outside, from which it separates as it closes. At smaller
+//         radii it is a pocket, whose mouth is the triangle that closes it.
 // Law:    a void of the complex at alpha is one node with closes ≤ alpha < filled, and every such node is a void. A
-//         function of the set of points, except for the simplices if radii are equal.
-// Cost:   a sort of the tetrahedra, and union–find; with full walls also the radius of each triangle.
+//         function of the set of points; if radii are equal, mouth and last depend on the numbers of simplices.
+// Cost:   a sort of the tetrahedra, and union–find; with ComplexKind::full also the radius of each triangle.
 // Source: Delfinado, Edelsbrunner (1995); Edelsbrunner, Facello, Liang, On the definition and the construction of
 //         pockets in macromolecules (1998); docs/explanation/filtration_and_persistence.md, section 11.
 #pragma once
@@ -21,25 +21,28 @@
 
 namespace rbpa {
 
+/// A void over a range of alpha, in units of the points.
 struct VoidNode {
   double closes = 0, filled = 0;  ///< it is a void for closes ≤ alpha < filled
-  double volume = 0;              ///< volume when it closes
+  double volume = 0;              ///< its volume when it closes, in cubed units
   /// The corners of the triangle that closes it, ascending; with ComplexKind::solid, the last triangle of the
   /// tetrahedron that closes it.
   Triangle mouth = {};
-  std::uint32_t last = 0;    ///< the last tetrahedron that fills it
-  std::uint32_t parent = 0;  ///< the node from which it separates, or none: the outside
+  std::uint32_t last = 0;    ///< the last of the tetrahedra that fill it
+  std::uint32_t parent = 0;  ///< the node from which it separates; none: the outside
 };
 
+/// The voids as nodes of a tree.
 struct VoidTree {
   static constexpr std::uint32_t none = 0xffffffff;
 
   std::vector<VoidNode> nodes;  ///< sorted by `closes`; parents come before children
-  /// For each tetrahedron, the node that contains it just below its radius; none if it is then in the outside, or in a
-  /// void that is filled as it closes.
+  /// For each tetrahedron, the node that contains it just below its radius; none: the outside, or a void that is filled
+  /// as it closes.
   std::vector<std::uint32_t> node_of;
 
-  /// Returns the void that contains a tetrahedron at a radius below its own, or none. Cost: its depth.
+  /// Returns the node of the void that contains a tetrahedron at `alpha`, or none. Requires: alpha below the radius of
+  /// the tetrahedron. Cost: the depth of the node.
   std::uint32_t void_at(double alpha, std::uint32_t tetrahedron) const {
     std::uint32_t node = node_of[tetrahedron];
     while (node != none && nodes[node].closes > alpha) node = nodes[node].parent;
@@ -48,16 +51,16 @@ struct VoidTree {
 };
 
 /// Builds the tree. Threads share the radii of triangles.
-/// Requires: the tetrahedra of solid() of these points at infinity, with neighbors, and their circumradii; or those of
-///           solid_filtration(), which are near each other in memory.
-/// Throws:   ContractViolation when they visibly are not; Cancelled.
+/// Requires: the tetrahedra of solid() of these points at infinity, with neighbors, and their circumradii; or the
+///           tetrahedra and radii of solid_filtration(), which is faster.
+/// Throws:   ContractViolation when points, tetrahedra and radii visibly do not belong together; Cancelled.
 RBPA_API VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                             ComplexKind walls = ComplexKind::full, MaxThreads threads = 0, const GoOn& go_on = {});
 
-/// Returns for each void at alpha, as voids() or full_voids() return them with their boundary, its node in the tree of
-/// the same walls.
+/// Returns the node of each void. `voids` at alpha and their `boundary` are those of voids() for a tree of
+/// ComplexKind::solid, those of full_voids() for one of ComplexKind::full.
 /// Requires: the triangulation of the tree, and its radii.
-/// Throws:   ContractViolation when a void is not found.
+/// Throws:   ContractViolation when sizes differ or a void is not found.
 RBPA_API std::vector<std::uint32_t> nodes_of(const VoidTree& tree, const Solid& delaunay, std::span<const double> radii,
                                              double alpha, const Surface& boundary, std::span<const SolidVoid> voids);
 

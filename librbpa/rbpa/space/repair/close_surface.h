@@ -1,7 +1,7 @@
 // What: closes a surface of points in space by filling every boundary curve, as 3D printing and volumes require.
-// How:  fill_holes() fills all curves. Where some stay open, it removes the triangles around them, then those around
-//       the curves that still stay open, and so on, at most four times, and fills the resulting holes. Triangles around
-//       points at which parts of the surface touch are treated likewise.
+// How:  fill_holes() fills all curves. If some stay open, the triangles around them are removed and the resulting holes
+//       are filled; this is repeated at most four times. Once no curve is open, triangles around points at which the
+//       surface touches itself are removed likewise.
 // Law:  the result depends on the points and the triangles only, not on any order. No point is added.
 // Cost: up to five times that of fill_holes().
 #pragma once
@@ -17,18 +17,18 @@
 
 namespace rbpa {
 
-/// A surface that is closed where every hole is filled. The triangles that are not new are the kept ones in their old
+/// A surface that is closed if every hole is filled. The triangles that are not new are the kept ones, in their old
 /// order.
 struct ClosedSurface : FilledSurface {
-  std::vector<bool> kept = {};  ///< for each triangle of the given surface: whether it is kept
-  std::size_t given_up = 0;     ///< number of triangles removed; more than 0 only if the surface is closed
+  std::vector<bool> kept = {};  ///< for each triangle of the given surface, whether it is kept
+  std::size_t given_up = 0;     ///< number of triangles removed; 0 unless the surface is closed
 };
 
-/// Fills all boundary curves. Triangles are removed only if the surface is then closed; if it was closed before, only
-/// if it then touches itself at fewer points. At most a twentieth of them are removed, and none if the closed surface
-/// would have more components, or while a curve of more than 256 edges stays open. Components that become islands() by
-/// this are removed too.
-/// Requires: an indexable_surface().
+/// Fills all boundary curves. Triangles are removed only if this closes the surface; if it is closed without, only if
+/// it then touches itself at fewer points. At most a twentieth of the triangles are removed; none if the closed surface
+/// would have more components, or if a curve of more than 256 edges stays open. Components that become islands() are
+/// removed too.
+/// Requires: an indexable_surface() of these points.
 /// Throws:   as fill_holes().
 RBPA_API ClosedSurface close_surface(std::span<const Point3> points, const Surface& surface,
                                      const SurfaceOptions& options = {});

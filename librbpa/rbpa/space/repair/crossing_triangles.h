@@ -1,5 +1,5 @@
 // What: finds the triangles of a mesh in space that cross each other.
-// Law:  exact, and a function of the triangles.
+// Law:  exact; a function of the points and triangles.
 // Cost: a tree of their bounding boxes, and an exact test for each pair whose boxes meet: some tens of nanoseconds
 //       where a plane separates them.
 #pragma once
@@ -17,11 +17,12 @@
 
 namespace rbpa {
 
-/// Returns pairs of triangles that share more than a corner at one point or a side between two points: they overlap,
-/// one pierces the other, or they touch elsewhere. The pairs are sorted; at most the first `most` are returned.
-/// Triangles of no area cross nothing.
-/// Requires: finite points.
-/// Throws:   InvalidInput; ContractViolation when a corner is none of the points; Cancelled.
+/// Returns the pairs of triangles that cross: they overlap, one pierces the other, or they touch elsewhere than in a
+/// common corner or along a common side; corners are common if they are equal as points. Pairs are indices i < j,
+/// sorted; only the first `most` are returned. Triangles of no area cross nothing.
+/// Requires: finite points, fewer than 2^32 − 1.
+/// Throws:   InvalidInput that names the violated requirement; ContractViolation when a corner is not an index of a
+///           point; Cancelled.
 RBPA_API std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_triangles(
     std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t most,
     const SurfaceOptions& options = {});

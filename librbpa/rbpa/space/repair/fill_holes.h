@@ -1,14 +1,15 @@
-// What:   closes holes of a triangle mesh in space by triangles between their corners; no new triangle crosses another.
+// What:   closes holes of a triangle mesh in space by triangles between the corners of the holes; no new triangle
+//         crosses another.
 // How:    for each boundary loop, finds the triangulation that turns least over its worst edge, then the one of least
 //         area (Liepa 2003), on condition that no new triangle crosses any other, which is decided exactly. If the best
 //         triangulation crosses something, its crossing edges and triangles are forbidden and the next best one is
-//         sought, a number of times. Loops that cannot be closed one by one without a crossing are closed together if a
-//         strip of two triangles joins them, as the hole around an island.
+//         sought, 10 to 100 times. Loops that cannot be closed one by one without a crossing, as the two loops of a
+//         hole with an island in it, are closed together if a strip of two triangles can join them.
 // Law:    the result is a function of the mesh as a set of points and triangles, not of any order or number of threads.
 //         No point is added.
-// Cost:   for a loop of n edges, n³/6 steps of nanoseconds up to 256 edges, about n times a thousand beyond; and a tree
-//         of the bounding boxes of triangles. Triangles whose boxes meet are compared pair by pair; when there are more
-//         than thousands of pairs for each triangle, the remaining holes stay open.
+// Cost:   for each triangulation of a loop of n edges, n³/6 steps of a few nanoseconds up to 256 edges, about 1000 n
+//         beyond; and a tree of the bounding boxes of triangles. Triangles whose boxes meet are compared pair by pair,
+//         at most 2²⁴ pairs plus 4096 for each triangle; the holes that remain then stay open.
 // Source: Liepa, Filling holes in meshes (2003); Barequet and Sharir, Filling gaps in the boundary of a polyhedron
 //         (1995).
 #pragma once
@@ -32,48 +33,52 @@ namespace rbpa {
 enum class HoleOutcome : std::uint8_t {
   filled,
   crosses,  ///< each triangulation that was tried crosses the mesh or itself
-  /// Each triangulation has an edge between two points that an edge joins already, which would get a third triangle.
+  /// Each triangulation has an edge that exists already, which would get a third triangle.
   edge_taken,
-  no_area,        ///< each triangulation has a triangle of no area: all corners are on a line
-  too_much_work,  ///< not all triangulations were tried: too many triangles are near each other
+  no_area,        ///< each triangulation has a triangle of no area, because corners are on a line
+  too_much_work,  ///< not all triangulations were tried, because too many triangles are near each other
 };
 
+/// The filling of one hole.
 struct HoleFill {
   HoleOutcome outcome = HoleOutcome::filled;
   /// Number of new triangles. A loop that touches itself may be filled in part. If loops are closed together, the
-  /// longest one counts all triangles.
+  /// longest loop counts all triangles.
   std::size_t triangles = 0;
   double area = 0;  ///< area of the new triangles, in squared units of the points
   friend bool operator==(const HoleFill&, const HoleFill&) = default;
 };
 
+/// A mesh with filled holes.
 struct HoleFilling {
   /// The given triangles in their order, then the new ones, loop by loop; last, those that close several loops
   /// together.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<HoleFill> loops;  ///< for each given loop
+  std::vector<HoleFill> loops;  ///< the outcome for each given loop
 };
 
 /// Returns the boundary loops of triangles as lists of vertices, with the triangles to the right and a hole to the
 /// left. Each loop begins with its least vertex; the loops are sorted.
 /// Requires: an oriented manifold: each directed side belongs to one triangle, and the triangles at a vertex form one
 ///           fan.
-/// Throws:   ContractViolation when the triangles visibly form no such manifold.
+/// Throws:   ContractViolation when two triangles have a side in the same direction, or several boundary curves pass a
+///           vertex.
 RBPA_API std::vector<std::vector<std::uint32_t>> boundary_loops(
     std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// Closes the given boundary loops. A loop that passes the same point several times is closed part by part there. If it
-/// passes the point at different vertices, all triangles use the lowest of these vertices instead.
-/// Requires: finite points; loops of these triangles, as boundary_loops() returns them. Triangles of no area cross
-///           nothing.
-/// Throws:   InvalidInput when a point is not finite; ContractViolation; Cancelled.
+/// Closes the given boundary loops. A loop that passes a point several times is cut there, and its parts are closed one
+/// by one. If it passes the point at different vertices, the lowest of these vertices replaces the others in all
+/// triangles.
+/// Requires: finite points; loops of these triangles, as boundary_loops() returns them.
+/// Throws:   InvalidInput when a point is not finite; ContractViolation when a corner is not an index of a point, or a
+///           loop is empty or has an edge that is not a boundary side or that loops pass twice; Cancelled.
 RBPA_API HoleFilling fill_holes(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
                                 std::span<const std::vector<std::uint32_t>> loops, const SurfaceOptions& options = {});
 
 struct FilledSurface {
   Surface surface;              ///< without levels
-  std::vector<bool> is_new;     ///< for each triangle: whether it is new; the others keep their order
-  std::vector<HoleFill> holes;  ///< for each given curve
+  std::vector<bool> is_new;     ///< for each triangle, whether it is new; the others keep their order
+  std::vector<HoleFill> holes;  ///< the outcome for each given curve
 
   /// Returns whether some hole is filled.
   bool has_filled() const {
@@ -81,7 +86,7 @@ struct FilledSurface {
   }
 };
 
-/// Closes the given boundary curves of a surface in the same way.
+/// Closes the given boundary curves of a surface, as fill_holes() of loops does.
 /// Requires: an indexable_surface() (split_fans.h), and curves of it.
 /// Throws:   as fill_holes() of loops.
 RBPA_API FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface, std::span<const Hole> curves,

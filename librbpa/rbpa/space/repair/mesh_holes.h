@@ -18,13 +18,14 @@
 namespace rbpa {
 
 struct FilledMesh {
-  std::vector<HoleFill> holes;       ///< for each given curve
+  std::vector<HoleFill> holes;       ///< the outcome for each given curve
   std::vector<meshops::Face> faces;  ///< the new faces
 };
 
 /// Fills the given boundary curves of a mesh; boundary_curves(mesh) returns all, including the outer rim of a sheet.
-/// Requires: the mesh is sound, has status of every kind, triangles only, and a finite place for each vertex, by index;
-///           no two edges join the same vertices; curves of this mesh, none twice.
+/// Requires: a sound mesh of triangles, with status of every kind (request_vertex_status() and so on), in which no two
+///           edges join the same vertices; `places` has a finite position for each vertex, by index; `curves` are of
+///           this mesh, none twice.
 /// Throws:   as fill_holes(); the mesh is then unchanged.
 RBPA_API FilledMesh fill_holes(meshops::Connectivity& mesh, std::span<const Point3> places,
                                std::span<const meshops::BoundaryCurve> curves, const SurfaceOptions& options = {});

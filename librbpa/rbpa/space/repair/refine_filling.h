@@ -1,12 +1,11 @@
 // What:   refines the fillings of holes until they are as fine and as smooth as the surface around them, by adding
 //         points.
 // How:    splits triangles that are large for the edges at their corners, and flips edges until they are Delaunay
-//         (Liepa 2003). Then moves the new points, not the old ones: the mean curvature at them and along the rim is to
-//         be that of the two rings outside, harmonic in between. This is the least sum of squared differences, by up to
-//         twenty rounds of a sparse system.
+//         (Liepa 2003). Then moves the new points only, so that the mean curvature along the rim is that of the two
+//         rings of points outside, and harmonic inside: up to twenty rounds of least squares, each a sparse system.
 // Law:    a function of the points and triangles, not of any order or number of threads. No new triangle crosses
-//         another, which is tested exactly: if one would, the new points of its filling are not moved; if they still
-//         cross then, the filling gets none.
+//         another, which is tested exactly: if one would, the new points of its filling are not moved; if a crossing
+//         remains, the filling gets no new points.
 // Cost:   that of crossing_triangles(), one to three times; for a filling of n points about n^1.5.
 // Source: Liepa, Filling holes in meshes (2003); Schneider and Kobbelt, Geometric fairing of irregular meshes for
 //         free-form surface design (2001).
@@ -25,37 +24,38 @@
 
 namespace rbpa {
 
-/// Points inside fillings.
+/// Points that refining added inside fillings.
 struct AddedPoints {
   std::vector<Point3> points = {};  ///< numbered from the number of given points on
-  /// For each added point, the three points between which it was put, all of lower numbers; for interpolation of
-  /// attributes besides coordinates.
+  /// For each added point, the three points of lower numbers between which it was put: for interpolating attributes.
   std::vector<std::array<std::uint32_t, 3>> between = {};
-  std::size_t smooth = 0;  ///< number of fillings with added points that were moved
+  std::size_t smooth = 0;  ///< number of fillings whose added points were moved
 };
 
 struct RefinedSurface : AddedPoints {
   Surface surface;           ///< without levels
   std::vector<bool> is_new;  ///< for each triangle, whether it fills a hole
-  std::size_t flat = 0;      ///< number of fillings with new points that were not moved
-  std::size_t coarse = 0;    ///< number of fillings without new points
+  std::size_t flat = 0;      ///< number of fillings whose added points were not moved
+  std::size_t coarse = 0;    ///< number of fillings without added points
 };
 
-/// Refines each filling: each connected set of triangles with is_new[t].
+/// Refines each filling: each connected set of triangles t with is_new[t].
 /// Requires: an indexable_surface() of the points, which are finite; one flag for each triangle; fewer than 2^31 points
 ///           and triangles, the added ones included.
-/// Throws:   InvalidInput when a point is not finite; ContractViolation; Cancelled.
+/// Throws:   InvalidInput when a point is not finite; ContractViolation when another requirement is visibly violated;
+///           Cancelled.
 RBPA_API RefinedSurface refine_filling(std::span<const Point3> points, const Surface& surface,
                                        const std::vector<bool>& is_new, const SurfaceOptions& options = {});
 
-/// Refines the fillings in place. Returns: the added points.
+/// Refines the fillings in place, and returns the added points.
 /// Requires and throws: as above.
 RBPA_API AddedPoints refine_filling(std::span<const Point3> points, FilledSurface& filled,
                                     const SurfaceOptions& options = {});
 
-/// Returns unit normals for the added points: the mean direction of the normals at the three points between which each
-/// was put, or the first of them if they cancel each other.
-/// Requires: normals of the other points, none of length 0; points lie between points of lower numbers.
+/// Returns unit normals for the added points: the mean direction of the normals at the three points `between` which a
+/// point was put, or the first of the three if they cancel each other.
+/// Requires: `normals` has the normals of the points that were not added, none of length 0; points lie between points
+///           of lower numbers.
 /// Throws:   ContractViolation when a point lies between others that follow it.
 RBPA_API std::vector<Point3> normals_between(std::span<const Point3> normals,
                                              std::span<const std::array<std::uint32_t, 3>> between);

@@ -1,6 +1,6 @@
-// What: suggests repairs for holes of a surface, each tested: normals to turn around, a larger ball, or a filling.
-// How:  turns the normals that are in the way, where the causes of the hole name some; then rolls ever larger balls
-//       over the rim and takes the least radius at which the triangles so found are exposed; then fills.
+// What: suggests repairs for holes of a surface, each tested: reversing normals, a larger ball, or a filling.
+// How:  tries first to reverse the normals that the causes of a hole name; then to roll ever larger balls over the rim,
+//       of which it takes the least whose triangles close the hole; then to fill the hole.
 // Law:  a function of the points, their normals and the radii, not of any order or number of threads. The effect of a
 //       suggested repair is proved for the whole surface by exact tests of the part around the hole.
 // Cost: for each radius that is tried, a sort of the points; for each hole, about twenty times that of surface() of the
@@ -21,32 +21,33 @@
 namespace rbpa {
 
 enum class SuggestedRepairKind : std::uint8_t {
-  none,  ///< nothing that was tried closes the hole
-  /// Turns the normals at `points`, and no others: surface() of the same radii is then closed there, and has no
-  /// boundary where it had none before. It may have other triangles at these points.
+  none,  ///< no repair that was tried closes the hole
+  /// Reverses the normals at `points` only. Then surface() of the same radii closes the hole and has no new boundary;
+  /// it may have other triangles at these points.
   turn_normals,
-  /// Adds `radius` to the radii: surface() is then closed there. No edge of the hole is boundary, nor any edge of an
-  /// added triangle next to it.
+  /// Adds `radius` to the radii. Then surface() closes the hole: no edge of the hole, or of an added triangle next to
+  /// it, is boundary.
   larger_ball,
-  filling,  ///< fill_holes() closes the hole
+  filling,  ///< fills the hole by fill_holes()
 };
 
 struct SuggestedRepair {
   SuggestedRepairKind kind = SuggestedRepairKind::none;
-  double radius = 0;                       ///< of the larger ball
-  std::vector<std::uint32_t> points = {};  ///< points whose normals are to be turned; ascending
-  /// The outcome of fill_holes(), if nothing else closes the hole; absent if no indexed file can hold the curve as it
-  /// is.
+  double radius = 0;                       ///< of the larger ball, in units of the points
+  std::vector<std::uint32_t> points = {};  ///< points whose normals are to be reversed; ascending
+  /// The outcome of fill_holes(), tried if nothing else closes the hole; absent if indexable_surface() changes the
+  /// curve.
   std::optional<HoleOutcome> filled = std::nullopt;
   friend bool operator==(const SuggestedRepair&, const SuggestedRepair&) = default;
 };
 
 /// Returns a suggested repair for each of the given holes. Balls are at most fourteen times as large as the last
-/// radius, and not larger than the hole. The radius is the least at which the ball rests on the triangles by which it
-/// closes the hole, if only their circumradii decide that; otherwise it is at most a thousandth more. Balls that close
-/// the hole may be missed at radii between one that fails and 1.25 times that radius.
+/// radius, and not larger than the hole. The radius of a larger ball is the least at which it rests on all triangles
+/// that close the hole, if only their circumradii decide; otherwise it is at most a thousandth larger. A ball that
+/// closes the hole may be missed if its radius is between one that fails and 1.25 times that radius.
 /// Requires: the surface() of these points, normals and radii, and some of its holes().
-/// Throws:   InvalidInput as surface(); ContractViolation; Cancelled.
+/// Throws:   InvalidInput as surface(); ContractViolation when the holes or the surface visibly are not those;
+///           Cancelled.
 RBPA_API std::vector<SuggestedRepair> suggested_repairs(std::span<const Point3> points, std::span<const Point3> normals,
                                                         std::span<const double> radii, const Surface& surface,
                                                         std::span<const Hole> holes,

@@ -1,6 +1,6 @@
 // What: makes a surface of points in space watertight, and proves it: each side has a neighbor, and no triangles cross.
 // How:  drops the islands, fills all boundary curves as close_surface() does, refines the fillings on request, and
-//       looks for curves that stay open and for crossing_triangles().
+//       lists the curves that stay open and the crossing_triangles().
 // Law:  the result depends on the points and the triangles only, not on any order or number of threads. The check is
 //       exact.
 // Cost: that of close_surface(), of refine_filling() on request, and of crossing_triangles().
@@ -22,25 +22,25 @@
 
 namespace rbpa {
 
-/// The most pairs of crossing triangles that a check for watertightness lists.
+/// Maximum number of pairs of crossing triangles that a check for watertightness lists.
 inline constexpr std::size_t most_crossing_pairs = 1000;
 
 struct WatertightOptions {
   const SurfaceComponents* components = nullptr;  ///< the surface_components(), if they are known
   /// For each component of the surface, whether it may stay; empty: all may.
   std::vector<bool> kept = {};
-  /// The final position of each point, by which fillings are refined and checked; empty: the given points. The
-  /// originals of points that scale_space() moved differ from those by which holes are filled.
+  /// The final position of each point, by which fillings are refined and checked; empty: the given points, by which
+  /// holes are filled. The two differ if scale_space() moved the points.
   std::span<const Point3> places = {};
   bool refine = false;  ///< refines the fillings
 };
 
-/// A surface closed as far as possible. Flags `kept` are those of the triangles of the given surface, islands included.
+/// A surface closed as far as possible. `kept` has a flag for each triangle of the given surface, also of islands.
 struct WatertightSurface : ClosedSurface {
   std::vector<bool> components = {};  ///< for each component of the given surface, whether it stays
   AddedPoints added = {};             ///< points inside refined fillings; none without `refine`
-  /// Boundary curves that stay open, with their lengths by the given points, or by the places if fillings are refined;
-  /// `holes` has the reasons.
+  /// Boundary curves that stay open; `holes` has the reasons. Lengths are between the given points, or between `places`
+  /// if fillings are refined.
   std::vector<Hole> open = {};
   /// Pairs of triangles that cross, sorted: the first most_crossing_pairs.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing = {};
@@ -49,10 +49,10 @@ struct WatertightSurface : ClosedSurface {
   bool is_watertight() const { return !surface.triangles.empty() && open.empty() && crossing.empty(); }
 };
 
-/// Drops components that may not stay and islands, and closes the surface as far as possible. The result tells what was
-/// dropped, what stays open and what crosses.
+/// Drops islands and the components that may not stay, and closes the surface as far as possible. The result lists what
+/// was dropped, what stays open and what crosses.
 /// Requires: a surface of these points; options of matching sizes.
-/// Throws:   as close_surface(), refine_filling() and crossing_triangles().
+/// Throws:   as close_surface(), refine_filling() and crossing_triangles(); ContractViolation when sizes do not match.
 RBPA_API WatertightSurface make_watertight(std::span<const Point3> points, const Surface& surface,
                                            const WatertightOptions& options = {}, const SurfaceOptions& run = {});
 

@@ -23,9 +23,9 @@
 
 namespace rbpa {
 
-/// The image of a point of the box, moved by `offset` boxes along each axis.
+/// The image of an input point, moved from its place in the box by `offset` boxes along each axis: −1, 0 or 1.
 struct PeriodicVertex {
-  std::uint32_t point = 0;
+  std::uint32_t point = 0;  ///< input index; of points that are equal modulo the box the lowest
   std::array<std::int8_t, 3> offset = {0, 0, 0};
   friend bool operator==(const PeriodicVertex&, const PeriodicVertex&) = default;
   friend bool operator<(const PeriodicVertex& a, const PeriodicVertex& b) {
@@ -33,41 +33,45 @@ struct PeriodicVertex {
   }
 };
 
-/// The tetrahedra, one of all images of each: the one whose corner of the least index is in the box. Its corners are
-/// four different points.
+/// The tetrahedra of a periodic complex. Of all images of a tetrahedron, the result has the one whose corner of least
+/// index is in the box. Its corners are images of four different points.
 struct PeriodicSolid {
-  Point3 box;                            ///< the sides, rounded
-  std::vector<PeriodicVertex> vertices;  ///< all corners, ascending
-  std::vector<Point3> positions;         ///< positions of the vertices: point modulo box, plus offset times box; exact
-  /// The tetrahedra as in Solid, with vertices for corners.
+  Point3 box;                            ///< the three sides, rounded as above, in units of the points
+  std::vector<PeriodicVertex> vertices;  ///< all corners, sorted by point, then by offset
+  /// Exact positions of the vertices: the point modulo the box, plus offset times side.
+  std::vector<Point3> positions;
+  /// The tetrahedra, oriented and sorted as in Solid. Corners are positions in `vertices`.
   std::vector<std::array<std::uint32_t, 4>> simplices;
-  /// The tetrahedron one of whose images lies across from each corner, or Solid::none.
+  /// For each corner of each tetrahedron, the tetrahedron that has an image across from this corner, or Solid::none.
+  /// Empty unless requested.
   std::vector<std::array<std::uint32_t, 4>> neighbors;
   std::vector<Duplicate> duplicates;    ///< points that are equal modulo the box; ascending by index
   std::vector<std::uint32_t> isolated;  ///< distinct points in no tetrahedron, ascending
   std::size_t distinct = 0;             ///< number of distinct points
 };
 
-/// Computes the Delaunay tetrahedra of circumradius at most alpha, of points and all their images. At infinity, all of
-/// them.
-/// Requires: as solid(); sides of the box from 2⁻⁹⁰⁰ to 2⁹⁰⁰; alpha below half of the least side, or no empty ball of
-///           that radius.
+/// Computes the Delaunay tetrahedra of circumradius at most alpha, of the points and all their images. If alpha is
+/// infinity, it computes all Delaunay tetrahedra.
+/// Requires: what solid() requires; sides of the box from 2⁻⁹⁰⁰ to 2⁹⁰⁰; alpha below half of the least side, or so many
+///           points that no ball of half that side is empty.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API PeriodicSolid periodic_solid(std::span<const Point3> points, const Point3& box, double alpha,
                                       const SolidOptions& options = {});
 
-/// Returns the tetrahedra of `solid` with points as corners, without offsets. It serves functions that need neighbors
-/// and radii, but no positions: min_alpha(), auto_alpha().
+/// Returns the tetrahedra of `solid` with input indices as corners, in the same order. The result is for functions that
+/// need neighbors and radii but no positions: min_alpha(), auto_alpha().
 RBPA_API Solid without_offsets(const PeriodicSolid& solid);
 
-/// Returns the triangles that have a tetrahedron on one side only, each at the place of that tetrahedron; corners are
-/// vertices, counter-clockwise seen from outside. They form a closed surface if images of an edge count as one.
-/// Requires: neighbors.
-/// Throws:   ContractViolation when there are none.
+/// Returns the triangles that have a tetrahedron on one side only, each with three corners of that tetrahedron:
+/// positions in `vertices`, counter-clockwise seen from outside. The triangles form a closed surface if all images of
+/// an edge count as one edge.
+/// Requires: a solid with neighbors.
+/// Throws:   ContractViolation when neighbors are missing.
 RBPA_API std::vector<Triangle> periodic_boundary(const PeriodicSolid& solid);
 
-/// Returns the tetrahedra of radius at most alpha, like within() of a Solid, with the vertices that are their corners.
-/// Requires: the radius of each tetrahedron.
+/// Returns the tetrahedra of radius at most alpha, and the vertices that are their corners, as within() of a Solid
+/// does.
+/// Requires: the radius of each tetrahedron, in the order of `solid`.
 /// Throws:   ContractViolation when the number of radii is wrong; InvalidInput when alpha is not above 0.
 RBPA_API PeriodicSolid within(const PeriodicSolid& solid, std::span<const double> radii, double alpha);
 

@@ -3,9 +3,9 @@
 // Law:    a function of the set of points and alpha, not of any order or thread. Every decision is exact, on any finite
 //         input. Ties are decided by the symbolic perturbation that CGAL uses, so its Delaunay_triangulation_3 has the
 //         same tetrahedra. docs/explanation/space.md.
-// Cost:   about 7 tetrahedra a point for points that fill a volume, and the time that docs/explanation/space.md,
-//         section 16, measures; quadratic in the worst case, as the number of tetrahedra is (points on the moment
-//         curve).
+// Cost:   about 7 tetrahedra and 2.5 microseconds a point in one thread, for points that fill a volume (measured in
+//         docs/explanation/space.md, section 16). Time and number of tetrahedra are quadratic in the worst case: points
+//         on the moment curve.
 // Source: Bowyer (1981), Watson (1981); Amenta, Choi, Rote, Incremental constructions con BRIO (2003); Edelsbrunner and
 //         Mücke, Three-dimensional alpha shapes (1994).
 #pragma once
@@ -23,15 +23,16 @@
 
 namespace rbpa {
 
+/// Options of solid() and periodic_solid().
 struct SolidOptions {
   /// Whether Solid::neighbors are filled in.
   bool neighbors = true;
-  /// Tiles, triples and sorting use all threads; points are inserted by one (docs/explanation/space.md).
+  /// Tiles, triples and sorting use all threads; one thread inserts points (docs/explanation/space.md).
   MaxThreads threads = 0;
-  OnProgress progress = {};  ///< with the number of finished points in place of triangles
+  OnProgress progress = {};  ///< Progress::triangles is the number of finished points
 };
 
-/// Tetrahedra with their neighbors. Corners are input indices; of equal points the lowest.
+/// Tetrahedra with their neighbors. Corners are input indices; of equal points, the lowest index stands for all.
 struct Solid {
   /// The value for no neighbor in `neighbors`.
   static constexpr std::uint32_t none = 0xffffffff;
@@ -39,9 +40,9 @@ struct Solid {
   /// The tetrahedra. Each is positively oriented: (b − a) × (c − a) · (d − a) > 0 for corners a, b, c, d; a is the
   /// corner of lowest index, b that of second lowest index. Rows are in lexicographic order.
   std::vector<std::array<std::uint32_t, 4>> simplices;
-  /// The tetrahedron across from each corner, or none. Empty unless requested.
+  /// For each corner of each tetrahedron, the tetrahedron across from this corner, or none. Empty unless requested.
   std::vector<std::array<std::uint32_t, 4>> neighbors;
-  std::vector<Duplicate> duplicates;    ///< ascending by index
+  std::vector<Duplicate> duplicates;    ///< points equal to one of lower index; ascending by index
   std::vector<std::uint32_t> isolated;  ///< distinct points in no tetrahedron, ascending
   std::size_t distinct = 0;             ///< number of distinct points
 };

@@ -17,14 +17,15 @@ namespace rbpa {
 
 /// The relation that connects tetrahedra to components.
 enum class Connection {
-  triangles,  ///< a common triangle: solid components, bodies whose interior is connected
-  points,     ///< a common point, edge or triangle: components of the union as a topological space
+  triangles,  ///< a common triangle: the components are bodies whose interior is connected
+  points,     ///< a common point, edge or triangle: the components of the union as a topological space
 };
 
+/// A component with its measures, in units of the points.
 struct SolidComponent {
   std::size_t tetrahedra = 0;
   std::size_t boundary_triangles = 0;
-  double volume = 0, area = 0;  ///< with the accuracy of measure() of a boundary
+  double volume = 0, area = 0;  ///< as accurate as measure() of a boundary
   Point3 low, high;             ///< opposite corners of its box
 };
 
@@ -36,7 +37,8 @@ struct SolidComponents {
 
 /// Computes the components of a solid.
 /// Requires: a solid of these points with neighbors, and its boundary.
-/// Throws:   ContractViolation when they visibly are not.
+/// Throws:   ContractViolation when neighbors are missing, an index does not exist, the boundary is open, or a
+///           component has no boundary triangle.
 RBPA_API SolidComponents solid_components(std::span<const Point3> points, const Solid& solid,
                                           const SolidBoundary& boundary, Connection through = Connection::triangles);
 

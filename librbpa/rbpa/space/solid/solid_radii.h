@@ -1,7 +1,8 @@
-// What:   the radius at which each tetrahedron enters the solid alpha complex, the complex of any alpha from these
-//         radii without geometry, and the least radii at which it has all points, or has them in one piece.
+// What:   computes the radius at which each tetrahedron enters the solid alpha complex. From these radii alone follow
+//         the complex of any alpha, and the least alpha at which it has all points, or has all in one component.
 // Law:    a tetrahedron is in the complex of alpha exactly if its radius is at most alpha, for every double alpha.
-// Cost:   some 70 nanoseconds a tetrahedron for circumradii(), shared among threads; the others are about linear.
+// Cost:   some 70 nanoseconds a tetrahedron for circumradii(), shared among threads; about linear for the other
+//         functions.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994); docs/explanation/space.md, section 20.
 #pragma once
 
@@ -17,7 +18,7 @@
 namespace rbpa {
 
 /// Returns the circumradius of each tetrahedron, rounded up to a double; infinity if it is above all doubles.
-/// Requires: finite points; simplices of four points that are in no plane.
+/// Requires: finite points; the four points of a simplex are not in one plane.
 /// Throws:   InvalidInput that names the first point that is not finite, or the first simplex with a corner that is not
 ///           a point; Cancelled.
 RBPA_API std::vector<double> circumradii(std::span<const Point3> points,
@@ -34,13 +35,14 @@ RBPA_API double min_alpha(const Solid& delaunay, std::span<const double> radii, 
 /// Returns the least alpha at which one solid component, connected through triangles, has at least the fraction `share`
 /// of the distinct points as corners. Other components may exist. The result is infinity if there is no tetrahedron.
 /// Requires: what min_alpha() requires; a triangulation with neighbors.
+/// Throws:   as min_alpha(); ContractViolation if neighbors are missing.
 RBPA_API double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1,
                            const GoOn& go_on = {});
 
-/// Returns the tetrahedra of radius at most alpha of a solid, with neighbors if it has any. From the Delaunay
-/// triangulation, the result is solid() with this alpha.
-/// Requires: the radii of its tetrahedra.
-/// Throws:   as min_alpha(); InvalidInput when alpha is not above 0.
+/// Returns the tetrahedra of a solid whose radius is at most alpha, with neighbors if `solid` has neighbors. Of the
+/// Delaunay triangulation, the result is solid() with this alpha.
+/// Requires: the radius of each tetrahedron.
+/// Throws:   ContractViolation if the number of radii is wrong; InvalidInput when alpha is not above 0.
 RBPA_API Solid within(const Solid& solid, std::span<const double> radii, double alpha);
 
 }  // namespace rbpa

@@ -1,8 +1,8 @@
 // What: counts of a solid as a topological space: its simplices, components, tunnels and voids.
 // Law:  components − tunnels + voids = points − edges + triangles − tetrahedra, the Euler characteristic. Exact; a
 //       function of the set of points and alpha. docs/explanation/space.md, section 18.
-// Cost: union–find over the tetrahedra; the rest is linear in the boundary, and in the tetrahedra around points where
-//       it touches itself.
+// Cost: union–find over the tetrahedra; the rest is linear in the boundary triangles, and in the tetrahedra around
+//       points where the boundary touches itself.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,8 @@ struct SolidCounts {
 
 /// Counts the simplices and the Betti numbers of a solid.
 /// Requires: a solid of these points with neighbors, and its boundary.
-/// Throws:   ContractViolation when they visibly are not.
+/// Throws:   ContractViolation when neighbors are missing, an index does not exist, the boundary is open, or it visibly
+///           bounds another solid.
 RBPA_API SolidCounts count(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary);
 
 }  // namespace rbpa

@@ -16,16 +16,16 @@
 namespace rbpa {
 
 /// Returns at most four radii, ascending, in units of the points. The last radius spans the gaps between neighbors
-/// everywhere, except gaps much larger than nearly all others and gaps beyond the nearest neighbors, which may be
-/// holes. A smaller radius precedes it if less than half of the radius is enough around one point in twenty; the steps
-/// are larger where densities differ much. The result is empty for points on a line and for fewer than three distinct
-/// points.
+/// everywhere, except gaps that may be holes: those much larger than nearly all others, and those beyond the nearest
+/// neighbors. A smaller radius is added if a ball of less than half the size spans the gaps around at least one point
+/// in twenty; where densities differ much, radii differ by more than a factor of 2. The result is empty for points on a
+/// line and for fewer than three distinct points.
 /// Requires: finite points, fewer than 2^32 − 1.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API std::vector<double> auto_radii(std::span<const Point3> points, const SurfaceOptions& options = {});
 
-/// Returns the first radius of auto_radii() at which surface() has triangles, if there is one. Without normals,
-/// exposed_triangles() stands for surface().
+/// Returns the first radius of auto_radii() at which surface() has triangles, if there is one. If `normals` is empty,
+/// it tries exposed_triangles() instead.
 /// Throws: as surface().
 RBPA_API std::optional<double> radius_with_triangles(std::span<const Point3> points, std::span<const Point3> normals,
                                                      const SurfaceOptions& options = {});

@@ -1,8 +1,8 @@
 // What: classifies the boundary curves of a surface as holes, outer rims, or boundaries of small islands, and finds the
 //       islands.
-// Law:  the result depends on the points and the triangles only, not on any order. The areas below are those of flat
-//       caps over the curves, given by the vector area of a curve.
-// Cost: linear in the curves.
+// Law:  the result depends on the points and the triangles only, not on any order. The area that a curve encloses is
+//       that of a flat cap over it: its vector area.
+// Cost: linear in the edges of the curves.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,9 @@
 namespace rbpa {
 
 enum class CurveKind : std::uint8_t {
-  /// The end of a sheet: seen along the component's mean normal, the curve encloses at least a quarter of the
-  /// component's area. A square has one, and so has half a sphere; a cube without its bottom has none.
+  /// The outer end of a sheet: seen along the component's mean normal, the curve encloses at least a quarter of the
+  /// component's area. The boundaries of a square and of half a sphere are rims; that of a cube without its bottom is a
+  /// hole.
   rim,
   hole,    ///< any other curve of a component that is not an island
   island,  ///< a curve of an island
@@ -32,9 +33,9 @@ RBPA_API std::vector<bool> islands(const SurfaceComponents& components);
 
 /// A choice of boundary curves; by default all of kind `hole`.
 struct HoleChoice {
-  std::size_t most_edges = std::numeric_limits<std::size_t>::max();
-  double most_length = std::numeric_limits<double>::infinity();
-  bool rims = false;  ///< true: curves of every kind
+  std::size_t most_edges = std::numeric_limits<std::size_t>::max();  ///< maximum number of edges of a curve
+  double most_length = std::numeric_limits<double>::infinity();      ///< maximum length, in units of the points
+  bool rims = false;  ///< whether curves of every kind are chosen, not only holes
 
   bool has(const Hole& curve, CurveKind kind) const {
     return (rims || kind == CurveKind::hole) && curve.edges.size() <= most_edges && curve.length <= most_length;
@@ -42,14 +43,14 @@ struct HoleChoice {
 };
 
 /// Returns the chosen curves, in their order.
-/// Requires: the kind of each curve.
+/// Requires: the kind of each curve, as curve_kinds() returns it.
 /// Throws:   ContractViolation when there are fewer or more kinds than curves.
 RBPA_API std::vector<Hole> chosen_curves(std::span<const Hole> curves, std::span<const CurveKind> kinds,
                                          const HoleChoice& choice = {});
 
 /// Returns the kind of each curve.
 /// Requires: the holes() of a surface of these points, and its components.
-/// Throws:   ContractViolation when an edge belongs to none of the points or components.
+/// Throws:   ContractViolation when a curve has no edge, or an edge has a point or a triangle that does not exist.
 RBPA_API std::vector<CurveKind> curve_kinds(std::span<const Point3> points, const SurfaceComponents& components,
                                             std::span<const Hole> curves);
 

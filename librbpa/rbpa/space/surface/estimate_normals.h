@@ -2,9 +2,9 @@
 //         one side of the surface.
 // Law:    the normals depend on the set of points only, not on its order or on threads; multiplying all points by a
 //         power of two changes nothing. Equal points have equal normals, unless their viewpoints differ. The result is
-//         an estimate, in rounded numbers; docs/explanation/surfaces.md, section 3 tells when it is wrong.
-// Cost:   O(n log n); about 30 times as much on a scanner's lines, ten times on closed bodies thinner than the spacing
-//         of the points. Memory: at most about 25 · `neighbors` + 100 bytes a point.
+//         an estimate, in rounded numbers; docs/explanation/surfaces.md, section 3, shows where it is wrong.
+// Cost:   O(n log n); about 30 times as long on the lines of a scanner, ten times as long on closed bodies thinner than
+//         the spacing of the points. Memory: at most about 25 · `neighbors` + 100 bytes a point.
 // Source: Hoppe, DeRose, Duchamp, McDonald, Stuetzle, Surface reconstruction from unorganized points (1992).
 #pragma once
 
@@ -26,7 +26,7 @@ struct NormalOptions {
   /// Viewpoints, from which the points were seen: one for all, or one for each point. Empty: unknown.
   std::span<const Point3> viewpoints = {};
   MaxThreads threads = 0;
-  OnProgress progress = {};  ///< with 0 triangles
+  OnProgress progress = {};  ///< Progress::triangles is 0
 };
 
 /// Returns for each point the unit normal of the plane that fits the point and its nearest others with the least sum of
@@ -40,8 +40,8 @@ struct NormalOptions {
 /// normal. If no step errs (docs/explanation/surfaces.md, section 3), the normals of each component of a closed surface
 /// point outward, also of a component inside another one; those of a plane that is not too steep point upward.
 ///
-/// That tree errs if the two sides of a closed body are nearer to each other than the points are. The outer shells of
-/// the exposed_triangles() of balls of a few spacings decide there.
+/// The spanning tree errs if the two sides of a closed body are nearer to each other than the points are. There the
+/// side is decided by the outer shells of the exposed_triangles() of balls with a radius of a few spacings.
 ///
 /// With viewpoints, each normal is turned toward its viewpoint instead, as by turn_toward().
 ///
@@ -53,21 +53,21 @@ struct NormalOptions {
 RBPA_API std::vector<Point3> estimate_normals(std::span<const Point3> points, const NormalOptions& options = {});
 
 struct EstimatedNormals {
-  std::vector<Point3> normals;
+  std::vector<Point3> normals;     ///< of unit length, one for each point
   std::vector<double> confidence;  ///< for each normal, in [0, 1]
 };
 
-/// The bound below which a normal is in doubt.
+/// The confidence below which a normal counts as doubtful.
 inline constexpr double least_confidence = 0.5;
 
-/// Estimates normals, with the confidence of each, which is the lesser of two numbers:
-/// - the confidence in the plane that its neighbors determine: 1 minus the ratio of the two least variances of their
+/// Estimates normals as estimate_normals(), and the confidence in each, which is the lesser of two numbers:
+/// - the confidence in the plane that fits the neighbors: 1 minus the ratio of the two least eigenvalues of their
 ///   covariance; 1 in a plane, 0 in a ball of points or on a line;
-/// - the confidence in its side. An edge of the spanning tree cuts the graph of nearest points in two. The other edges
-///   across this cut agree with it or not, each weighted by its own confidence: the number is 1 if all agree, 0 if half
-///   or more do not. The least such number on the path from the first point counts. If balls decide the side, the
-///   number is how much more of the point they see from outside than from inside, and paths start there. With
-///   viewpoints, the number is four times the cosine between normal and view, at most 1.
+/// - the confidence in the side. Each edge of the spanning tree cuts the graph of nearest points in two; the edges of
+///   the graph across the cut vote whether the normals at their ends agree, each weighted by its own confidence. A cut
+///   counts 1 if all agree, 0 if half or more do not; the least cut on the path from the first point to this one is the
+///   confidence. If balls decide the side, it is how much more of the point they see from outside than from inside, and
+///   paths start there. With viewpoints, it is four times the cosine of the angle between normal and view, at most 1.
 /// Cost: O(n log n) more, in one thread; measured, 0 to 16 % of the estimate by one thread.
 RBPA_API EstimatedNormals estimate_normals_and_confidence(std::span<const Point3> points,
                                                           const NormalOptions& options = {});

@@ -1,6 +1,7 @@
-// What: the boundary curves of a surface of points in space, with the reason for each edge why the surface ends there.
+// What: finds the boundary curves of a surface of points in space, and for each edge the reason why the surface ends
+//       there.
 // Law:  a function of the points, their normals and the radii. The exposed triangles form a closed surface, so the ball
-//       always rolls to some exposed triangle: a side is boundary because that triangle is not in the surface.
+//       rolls over every side to an exposed triangle. A side is boundary if that triangle is not in the surface.
 //       docs/explanation/surfaces.md, section 5.
 #pragma once
 
@@ -15,7 +16,7 @@
 
 namespace rbpa {
 
-/// The reason why the surface ends at an edge of its rim, over which the ball rolls.
+/// The reason why the surface ends at a boundary edge, by the triangle to which the ball rolls over the edge.
 enum class RimCause : std::uint8_t {
   /// The ball rolls to the back: to the same three points, or to a triangle with which no normal agrees.
   nothing_within_reach,
@@ -42,14 +43,15 @@ struct RimEdge {
 /// A boundary curve: around a hole, or the outer rim.
 struct Hole {
   std::vector<RimEdge> edges;  ///< end to end, beginning with the least (from, to, triangle)
-  double length = 0;           ///< sum over the edges
+  double length = 0;           ///< sum of the lengths of the edges, in units of the points
   friend bool operator==(const Hole&, const Hole&) = default;
 };
 
 /// Returns all boundary curves, sorted by their first edges. At a point with several fans of triangles, a curve stays
 /// at its fan.
 /// Requires: the surface() of these points, normals and radii.
-/// Throws:   InvalidInput as surface(); ContractViolation when the surface is visibly another one; Cancelled.
+/// Throws:   InvalidInput as surface(); ContractViolation when the surface is visibly not that of the points, normals
+///           and radii; Cancelled.
 /// Cost:     for each radius, that of the exposed triangles of the points near the boundary.
 RBPA_API std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> normals,
                                  std::span<const double> radii, const Surface& surface,
@@ -57,8 +59,8 @@ RBPA_API std::vector<Hole> holes(std::span<const Point3> points, std::span<const
 RBPA_API std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> normals, double radius,
                                  const Surface& surface, const SurfaceOptions& options = {});
 
-/// Returns the boundary curves of any surface as holes() does, without causes.
-/// Throws: as surface_components(); `go_on` is as there.
+/// Returns the boundary curves of any surface, in the order of holes(), without causes.
+/// Throws: as surface_components(). Cost: linear, and a sort of the curves.
 RBPA_API std::vector<Hole> surface_curves(std::span<const Point3> points, const Surface& surface,
                                           const GoOn& go_on = {});
 

@@ -1,6 +1,6 @@
-// What: decides which shells are outer: those that the ball can reach from outside of all shells; counts the closed
-//       surfaces that enclose each closed surface.
-// Law:  a shell is outer if no shell, itself included, winds around the center of a ball that rests on it. That center
+// What: decides which shells the ball can reach from outside of all shells, and counts for each closed surface the
+//       others that enclose it.
+// Law:  a shell is outer if no shell, itself included, winds around the center of a ball that rests on it. The center
 //       is at least the radius away from all points. Winding numbers are exact; the center is rounded. If the radius is
 //       above 10⁻⁹ of the coordinates, rounding can matter only at triangles whose circumcircle is nearly a great
 //       circle of the ball. docs/explanation/surfaces.md, section 21.
@@ -23,7 +23,8 @@ namespace rbpa {
 /// Returns for each component whether it is outer: neither another component nor it itself encloses the ball that rolls
 /// on it. A scan of a closed object has an outer shell, and an inner one, on which the ball rolls inside.
 /// Requires: the exposed_triangles() of these points and radius, and its components.
-/// Throws:   ContractViolation on others; Cancelled.
+/// Throws:   ContractViolation when a component is open, an index does not exist, or the components are not those of
+///           `shells`; Cancelled.
 RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
                                         const SurfaceComponents& components, const GoOn& go_on = {});
 
@@ -31,15 +32,16 @@ RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double r
 /// wall of a cavity, or for a body within a body. The decision is made by a ray from the lexicographically least corner
 /// that is on no other surface. A surface without a triangle lies in none. A surface with every corner on another one
 /// does not lie in that one.
-/// Requires: triangles that close each surface.
-/// Throws:   as outer_shells().
-/// Cost:     for each triangle, the rays that begin behind it; n log n if surfaces hide few others.
+/// Requires: each surface is closed; its triangles are in any order.
+/// Throws:   ContractViolation when a corner is not an index of a point; Cancelled.
+/// Cost:     for each triangle, a test of the rays within its range of y and z; n log n if few surfaces overlap in y
+///           and z.
 RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points,
                                                  std::span<const std::vector<std::array<std::uint32_t, 3>>> surfaces,
                                                  const GoOn& go_on = {});
 /// Returns for each closed component of a surface in how many others it lies; 0 for components that are not closed.
 /// Requires: a surface of these points, and its components.
-/// Throws:   as outer_shells().
+/// Throws:   ContractViolation when an index does not exist or the components are not those of `surface`; Cancelled.
 RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points, const Surface& surface,
                                                  const SurfaceComponents& components, const GoOn& go_on = {});
 

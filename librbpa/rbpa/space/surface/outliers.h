@@ -3,7 +3,7 @@
 //         together. Multiplying all points by a power of two changes nothing but the distance.
 // Note:   one distance applies to the whole set: if parts of a scan differ in density by more than the factor, the
 //         sparse parts are outliers as well.
-// Cost:   that of a search for nearest points, about a third of estimate_normals().
+// Cost:   a search for the nearest points of each, about a third of the cost of estimate_normals().
 // Source: Rusu, Marton, Blodow, Dolha, Beetz, Towards 3D point cloud based object maps (2008), with the median in place
 //         of mean and deviation, which outliers move.
 #pragma once
@@ -20,18 +20,20 @@
 namespace rbpa {
 
 struct OutlierOptions {
-  /// The bound: an outlier is more than `factor` times as far from its last neighbor as the median point is.
+  /// A point is an outlier if its distance to the neighbor of rank `neighbors` is more than `factor` times the median
+  /// of these distances.
   double factor = 4;
-  /// Rank of the nearest other point to which the distance is measured. Groups of fewer than this many outliers that
-  /// lie close together are found.
+  /// Rank of the neighbor to which the distance is measured; 1 is the nearest other point. Groups of up to this many
+  /// outliers that lie close together are found.
   std::size_t neighbors = 8;
   MaxThreads threads = 0;
-  OnProgress progress = {};  ///< with 0 triangles
+  OnProgress progress = {};  ///< Progress::triangles is 0
 };
 
 struct Outliers {
   std::vector<std::uint32_t> points;  ///< input indices, ascending
-  /// The distance of the median point, rounded; 0 for fewer than two distinct points, which are not outliers.
+  /// The median distance, rounded, in units of the points; 0 if there are fewer than two distinct points, and then no
+  /// outliers.
   double distance = 0;
 };
 

@@ -25,7 +25,7 @@ class RBPA_API RollingBall {
   using Triangle = std::array<std::uint32_t, 3>;  ///< counter-clockwise as the ball sees it
 
   /// Copies the points.
-  /// Requires: as surface(); without normals as exposed_triangles().
+  /// Requires: what surface() requires; without normals, what exposed_triangles() requires.
   /// Throws:   what these functions throw.
   RollingBall(std::span<const Point3> points, std::span<const Point3> normals, double radius);
   RollingBall(std::span<const Point3> points, double radius);
@@ -33,12 +33,12 @@ class RBPA_API RollingBall {
   RollingBall& operator=(RollingBall&&) noexcept;
   ~RollingBall();
 
-  /// Returns all input points.
+  /// Returns the input points, duplicates included.
   std::span<const Point3> points() const;
 
   /// Rolls the ball that rests on the exposed triangle (a, b, c) over the side from a to b until it touches a point p.
-  /// Returns: p, which may be c again; the ball then rests on (b, a, p), and roll(b, a, p) is c. Nothing when the ball
-  ///          does not rest on (a, b, c), or an index is that of no point or of a duplicate.
+  /// Returns: p, which may be c again; the ball then rests on (b, a, p), and roll(b, a, p) is c. The result is empty
+  ///          when the ball does not rest on (a, b, c), or an index is that of no point or of a duplicate.
   std::optional<std::uint32_t> roll(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
 
   /// A roll from the exposed triangle (a, b, from) to (b, a, to).
@@ -47,7 +47,8 @@ class RBPA_API RollingBall {
     friend bool operator==(const Roll&, const Roll&) = default;
   };
   /// Returns all results of roll(a, b, …), by ascending `from`. Their triangles (a, b, from) and (b, a, to) are all
-  /// exposed triangles with a side between a and b. Empty when an index is that of no point or of a duplicate.
+  /// exposed triangles with a side between a and b. The list is empty when an index is that of no point or of a
+  /// duplicate.
   std::vector<Roll> rolls(std::uint32_t a, std::uint32_t b) const;
 
   /// Returns the exposed triangles with the lowest corner `first`, in lexicographic order. Over all points, each
@@ -55,8 +56,8 @@ class RBPA_API RollingBall {
   /// Throws: ContractViolation when `first` is not the index of a point.
   std::vector<Triangle> triangles_from(std::uint32_t first) const;
 
-  /// Returns whether the triangle's own normal has a positive product with the normals of all points at its corners;
-  /// true without normals.
+  /// Returns whether the triangle's own normal has a positive scalar product with the normals of all points at its
+  /// corners; true without normals.
   /// Throws: ContractViolation when a corner is not the index of a point.
   bool agrees(const Triangle& triangle) const;
 

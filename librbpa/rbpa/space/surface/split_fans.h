@@ -1,4 +1,4 @@
-// What: the triangles of a surface with one vertex for each fan of triangles, as files of oriented manifolds require.
+// What: gives each fan of triangles of a surface a vertex of its own, as files of oriented manifolds require.
 // Law:  a function of the triangles and their gluing.
 // Cost: linear, and a sort of the fans.
 #pragma once
@@ -25,9 +25,9 @@ struct SplitFans {
 RBPA_API SplitFans split_fans(const Surface& surface, const GoOn& go_on = {});
 
 /// Returns the triangles of a surface, glued so that vertex indices determine the gluing: in split_fans() of the
-/// result, every pair of vertices is an edge of one triangle, or of two that are neighbors. A fan that reaches an edge
-/// twice, as where bodies touch along an edge or on both sides of a sheet, is cut there. Each part is closed if its
-/// ends meet at both vertices; otherwise the edge becomes boundary.
+/// result, every pair of vertices is an edge of one triangle, or of two that are neighbors. A fan that contains an edge
+/// twice, for example where bodies touch along the edge or on both sides of a sheet, is cut there. A part is closed if
+/// its two ends meet at both vertices; otherwise the edge becomes boundary.
 /// Requires: as split_fans().
 /// Throws:   as split_fans().
 /// Cost:     that of split_fans(), and a sort of the sides.

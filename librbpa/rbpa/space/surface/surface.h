@@ -20,10 +20,11 @@
 
 namespace rbpa {
 
+/// Options of surface() and of functions on surfaces.
 struct SurfaceOptions {
   MaxThreads threads = 0;
-  /// With the number of exposed triangles so far; functions of a given surface pass the number of its triangles, and
-  /// searches among points alone 0.
+  /// Progress::triangles is the number of exposed triangles so far; for functions of a given surface the number of its
+  /// triangles; for searches among points alone 0.
   OnProgress progress = {};
 };
 
@@ -33,26 +34,26 @@ struct Surface {
   /// The value for no neighbor in `neighbors`.
   static constexpr std::uint32_t none = 0xffffffff;
 
-  /// The triangles, counter-clockwise as the ball sees them, the smallest index first, in lexicographic order. Three
-  /// points may form two triangles, one for each side.
+  /// The triangles, counter-clockwise as the ball sees them, each with its least index first; in lexicographic order.
+  /// Three points may form two triangles, one for each side.
   std::vector<std::array<std::uint32_t, 3>> triangles;
   /// Neighbor k of a triangle is the triangle to which the ball rolls over the side across from corner k, or none.
   /// Rolling back returns to the same triangle.
   std::vector<std::array<std::uint32_t, 3>> neighbors;
   /// For each triangle, the number of the radius that created it (surface_levels.h). Empty for a single radius.
   std::vector<std::uint32_t> levels;
-  std::vector<Duplicate> duplicates;  ///< ascending by index
+  std::vector<Duplicate> duplicates;  ///< points equal to one of lower index; ascending by index
   std::size_t distinct = 0;           ///< number of distinct points
 };
 
-/// Computes the exposed triangles E_r: those on whose positive side an open ball of the radius rests that contains no
-/// point. They form a closed surface: no neighbor is none.
+/// Computes the exposed triangles E_r: a triangle is exposed if a ball of the radius, with no point inside, rests on
+/// its positive side. The exposed triangles form a closed surface: no neighbor is `none`.
 /// Requires: 0 < radius < infinity; finite points, fewer than 2^32 − 1.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API Surface exposed_triangles(std::span<const Point3> points, double radius, const SurfaceOptions& options = {});
 
-/// Computes the surface A_r: the exposed triangles whose own normal has a positive product with the normals of all
-/// points at their corners. Two sides are glued if each pivots to the other.
+/// Computes the surface A_r: the exposed triangles whose own normal has a positive scalar product with the normals of
+/// all points at their corners. Two sides are glued if each pivots to the other.
 /// Requires: as exposed_triangles(); a normal for each point, finite, of any length but 0.
 /// Throws:   as exposed_triangles().
 RBPA_API Surface surface(std::span<const Point3> points, std::span<const Point3> normals, double radius,

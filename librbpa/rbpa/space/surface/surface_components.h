@@ -1,7 +1,6 @@
-// What: the components of a surface with their sizes and genus, a choice of them, and the surface without the others.
+// What: finds the components of a surface with their sizes and genus, chooses some, and removes the others.
 // Law:  a component is connected through glued sides; pieces that only touch are two components. All numbers are
-//       functions of the oriented triangles and their gluing: the same to the last bit in any order of points and
-//       triangles.
+//       functions of the oriented triangles and their gluing: the same bits in any order of points and triangles.
 // Cost: linear, and a sort of the components.
 #pragma once
 
@@ -23,7 +22,7 @@ struct SurfaceComponent {
   std::size_t boundary_curves = 0;
   double area = 0;    ///< in squared units of the points
   double volume = 0;  ///< in cubed units; negative if the component is turned inside out; 0 if it is not closed
-  Point3 low, high;   ///< opposite corners of its box
+  Point3 low, high;   ///< opposite corners of its bounding box
 
   bool is_closed() const { return boundary_sides == 0; }
 };
@@ -53,8 +52,8 @@ RBPA_API std::vector<std::size_t> genus_of(const Surface& surface, const Surface
 /// A choice of the components of exposed_triangles(), which are closed shells.
 enum class ShellChoice : std::uint8_t {
   all,
-  outer,    ///< those that outer_shells() names
-  largest,  ///< the outer one of largest area, of those that are not too small
+  outer,    ///< the shells that outer_shells() calls outer
+  largest,  ///< the outer shell of largest area, unless it is too small
 };
 
 /// A choice of components; by default all.
@@ -70,15 +69,15 @@ struct ComponentChoice {
   }
 };
 
-/// Returns for each component whether it is kept: it is one of the wanted shells, is not too small, and is among the
-/// largest of these.
-/// Requires: for each component whether it is outer, as outer_shells() returns it; any `outer` if the choice is all
-///           shells.
+/// Returns for each component whether it is kept. A component is kept if it is a chosen shell, is not too small, and is
+/// among the `max_components` of largest area for which this holds.
+/// Requires: `outer` has for each component whether it is outer, as outer_shells() returns it; it is not read if the
+///           choice is all shells.
 /// Throws:   ContractViolation when `outer` is needed and of another size.
 RBPA_API std::vector<bool> choose_components(const SurfaceComponents& components, const std::vector<bool>& outer,
                                              const ComponentChoice& choice);
 
-/// Counts of the components dropped from a surface; `of_…` are the totals of the surface before.
+/// Counts of the components that are dropped from a surface. Members `of_…` are totals of the surface before.
 struct DroppedComponents {
   std::size_t components = 0, triangles = 0, genus = 0;
   std::size_t points = 0;  ///< number of points that are left without a triangle
@@ -91,23 +90,22 @@ struct DroppedComponents {
   static double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 };
 
-/// Counts the components that are not kept, their triangles, and the points that are in triangles of these components
-/// only.
-/// Requires: a surface of these points, its components, and for each whether it is kept.
+/// Counts the components that are not kept, their triangles, and the points that are in no kept triangle.
+/// Requires: a surface of these points, its components, and for each component whether it is kept.
 /// Throws:   ContractViolation when sizes differ, or a triangle is not a neighbor of its neighbor; Cancelled.
 /// Cost:     linear.
 RBPA_API DroppedComponents dropped_components(std::span<const Point3> points, const std::vector<bool>& kept,
                                               const Surface& surface, const SurfaceComponents& components,
                                               const GoOn& go_on = {});
 
-/// Returns the triangles of the components that are kept, glued as they were, in the same order.
-/// Requires: the components of this surface, and for each whether it is kept.
+/// Returns the triangles of the components that are kept, with the same gluing and in the same order.
+/// Requires: the components of this surface, and for each component whether it is kept.
 /// Throws:   ContractViolation when sizes differ.
 RBPA_API Surface keep_components(const Surface& surface, const SurfaceComponents& components,
                                  const std::vector<bool>& kept);
 
 /// Returns the triangles that are kept, in the same order; their sides at other triangles become boundary.
-/// Throws: ContractViolation when `kept` has not one value for each triangle.
+/// Throws: ContractViolation when `kept` does not have one value for each triangle.
 RBPA_API Surface keep_triangles(const Surface& surface, const std::vector<bool>& kept);
 
 }  // namespace rbpa

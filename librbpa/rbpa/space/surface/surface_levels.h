@@ -19,8 +19,8 @@ namespace rbpa {
 /// that created each triangle.
 /// Requires: as surface(); at least one radius, ascending.
 /// Throws:   as surface().
-/// Cost:     that of surface() for the first radius; for each further one, that of the points near those that are not
-///           interior.
+/// Cost:     that of surface() for the first radius; for each further radius, that of surface() for the points near
+///           points that are not interior.
 RBPA_API Surface surface(std::span<const Point3> points, std::span<const Point3> normals, std::span<const double> radii,
                          const SurfaceOptions& options = {});
 

@@ -29,10 +29,11 @@ struct SurfaceMesh {
 /// Throws:   InvalidInput when it has more than 357,913,941 triangles, whose halfedges OpenMesh can number;
 ///           ContractViolation when a corner is none of these points, or a triangle is not a neighbor of its neighbor.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface);
-/// Builds the same from a surface that is no longer needed, whose memory is freed on the way.
+/// Builds the same mesh, and frees the memory of the surface on the way.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface);
 
-/// Returns the place of each vertex of an OpenMesh mesh, by index; the origin for vertices marked deleted.
+/// Returns the position of each vertex of an OpenMesh mesh, by index of the vertex; the origin for vertices marked
+/// deleted.
 template <meshops::HasPoints AnyMesh>
 std::vector<Point3> places_of(const AnyMesh& mesh) {
   std::vector<Point3> places(mesh.n_vertices());
@@ -44,11 +45,12 @@ std::vector<Point3> places_of(const AnyMesh& mesh) {
   return places;
 }
 
-/// Returns the triangles of a mesh as a surface; its points are the vertices, by index, and `given` holds the faces, by
-/// index. Vertices at one place become the lowest of them, glued or not.
+/// Returns the triangles of a mesh as a surface. Corners are indices of vertices, and `given` has the index of the face
+/// of each triangle. Of vertices at one place, the lowest stands for all, glued or not.
 /// Requires: validate(mesh) is empty; triangles only; a finite place of each vertex; the corners of a face at different
 ///           places.
-/// Throws:   ContractViolation on other faces or fewer places; InvalidInput as surface_of() of triangles.
+/// Throws:   ContractViolation when a face is no triangle or there are fewer places than vertices; InvalidInput as
+///           surface_of() of triangles.
 RBPA_API SurfaceOfTriangles surface_of(const meshops::Connectivity& mesh, std::span<const Point3> places);
 template <meshops::HasPoints AnyMesh>
 SurfaceOfTriangles surface_of(const AnyMesh& mesh) {

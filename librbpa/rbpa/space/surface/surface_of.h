@@ -1,9 +1,9 @@
 // What: makes a Surface of triangles from any source, for the functions on surfaces: surface_components(),
 //       fill_holes(), close_surface(), refine_filling() and so on. For halfedge meshes see surface_mesh.h.
-// Law:  a function of the points and the set of triangles. Two triangles are glued along an edge if they run along it
-//       in opposite directions and no other triangle has it. At an edge of more triangles, sides that face each other
-//       are glued, as a ball rolls over them (facing_sides.h; indexable_surface() separates bodies that touch along an
-//       edge). Sides of triangles that lie on each other, or have no area, stay open. Exact.
+// Law:  a function of the points and the set of triangles. Two triangles are glued along an edge if they run along the
+//       edge in opposite directions and no other triangle has the edge. At an edge of more triangles, sides that face
+//       each other are glued, as a ball rolls over them (facing_sides.h); indexable_surface() separates bodies that
+//       touch along an edge. Sides of triangles that lie on each other, or have no area, stay open. Exact.
 // Cost: a sort of the points, the sides and the triangles.
 #pragma once
 
@@ -23,9 +23,9 @@ struct SurfaceOfTriangles : Surface {
   std::vector<std::uint32_t> given;  ///< for each triangle, its number among the given triangles
 };
 
-/// Glues triangles to a surface. Corners on equal points become the one of lowest index. Triangles are neither reversed
-/// nor dropped: those that run along an edge in the same direction are not glued there (meshops::repair() makes a
-/// manifold of any).
+/// Glues triangles to a surface. Of equal points, the one of lowest index becomes the corner. Triangles are neither
+/// reversed nor dropped: two that run along an edge in the same direction are not glued there. meshops::repair() makes
+/// a manifold of any triangles.
 /// Requires: finite points, fewer than 2^32 − 1; the corners of each triangle are three of the points, at different
 ///           places; fewer than 2^32 corners.
 /// Throws:   InvalidInput that names the violated requirement.
@@ -36,7 +36,8 @@ RBPA_API SurfaceOfTriangles surface_of(std::span<const Point3> points,
 /// k, or Surface::none.
 /// Requires: what surface_of() without neighbors requires; each triangle is a neighbor of its neighbors, across the
 ///           side between the same corners.
-/// Throws:   InvalidInput that names the violated requirement; ContractViolation if it is one of `neighbors`.
+/// Throws:   InvalidInput that names the violated requirement; ContractViolation if the violated requirement is about
+///           `neighbors`.
 RBPA_API SurfaceOfTriangles surface_of(std::span<const Point3> points,
                                        std::span<const std::array<std::uint32_t, 3>> triangles,
                                        std::span<const std::array<std::uint32_t, 3>> neighbors);

@@ -12,9 +12,11 @@
 
 namespace rbpa {
 
+/// The reason why a point is in no triangle.
 enum class UnusedCause : std::uint8_t {
-  no_ball_rests,  ///< empty balls touch the point, but none touches two others as well: they are too far, or on a line
-  hidden,         ///< every ball of the largest radius that touches the point contains another point
+  /// Empty balls touch the point, but none touches two other points too: these are too far, or on a line.
+  no_ball_rests,
+  hidden,            ///< every ball of the largest radius that touches the point contains another point
   normals_disagree,  ///< the point is on exposed triangles, but none agrees with the normals at all its corners
   blocked,           ///< an exposed triangle agrees, but touches the interior of the surface of smaller radii
 };
@@ -27,9 +29,9 @@ struct UnusedPoint {
 
 /// Returns the distinct points that are in no triangle, ascending; Surface::duplicates lists the points equal to them.
 /// If radii give several causes, the last one in the list above is returned.
-/// Requires: the surface() of these points, normals and radii; or, without normals, the exposed_triangles() of one
+/// Requires: the surface() of these points, normals and radii; or, with empty `normals`, the exposed_triangles() of one
 ///           radius.
-/// Throws:   InvalidInput as they do; ContractViolation when a corner is none of the points; Cancelled.
+/// Throws:   InvalidInput as these functions; ContractViolation when a corner is not an index of a point; Cancelled.
 /// Cost:     for each radius, that of the exposed triangles of the points near the unused ones.
 RBPA_API std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span<const Point3> normals,
                                                 std::span<const double> radii, const Surface& surface,
