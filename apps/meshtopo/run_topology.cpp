@@ -145,7 +145,7 @@ class Run {
                             " at which surfaces touch (ply, obj and off can)");
       if (!is_wanted) findings.result.reset();
     }
-    const std::string shifted = text_of_shift(positions, plan_.shift, name);
+    const std::string shifted = text_of_shift(Format::stl, faces.vertices, faces.triangles, plan_.shift, name);
     if (why.empty() && !shifted.empty()) say("meshtopo", shifted);
     if (why.empty()) return true;
     say("meshtopo", why + "; it is not written");

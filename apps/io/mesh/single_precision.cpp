@@ -44,6 +44,17 @@ struct BoxOfUsed {
   }
 };
 
+/// Returns the offset that is subtracted from the vertices.
+Position subtracted(Format format, std::span<const Point3> vertices, Triangles triangles,
+                    const std::optional<Shift>& shift) {
+  if (shift && shift->by) return *shift->by;
+  if (!shift && format != Format::glb) return {};
+  BoxOfUsed box;
+  for (const auto& triangle : triangles)
+    for (const std::uint32_t corner : triangle) box.take(position_of(vertices[corner]));
+  return box.are_floats ? Position{} : box.middle_in_floats();
+}
+
 }  // namespace
 
 Shift parse_shift(const std::string& option, const std::string& text) {
@@ -74,19 +85,10 @@ std::vector<Position> SinglePositions::positions() const {
 SinglePositions single_positions(Format format, std::span<const Point3> vertices, Triangles triangles,
                                  const std::optional<Shift>& shift, const std::string& file) {
   std::vector<bool> is_used(vertices.size(), false);
-  BoxOfUsed box;
   for (const auto& triangle : triangles)
-    for (const std::uint32_t corner : triangle)
-      if (!is_used[corner]) {
-        is_used[corner] = true;
-        box.take(position_of(vertices[corner]));
-      }
-  SinglePositions result;
-  if (shift && shift->by)
-    result.shift = *shift->by;
-  else if ((shift || format == Format::glb) && !box.are_floats)
-    result.shift = box.middle_in_floats();
-  result.at.resize(vertices.size());
+    for (const std::uint32_t corner : triangle) is_used[corner] = true;
+  SinglePositions result{.at = std::vector<std::array<float, 3>>(vertices.size()),
+                         .shift = subtracted(format, vertices, triangles, shift)};
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (!is_used[i]) continue;
     const Position p = position_of(vertices[i]);
@@ -145,15 +147,11 @@ std::string why_not_kept(const SinglePositions& rounded, Format format, std::spa
          way_to_keep(shifted.shift != rounded.shift && !lost(vertices, triangles, shifted).any());
 }
 
-std::string text_of_shift(const SinglePositions& rounded, const std::optional<Shift>& shift, const std::string& file) {
-  if (!shift || rounded.shift == Position{}) return "";
-  return file + ": " + text_of(rounded.shift) + " is subtracted from all coordinates";
-}
-
 std::string text_of_shift(Format format, std::span<const Point3> vertices, Triangles triangles,
                           const std::optional<Shift>& shift, const std::string& file) {
   if (!shift || !has_single_precision(format)) return "";
-  return text_of_shift(single_positions(format, vertices, triangles, shift, file), shift, file);
+  const Position by = subtracted(format, vertices, triangles, shift);
+  return by == Position{} ? "" : file + ": " + text_of(by) + " is subtracted from all coordinates";
 }
 
 std::string text_of(const Position& position) {

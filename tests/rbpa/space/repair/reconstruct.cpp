@@ -81,6 +81,9 @@ TEST_CASE("outliers keep their numbers and are in no triangle") {
     REQUIRE(made.surface.triangles.size() == alone.surface.triangles.size());
     for (std::size_t t = 0; t < alone.surface.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) CHECK(made.surface.triangles[t][k] == at(alone.surface.triangles[t][k]));
+    REQUIRE(made.added.between.size() == alone.added.between.size());
+    for (std::size_t i = 0; i < alone.added.between.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) CHECK(made.added.between[i][k] == at(alone.added.between[i][k]));
   }
 }
 
