@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "io/cloud/cloud.h"
 #include "program/exit_code.h"
 #include "shared/shared_options.h"
 #include "shared/verbs.h"
@@ -49,9 +50,8 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
       "  rbpa stream lidar/ --alpha 2 -o footprint.wkt -o triangles.npy -o 'tiles/*.ply'\n"
       "  rbpa stream lidar/*.las --alpha 2 --scratch /data/scratch -o footprint.geojson --resume\n\n"
       "The files have the same bytes as those of rbpa shape and rbpa mesh for all points in one file. Files are read "
-      "twice, and the scratch takes about as much room as LAS files do. Some megabytes of .npy, .f64xy, LAS and text "
-      "are in memory at a time; files in other formats are read as a whole.\n" +
-      std::string(exit_codes));
+      "twice, and the scratch takes about as much room as LAS files do. Some megabytes of " +
+      streamed_formats() + " are in memory at a time; files in other formats are read as a whole.\n" + exit_codes);
   return &verb;
 }
 

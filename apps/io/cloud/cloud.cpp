@@ -4,12 +4,23 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
 
 namespace rbpa::app {
+namespace {
+
+std::string listed(const std::vector<std::string>& names, const std::string& before_last) {
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    list += (i == 0 ? "" : i + 1 == names.size() ? before_last : ", ") + names[i];
+  return list;
+}
+
+}  // namespace
 
 const CloudFormat* cloud_format(Format format) {
   const auto found = std::find_if(std::begin(format_table), std::end(format_table), [format](const FormatRow& row) {
@@ -34,15 +45,26 @@ std::string readable(Use use, const std::function<bool(const CloudFormat&)>& fit
   }
   std::sort(others.begin(), others.end());
   if (tables) others.emplace_back("text");
-  std::string list;
-  for (std::size_t i = 0; i < others.size(); ++i)
-    list += (i == 0 ? "" : i + 1 == others.size() ? " or " : ", ") + others[i];
-  return list;
+  return listed(others, " or ");
 }
 
 std::string with_fields(Use use, std::vector<std::string> others) {
   return readable(
       use, [](const CloudFormat& reader) { return reader.fields != nullptr; }, std::move(others));
+}
+
+std::string streamed_formats() {
+  std::map<Format, std::string> found;
+  for (const FormatRow& row : format_table)
+    if (row.points != nullptr && row.points->streams) {
+      if (is_table(row.format))
+        found[Format::text] = "tables";
+      else
+        found[row.format] = row.format == Format::las ? "LAS" : "." + std::string(row.endings);
+    }
+  std::vector<std::string> names;
+  for (const auto& [format, name] : found) names.push_back(name);
+  return listed(names, " and ");
 }
 
 Decompression decompression_of(Format format, std::string_view path, std::string way_out) {

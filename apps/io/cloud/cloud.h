@@ -152,6 +152,9 @@ bool has(Format format, bool CloudFormat::*property);
 /// are "text".
 std::string readable(Use use, const std::function<bool(const CloudFormat&)>& fit, std::vector<std::string> others = {});
 
+/// Returns the formats that `rbpa stream` reads a block at a time: "tables, .npy, .f64xy and LAS".
+std::string streamed_formats();
+
 /// Returns the formats of a use whose points have fields, and `others`, as readable().
 std::string with_fields(Use use, std::vector<std::string> others = {});
 

@@ -115,7 +115,7 @@ PointFile read_points(const PointSource& source) {
     return settled(read_ogr_points(source.path, source.layer, source.vertices), source.path, source);
   const InputBytes input(source.path, "a file of points",
                          decompression_of(source.format, source.path,
-                                          " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)"));
+                                          " (rbpa stream reads " + streamed_formats() + " a block at a time)"));
   if (source.format != Format::by_content) return points_in(input.bytes(), input.name(), source);
   PointSource known = source;
   known.format = format_of_content(Use::points, input.bytes(), input.name(), Format::text);
