@@ -3,7 +3,8 @@
 //         decisions are exact, so this holds for every valid multipolygon (validity.h), and for groups of them. The
 //         triangles do not depend on the direction of the rings, their first points, or their order.
 // Cost:   about linear in the triangles, n log n in the boundary.
-// Note:   independent of OpenMesh; filling_mesh.h makes a halfedge mesh of the result.
+// Note:   this header includes nothing of OpenMesh, but the front advances on a halfedge mesh: a library with
+//         RBPA_ARRAYS_ONLY has no fill(). filling_mesh.h makes a halfedge mesh of the result.
 // Source: Lo, A new mesh generation scheme for arbitrary planar domains (1985); George, Séveno, The advancing-front
 //         mesh generation method revisited (1994); docs/explanation/plane.md, sections 26 and 27.
 #pragma once
@@ -17,13 +18,15 @@
 
 namespace rbpa {
 
-/// Fills polygons. The rings of `polygons` are indices into `points`; they may begin anywhere, have either orientation,
-/// touch at single points and repeat a point in a row, and polygons may lie in holes of others. Each group is a valid
-/// multipolygon. Of equal points the first is used. A point at which a ring touches an edge becomes a vertex of that
-/// edge's ring. A point on an edge that is cut is rounded to the nearest double.
-/// Throws: InvalidInput that names the place: coordinates that are not finite; the text of why_invalid() for a group
-///         (validity.h); groups that do not ascend from 0; a size or grade that is not a number above 0; sizes at which
-///         more than 500 million triangles would be made, by the estimate. Cancelled.
+/// Fills polygons with triangles of about the size `options.size`. The rings of `polygons` are indices into `points`. A
+/// ring may begin anywhere, have either orientation, and repeat a point in a row; rings may touch at single points, and
+/// polygons may lie in holes of others. Of equal points the first is used. A point at which a ring touches an edge
+/// becomes a vertex of that edge's ring. A point at which an edge is cut is rounded to the nearest double.
+/// Requires: each group (FillOptions::groups) is a valid multipolygon.
+/// Throws:   InvalidInput that names the place: coordinates that are not finite; the text of why_invalid() for a group
+///           (validity.h); groups that do not ascend from 0; a size or grade that is not a number above 0; an infinite
+///           size together with a grade or sizes at points; sizes at which the estimate exceeds 500 million triangles;
+///           coordinates too far apart in magnitude for one scale. Cancelled; any exception of `options.estimated`.
 RBPA_API Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, const FillOptions& options);
 
 }  // namespace rbpa

@@ -1,6 +1,7 @@
 // What:   the solid alpha complex from the bottom up: restricted ball pivoting with radii α₀, 2α₀, 4α₀ … up to alpha.
 // Law:    the triangles are those of rbpa(); after each level the mesh is exactly the complex of its radius.
-// Cost:   depends on the number of points that take part on each level: docs/explanation/plane.md, sections 16 and 17.
+// Cost:   about that of rbpa(), and more with a callback at the end of each level: docs/explanation/plane.md, sections
+//         16 and 17.
 // Source: Medeiros, Velho, Lopes, Restricted BPA, section 6.
 #pragma once
 
@@ -15,11 +16,13 @@ namespace rbpa {
 
 /// Computes the solid alpha complex of `points` by hierarchical restricted ball pivoting.
 /// Requires: 0 < alpha ≤ infinity; finite points, at most 357,913,941 of them, as OpenMesh numbers halfedges in int.
-/// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled; any
-///           exception of the functions in `options`.
+/// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; ContractViolation when
+///           the leaf capacity is 0; Cancelled; any exception of the functions in `options`.
 RBPA_API Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOptions& options = {});
 
-/// Returns the level on which a face was added to the complex, as a position in `levels`.
+/// Returns the level on which face number `face` of the mesh was added, as a position in `hierarchy.levels`.
+/// Requires: `face` is below the number of faces.
+/// Cost:     logarithmic in the number of levels.
 RBPA_API std::size_t level_of(const Hierarchy& hierarchy, std::size_t face);
 
 }  // namespace rbpa

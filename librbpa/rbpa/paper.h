@@ -1,7 +1,8 @@
 // What:   RBPA and HRBPA as published: point by point, on the advancing-front engine, with grid cells of side 2α, of
 //         which nine are scanned at each pivot.
 // Law:    the triangles are those of rbpa() and hrbpa(). The code is short and slow, made to be read and compared with.
-// Cost:   a pivot grows with α² over the square of the spacing; one thread.
+// Cost:   a pivot takes time in proportion to the points in nine cells: α² over the square of their spacing. One
+//         thread.
 // Source: Medeiros, Velho, Lopes, Restricted BPA, sections 3, 4 and 6; docs/explanation/paper.md.
 #pragma once
 
@@ -15,15 +16,16 @@
 
 namespace rbpa::paper {
 
-/// The default of HierarchyOptions::leaf_capacity in this namespace. Larger leaves make the first grid coarser.
+/// The default of HierarchyOptions::leaf_capacity in this namespace: points in a leaf. Larger leaves give a larger α₀,
+/// and so a coarser first grid.
 inline constexpr std::size_t usual_leaf_capacity = 32;
 
-/// Computes the result of rbpa::rbpa(), with the same requirements and exceptions. One thread works, whatever `options`
-/// specify.
+/// Computes the result of rbpa::rbpa(), with the same requirements and exceptions. Runs in one thread:
+/// `options.threads` is ignored.
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
 
-/// Computes the result of rbpa::hrbpa(), with the levels of the paper, on which every transferred point takes part. One
-/// thread works.
+/// Computes the result of rbpa::hrbpa(), with the same requirements and exceptions. On each level every transferred
+/// point takes part, as in the paper. Runs in one thread: `options.threads` is ignored.
 RBPA_API Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOptions& options = {});
 
 }  // namespace rbpa::paper

@@ -18,9 +18,9 @@ namespace rbpa {
 
 struct Options {
   MaxThreads threads = 0;
-  /// The intervals between calls are longer while points are sorted before the first triangle, while triangles that
-  /// tiles leave over are inserted, and while the mesh is finished: up to about 0.1 s per million points, or 0.5 s on
-  /// sets where tiles find no triangle.
+  /// Callback for progress and cancellation. It is called every few milliseconds, but at intervals of up to 0.1 s per
+  /// million points while points are sorted, triangles that tiles leave over are inserted, or the mesh is finished; up
+  /// to 0.5 s per million points on sets where tiles find no triangle.
   OnProgress progress = {};
 };
 
@@ -31,7 +31,7 @@ struct Options {
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
 
 /// Returns the number of threads that rbpa() or hrbpa() uses on `points` points when its option `threads` is `wanted`:
-/// at most the number of processors, and one for few points.
+/// at most the number of processors, and one for fewer than 10,000 points.
 RBPA_API unsigned threads_used(std::size_t points, unsigned wanted);
 
 }  // namespace rbpa

@@ -15,8 +15,8 @@ namespace rbpa {
 
 enum class AlphaRule {
   given,      ///< a radius
-  automatic,  ///< "auto": the least radius at which few enough solid components cover the points, or a share of them
-  least,      ///< "min": the least radius at which the complex covers the points, or a share of them
+  automatic,  ///< "auto": least radius at which max_components solid components hold a share `cover` of the points
+  least,      ///< "min": least radius at which a share `cover` of the points is in the complex
   plateau     ///< "plateau", "plateau:K": a radius around which the shape hardly changes
 };
 
@@ -32,23 +32,24 @@ struct AlphaChoice {
 constexpr bool takes_components(AlphaRule rule) { return rule == AlphaRule::automatic; }
 constexpr bool takes_cover(AlphaRule rule) { return rule == AlphaRule::automatic || rule == AlphaRule::least; }
 
-/// All spellings of a choice, for error messages.
+/// The list of all spellings of a radius or a rule, for error messages.
 inline constexpr std::string_view expected_alpha = "a radius (a number > 0, or inf), auto, min, plateau or plateau:K";
 
-/// Parses "auto", "min", "plateau" or "plateau:K", where K is a whole number from 1. The result is empty for any other
-/// text.
+/// Parses "auto", "min", "plateau" or "plateau:K", where K is a whole number from 1. Returns nothing for any other
+/// text, also for a radius.
 RBPA_API std::optional<AlphaChoice> parse_alpha_rule(std::string_view text);
 
-/// Returns "given", "auto", "min", "plateau" or "plateau:2".
+/// Returns the spelling of the rule: "given", "auto", "min", "plateau", or with a rank above 1 "plateau:2".
 RBPA_API std::string name_of(const AlphaChoice& choice);
 
-/// Refuses a rank that no plateau has.
+/// Checks that one of `plateaus` plateaus has the rank of the choice.
 /// Throws: InvalidInput when the rank is 0, or, as "alpha plateau:4: there are only 3 plateaus", when it is above the
 ///         number of plateaus.
 RBPA_API void require_rank(const AlphaChoice& choice, std::size_t plateaus);
 
-/// Returns the radius of the plateau of this rank, the best first; nothing if there is no plateau.
-/// Throws: as require_rank().
+/// Returns the alpha of the plateau that has the rank of the choice; nothing if there is no plateau. `plateaus` is
+/// sorted, the best first.
+/// Throws: InvalidInput as require_rank(), unless `plateaus` is empty.
 template <typename Plateau>
 std::optional<double> alpha_of_rank(const AlphaChoice& choice, const std::vector<Plateau>& plateaus) {
   if (plateaus.empty()) return std::nullopt;

@@ -7,8 +7,8 @@ namespace rbpa {
 enum class ComplexKind {
   /// Delaunay triangles of circumradius ≤ alpha (in space: tetrahedra), with their edges and corners.
   solid,
-  /// Moreover every simplex whose corners an otherwise empty ball of radius alpha can touch: edges and points in no
-  /// triangle, triangles in no tetrahedron.
+  /// The solid complex, and the dangling simplices: edges and points in no triangle of it (in space: also triangles in
+  /// no tetrahedron) whose corners lie on a ball of radius alpha with no point inside.
   full
 };
 

@@ -1,7 +1,7 @@
 // What: processes long numbered items in threads of the standard library and joins the results in order.
 // Law:  join(i) is called once for each i, ascending, one at a time; its result therefore does not depend on the
 //       threads.
-// Cost: some locks an item; at most as many results wait for their turn as there are threads.
+// Cost: a few locks of one mutex for each item; at most as many results wait for their turn as there are threads.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,8 @@
 
 namespace rbpa {
 
-/// The state that threads share.
+/// A queue of the items 0 … count − 1 that threads share. It hands out their numbers in order, gives each its turn, and
+/// stops all threads when one has failed.
 class SharedWork {
  public:
   explicit SharedWork(std::size_t count) : count_(count) {}
@@ -33,13 +34,15 @@ class SharedWork {
     turned_.wait(lock, [&] { return failure_ || turn_ == i; });
     return !failure_;
   }
+  /// Ends the turn of the current item, so that the next item has its turn.
   void pass_on() {
     const std::lock_guard lock(mutex_);
     ++turn_;
     turned_.notify_all();
   }
-  /// Stores a result among the waiting ones, once it is its turn or fewer than `most` wait. The thread that stores the
-  /// next result joins it and those that follow, while others work on. Returns false when a thread has failed.
+  /// Stores the result of item i in `waiting`; blocks first while `most` results wait there, unless item i has its
+  /// turn. If no other thread is joining, calls join(number, result) for the results whose turn it is, ascending.
+  /// Returns false when a thread has failed.
   template <typename Result, typename Join>
   bool hand_in(std::size_t i, Result made, std::map<std::size_t, Result>& waiting, std::size_t most, Join& join) {
     std::unique_lock lock(mutex_);
@@ -60,7 +63,8 @@ class SharedWork {
     return !failure_;
   }
 
-  /// Runs loop() in `threads` threads, the calling one included; throws the first failure.
+  /// Runs loop() in `threads` threads, the calling one included, and waits for all of them. Rethrows the first
+  /// exception.
   template <typename Loop>
   void run(std::size_t threads, Loop loop) {
     const auto guarded = [&] {
@@ -88,10 +92,10 @@ class SharedWork {
   std::condition_variable turned_;
 };
 
-/// Calls for each i below `count` work(i) in one of `threads` threads, the calling one included, and join(i, result) in
-/// the thread that has the next result. A thread whose result is not the next one continues with other items if
-/// is_small(i), as long as fewer results wait than there are threads; otherwise it waits itself. Throws the first
-/// exception of any call; then some calls are never made.
+/// Calls work(i) for each i below `count` in one of `threads` threads, the calling one included, and join(i, result) in
+/// ascending order of i. After work(i), a thread continues with other items if is_small(i) and fewer results wait than
+/// there are threads; otherwise it waits for the turn of item i.
+/// Throws: the first exception of any call; then some calls are never made.
 template <typename Work, typename IsSmall, typename Join>
 void join_in_order(std::size_t threads, std::size_t count, Work work, IsSmall is_small, Join join) {
 #ifdef RBPA_SERIAL

@@ -11,7 +11,7 @@
 namespace rbpa {
 
 struct PairChoice {
-  double min_persistence = 0;  ///< lower bound of death − birth
+  double min_persistence = 0;  ///< lower bound of death − birth, in units of the points
   /// Maximum number of pairs of each dimension; the most persistent are kept.
   std::size_t top = std::numeric_limits<std::size_t>::max();
 };
@@ -22,9 +22,10 @@ double persistence_of(const Pair& pair) {
   return pair.death ? *pair.death - pair.birth : std::numeric_limits<double>::infinity();
 }
 
-/// Returns the chosen pairs in their order, which is by dimension. Pairs that never die are the most persistent; of
+/// Returns the chosen pairs in the order of `pairs`. A pair that never dies is more persistent than any other; of
 /// equally persistent pairs the first is preferred.
-/// Requires: PersistencePair, SolidPair, or a type that has dimension, birth and death as they do.
+/// Requires: pairs sorted by dimension. `Pair` is PersistencePair, SolidPair, or a type with the same members
+///           `dimension`, `birth` and `death`.
 template <typename Pair>
 std::vector<Pair> chosen(const std::vector<Pair>& pairs, const PairChoice& choice) {
   const auto lasts_longer = [&](std::uint32_t i, std::uint32_t j) {

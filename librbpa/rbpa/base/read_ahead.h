@@ -1,6 +1,7 @@
-// What: items that one thread produces while another processes those before.
-// Law:  the items come in the order in which they are produced; so does an exception of the producer.
-// Cost: a thread; some items wait.
+// What: a queue of items that a thread of its own produces while the caller processes the items before.
+// Law:  the items come in the order in which they are produced, and an exception of the producer after the items before
+//       it.
+// Cost: one thread, and the memory of the items that wait. With RBPA_SERIAL there is no thread, and no item waits.
 #pragma once
 
 #include <condition_variable>
@@ -17,12 +18,14 @@ namespace rbpa {
 template <typename Item>
 class ReadAhead {
  public:
-  /// Calls make(item) in any thread, one call at a time, until it returns false at the end. At most `most` items wait.
+  /// Starts a thread that calls make(item) for one item after another until it returns false. The thread pauses while
+  /// `most` items wait.
   ReadAhead(std::size_t most, std::function<bool(Item&)> make) : most_(most), make_(std::move(make)) {
 #ifndef RBPA_SERIAL
     thread_ = std::jthread([this] { run(); });
 #endif
   }
+  /// Stops the thread after the current call of make(), and waits for it.
   ~ReadAhead() {
     const std::lock_guard lock(mutex_);
     unwanted_ = true;
@@ -31,7 +34,8 @@ class ReadAhead {
   ReadAhead(const ReadAhead&) = delete;
   ReadAhead& operator=(const ReadAhead&) = delete;
 
-  /// Takes the next item. Returns false at the end.
+  /// Takes the next item; blocks until there is one. Returns false at the end.
+  /// Throws: the exception of make(), when no item before it waits any more.
   bool next(Item& item) {
 #ifdef RBPA_SERIAL
     return make_(item = Item());

@@ -14,7 +14,7 @@ inline Triangle from_least(const Triangle& t) {
   return t[1] < t[2] ? Triangle{t[1], t[2], t[0]} : Triangle{t[2], t[0], t[1]};
 }
 
-/// The value that stands for no triangle, or no item of a list.
+/// The index that stands for no triangle, or for no item of another list.
 inline constexpr std::uint32_t no_index = 0xffffffff;
 
 }  // namespace rbpa

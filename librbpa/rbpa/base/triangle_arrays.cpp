@@ -8,7 +8,8 @@
 namespace rbpa {
 namespace {
 
-/// Returns whether the triangle across from corner k has the same side and refers back to this triangle.
+/// Returns whether the neighbor across from corner k of triangle t has the same side and names t across it; true if
+/// there is no neighbor.
 bool is_linked(const TriangleArrays& arrays, std::size_t t, std::size_t k) {
   const std::uint32_t other = arrays.neighbors[t][k];
   if (other == TriangleArrays::none) return true;

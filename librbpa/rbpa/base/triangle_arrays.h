@@ -1,4 +1,4 @@
-// What: a view of triangles and their neighbors, and the check that they agree.
+// What: a view of triangles and their neighbors as two arrays, and the check that both agree.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,8 @@ struct TriangleArrays {
   static constexpr std::uint32_t none = no_index;
 
   std::span<const Triangle> triangles;  ///< counter-clockwise
-  std::span<const Triangle> neighbors;  ///< number k is the triangle across from corner k, or none
+  std::span<const Triangle>
+      neighbors;  ///< for each triangle, entry k is the triangle across from its corner k, or none
 };
 
 /// Triangles and their neighbors, which convert to a view.
@@ -27,11 +28,10 @@ struct OwnedTriangles {
   operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
-/// Checks that triangles and neighbors agree.
-/// Requires: corners are three different numbers below `points`; neighbors are triangles, and each is the other's
-///           neighbor across the side that they share.
-/// Throws:   ContractViolation that names the first triangle that violates this; Cancelled.
-/// Cost:     linear.
+/// Checks that triangles and neighbors agree: there is a row of neighbors for each triangle, its corners are three
+/// different numbers below `points`, and two neighbors name each other across the side that they share.
+/// Throws: ContractViolation that names the first triangle with an error; Cancelled.
+/// Cost:   linear.
 RBPA_API void require_linked(const TriangleArrays& arrays, std::size_t points, const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -14,33 +14,33 @@
 
 namespace rbpa {
 
-/// A target size at a point: edges near `at` are to be no longer than about `size`.
+/// A target length of edges at a point, in units of the points: edges near `at` are to be no longer than about `size`.
 struct SizeAt {
   Point at;
   double size;
 };
 
 struct FillOptions {
-  /// Target length of edges, in units of the points; an upper bound where the members below require less. Infinity: no
-  /// point is added, and the triangles are the constrained Delaunay triangulation of the polygons
-  /// (fill/constrained_delaunay.h), which is unique; `grade` and `sizes` must then be absent.
+  /// Target length of edges, in units of the points; must be given, above 0. `grade` and `sizes` lower the target in
+  /// places. Infinity: no point is added, and the triangles are the constrained Delaunay triangulation of the polygons
+  /// (fill/front/constrained_delaunay.h), which is unique; `grade` and `sizes` must then be absent.
   double size = 0;
-  /// Growth of the target per unit of distance from a boundary edge shorter than `size`, at which triangles have the
-  /// edge's length. Absent: short edges do not change the size.
+  /// Growth of the target length per unit of distance from a boundary edge that is shorter than `size`; at such an edge
+  /// the target is its length. Must be above 0. Absent: short edges do not lower the target.
   std::optional<double> grade = std::nullopt;
   /// Sizes at points: at p the target is the least of `size` and sizes[i].size + g |p − sizes[i].at|, where g is
   /// `grade`, or default_grade. This is the greatest function of slope g that exceeds no given value.
   std::span<const SizeAt> sizes = {};
-  /// Whether the boundary stays as it is. Otherwise edges that are longer than the target are cut.
+  /// Whether the boundary stays as it is. Otherwise boundary edges that are longer than the target are cut.
   bool keep_boundary = false;
   /// The first polygon of each group, ascending from 0; a group is a feature of a map, for example. Empty: all polygons
   /// are one group. Groups may share edges, along which their triangles meet in whole edges. Groups may overlap: then
   /// each has triangles of its own.
   std::span<const std::size_t> groups = {};
   OnProgress progress = {};
-  /// Called once, before the first triangle, with an estimate of their number, so that a caller can compare it with the
-  /// available memory; fill/size_estimate.h states its accuracy. An exception that it throws ends the run. Empty: never
-  /// called.
+  /// Callback that is called once, before the first triangle, with an estimate of the number of triangles, so that a
+  /// caller can compare the number with the available memory; fill/front/size_estimate.h states the accuracy. An
+  /// exception that the callback throws ends the run. Empty: never called.
   std::function<void(double)> estimated = {};
 
   static constexpr double default_grade = 0.25;
@@ -50,18 +50,18 @@ struct Filling {
   /// The input points under their indices, whether used or not; then the points inserted on edges of the boundary; then
   /// those inside.
   std::vector<Point> points;
-  /// Number of points that are of the input or on cut edges; they come first.
+  /// Number of points that are of the input or on cut edges: the first in `points`.
   std::size_t boundary_points = 0;
   /// The triangles, counter-clockwise, the smallest index first, in lexicographic order.
   std::vector<Triangle> triangles;
   std::vector<std::size_t> groups;  ///< for each triangle, the group that it fills
-  /// The triangle across from each corner, or TriangleArrays::none. Groups are neighbors along the edges that they
-  /// share. If two triangles have the same edge on their left, their groups overlap, and each group has neighbors in
-  /// itself only.
+  /// For each triangle, entry k is the triangle across from its corner k, or TriangleArrays::none. Triangles of two
+  /// groups are neighbors along edges that the groups share; but where the groups overlap, so that two triangles have
+  /// the same edge on their left, each group has neighbors in itself only.
   std::vector<Triangle> neighbors;
   /// The polygons with the points inserted on their edges; areas are exact sums, rounded once.
   std::vector<Polygon> polygons;
-  /// Number of times the front had to retreat.
+  /// Number of times that the front removed a triangle again, as no good triangle fitted beside it.
   std::size_t retreats = 0;
   /// Number of triangles of the unfilled region that were created or crossed in locating points: a measure of the
   /// front's work.

@@ -1,4 +1,4 @@
-// What:   tests whether polygons are valid under OGC Simple Features, and tells where they are not.
+// What:   tests whether polygons are valid under OGC Simple Features, and says where and why they are not.
 // Law:    decided exactly. A polygon is valid if its rings are simple, do not cross, have at most single points in
 //         common, holes lie in the shell and not in each other, and the interior is connected. Polygons form a valid
 //         multipolygon if also they have no area and no edge in common. Consecutive vertices at one place count as one.
@@ -16,9 +16,9 @@
 
 namespace rbpa {
 
-/// Returns the reason why the polygons do not form a valid multipolygon, or why a single one is invalid; nothing if
-/// they are valid. The reason tells in one line where, what was found and what was expected; it numbers polygons, holes
-/// and vertices from 0. Rings may begin anywhere and have either orientation.
+/// Returns the reason why the polygons do not form a valid multipolygon, or why one of them is invalid; nothing if they
+/// are valid. The reason is one line with the place, what was found and what was expected; polygons, holes and vertices
+/// are numbered from 0. Rings may begin anywhere and have either orientation.
 /// Throws: Cancelled.
 RBPA_API std::optional<std::string> why_invalid(std::span<const Point> points, std::span<const Polygon> polygons,
                                                 const GoOn& go_on = {});

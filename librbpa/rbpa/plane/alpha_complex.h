@@ -28,14 +28,15 @@ struct AlphaComplexOptions {
   OnProgress progress = {};
 };
 
-/// A complex as arrays. Indices are those of the input points; of equal points the lowest.
+/// An alpha complex as arrays. Points are input indices from 0; of equal points only the lowest index occurs, except in
+/// `duplicates`.
 struct AlphaComplex {
   /// The value for no neighbor in `neighbors`.
   static constexpr std::uint32_t none = TriangleArrays::none;
 
   /// The triangles, counter-clockwise, the smallest index first, in lexicographic order.
   std::vector<Triangle> triangles;
-  /// Only on request: the triangle across from each corner, or none.
+  /// Only on request: for each triangle, entry k is the number of the triangle across from its corner k, or none.
   std::vector<Triangle> neighbors;
   /// Only on request, the boundary: the sides at which no other triangle lies, each directed as in its triangle, in
   /// lexicographic order.
@@ -54,11 +55,11 @@ struct AlphaComplex {
   operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
-/// Computes the complex.
-/// Requires: as rbpa().
-/// Throws:   as rbpa().
-/// Cost:     about linear. Memory beyond the input, the result's own included: about 75 bytes a point, with neighbors
-///           or boundary 120 (docs/reference/performance.md); the full complex needs as much as the Delaunay
+/// Computes the alpha complex of `points`, solid or full as in the options.
+/// Requires: 0 < alpha ≤ infinity; finite points, at most 357,913,941 of them.
+/// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled.
+/// Cost:     about linear. Memory beyond the input, including that of the result: about 75 bytes a point, with
+///           neighbors or boundary 120 (docs/reference/performance.md); the full complex needs as much as the Delaunay
 ///           triangulation with neighbors.
 RBPA_API AlphaComplex alpha_complex(std::span<const Point> points, double alpha,
                                     const AlphaComplexOptions& options = {});

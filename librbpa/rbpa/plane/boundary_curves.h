@@ -1,4 +1,4 @@
-// What: the boundary curves of triangles in arrays.
+// What: the boundary curves of a complex whose triangles and neighbors are given as arrays.
 // Law:  the curves are those of the mesh of the same triangles: at a point where the complex touches itself (a pinch),
 //       a curve continues along the same fan of triangles.
 #pragma once
@@ -11,8 +11,8 @@
 
 namespace rbpa {
 
-/// Returns the points along each boundary curve, with the triangles to the right. The first point of a curve and the
-/// order of the curves are unspecified.
+/// Returns for each boundary curve the indices of its points in order, the triangles on its right. A curve is closed,
+/// and its first point is not repeated at the end. Which point is first and the order of the curves are unspecified.
 /// Requires: as require_linked(), which is not checked.
 /// Throws:   Cancelled.
 /// Cost:     linear.

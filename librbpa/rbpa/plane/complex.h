@@ -16,14 +16,15 @@ namespace rbpa {
 /// pinch), each fan of triangles has a vertex of its own on the same input point.
 struct SolidAlphaComplex {
   Mesh mesh;                               ///< faces counter-clockwise; no isolated and no deleted elements; z = 0
-  std::vector<std::uint32_t> input_index;  ///< for each vertex of the mesh, its input point
+  std::vector<std::uint32_t> input_index;  ///< for each vertex of the mesh, the index of its input point
   std::vector<std::uint32_t> isolated;     ///< input indices of distinct points in no triangle, ascending
   std::vector<Duplicate> duplicates;       ///< ascending by index
   std::size_t distinct = 0;                ///< number of distinct points
 };
 
-/// Returns the triangles of a complex as input indices in canonical order: counter-clockwise, smallest index first,
-/// sorted.
+/// Returns the triangles of a complex as input indices in canonical order: counter-clockwise, the smallest index first,
+/// in lexicographic order.
+/// Cost: linear.
 RBPA_API std::vector<Triangle> triangles(const SolidAlphaComplex& complex);
 
 }  // namespace rbpa

@@ -11,28 +11,30 @@
 
 namespace rbpa {
 
-/// An input point: its index and its coordinates. Equal points have the lowest of their indices.
+/// A corner of a polygon: the index of an input point in the whole input, of equal points the lowest, and the
+/// coordinates of the point.
 struct Corner {
   std::uint64_t index = 0;
   Point at = {};
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
-/// A Ring (rbpa/plane/outline_polygons.h) with coordinates: begins with its lexicographically least point, which is not
-/// repeated; passes no point twice.
+/// A Ring (rbpa/plane/outline_polygons.h) with coordinates. It begins with its lexicographically least point, passes no
+/// point twice, and does not repeat the first point at the end.
 using CornerRing = std::vector<Corner>;
 
-/// The name of an unfinished component: one of its triangles, which no other component ever has.
+/// The name of an unfinished component: the input indices of the corners of one of its triangles. No other component
+/// ever has this triangle.
 using ComponentName = std::array<std::uint64_t, 3>;
 
 /// A Polygon (rbpa/plane/outline_polygons.h) with coordinates, equal to it to the last bit.
 struct CornerPolygon {
   CornerRing shell = {};               ///< counter-clockwise
-  std::vector<CornerRing> holes = {};  ///< clockwise; by first point, then by second
-  double area = 0;                     ///< the real number rounded once
-  double perimeter = 0;
-  /// Number of input points in it, duplicates included. A point at which several polygons touch counts in the first of
-  /// them.
+  std::vector<CornerRing> holes = {};  ///< clockwise; sorted by first point, then by second
+  double area = 0;                     ///< of the shell without the holes: the real number rounded once
+  double perimeter = 0;                ///< of all rings, with the error bound of Polygon::perimeter
+  /// Number of input points in the triangles of the polygon, duplicates included. A point at which several polygons
+  /// touch counts in the first of these polygons.
   std::uint64_t points = 0;
   /// Number of holes that take_holes() removed before the polygon was finished, and the names under which they were
   /// returned, ascending. Area and perimeter include these holes.

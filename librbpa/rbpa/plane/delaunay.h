@@ -1,6 +1,7 @@
-// What: a Delaunay triangulation together with its points; it is computed from them here, or checked once.
-// Why:  the functions that use it (filtration.h, persistence.h, plateaus.h, smallest_covering_alpha.h) do not
-//       check it again. A run checks a given triangulation at most once, and one that it computes itself never.
+// What: a Delaunay triangulation together with its points, which is computed here, or given and checked once.
+// Why:  functions of a triangulation (filtration.h, persistence.h, plateaus.h, smallest_covering_alpha.h) do not check
+//       a Delaunay object again. A run checks a given triangulation at most once, and one that it computes itself
+//       never.
 #pragma once
 
 #include <memory>
@@ -12,7 +13,8 @@
 
 namespace rbpa {
 
-/// A Delaunay triangulation and a span of its points. Copies share the triangulation.
+/// A Delaunay triangulation and a span of its points, which must outlive the object and stay unchanged. Copies share
+/// the triangulation.
 class RBPA_API Delaunay {
  public:
   /// Triangulates the points. The options `complex`, `neighbors` and `boundary` are ignored.
@@ -20,8 +22,8 @@ class RBPA_API Delaunay {
   /// Cost:   that of alpha_complex().
   explicit Delaunay(std::span<const Point> points, const AlphaComplexOptions& options = {});
 
-  /// Takes the result of alpha_complex(points, infinity, {.neighbors = true}), which is checked. An lvalue is not
-  /// copied: it must outlive this object and stay unchanged.
+  /// Takes and checks the result of alpha_complex(points, infinity, {.neighbors = true}). A triangulation that is given
+  /// as an lvalue is not copied: it must outlive this object and stay unchanged.
   /// Throws: ContractViolation, whose message begins with `function`, when the triangulation is visibly of other
   ///         points, omits some, or has clockwise triangles, and as require_linked(); Cancelled.
   /// Cost:   linear: about a tenth of the cost of the triangulation.

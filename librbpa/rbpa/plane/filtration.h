@@ -21,12 +21,12 @@ namespace rbpa {
 /// The complex between two critical radii: for `alpha` ≤ radius < the next step's alpha.
 struct FiltrationStep {
   double alpha = 0;           ///< least double radius at which the complex is this one; infinity if no finite double is
-  std::size_t triangles = 0;  ///< number of triangles up to this step
+  std::size_t triangles = 0;  ///< number of triangles of the complex
   std::size_t solid_components = 0;  ///< components connected through edges
   std::size_t components = 0;        ///< components connected through points: pinches connect
   std::size_t holes = 0;             ///< bounded components of the complement in the plane
   std::size_t covered = 0;           ///< number of distinct points in triangles
-  double area = 0;                   ///< area of these triangles: the only rounded number here
+  double area = 0;  ///< area of the triangles, in squared units of the points, rounded; the other members are exact
   friend bool operator==(const FiltrationStep&, const FiltrationStep&) = default;
 };
 
@@ -36,26 +36,25 @@ struct Filtration {
   std::size_t distinct = 0;            ///< number of distinct points
 };
 
-/// Computes the filtration of the points by circumradius.
+/// Computes the filtration: sorts the triangles by circumradius and counts after each distinct radius.
 /// Throws: Cancelled.
 RBPA_API Filtration filtration(const Delaunay& of, const GoOn& go_on = {});
-/// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
-/// first.
+/// Computes the same from a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
+/// Throws: also ContractViolation as the constructor of Delaunay, which checks the triangulation.
 inline Filtration filtration(const AlphaComplex& delaunay, std::span<const Point> points, const GoOn& go_on = {}) {
   return filtration(Delaunay(delaunay, points, go_on, "filtration"), go_on);
 }
 
-/// Returns the complex of radius alpha, 0 < alpha ≤ infinity: the result of alpha_complex(points, alpha,
-/// {.neighbors = true}), without triangulating again.
-/// Requires: the filtration is that of the triangulation.
+/// Returns the complex of radius alpha, 0 < alpha ≤ infinity: the result of alpha_complex(points, alpha, {.neighbors =
+/// true}), without triangulating again.
+/// Requires: `filtration` is filtration(of).
 /// Throws:   ContractViolation when the filtration is visibly of another triangulation, or alpha is not a valid radius.
 /// Cost:     linear.
 RBPA_API AlphaComplex complex_at(const Delaunay& of, const Filtration& filtration, double alpha);
 
-/// Returns the least alpha at which every distinct point is in a triangle. With `max_components`, there must also be at
-/// most that many solid components; their number is not monotone in alpha and may exceed the bound again above. The
-/// result is empty if there is no such alpha: there are fewer than three points, the points are on a line, or the bound
-/// is 0.
+/// Returns the least alpha at which every distinct point is in a triangle and, if `max_components` is given, there are
+/// at most so many solid components. At a larger alpha there may be more components again. Returns nothing if there is
+/// no such alpha: there are fewer than three distinct points, all points are on a line, or `max_components` is 0.
 /// Cost: linear in the number of steps.
 RBPA_API std::optional<double> smallest_covering(const Filtration& filtration,
                                                  std::optional<std::size_t> max_components = std::nullopt);

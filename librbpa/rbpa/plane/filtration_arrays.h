@@ -2,7 +2,7 @@
 //       show the complex at one radius after another and compute nothing themselves.
 // Law:  a function of the set of points alone. The first k triangles, k being the count of a filtration step, are the
 //       solid alpha complex at the step's alpha.
-// Cost: twice that of persistence().
+// Cost: about twice that of persistence().
 #pragma once
 
 #include <cstdint>
@@ -36,20 +36,20 @@ struct PlacedPair {
 
 struct FiltrationArrays {
   std::vector<Point> points;  ///< the distinct points, in lexicographic order
-  /// Indices into `points`, counter-clockwise, the smallest first; sorted by alpha, then by corners.
+  /// The triangles as indices into `points`, counter-clockwise, the smallest first; sorted by alpha, then by corners.
   std::vector<Triangle> triangles;
   std::vector<double> alpha;         ///< for each triangle, the alpha at which it appears
   std::vector<FreeEdge> free_edges;  ///< by alpha, then by triangle and side; empty without triangles
   std::vector<PlacedPair> pairs;     ///< sorted as by persistence(), equal pairs by triangle
 };
 
-/// Computes the arrays.
+/// Computes the arrays from a triangulation and its filtration.
 /// Requires: `filtration` is filtration(delaunay).
 /// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled.
 RBPA_API FiltrationArrays filtration_arrays(const Delaunay& delaunay, const Filtration& filtration,
                                             const GoOn& go_on = {});
-/// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
-/// first.
+/// Computes the same from a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
+/// Throws: also ContractViolation as the constructor of Delaunay, which checks the triangulation.
 inline FiltrationArrays filtration_arrays(const AlphaComplex& delaunay, std::span<const Point> points,
                                           const Filtration& filtration, const GoOn& go_on = {}) {
   return filtration_arrays(Delaunay(delaunay, points, go_on, "filtration_arrays"), filtration, go_on);

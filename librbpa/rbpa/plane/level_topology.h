@@ -1,4 +1,4 @@
-// What: the topology of the complex after each level of a hierarchy.
+// What: counts the simplices, components and holes of the complex after each level of a hierarchy.
 // Law:  level_topology(h)[i] is count(rbpa(points, h.levels[i].alpha)).
 // Cost: near-linear in the triangles and levels together: each triangle is added once.
 #pragma once

@@ -19,14 +19,15 @@ struct Level {
   double alpha = 0;  ///< the radius: 2^number α₀, or on the last level the alpha of the whole run
   int number = 0;    ///< exponent of the radius; levels without a triangle between the first and the last are left out
   std::size_t transferred = 0;  ///< number of points transferred from the level before: isolated or on the boundary
-  /// Number of these points that got a triangle or were examined; the others were skipped.
+  /// Number of points with a triangle of this level; in rbpa::paper, which examines all transferred points, the number
+  /// of these.
   std::size_t taking_part = 0;
   std::size_t advancing = 0;  ///< number of halfedges on the front when the level began
   /// Number of triangles of the mesh when the level ended; those of this level are the last.
   std::size_t triangles = 0;
-  /// Time in seconds, including the work before the level: α₀ or the transfer, and levels left out. Without a function
-  /// that is called at the end of each level, all triangles are laid at once: then the first level has the time of all,
-  /// and the others 0.
+  /// Time in seconds, including what precedes the level: the computation of α₀ or the transfer, and levels left out.
+  /// Without HierarchyOptions::level_ended all levels are computed at once: the first then has the time of all of them,
+  /// and the others have 0.
   double seconds = 0;
 };
 
@@ -34,11 +35,11 @@ struct Level {
 /// boundary halfedges are all frozen. Valid during the call only.
 struct EndedLevel {
   const Level& level;
-  /// The front on the mesh. The first front.faces() faces of its mesh are those of the complex, with their final
-  /// numbers. The elements after them, and after the first front.edges() edges, are not yet in use. Vertices have no
+  /// The front with its mesh. Faces 0 … front.faces() − 1 of the mesh are the triangles of the complex, with their
+  /// final numbers; faces from front.faces() and edges from front.edges() on are not in use. Vertices have no
   /// coordinates yet.
   const meshops::Front& front;
-  std::span<const std::uint32_t> input_index;  ///< for each site of the front, its input point
+  std::span<const std::uint32_t> input_index;  ///< for each site of the front, the index of its input point
 };
 
 struct HierarchyOptions {
@@ -46,20 +47,18 @@ struct HierarchyOptions {
   /// usual_leaf_capacity.
   std::optional<std::size_t> leaf_capacity = std::nullopt;
   MaxThreads threads = 0;
-  /// The intervals between calls are longer while points are sorted before the first triangle, while triangles that
-  /// tiles leave over are inserted, and while the mesh is finished: up to about 0.1 s per million points, or 0.5 s on
-  /// sets where tiles find no triangle.
+  /// Callback for progress and cancellation, with the intervals of Options::progress (rbpa.h).
   OnProgress progress = {};
-  /// Called at the end of each level of Hierarchy::levels, before the next one begins; its time counts for no level. An
-  /// exception that it throws ends the run. Empty: never called.
+  /// Callback at the end of each level of Hierarchy::levels, before the next level begins. Its time counts for no
+  /// level. An exception that it throws ends the run. Empty: never called.
   std::function<void(const EndedLevel&)> level_ended = {};
 };
 
 struct Hierarchy {
-  SolidAlphaComplex complex;       ///< faces are in the order of the levels
+  SolidAlphaComplex complex;       ///< faces are in the order of the levels: level_of() in hrbpa.h
   double least_radius = 0;         ///< α₀; 0 if there can be no triangle
   std::vector<Level> levels;       ///< ascending in alpha
-  std::size_t looked_in_vain = 0;  ///< number of points that took part on levels left out
+  std::size_t looked_in_vain = 0;  ///< in rbpa::paper, number of points that took part on levels left out; else 0
 };
 
 }  // namespace rbpa

@@ -9,11 +9,11 @@
 namespace rbpa {
 namespace {
 
-/// A side at its lower end.
+/// A side of a triangle, seen from the end with the lower index, the point.
 struct SideAt {
   std::uint32_t other;  // the other end
   bool comes;           // whether it runs to the point
-  std::uint8_t across;  // the corner across
+  std::uint8_t across;  // the corner of the triangle across from the side
   std::uint32_t triangle;
 };
 
@@ -21,9 +21,10 @@ struct SideAt {
 
 std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::size_t points, const GoOn& go_on) {
   Steps step(go_on);
-  // A side is found at its lower end. Two sides of a triangle have the lowest corner for that, and the triangles of a
-  // lowest corner are together. The third side is across from that corner: a list of triangles at its lower end is
-  // linked in the place where its neighbor will be.
+  // Sides are matched at their lower end. For two sides of a triangle this is the lowest corner, corner 0, and
+  // triangles with the same corner 0 follow each other. The third side is across from corner 0: the triangles whose
+  // third side has the same lower end form a linked list, from first[end] on, whose links stand in neighbors[t][0]
+  // until the neighbor is written there.
   std::vector<Triangle> neighbors(triangles.size());
   std::vector<std::uint32_t> first(points, no_index);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {

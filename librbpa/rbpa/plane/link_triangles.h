@@ -1,7 +1,7 @@
 // What: computes the neighbors of each triangle from the triangles in canonical order alone.
 // Law:  the neighbors equal those that alpha_complex() finds.
-// Why:  less memory than finding them in alpha_complex(): the result and four bytes a point, after alpha_complex() has
-//       freed its own memory.
+// Why:  takes less memory than AlphaComplexOptions::neighbors: that of the result and four bytes a point, when
+//       alpha_complex() has already freed its own memory.
 // Cost: linear if few triangles meet at each point, n log n if many do.
 #pragma once
 
@@ -16,7 +16,8 @@
 namespace rbpa {
 
 /// Returns for each triangle its neighbors: number k is the triangle across from corner k, or TriangleArrays::none.
-/// Requires: triangles of a complex in the plane as in an AlphaComplex; corners are below `points`.
+/// Requires: triangles in the order of AlphaComplex::triangles, of which at most two share an edge, on opposite sides
+///           of the edge; corners are below `points`.
 /// Throws:   Cancelled.
 RBPA_API std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::size_t points,
                                               const GoOn& go_on = {});

@@ -3,8 +3,8 @@
 //         on which the point lies, the first is found.
 // How:    a walk from triangle to triangle toward the point, from a triangle near the grid cell that contains the
 //         point. Such a walk ends in every Delaunay triangulation.
-// Cost:   a Locator takes linear time and some 30 bytes for each point; a query takes a few steps where the points are
-//         dense.
+// Cost:   constructing a Locator takes linear time and some 30 bytes for each point; a query takes a few steps of the
+//         walk where points are dense.
 // Source: Devillers, Pion, Teillaud, Walking in a triangulation (2002); R. Sibson, A vector identity for the Dirichlet
 //         tessellation (1980).
 #pragma once
@@ -39,9 +39,11 @@ struct InterpolateOptions {
   GoOn go_on = {};
 };
 
+/// A Delaunay triangulation that is prepared for queries. Several threads may query it at the same time.
 class RBPA_API Locator {
  public:
-  /// Prepares queries in a triangulation. Keeps the spans.
+  /// Prepares queries in a triangulation. Keeps the spans: points and triangulation must outlive the object and stay
+  /// unchanged.
   /// Requires: finite points and all triangles of their Delaunay triangulation, as alpha_complex() returns them for an
   ///           infinite alpha with neighbors.
   /// Throws:   InvalidInput when a point is not finite, or when there are too many; ContractViolation as
@@ -52,16 +54,17 @@ class RBPA_API Locator {
   Locator& operator=(Locator&&) noexcept;
   ~Locator();
 
-  /// Returns for each query the triangle that contains it, sides and corners included, or TriangleArrays::none if there
-  /// is none or the query is not finite.
+  /// Returns for each query the index of the triangle that contains it, sides and corners included, or
+  /// TriangleArrays::none if no triangle does or the query is not finite.
   /// Throws: Cancelled; ContractViolation when a walk shows that the triangulation is not Delaunay.
   std::vector<std::uint32_t> find(std::span<const Point> queries, const LocateOptions& options = {}) const;
 
-  /// Returns values at queries: a row of `columns` numbers for each query, as `values` has one for each point; NaNs
-  /// where find() finds no triangle. Of equal points the first counts.
+  /// Interpolates at each query. `values` is n × columns: a row for each of the n points, in their order. The result
+  /// has such a row for each query, of NaNs where find() finds no triangle. Of equal points, the row of the first
+  /// counts.
   ///
-  /// By natural neighbors, the value is a weighted mean over the points from whose Voronoi cells the query would take
-  /// area if it were inserted as a point; the weights are these areas. On the convex hull it is linear.
+  /// Natural neighbors: if the query were inserted as a point, its Voronoi cell would take area from the cells of some
+  /// points. The value is the mean over these points, weighted by these areas; on the convex hull it is linear.
   ///
   /// Error:  the value is a convex combination of the values at the corners or neighbors, except for a few roundings;
   ///         at a point it is the point's own value, to the last bit. Natural neighbors are exact, and their areas are

@@ -1,4 +1,4 @@
-// What:   the alpha solid as polygons with holes, one for each solid component.
+// What:   the solid alpha complex as polygons with holes, one for each solid component.
 // Law:    each polygon is valid under OGC Simple Features, and so are all together as a multipolygon; their areas add
 //         up to that of the triangles. A function of the set of points and alpha: triangles and vertices in any order
 //         give the same polygons in the same order.
@@ -32,8 +32,8 @@ struct Polygon {
   /// The holes: clockwise, inside the shell; sorted by first point, then by second, both lexicographically.
   std::vector<Ring> holes = {};
   double area = 0;  ///< of the shell without the holes: the real number rounded once
-  /// Perimeter of all rings, with a relative error of at most 4 · 2⁻⁵³; infinite, as is the area, beyond the range of
-  /// double.
+  /// Perimeter of all rings, with a relative error of at most 4 · 2⁻⁵³. Area and perimeter are infinite beyond the
+  /// range of double.
   double perimeter = 0;
   friend bool operator==(const Polygon&, const Polygon&) = default;
 };
@@ -50,25 +50,28 @@ struct PolygonFilter {
 /// lexicographically. Where a component touches itself at a point, its boundary is split there into rings. A boundary
 /// edge is on exactly one ring, and no other edge is on any.
 /// Throws: InvalidInput when a bound of the filter is negative or not a number; Cancelled.
-/// Cost:   as above; a bound on holes adds a plane sweep over the boundary.
+/// Cost:   linear in the complex, n log n in the boundary; with a bound on holes also a plane sweep, n log n in the
+///         boundary.
 RBPA_API std::vector<Polygon> outline_polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter = {},
                                                const GoOn& go_on = {});
 
-/// Returns the outline polygons of a solid complex in arrays, with neighbors; its corners are indices into `points`.
-/// Throws: InvalidInput when a bound of the filter is negative or not a number; ContractViolation when require_linked()
-///         throws it, or when the points are visibly others; Cancelled.
+/// Returns the outline polygons of a solid complex in arrays.
+/// Requires: neighbors were computed; corners are indices into `points`.
+/// Throws:   InvalidInput when a bound of the filter is negative or not a number; ContractViolation as
+///           require_linked(), or when the points are visibly not those of the complex; Cancelled.
 RBPA_API std::vector<Polygon> outline_polygons(std::span<const Point> points, const TriangleArrays& complex,
                                                const PolygonFilter& filter = {}, const GoOn& go_on = {});
 
 struct PolygonTotals {
   std::size_t holes = 0;
-  double area = 0;  ///< the exact sum of the polygons' areas, rounded once; so is the perimeter
-  double perimeter = 0;
+  double area = 0;       ///< exact sum of the members `area`, rounded once; infinite if one of them is
+  double perimeter = 0;  ///< exact sum of the members `perimeter`, likewise
 };
 
+/// Returns the number of holes of all polygons, and the sums of their areas and perimeters.
 RBPA_API PolygonTotals total(std::span<const Polygon> polygons);
 
-/// A sum over polygons that are not in memory together.
+/// A running sum of PolygonTotals over polygons that are not in memory at the same time.
 class RBPA_API RunningTotals {
  public:
   RunningTotals();

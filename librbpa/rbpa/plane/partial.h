@@ -21,8 +21,8 @@
 
 namespace rbpa {
 
-/// Counts over the merged regions. Counts of items that regions own add up; components and curves are counted when they
-/// are finished.
+/// Counts over the merged regions. A point, edge or triangle counts in the region that owns it; a component or boundary
+/// curve counts when all regions that have a part of it are merged.
 struct PartialCounts {
   std::uint64_t points = 0;      ///< input points, duplicates included
   std::uint64_t duplicates = 0;  ///< points equal to one of a lower index
@@ -31,7 +31,7 @@ struct PartialCounts {
   std::uint64_t edges = 0;
   std::uint64_t triangles = 0;
   std::uint64_t solid_components = 0;
-  std::uint64_t components = 0;  ///< as counted where pinches connect
+  std::uint64_t components = 0;  ///< components connected through points: pinches connect
   std::uint64_t boundary_curves = 0;
   friend bool operator==(const PartialCounts&, const PartialCounts&) = default;
 
@@ -83,10 +83,12 @@ struct PartialOptions {
 };
 
 /// Computes the contribution of a region.
-/// Throws: InvalidInput when alpha is not a finite radius above 0, when the region's bounds are not in ascending order,
-///         when a point is not finite or there are too many (alpha_complex.h), when the number of indices differs from
-///         that of points or an index is given twice; Cancelled.
-/// Cost:   that of alpha_complex() with neighbors, on all given points.
+/// Requires: `points` has every input point in the region and in halo(region, alpha); missing points are noticed only
+///           by merge() or finish(), and only where they lead to a contradiction.
+/// Throws:   InvalidInput when alpha is not a finite radius above 0, when the region's bounds are not in ascending
+///           order, when a point is not finite or there are too many (alpha_complex.h), when the number of indices
+///           differs from that of points or an index is given twice; Cancelled.
+/// Cost:     that of alpha_complex() with neighbors, on all given points.
 RBPA_API Partial partial(const Region& region, const RegionPoints& points, double alpha,
                          const PartialOptions& options = {});
 
@@ -103,30 +105,33 @@ struct PartialAndItems {
   OwnedItems owned;
 };
 
-/// Computes the contribution of a region and its items, at the cost of one of them. Throws as partial().
+/// Computes the contribution of a region and the items that it owns, from one triangulation.
+/// Requires: as partial().
+/// Throws:   as partial().
+/// Cost:     that of partial().
 RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoints& points, double alpha,
                                            const PartialOptions& options = {});
 
 /// Merges two sets of regions into one.
-/// Throws: InvalidInput when alphas differ, when a part of the plane is in both, or when they contradict each other
-///         about a common triangle, because a halo was not complete or points differed. Then neither can be used any
-///         further.
+/// Throws: InvalidInput when alphas differ, when a part of the plane is in both arguments, or when the arguments
+///         contradict each other about a common triangle, because a halo was not complete or points differed. After an
+///         exception neither argument may be used.
 /// Cost:   n log n in the rims; an amortized constant for polygons.
 RBPA_API Partial merge(Partial&& a, Partial&& b);
 
 /// Removes the finished polygons from `partial` and returns them, sorted as by comes_before(); counts do not change. A
-/// polygon that touches an unfinished one is finished when it is certain which of them counts the common points.
+/// polygon that touches an unfinished one is held back until it is certain which of the two counts the common points.
 RBPA_API std::vector<CornerPolygon> take_settled(Partial& partial);
 
 struct TakenHoles {
-  /// The holes of one polygon may be returned under several names, and several times under one.
+  /// The name of the component. One polygon may get holes under several names, and several times under the same name.
   ComponentName component;
   std::vector<CornerRing> holes;  ///< by first point, then by second
 };
 
-/// Removes the holes of unfinished components from `partial` and returns them by component. A component that spans the
-/// plane may have more holes than fit into memory. A component keeps its holes if they have fewer than `min_corners`
-/// corners together, because the record that replaces them takes the memory of about 100 corners.
+/// Removes the holes of unfinished components from `partial` and returns them by component, as a component that spans
+/// the plane may have more holes than fit into memory. A component keeps holes of fewer than `min_corners` corners
+/// together: the record that would replace them takes the memory of about 100 corners.
 RBPA_API std::vector<TakenHoles> take_holes(Partial& partial, std::size_t min_corners = 0);
 
 struct WholeComplex {

@@ -17,8 +17,8 @@ namespace rbpa {
 RBPA_API std::vector<std::uint8_t> to_bytes(const Partial& partial);
 
 /// Returns the Partial that to_bytes() wrote.
-/// Throws: InvalidInput that names the place and what was found: bytes of another kind or version, truncated, changed,
-///         or such as to_bytes() does not write.
+/// Throws: InvalidInput that names the place and what was found, if the bytes are of another kind or version,
+///         truncated, changed, or not such as to_bytes() writes.
 RBPA_API Partial partial_from_bytes(std::span<const std::uint8_t> bytes);
 
 }  // namespace rbpa

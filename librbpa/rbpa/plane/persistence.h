@@ -29,14 +29,14 @@ struct PersistencePair {
   friend bool operator==(const PersistencePair&, const PersistencePair&) = default;
 };
 
-/// Returns the pairs sorted by dimension, birth and death; those without a death come last. The result is a
-/// function of the set of points alone.
+/// Returns the pairs sorted by dimension, then birth, then death, pairs without a death last. The result is a function
+/// of the set of points alone.
 /// Requires: `filtration` is filtration(delaunay).
 /// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled.
 RBPA_API std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtration& filtration,
                                                   ComplexKind kind = ComplexKind::solid, const GoOn& go_on = {});
-/// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
-/// first.
+/// Computes the same from a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
+/// Throws: also ContractViolation as the constructor of Delaunay, which checks the triangulation.
 inline std::vector<PersistencePair> persistence(const AlphaComplex& delaunay, std::span<const Point> points,
                                                 const Filtration& filtration, ComplexKind kind = ComplexKind::solid,
                                                 const GoOn& go_on = {}) {

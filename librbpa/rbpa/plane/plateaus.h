@@ -29,15 +29,16 @@ enum class PlateauKind {
 /// The range from ≤ alpha < to.
 struct Plateau {
   double from = 0;
-  std::optional<double> to = std::nullopt;  ///< absent: the last plateau, which has no end
-  /// Its persistence: to / from; for the last plateau, half the diagonal of the points' box / from, at least 1.
+  std::optional<double> to = std::nullopt;  ///< absent for the last plateau, which has no end
+  /// Length of the plateau as a ratio: to / from; for the last plateau, half the diagonal of the points' box / from, at
+  /// least 1.
   double ratio = 1;
   double alpha = 0;            ///< the recommended alpha: from · √ratio, but at most plateau_settles · from
   FiltrationStep step = {};    ///< the complex at `alpha`
   double effective_parts = 1;  ///< at `alpha`, (Σ nᵢ)² / Σ nᵢ², with nᵢ the vertices of each solid component
   double hole_share = 0;       ///< at `alpha`, area of holes / area of complex and holes
   PlateauKind kind = PlateauKind::one_piece;  ///< at `alpha`
-  bool is_long = false;  ///< whether its ratio is one that points without any structure do not reach by chance
+  bool is_long = false;  ///< whether `ratio` is above what points without any structure reach by chance
   friend bool operator==(const Plateau&, const Plateau&) = default;
 };
 
@@ -58,8 +59,8 @@ inline constexpr double plateau_settles = 2;
 /// Requires: `filtration` is filtration(delaunay).
 /// Throws:   ContractViolation when the filtration is visibly that of another triangulation; Cancelled.
 RBPA_API std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtration, const GoOn& go_on = {});
-/// Computes the same for alpha_complex(points, infinity, {.neighbors = true}), which the constructor of Delaunay checks
-/// first.
+/// Computes the same from a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
+/// Throws: also ContractViolation as the constructor of Delaunay, which checks the triangulation.
 inline std::vector<Plateau> plateaus(const AlphaComplex& delaunay, std::span<const Point> points,
                                      const Filtration& filtration, const GoOn& go_on = {}) {
   return plateaus(Delaunay(delaunay, points, go_on, "plateaus"), filtration, go_on);

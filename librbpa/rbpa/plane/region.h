@@ -1,5 +1,5 @@
-// What:   a region of the plane that owns points, and the points that its computation requires.
-// Law:    disjoint regions share no item of the complex: a triangle belongs to the region that contains its
+// What:   a rectangular region of the plane that owns points, and the points around it that its computation requires.
+// Law:    disjoint regions own no item of the complex in common: a triangle belongs to the region that contains its
 //         lexicographically least corner, an edge to the one that contains its lesser end, a vertex to the one that
 //         contains it.
 // Source: docs/explanation/plane.md, sections 18 to 22.
@@ -31,7 +31,7 @@ struct Region {
 /// Throws: InvalidInput unless 0 < alpha < ∞ and the region's bounds are numbers in ascending order.
 RBPA_API Region halo(const Region& region, double alpha);
 
-/// The input of a region: all points in it, and all others in its halo. Further points are allowed.
+/// The input of a region: all points in the region and in its halo(). Further points are allowed.
 struct RegionPoints {
   std::span<const Point> points;
   /// For each point its index in the whole input, in any order, all different. Equal points count as one, under the

@@ -24,12 +24,12 @@ namespace rbpa {
 
 struct Representative {
   PersistencePair pair = {};
-  /// Dimension 0: the ends, as input indices, of the edge at which it meets an older component; absent if it never
-  /// dies.
+  /// Dimension 0: the ends, as input indices, of the edge at which the component meets an older one; absent if the
+  /// component never dies.
   std::optional<std::array<std::uint32_t, 2>> joined_at = std::nullopt;
-  /// Dimension 1: the hole at `birth`, and at the last radius at which it exists. There it is one triangle, or several
-  /// of one circle; representatives of levels may have more. Inner rings surround the parts of the complex within the
-  /// hole.
+  /// Dimension 1: the hole at pair.birth, and at the last radius at which it exists. At that radius it is one triangle,
+  /// or several with the same circumcircle; level_representatives() may return larger holes. Its Polygon::holes
+  /// surround the parts of the complex within the hole.
   Polygon at_birth = {}, before_death = {};
 };
 
@@ -45,8 +45,8 @@ RBPA_API std::vector<Representative> representatives(const Delaunay& delaunay, c
 /// that exists at none of the radii is left out. A hole is a polygon at the first and at the last of the radii at which
 /// it exists.
 /// Requires: what representatives() requires; radii above 0, ascending, none twice.
-/// Throws:   ContractViolation if the radii are not such, or the filtration is visibly of another triangulation;
-///           Cancelled.
+/// Throws:   ContractViolation if the radii are not positive and strictly ascending, or the filtration is visibly of
+///           another triangulation; Cancelled.
 RBPA_API std::vector<Representative> level_representatives(const Delaunay& delaunay, const Filtration& filtration,
                                                            std::span<const double> levels,
                                                            ComplexKind kind = ComplexKind::solid,

@@ -1,7 +1,7 @@
-// What:   finds the least alpha at which at most K components contain a given share of the points; outliers do not
-//         decide it.
-// Law:    with share 1 the result equals smallest_covering(filtration, max_components). It grows with the share, and as
-//         fewer components are allowed. Exact; depends on the set of points only.
+// What:   finds the least alpha at which at most K solid components contain a given share of the points, so that a few
+//         outliers may be left out.
+// Law:    with share 1 the result equals smallest_covering(filtration, max_components). The result never falls when the
+//         share rises or K falls. It is exact and a function of the set of points alone.
 // Cost:   linear in the steps if the number of components is unbounded, or if no point may be left out; otherwise it
 //         sorts the triangles and spends the logarithm of their number on each.
 // Source: docs/explanation/filtration_and_persistence.md, section 4.
@@ -32,18 +32,18 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
 /// Returns the least alpha at which the share of the distinct points is in triangles. With `max_components` K, the
 /// share must also remain when all solid components but the K largest are removed with all their points. The size of a
 /// component is its number of vertices in rbpa()'s mesh, where a point at which several fans meet counts once for each
-/// fan. The result is empty if there is no such alpha: there are fewer than three points, the points are on a line, or
-/// K is 0.
+/// fan. Returns nothing if there is no such alpha: there are fewer than three distinct points, all points are on a
+/// line, or K is 0.
 /// Requires: `filtration` is filtration(delaunay).
 /// Throws:   ContractViolation when the filtration is visibly of another triangulation, or the share is out of its
 ///           bounds; Cancelled.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const GoOn& go_on = {});
-/// Computes the same without a filtration: only its radii are computed, in about half the time.
+/// Computes the same without a filtration, from the circumradii of the triangles alone, in about half the time.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Covering& covering,
                                                  const GoOn& go_on = {});
-/// Computes the same for alpha_complex(points, infinity, {.neighbors = true}); require_linked() checks its neighbors
-/// where they are used.
+/// Computes the same from a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
+/// Throws: also ContractViolation as require_linked(), which checks neighbors if they are used.
 RBPA_API std::optional<double> smallest_covering(const AlphaComplex& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const GoOn& go_on = {});
 

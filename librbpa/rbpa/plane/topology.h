@@ -13,13 +13,13 @@ namespace rbpa {
 
 struct SolidAlphaComplex;  // rbpa/plane/complex.h
 
-/// Counts of a complex. Solid components are connected through edges, and are the components of the mesh; components of
-/// the space are connected through pinches as well.
+/// Counts of a complex. Triangles of a solid component are connected through edges; components are connected through
+/// points as well, as at pinches.
 struct ComplexCounts {
   std::size_t points_covered = 0;  ///< distinct input points in triangles: the vertices of the space
   std::size_t edges = 0;
   std::size_t triangles = 0;
-  std::size_t boundary_curves = 0;  ///< boundary curves of the mesh, where a curve does not pass through a pinch
+  std::size_t boundary_curves = 0;  ///< boundary curves; at a pinch, a curve continues along the same fan of triangles
   std::size_t solid_components = 0;
   std::size_t components = 0;
   std::size_t holes = 0;
@@ -30,14 +30,13 @@ struct ComplexCounts {
 /// Cost: about linear.
 RBPA_API ComplexCounts count(const SolidAlphaComplex& complex);
 
-/// Counts the same in arrays: by their boundary if it was computed, otherwise by the neighbors. Nothing else is read,
-/// since in the plane curves around components have the opposite direction of curves around holes. So `.boundary` alone
-/// costs least.
+/// Counts the same for a complex in arrays, from its boundary if it was computed, otherwise from its neighbors.
+/// AlphaComplexOptions::boundary alone costs least.
 ///
-/// In a full complex, edges in no triangle are counted as well. The points covered are those in a triangle or an edge,
+/// With ComplexKind::full, edges in no triangle count as well, `points_covered` counts points in a triangle or an edge,
 /// every other distinct point is a component, and components − holes = distinct points − edges + triangles.
-/// Requires: triangles that lie side by side, on these points.
-/// Throws:   ContractViolation when their sides are visibly the boundary of nothing; Cancelled.
+/// Requires: a complex on these points, whose boundary or neighbors were computed.
+/// Throws:   ContractViolation when neither was, or when boundary sides do not form closed curves; Cancelled.
 /// Cost:     that of sorting the boundary; by neighbors, linear in the triangles.
 RBPA_API ComplexCounts count(std::span<const Point> points, const AlphaComplex& complex,
                              ComplexKind kind = ComplexKind::solid, const GoOn& go_on = {});

@@ -18,7 +18,7 @@
 
 namespace rbpa {
 
-/// The default of HierarchyOptions::leaf_capacity and of TrianglesByLevelOptions::leaf_capacity.
+/// The default of HierarchyOptions::leaf_capacity and of TrianglesByLevelOptions::leaf_capacity: points in a leaf.
 inline constexpr std::size_t usual_leaf_capacity = 16384;
 
 struct TrianglesByLevelOptions {
@@ -46,8 +46,9 @@ struct TrianglesByLevel {
 };
 
 /// Computes the solid alpha complex with the level of each triangle.
-/// Requires: as alpha_complex(); a leaf capacity of at least 1.
-/// Throws:   as alpha_complex(); ContractViolation when the leaf capacity is 0.
+/// Requires: 0 < alpha ≤ infinity; finite points, at most 357,913,941 of them; a leaf capacity of at least 1.
+/// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; ContractViolation when
+///           the leaf capacity is 0; Cancelled.
 /// Cost:     about linear; 15 bytes a point more than alpha_complex().
 RBPA_API TrianglesByLevel triangles_by_level(std::span<const Point> points, double alpha,
                                              const TrianglesByLevelOptions& options = {});
