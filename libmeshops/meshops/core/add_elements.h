@@ -8,7 +8,8 @@
 
 namespace meshops::detail {
 
-/// Adds the elements at once, and then returns their handles one by one, in ascending order within each kind.
+/// Elements that the constructor adds to a mesh at once. The members return their handles one by one, ascending within
+/// each kind. Requires: no more handles of a kind are taken than elements were added; not checked.
 class AddedElements {
  public:
   AddedElements(Connectivity& mesh, std::size_t vertices, std::size_t edges, std::size_t faces)

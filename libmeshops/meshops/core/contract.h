@@ -11,7 +11,7 @@
 
 namespace meshops {
 
-/// Exception for a requirement of a function that the caller did not meet. It is thrown before anything is changed.
+/// Exception for a requirement that the caller of a function did not meet, thrown before anything is changed.
 class MESHOPS_API ContractViolation : public std::logic_error {
  public:
   using std::logic_error::logic_error;

@@ -28,7 +28,7 @@ class DisjointSets {
   /// Returns the least number of the set of `i`.
   std::uint32_t find(std::uint32_t i) {
     const std::uint32_t parent = link_[i] >> 1U;
-    return is_least(parent) ? parent : compress(i);  // nearly always the former
+    return is_least(parent) ? parent : compress(i);  // the parent nearly always is the least number
   }
   /// Returns whether `i` is the least number of its set. Cost: constant.
   bool is_least(std::uint32_t i) const { return link_[i] >> 1U == i; }
@@ -36,13 +36,13 @@ class DisjointSets {
   /// Requires: find(i) was called after the last change.
   bool is_odd(std::uint32_t i) const { return (link_[i] & 1U) != 0; }
 
-  /// Merges two sets, given by their least numbers. Returns: the least of both.
+  /// Merges two sets, given by their least numbers, which are on the same side then. Returns: the lesser of the two.
   std::uint32_t link(std::uint32_t a, std::uint32_t b) {
     const auto [low, high] = std::minmax(a, b);
     link_[high] = 2 * low;
     return low;
   }
-  /// Merges the sets of `a` and `b`. Returns: false when they were in one set already.
+  /// Merges the sets of `a` and `b` as link() does. Returns: false when they were in one set already.
   bool join(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
@@ -50,8 +50,8 @@ class DisjointSets {
     link(a, b);
     return true;
   }
-  /// Merges the sets of `a` and `b`, so that the two are on different sides exactly when `differ`.
-  /// Returns: false when they were in one set already with the opposite parity.
+  /// Merges the sets of `a` and `b`, so that `a` and `b` are on different sides exactly when `differ` is true.
+  /// Returns: false when they were in one set already and `differ` contradicts their sides there.
   bool unite(std::uint32_t a, std::uint32_t b, bool differ = false) {
     const std::uint32_t root_a = find(a), root_b = find(b);
     const bool differ_now = is_odd(a) != is_odd(b);

@@ -12,7 +12,7 @@ namespace meshops {
 struct ElementCounts {
   std::size_t vertices = 0, edges = 0, faces = 0;
 
-  // Named in full because they are virtual functions, which no mesh type overrides.
+  // The qualified names avoid calls of virtual functions, which no mesh type overrides.
   static ElementCounts of(const Connectivity& mesh) {
     return {mesh.Connectivity::n_vertices(), mesh.Connectivity::n_edges(), mesh.Connectivity::n_faces()};
   }

@@ -1,4 +1,5 @@
-// What: tells whether the faces at a vertex form one fan, as everywhere on a manifold, or several.
+// What: tells whether the faces at a vertex form one fan, as everywhere on a manifold, or several. A fan is a sequence
+//       of faces around a vertex, each adjacent to the next.
 // Why:  OpenMesh links fans that meet in a vertex into one ring (a bowtie); its add_face() and its readers make such
 //       rings. No operator of libmeshops does; operators that rely on one fan refuse vertices with several.
 #pragma once
@@ -12,7 +13,7 @@ namespace detail {
 inline constexpr const char* several_fans = "a vertex has several fans";
 
 /// Returns whether the vertex that the boundary halfedge `out` leaves has several fans: the fan that begins with `out`
-/// is not the one that ends before it. The walk advances from both ends at once, so that their cache misses overlap.
+/// is not the fan that ends at prev(out). The walk advances from both ends at once, so that their cache misses overlap.
 inline bool has_other_fans(const Connectivity& mesh, Halfedge out) {
   Halfedge first = out, last = mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(out));
   while (first != last) {

@@ -1,6 +1,7 @@
 // What: a vector for large arrays whose elements are written before they are read.
 // Law:  elements that resize() adds have no value until one is written: no time is spent on zeros, and threads can
-//       share the first touch of the memory. Large arrays request large pages.
+//       share the first touch of the memory. Arrays of 2 MiB or more request large pages. Elements must be trivially
+//       copyable.
 #pragma once
 
 #include <cstddef>

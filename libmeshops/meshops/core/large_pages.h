@@ -1,5 +1,5 @@
-// What: requests large memory pages for large arrays.
-// Why:  the first touch of fresh memory costs as much as the work on it.
+// What: requests large memory pages (2 MiB) for large arrays.
+// Why:  the first touch of fresh memory, page by page, costs as much as the work on it; large pages are few.
 #pragma once
 
 #include <cstddef>

@@ -9,8 +9,8 @@
 
 namespace meshops {
 
-/// Returns whether the handle is in range and its element is not marked deleted. (The counts are named in full because
-/// they are virtual functions, which no mesh type overrides.)
+/// Returns whether the handle is in range and its element is not marked deleted. (The qualified names of the counts
+/// avoid calls of virtual functions, which no mesh type overrides.)
 inline bool is_live(const Connectivity& mesh, Vertex v) {
   return v.idx() >= 0 && static_cast<std::size_t>(v.idx()) < mesh.Connectivity::n_vertices() &&
          !(mesh.has_vertex_status() && mesh.status(v).deleted());

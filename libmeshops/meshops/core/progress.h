@@ -31,7 +31,7 @@ class Steps {
   /// Keeps a reference to the function. An empty function is not called.
   explicit Steps(const GoOn& go_on) : go_on_(go_on) {}
 
-  /// Counts `steps` more steps. Throws Cancelled.
+  /// Counts `steps` more steps. Throws Cancelled, and what the function throws.
   void operator()(std::size_t steps = 1) {
     if (left_ <= steps) return check();
     left_ -= steps;

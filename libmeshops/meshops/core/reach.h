@@ -1,6 +1,6 @@
 // What: decides whether two halfedges lie on one boundary curve, or two faces in one component.
-// Cost: that of the smaller of the two, because both are searched in turns: a sequence of operators that only splits or
-//       only joins pays O(n log n) for it in total.
+// Cost: the size of the smaller of the two curves or components, because both are searched in turns. A sequence of
+//       operators that only split or only join pays O(n log n) for these searches in total.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace meshops {
 
-/// Returns whether two boundary halfedges lie on one curve.
-/// Requires: boundary halfedges. Throws ContractViolation.
-/// Cost:     the shorter of the two ways from one to the other; the shorter curve when they lie on two curves.
+/// Returns whether `a` and `b` lie on one boundary curve.
+/// Requires: live boundary halfedges. Throws ContractViolation.
+/// Cost:     the shorter of the two ways from `a` to `b`; the length of the shorter curve when they lie on two.
 MESHOPS_API bool on_same_curve(const Connectivity& mesh, Halfedge a, Halfedge b);
 
-/// Returns whether a path across edges other than `without` leads from one face to the other.
+/// Returns whether a path across edges other than `without` leads from face `a` to face `b`.
 /// Requires: live faces. Throws ContractViolation.
 /// Cost:     time and memory linear in the smaller component when there are two, otherwise in the faces visited before
 ///           the two searches meet.

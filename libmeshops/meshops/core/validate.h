@@ -19,9 +19,9 @@ enum class DefectKind {
   next_and_prev_disagree,     ///< next(h) = g but prev(g) ≠ h, or the reverse
   halfedges_do_not_meet,      ///< next(h) does not start where h ends
   face_changes_along_loop,    ///< h and next(h) belong to different faces
-  face_halfedge_elsewhere,    ///< the halfedge of a face belongs to another
+  face_halfedge_elsewhere,    ///< the halfedge of a face belongs to another face, or to none
   face_too_short,             ///< a face has fewer than three sides
-  loop_does_not_close,        ///< following next never returns
+  loop_does_not_close,        ///< following next from the halfedge of a face never returns to it
   face_has_several_loops,     ///< halfedges of a face are not on the loop of its halfedge
   loop_edge,                  ///< an edge has one vertex at both ends
   dangling_edge,              ///< an edge has no face on either side
@@ -37,7 +37,7 @@ enum class ElementKind { vertex, halfedge, face };
 struct Defect {
   DefectKind kind;
   ElementKind element;
-  int index;  ///< index of the vertex, halfedge or face at which the defect shows
+  int index;  ///< index of the vertex, halfedge or face at which the defect shows; of an edge its first halfedge
   friend bool operator==(const Defect&, const Defect&) = default;
 };
 

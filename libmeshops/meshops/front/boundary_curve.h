@@ -65,10 +65,10 @@ class MESHOPS_API BoundaryCurve {
   Halfedge front() const { return through_; }
   /// Returns whether a boundary halfedge is on this curve. Throws ContractViolation when `h` is not a boundary
   /// halfedge.
-  /// Cost: the shorter way to it; the shorter of the two curves when it is on another.
+  /// Cost: the shorter way along the curve to `h`; the length of the shorter curve when `h` is on another.
   bool contains(Halfedge h) const;
 
-  /// Returns the number of edges. Cost: linear in it.
+  /// Returns the number of edges. Cost: linear in that number.
   std::size_t length() const;
 
  private:

@@ -1,5 +1,5 @@
-// What: operations on a front for the engine alone: calls of a policy or a visitor during which the front refuses
-//       changes, and the order of its queue.
+// What: operations on a front for advance() alone: calls of a policy or a visitor during which the front refuses
+//       changes, and the order in which its active halfedges wait.
 #pragma once
 
 #include <exception>
@@ -24,6 +24,7 @@ class EngineSide {
   }
 
   /// Calls the visitor, which may activate and freeze edges.
+  /// Throws: what the visitor throws; ContractViolation when it changed the mesh.
   template <typename Event>
   void notify(Event event) const {
     const Guard::Call call(front_.guard_, Guard::Caller::visitor);
@@ -46,8 +47,7 @@ class EngineSide {
   }
   /// Makes the halfedge being processed active again, to wait until a triangle is inserted or detached.
   void defer(Halfedge h) const { front_.waiting_.defer(h, front_.revision()); }
-  /// Queues the deferred halfedges for which a triangle was inserted or detached since. Returns: whether there were
-  /// any.
+  /// Queues the halfedges since whose deferral a triangle was inserted or detached. Returns: whether there were any.
   bool wake_deferred() const { return front_.waiting_.wake_deferred(front_.revision()); }
   /// Removes and returns the first deferred halfedge. It stays active.
   Halfedge next_deferred() const { return front_.waiting_.next_deferred(); }
@@ -60,8 +60,8 @@ class EngineSide {
   Front& front_;
 };
 
-/// Runs all steps of one change, also those after a step that throws, so that none is lost; but stops when other code
-/// has changed the mesh.
+/// Runs the steps of one change one by one, also those after a step that throws, so that no event is lost. After a
+/// throw, steps are skipped when other code has changed the mesh. Call end() last.
 class AllSteps {
  public:
   explicit AllSteps(const EngineSide& engine) : engine_(engine) {}

@@ -1,4 +1,4 @@
-// What: the place of a triangle in a front.
+// What: the place of a triangle in a front: the result of Front::fit() and the argument of Front::insert().
 #pragma once
 
 #include <array>
@@ -29,8 +29,8 @@ struct Fit {
   Fit(const std::array<Site, 3>& sites, const Front& front, std::size_t revision)
       : corners(sites), front_(&front), revision_(revision) {}
 
-  const Front* front_ = nullptr;  // the front that made it; null if a caller made it
-  std::size_t revision_ = 0;      // the revision of that front at the time
+  const Front* front_ = nullptr;  // the front that made this fit; null if a caller made it
+  std::size_t revision_ = 0;      // the revision of that front when it made this fit
 };
 
 }  // namespace meshops

@@ -28,12 +28,12 @@ class MESHOPS_API Fitting {
 
   /// Checks the requirements on every triangle: its corners are distinct, and exist or are the next new ones.
   void check_corners(Fit& fit) const;
-  /// Find the boundary halfedges to which the sides are glued, as sites decide. The second starts with the first side
-  /// given.
+  /// Finds the boundary halfedges to which the sides are glued, by sites alone, or sets the refusal. find_other_sides()
+  /// does so when side 0 is given.
   void find_sides(Fit& fit) const;
   void find_other_sides(Fit& fit) const;
-  /// Finds them for a caller that decides: glues(halfedge, apex) is called for the boundary halfedges between the sites
-  /// of a side.
+  /// Finds the boundary halfedges to which the sides are glued, for a caller that decides: glues(halfedge, apex) is
+  /// called for the boundary halfedges between the sites of a side until it returns true.
   template <typename Glues>
   void find_sides(Fit& fit, Glues glues) const;
 

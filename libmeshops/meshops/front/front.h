@@ -47,14 +47,14 @@ struct DetachedTriangle {
 ///
 /// A mesh has at most one front, and a front is not copied. While it is in use, no other code may add elements to the
 /// mesh or remove some (garbage_collection(), add_face()). After finish(), only mesh(), edges(), faces(), sites(),
-/// frozen() and level() may be called. Every other member checks both and throws a ContractViolation
-/// that names the cause.
+/// frozen() and level() may be called. Every other member throws ContractViolation, which names the cause, when one of
+/// these two rules is broken.
 class MESHOPS_API Front {
  public:
   /// Begins with an empty mesh: adds `sites` isolated vertices, vertex i on site i.
-  /// Elements of the mesh are made `supply` at a time, which is faster than one by one; until finish(), the mesh then
-  /// has up to that many unused edges and faces at its end. With 1 it never has any.
-  /// Requires: the mesh has no vertices. Throws ContractViolation.
+  /// Edges and faces of the mesh are made `supply` at a time, which is faster than one by one; until finish(), the mesh
+  /// may have up to `supply` unused edges and as many unused faces at its end. With `supply` = 1 it never has any.
+  /// Requires: the mesh has no vertices; supply > 0. Throws ContractViolation.
   Front(Connectivity& mesh, std::size_t sites, std::size_t supply = 1);
 
   /// Begins with an existing mesh: its boundary curves become the front, active, in the order of their handles.
@@ -66,6 +66,7 @@ class MESHOPS_API Front {
   explicit Front(Connectivity& mesh, std::span<const Site> site_of_vertex = {});
 
   /// Continues an assembled mesh: sides beyond which a further patch could lie are active, the others frozen.
+  /// Requires: `assembled` is not empty, and its mesh is unchanged; supply > 0. Throws ContractViolation.
   explicit Front(AssembledPatches&& assembled, std::size_t supply = 1);
 
   Front(const Front&) = delete;
@@ -104,7 +105,7 @@ class MESHOPS_API Front {
     for_each_fan(s, [&](Vertex v) { found = found || mesh_.is_boundary(v); });
     return found;
   }
-  /// Calls visit(Vertex) for each fan on the site; never when the site is free. It must not change the mesh.
+  /// Calls visit(Vertex) for each fan on the site; never when the site is free. visit() must not change the mesh.
   template <typename Visit>
   void for_each_fan(Site s, Visit visit) const {
     guard_.require_intact();
@@ -119,7 +120,7 @@ class MESHOPS_API Front {
   Halfedge edge_between(Site from, Site to) const { return by_sites().edge_between(from, to); }
   /// Returns all halfedges from a site to another, in any order. There are several only where the caller decides what
   /// is glued.
-  /// Cost: that of edge_between() where no edge joins them.
+  /// Cost: the lesser of the numbers of edges at both sites, as for edge_between().
   std::vector<Halfedge> edges_between(Site from, Site to) const { return by_sites().edges_between(from, to); }
   /// Returns the boundary halfedge from a site to another; an invalid handle when there is none.
   /// Cost: the lesser of the numbers of fans at both sites.
@@ -136,8 +137,8 @@ class MESHOPS_API Front {
   std::size_t level(Face f) const;
 
   /// Return why create() or attach() would refuse, or nothing when they would not. A triangle needs three distinct
-  /// sites, which exist or are the next new ones; faces must not close around any of them; and no face may lie on its
-  /// side of its edges yet.
+  /// sites, which exist or are the next new ones; faces must not close around any of these; and between two of its
+  /// sites there must be no face yet on the side of the edge where the triangle would lie.
   std::optional<Refusal> create_blocker(Site a, Site b, Site c) const { return fit(a, b, c).refusal; }
   std::optional<Refusal> attach_blocker(Halfedge h, Site apex) const { return fit(h, apex).refusal; }
 
@@ -153,15 +154,15 @@ class MESHOPS_API Front {
   /// Requires: attach_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
   InsertedTriangle attach(Halfedge h, Site apex) { return insert_checked(fit(h, apex), "attach"); }
 
-  /// create() and attach() in two steps, so that the triangle is checked once: fit() finds the place, insert() adds the
-  /// triangle.
+  /// Returns the place of a triangle, or the reason why it is refused; insert() then adds the triangle. The two do what
+  /// create() or attach() does, and check the triangle once for a caller that would call the blocker first.
   Fit fit(Site a, Site b, Site c) const;
   Fit fit(Halfedge h, Site apex) const;
-  /// fit() for a caller that decides which sides are glued, if sites do not decide it: surfaces in space touch along
-  /// edges, and have slits. Among the boundary halfedges between the sites of a side, the first is glued for which
-  /// glues(halfedge, apex) returns true; apex is the third corner. If it returns false for all of them, the side is a
-  /// new edge. glues() must not change the front. The only requirements on the triangle are that it does not exist yet,
-  /// and that its corners are distinct and exist or are the next new ones.
+  /// Returns the place of a triangle for a caller that decides which sides are glued, where sites alone do not:
+  /// surfaces in space touch along edges, and have slits. A side is glued to the first boundary halfedge between its
+  /// sites for which glues(halfedge, apex) returns true; apex is the third corner. Without such a halfedge, the side is
+  /// a new edge. glues() must not change the front (ContractViolation). The triangle is refused only if it exists
+  /// already, if two corners are equal, or if a corner neither exists nor is the next new site.
   /// Cost: the numbers of fans at the corners, and of the edges at one of them.
   template <typename Glues>
   Fit fit(Site a, Site b, Site c, Glues glues) const {
@@ -215,8 +216,8 @@ class MESHOPS_API Front {
   /// Freezes a boundary halfedge: nothing can be attached to it at this level. Does nothing when it is frozen.
   /// Requires: a boundary halfedge of the mesh. Throws ContractViolation.
   void freeze(Halfedge h);
-  /// Returns the halfedges that were frozen at this level, in that order; triangles may have been attached to some, and
-  /// some may have been activated since.
+  /// Returns the halfedges that were frozen at this level, in the order in which they were frozen. Some may have been
+  /// activated or glued since.
   const std::vector<Halfedge>& frozen() const { return waiting_.frozen(); }
 
   /// Returns the boundary curves, each starting at its least halfedge. Cost: linear in the edges.
@@ -226,17 +227,18 @@ class MESHOPS_API Front {
   std::vector<BoundaryCurve> curves_at(Site s) const;
 
   /// Moves to the next level: frozen halfedges become active again. The mesh and its curves stay as they are, and sites
-  /// that were left behind before are not read.
+  /// that earlier transfers left behind are not read.
   /// Cost:   linear in the sites that the previous transfer carried (all, the first time), and m log m for m frozen
   ///         halfedges.
   /// Source: Restricted BPA, section 6; it is an operation on the mesh alone.
   LevelTransfer next_level();
 
-  /// Frees memory that is no longer used and completes the mesh. A front that began with an empty mesh removes the
-  /// vertices without triangles and renumbers the others, keeping their order. A front that began with a mesh of the
-  /// user leaves every handle as it is. Detached elements stay marked deleted.
+  /// Completes the mesh and frees the memory of the front. A front that began with an empty or an assembled mesh
+  /// removes the vertices without triangles and renumbers the others, keeping their order. A front that began with a
+  /// mesh of the user leaves every handle as it is. Detached elements stay marked deleted.
   /// Returns:     the site of each vertex of the mesh.
-  /// Invalidates: vertex handles, if the front began with an empty mesh; and this front, which has no sites any more.
+  /// Invalidates: vertex handles, unless the front began with a mesh of the user; and this front, which has no sites
+  ///              any more.
   std::vector<Site> finish();
 
  private:

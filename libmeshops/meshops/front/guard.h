@@ -22,7 +22,7 @@ class MESHOPS_API Guard {
   /// Returns whether the front is not finished and no other code has changed the number of elements.
   bool is_intact() const { return ElementCounts::of(mesh_) == counts_; }
 
-  // These throw ContractViolation, which names the cause.
+  // The three require_…() throw ContractViolation, which names the cause.
   void require_intact() const {
     if (!is_intact()) [[unlikely]]
       violated();

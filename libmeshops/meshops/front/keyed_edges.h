@@ -29,7 +29,7 @@ struct KeyedEdge {
   friend bool operator>(const KeyedEdge& a, const KeyedEdge& b) { return b < a; }
 };
 
-/// Queue for keys that do not change: a heap. A halfedge that is pushed twice is in it twice.
+/// Queue for keys that do not change: a heap. A halfedge that is pushed twice is in the queue twice.
 template <typename Key>
 class KeyedEdges {
  public:
@@ -59,7 +59,7 @@ class KeyedEdges {
 };
 
 /// Queue for keys that change: a search tree, in which a halfedge is found by its handle. A halfedge that is pushed
-/// twice is in it once, with its last key and age.
+/// twice is in the queue once, with its last key and age.
 template <typename Key>
 class RekeyedEdges {
  public:

@@ -26,7 +26,7 @@ class MESHOPS_API Levels {
  public:
   /// Returns the number of transfers so far.
   std::size_t count() const { return faces_before_.size(); }
-  /// Returns the value of count() when a face was inserted. Cost: its logarithm.
+  /// Returns the value of count() when a face was inserted. Cost: the logarithm of count().
   std::size_t level(Face f) const;
   /// Notes that a site that had become inner is on the boundary again, or free.
   void reopen(Site s) { reopened_.push_back(s); }
@@ -38,9 +38,9 @@ class MESHOPS_API Levels {
 
  private:
   std::vector<Site> carried_;              // sites carried by the last transfer
-  std::size_t carried_before_ = 0;         // the number of sites at that time; later sites were added since
-  std::vector<Site> reopened_;             // sites reopened since then
-  std::vector<std::size_t> faces_before_;  // for each transfer, dead ones included
+  std::size_t carried_before_ = 0;         // number of sites at the last transfer; sites from it on were added since
+  std::vector<Site> reopened_;             // sites reopened since the last transfer
+  std::vector<std::size_t> faces_before_;  // for each transfer, the number of faces at the time, dead ones included
 };
 
 }  // namespace detail

@@ -15,8 +15,8 @@
 
 namespace meshops::detail {
 
-/// Base with a name. If another base has the same name, however it is declared, the name is ambiguous in a class
-/// derived from both.
+/// Base with one member name. In a class derived from this base and a policy (Beside), the name is ambiguous if the
+/// policy has a member of that name, in whatever form.
 struct NamedKey {
   int key;
 };
@@ -59,15 +59,15 @@ constexpr bool misses_key = names_key<std::remove_cv_t<Policy>>() && !OrderedFro
 template <typename Policy>
 constexpr bool misses_glues = names_glues<std::remove_cv_t<Policy>>() && !GluingFrontPolicy<Policy>;
 
-/// Is true if the policy has a member rekeys_neighbors that is ignored. The value `false` is always allowed, also for a
-/// policy without a member key.
+/// True if the policy has a member rekeys_neighbors that would be ignored. The value `false` is always allowed, also
+/// for a policy without a member key.
 template <typename Policy>
 constexpr bool misses_rekeys = names_rekeys<std::remove_cv_t<Policy>>() && !RekeyingFrontPolicy<Policy> && !requires {
   requires !std::bool_constant<Policy::rekeys_neighbors>::value;
 };
 
-/// The visitor overrides no event of triangles and edges (KeepsEvents), or none of curves (KeepsCurves). A member of
-/// another form counts as an override.
+/// Visitor that overrides no event of triangles and edges; KeepsCurves: no event of curves. A member of the same name
+/// but another form counts as an override.
 template <typename V>
 concept KeepsEvents = std::same_as<decltype(&V::seeded), decltype(&FrontVisitor::seeded)> &&
     std::same_as<decltype(&V::attached), decltype(&FrontVisitor::attached)> &&
@@ -91,7 +91,7 @@ constexpr bool misses_curves() {
     return false;
 }
 
-/// The visitor has a member that can be called as an event but has another form of its name.
+/// Visitor with a member that can be called with the arguments of an event, but has another form of the event's name.
 template <typename V>
 concept MisnamesEvent = requires(V v, const Front& f, const InsertedTriangle& t) {
   v.seed(f, t);

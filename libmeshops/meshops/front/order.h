@@ -18,19 +18,21 @@ template <typename Policy>
 class FirstInFirstOut {
  public:
   FirstInFirstOut(Front& front, Policy&) : front_(front) {}
+  /// Returns the next active halfedge, which is inactive then; an invalid handle when there is none.
   Halfedge next() {
     const Halfedge h = EngineSide(front_).next_queued();
     if (h.is_valid()) EngineSide(front_).take(h);
     return h;
   }
+  /// After a throw, puts `in_hand`, the halfedge that next() returned last, first in the queue (EngineSide::requeue).
   void give_back(Halfedge in_hand) { EngineSide(front_).requeue(in_hand, {}); }
 
  private:
   Front& front_;
 };
 
-/// Order by keys: the least key first, of equal keys the oldest halfedge. The front's queue holds only new halfedges;
-/// the front decides whether a halfedge is still active when its turn comes.
+/// Order by keys: the least key first, of equal keys the oldest halfedge. The front's own queue holds only halfedges
+/// that have become active since the last next(). A halfedge that is no longer active when its turn comes is skipped.
 template <typename Policy>
 class LeastKeyFirst {
  public:

@@ -39,8 +39,8 @@ class Proposal {
     proposal.triangles_ = std::move(triangles);
     return proposal;
   }
-  /// Proposes to defer the edge: it stays active, and its turn comes again when no other edge waits and a triangle has
-  /// been inserted or detached since. Without such a change and without another seed, it is frozen.
+  /// Proposes to defer the edge: the edge stays active, and its turn comes again when no other edge waits and a
+  /// triangle has been inserted or detached since. Without such a change and without another seed, the edge is frozen.
   static Proposal defer() {
     Proposal proposal(std::nullopt);
     proposal.is_deferred_ = true;
@@ -89,9 +89,9 @@ concept GluingFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& fr
 ///   key(front, h)      returns the key of a boundary halfedge that has become active: the least key comes first, of
 ///                      equal keys the oldest halfedge. It is called once each time that a halfedge becomes active, and
 ///                      must not change the front.
-/// Without it the order is first in, first out. A member with this name, or the name `glues`, that has another form is
-/// not ignored but an error at compile time; so is one that a `requires` clause disables: put it into a class derived
-/// from the policy.
+/// Without key() the order is first in, first out. A member named `key` or `glues` of another form is an error at
+/// compile time, and so is one that a `requires` clause disables: put such a member into a class derived from the
+/// policy.
 template <typename P>
 concept OrderedFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& front, Halfedge h) {
   { policy.key(front, h) } -> std::totally_ordered;

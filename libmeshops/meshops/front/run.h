@@ -1,4 +1,4 @@
-// What: one run of an advancing front, until no halfedge is left to be processed.
+// What: one run of advance() (front/engine.h): calls of the policy, insertions, and reports to the visitor.
 #pragma once
 
 #include <array>

@@ -10,15 +10,19 @@ namespace meshops {
 /// Base of visitors. A visitor overrides the events that it uses; the others cost nothing. The mesh is sound at each
 /// event. A visitor may be a local class, and may throw to end the run.
 struct FrontVisitor {
+  /// Called when a triangle of seed() has been inserted.
   void seeded(const Front&, const InsertedTriangle&) {}
   /// Called when a proposal for the boundary halfedge `at` has led to this triangle. Its side 0 is `at` if an apex was
   /// proposed.
   void attached(const Front&, Halfedge /*at*/, const InsertedTriangle&) {}
-  /// Called when an edge is deferred: it stays active, and its turn comes again after a change.
+  /// Called when an edge is deferred: the edge stays active, and its turn comes again after a change.
   void deferred(const Front&, Halfedge) {}
+  /// Called when an edge has been frozen for this level.
   void frozen(const Front&, Halfedge) {}
+  /// Called when a triangle has been detached by proposal.
   void detached(const Front&, const DetachedTriangle&) {}
-  /// Called when the proposal for this edge is refused. If the edge is still on the boundary, it is frozen next.
+  /// Called when a triangle that was proposed for this edge is refused. If the edge is still on the boundary and not
+  /// active, it is frozen next.
   void refused(const Front&, Halfedge, const Refusal&) {}
   /// Called when a seed is refused.
   void seed_refused(const Front&, const std::array<Site, 3>& /*seed*/, const Refusal&) {}
@@ -35,7 +39,7 @@ struct FrontVisitor {
   void curve_closed(const Front&) {}
 };
 
-/// Base of visitors that receive the events of curves. Cost: that of on_same_curve() at every triangle.
+/// Base of visitors that receive the events of curves. Cost: up to six calls of on_same_curve() at every triangle.
 struct CurveVisitor : FrontVisitor {
   static constexpr bool follows_curves = true;
 };

@@ -31,7 +31,7 @@ class MESHOPS_API WaitingEdges {
     frozen_.push_back(h);
     set_state(h, State::frozen);
   }
-  /// Queues halfedges in this order; for a front that has none yet.
+  /// Makes these halfedges active and queues them in this order. Requires: no halfedge waits yet; not checked.
   void queue_all(std::vector<Halfedge>&& active);
   /// Ends the waiting of a halfedge that was popped, or whose edge was deleted.
   void release(Halfedge h) { set_state(h, State::neither); }
@@ -52,14 +52,15 @@ class MESHOPS_API WaitingEdges {
 
   /// Defers a boundary halfedge until the revision of the front, which only grows, has changed.
   void defer(Halfedge h, std::size_t revision);
-  /// Queues the halfedges that were deferred at other revisions, in that order. Returns: whether there were any.
+  /// Queues the halfedges that were deferred at other revisions, the one deferred first first. Returns: whether there
+  /// were any.
   bool wake_deferred(std::size_t revision);
   /// Removes and returns the halfedge that was deferred first, which stays active; an invalid handle when there is
   /// none.
   Halfedge next_deferred();
 
-  /// Returns the halfedges that were frozen at this level, in that order; some may have been activated, or a triangle
-  /// attached to them, since.
+  /// Returns the halfedges that were frozen at this level, in the order in which they were frozen. Some may have been
+  /// activated or glued since.
   const std::vector<Halfedge>& frozen() const { return frozen_; }
   /// Visits the frozen, queued and deferred halfedges, some of them several times.
   /// Throws: ContractViolation when other code has deleted one.
@@ -72,7 +73,7 @@ class MESHOPS_API WaitingEdges {
     for (const Halfedge h : deferred_)
       if (is_deferred(h)) visit(checked(h));
   }
-  /// Queues the frozen halfedges, in that order. Returns: their number.
+  /// Queues the frozen halfedges, in the order in which they were frozen. Returns: their number.
   std::size_t wake_all();
 
   /// Frees the memory.
@@ -102,8 +103,8 @@ class MESHOPS_API WaitingEdges {
   std::vector<Halfedge> frozen_;
   std::vector<Halfedge> deferred_;  // a queue from deferred_head_ on, in the order of revisions
   std::size_t deferred_head_ = 0;
-  std::size_t deferred_now_ = 0;       // start of those of the last revision
-  std::size_t deferred_revision_ = 0;  // the last
+  std::size_t deferred_now_ = 0;       // start of the halfedges deferred at deferred_revision_
+  std::size_t deferred_revision_ = 0;  // the revision of the last defer()
 };
 
 }  // namespace meshops::detail

@@ -1,7 +1,7 @@
 // What: a mesh viewed as a graph of Boost; the common base of the primal, dual and boundary graphs.
-// Law:  source and target follow the halfedge, and a halfedge is an edge as seen from its source. edges() names every
-//       edge by one of its halfedges, and both have the same edge index. In a directed view the two halfedges of an
-//       edge are two edges, each with an index of its own and each the reverse of the other.
+// Law:  an edge descriptor is a halfedge, which runs from source() to target(). edges() lists every edge by one of its
+//       two halfedges, and both have the same edge index. In a directed view the two halfedges of an edge are two
+//       edges, each with an index of its own and each the reverse of the other.
 // Cost: a view is one pointer, to be passed by value. Iterators allocate nothing; a step is constant.
 #pragma once
 
@@ -22,7 +22,7 @@ namespace meshops {
 /// View of a sound mesh as a graph. `Kind` defines which elements are nodes and edges, and how edges turn around a
 /// node. `Direction` is boost::undirected_tag, or boost::bidirectional_tag for a graph in which both halfedges of an
 /// edge are edges.
-/// Use it by the names PrimalGraph, DualGraph, BoundaryGraph, and through directed().
+/// Use the view by the names PrimalGraph, DualGraph, BoundaryGraph, and through directed().
 /// Models:      BidirectionalGraph, AdjacencyGraph, VertexListGraph, EdgeListGraph, with parallel edges;
 ///              ReadablePropertyGraph for vertex_index and edge_index, and for edge_reverse when it is directed.
 /// Throws:      ContractViolation for the neighbors of a vertex that vertices() does not list, and for the ends of an
@@ -91,7 +91,7 @@ class GraphView {
     return is_undirected ? (halfedges + 1) / 2 : halfedges;
   }
 
-  /// Cost of these three: the degree.
+  /// Return the numbers of edges at a vertex. Cost of each: the degree.
   friend degree_size_type out_degree(vertex_descriptor v, const GraphView& g) {
     const auto [first, last] = out_edges(v, g);
     return static_cast<degree_size_type>(std::distance(first, last));

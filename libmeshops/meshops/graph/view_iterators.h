@@ -1,5 +1,5 @@
 // What: the iterators of the graph views: over all elements of a mesh, and once around a node.
-// Cost: a step is constant, plus the elements that it skips. Nothing is allocated.
+// Cost: a step is constant, plus the number of elements that it skips. Nothing is allocated.
 #pragma once
 
 #include <boost/iterator/iterator_facade.hpp>
@@ -54,7 +54,7 @@ class ListIterator
   int end_ = 0;
 };
 
-// The following read the value of a TurnIterator from a halfedge that leaves the node.
+// Functions `of` that give a TurnIterator its value, from a halfedge that leaves the node.
 struct LeavingEdge {
   using Value = Halfedge;
   static Halfedge of(const Connectivity&, Halfedge h) { return h; }

@@ -1,5 +1,5 @@
 // What: the property maps that every graph view has.
-// Law:  an index is the index of the handle of the vertex, face, edge or halfedge.
+// Law:  an index is the idx() of the handle of the vertex, face, edge or, in a directed view, halfedge.
 #pragma once
 
 #include <boost/graph/graph_traits.hpp>

@@ -38,12 +38,12 @@ MESHOPS_API CloseCurveEffect close_curve(Connectivity& mesh, Halfedge h);
 
 /// Returns why the face cannot be removed, or nothing when it can. The reasons: the mesh has no face status; there is
 /// no such face; a side of it is on the boundary, or the face is on both sides of an edge, so that the edge would have
-/// no face left; a corner is on the boundary, or the face passes a vertex twice, so that the remaining faces at it
-/// would form two fans. remove_triangle() also removes triangles for which these reasons hold.
+/// no face left; a corner is on the boundary, or the face passes a vertex twice, so that the remaining faces at that
+/// vertex would form two fans. For a triangle with a side or a corner on the boundary, use remove_triangle().
 /// Cost:     the number of sides; with more than three also the degrees of the corners.
 MESHOPS_API std::optional<std::string> open_curve_blocker(const Connectivity& mesh, Face f);
 
-/// Marks a face as deleted, so that its sides become a boundary curve.
+/// Marks a face as deleted, so that its sides become a boundary curve. Edges and vertices keep their handles.
 /// Δ:        F −1, χ −1, curves +1, others 0.
 /// Requires: open_curve_blocker() is empty; the mesh has face status.
 /// Throws:   ContractViolation; the mesh is then unchanged.

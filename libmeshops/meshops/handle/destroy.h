@@ -12,8 +12,9 @@
 
 namespace meshops {
 
-/// Returns why `f` cannot be destroyed, or nothing when it can. The reasons: the mesh has no status, there is no
-/// such face, it is no triangle, a side of it is glued to another face, or a corner has several fans (core/fans.h).
+/// Returns why `f` cannot be destroyed, or nothing when it can. The reasons: the mesh lacks status of some kind, there
+/// is no such face, it is no triangle, a side is glued to another face, or a corner has several fans (core/fans.h).
+/// Cost:     constant.
 MESHOPS_API std::optional<std::string> destroy_triangle_blocker(const Connectivity& mesh, Face f);
 
 /// Marks a triangle that is a component of its own as deleted, with its edges and vertices.
@@ -24,8 +25,8 @@ MESHOPS_API std::optional<std::string> destroy_triangle_blocker(const Connectivi
 /// Cost:     constant.
 MESHOPS_API Delta destroy_triangle(Connectivity& mesh, Face f);
 
-/// Returns why `f` cannot be removed, or nothing when it can. The reasons: the mesh has no status, there is no such
-/// face, it is no triangle, or a corner has several fans (core/fans.h).
+/// Returns why `f` cannot be removed, or nothing when it can. The reasons: the mesh lacks status of some kind, there is
+/// no such face, it is no triangle, or a corner has several fans (core/fans.h).
 /// Cost:     the degrees of the corners that are on the boundary.
 MESHOPS_API std::optional<std::string> remove_triangle_blocker(const Connectivity& mesh, Face f);
 

@@ -1,5 +1,5 @@
 // What:   the cases of gluing, and the change of the counts of a mesh by each handle operator.
-// Law:    delta(case) is exact for every application of the operator, on every mesh.
+// Law:    delta_of(case) is exact for every glue() of that case, on every mesh; each delta_of_…() for its operator.
 // Source: Lewiner, Lopes, Medeiros, Tavares, Velho, Topological mesh operators (CAGD 27, 2010).
 #pragma once
 

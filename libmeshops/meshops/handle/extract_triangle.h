@@ -11,16 +11,17 @@
 
 namespace meshops {
 
-/// The sides and corners of a triangle, and how the mesh around it depends on it. Side i runs from corner i to corner i
-/// + 1.
+/// Sides and corners of a triangle, and what of the mesh around it stays when it is removed. Side i runs from corner i
+/// to corner i + 1, modulo 3.
 struct TriangleRim {
   std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};  ///< the halfedges of the face
   std::array<Vertex, 3> corner = {Vertex(), Vertex(), Vertex()};        ///< the vertices at which the sides start
-  std::array<bool, 3> is_glued;                                         ///< a face lies beyond the side
+  std::array<bool, 3> is_glued;                                         ///< another face lies beyond the side
   std::array<bool, 3> is_passage;  ///< without the triangle, the fan at the corner would be two
 };
 
-/// Returns the rim of a triangle. Requires: a triangle of a sound mesh. Throws ContractViolation. Cost: constant.
+/// Returns the rim of a triangle. Requires: a sound mesh. Throws ContractViolation unless `f` is a live triangle.
+/// Cost: constant.
 MESHOPS_API TriangleRim rim_of(const Connectivity& mesh, Face f);
 
 /// Marks the triangle as deleted, together with its edges that have no other face. Its other sides become boundary

@@ -17,7 +17,7 @@ struct GlueEffect {
   struct Ends {
     Vertex from{}, to{};
   };
-  GlueCase what;
+  GlueCase what;        ///< the case of this glue
   Halfedge survivor{};  ///< `first`, now inner: its edge is the glued one
   Halfedge removed{};   ///< `second`: its edge is marked deleted
   Ends first_ends;      ///< ends of `first` before; of two vertices that became one, the lower handle stays
@@ -25,14 +25,14 @@ struct GlueEffect {
   Delta delta() const { return delta_of(what); }
 };
 
-/// Returns why `first` and `second` cannot be glued, or nothing when they can. The reasons: one is not a boundary
-/// halfedge, both are of one edge, an edge joins two vertices that would become one (it would become a loop), or an end
-/// has several fans (core/fans.h).
+/// Returns why `first` and `second` cannot be glued, or nothing when they can. The reasons: the mesh lacks status of
+/// some kind, one of the two is not a boundary halfedge, both are of one edge, an edge joins two vertices that would
+/// become one (that edge would become a loop), or an end has several fans (core/fans.h).
 /// Cost:     the degrees of the ends.
 MESHOPS_API std::optional<std::string> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// Returns the case of glue() for these boundary halfedges.
-/// Requires: glue_blocker() is empty. Throws ContractViolation.
+/// Requires: glue_blocker() is empty, except that the mesh needs no status. Throws ContractViolation.
 /// Cost:     the degrees of the ends; the shorter of two ways along a curve; the smaller of two components when the
 ///           edges are on two curves.
 MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedge second);

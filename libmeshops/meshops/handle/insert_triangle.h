@@ -12,7 +12,7 @@
 
 namespace meshops {
 
-/// Place of a triangle in a mesh. Side i runs from corner i to corner i + 1.
+/// Place of a triangle in a mesh. Side i runs from corner i to corner i + 1, modulo 3.
 struct TriangleSides {
   /// The boundary halfedge that becomes this side, or an invalid handle for a new edge.
   std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};
@@ -28,8 +28,8 @@ struct InsertedTriangle {
   std::array<Vertex, 3> left_over = {Vertex(), Vertex(), Vertex()};
 };
 
-/// Source of edges and faces for insert_triangle(): one by one from the mesh. A caller may pass its own source of the
-/// same form.
+/// Source of new edges and faces for insert_triangle(), which adds them to the mesh one by one. A caller may pass
+/// another type with these two functions.
 struct NewElements {
   Connectivity& mesh;
   Halfedge edge(Vertex from, Vertex to) { return mesh.new_edge(from, to); }

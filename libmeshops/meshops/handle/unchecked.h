@@ -13,9 +13,9 @@ namespace meshops::detail {
 /// memory.)
 const char* glue_refusal(const Connectivity& mesh, Halfedge first, Halfedge second);
 const char* unglue_refusal(const Connectivity& mesh, Halfedge h);
-/// Returns why two vertices cannot be merged, or nullptr when they can. They are given by the boundary halfedges that
-/// leave them; equal halfedges stand for one vertex, which stays.
-/// Cost: the degrees.
+/// Returns why two vertices cannot be merged, or nullptr when they can. Each is given by the boundary halfedge that
+/// leaves it; equal halfedges stand for one vertex, which stays.
+/// Cost: the degrees of both vertices.
 const char* merge_refusal(const Connectivity& mesh, Halfedge out, Halfedge other_out);
 
 /// Returns the case of glue(). Requires: glue_refusal() is null.

@@ -1,5 +1,5 @@
-// What:   the handle operator that makes two boundary edges of one inner edge; an end of it that lies on the boundary
-//         becomes two vertices.
+// What:   the handle operator that makes two boundary edges of one inner edge; each end of the edge that lies on the
+//         boundary becomes two vertices.
 // Law:    the exact inverse of glue(), case by case: a glue() followed by the unglue() of its effect restores every
 //         live record, and so does an unglue() followed by the glue() of its two halfedges (except that an inner vertex
 //         may refer to another of its halfedges).
@@ -20,8 +20,8 @@ struct UnglueEffect {
   GlueCase what;       ///< the case of glue() of which this is the inverse
   Halfedge first{};    ///< the given halfedge, now on the boundary, with the face beyond its edge
   Halfedge second{};   ///< the other boundary halfedge, of a new edge: glue(first, second) is the inverse
-  Vertex new_start{};  ///< second vertex where `first` starts; an invalid handle when that end was inner
-  Vertex new_end{};    ///< second vertex where `first` ends; an invalid handle when that end was inner
+  Vertex new_start{};  ///< second vertex, new or restored, at the start of h; an invalid handle when that was inner
+  Vertex new_end{};    ///< second vertex, new or restored, at the end of h; an invalid handle when that was inner
   Delta delta() const { return -delta_of(what); }
 };
 

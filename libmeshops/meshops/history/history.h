@@ -1,7 +1,7 @@
 // What: an undo stack over handle and stellar operators: it performs, undoes and redoes them.
-// Law:  after undo() of a step, every record of the mesh, including those of dead elements, is as it was before the
-//       step, and the elements that the step added are gone. After redo(), everything is as it was after the step. So
-//       any sequence of steps, all undone, is the identity.
+// Law:  after undo() of a step, every record of the mesh, including those of elements marked deleted, is as it was
+//       before the step, and the elements that the step added are gone. After redo(), every record is as it was after
+//       the step. So any sequence of steps, all undone, is the identity.
 // Cost: that of the operator, and a few handles for each step.
 #pragma once
 
@@ -29,15 +29,15 @@
 
 namespace meshops {
 
-/// History of operators on one mesh. Each operator member performs the operator of its name and returns the result of
-/// that. When the operator refuses, so does the member: the mesh and the history stay as they were. A combination of
-/// several operators is several steps: take steps() before it, and undo_to(steps) after it undoes the whole. While a
-/// mesh has a history, no other code may change its links. Added or collected elements are noticed by their number and
-/// refused (ContractViolation; the mesh is then unchanged); other changes are not noticed. Properties of old elements
-/// are not kept. A redo makes the same elements with the same handles; hooks of splits are called again for them.
-/// Arguments are kept as copies: of the caller's objects, the history needs only the mesh and those to which hooks
-/// refer.
-/// Requires: the mesh has status of every kind, outlives the history, and is sound.
+/// History of operators on one mesh. Each operator member performs the operator of its name as one step and returns the
+/// operator's result. To undo several steps at once, keep the value of steps() and call undo_to() with it later.
+/// undo() does not restore properties that other code wrote to old elements. redo() makes the same elements with the
+/// same handles, and calls hooks of splits again for them. Arguments are kept as copies: of the caller's objects, the
+/// history needs only the mesh and those to which hooks refer.
+/// Requires: the mesh has status of every kind, outlives the history, and is sound; no other code changes its links.
+/// Throws:   ContractViolation when the mesh lacks status, when the operator refuses (its blocker has the reason), and
+///           when other code has added elements to the mesh or removed some; other changes of links are not noticed.
+///           The mesh and the history are then unchanged.
 class MESHOPS_API History {
  public:
   explicit History(Connectivity& mesh);

@@ -13,9 +13,9 @@
 
 namespace meshops {
 
-/// Mesh that was assembled of patches. The mesh is sound. finish() completes it, or a Front continues it; either leaves
-/// this object empty, and throws ContractViolation if elements were added or deleted in between. The object can be
-/// moved, not copied.
+/// Mesh that was assembled of patches, which is sound. finish() completes the mesh, or a Front continues it; both leave
+/// this object empty, and throw ContractViolation when it is empty already or when elements were added to the mesh or
+/// removed from it since (marking them deleted is not noticed). The object can be moved, not copied.
 class MESHOPS_API AssembledPatches {
  public:
   const Connectivity& mesh() const { return mesh_; }
@@ -43,7 +43,7 @@ class MESHOPS_API AssembledPatches {
   ElementCounts counts_;
   SiteVertices vertices_;
   std::vector<Halfedge> open_;             // boundary halfedges beyond which a further patch could lie
-  std::vector<std::array<int, 2>> holes_;  // ranges of edges; nothing lies beyond halfedge 1 of each
+  std::vector<std::array<int, 2>> holes_;  // ranges [first, end) of edges; nothing lies beyond halfedge 1 of each
 };
 
 }  // namespace meshops

@@ -35,16 +35,17 @@ class MESHOPS_API PatchAssembler {
   /// Returns the number of faces laid so far.
   std::size_t faces() const { return faces_; }
 
-  /// Lays a patch. Cost: linear in the patch.
+  /// Lays a patch. Throws ContractViolation when survey() does. Cost: linear in the patch.
   void lay(const Patch& patch);
-  /// Lays a patch whose outline is known.
+  /// Lays a patch whose outline is known. Requires and throws as place().
   void lay(const Patch& patch, const Outline& outline);
 
-  /// These do the work of lay() in three steps, so that threads can share it. First survey(), where the outline is not
-  /// given. Then place(), one patch after another, in the order in which elements are to be numbered. Then fill(),
-  /// which may run in parallel with other fills, surveys and place(), provided that reserve() made room for all
-  /// patches.
+  /// The work of lay() in three steps, for threads to share: survey() computes the outline, unless it is given; place()
+  /// is called for one patch after another, in the order in which elements are to be numbered; fill() may run in
+  /// parallel with other fills, surveys and place(), provided that reserve() made room for all patches.
   /// Requires: `outline` is that of the patch; fill() gets the same arguments as place() before it.
+  /// Throws:   ContractViolation, by place(), when the outline and the patch differ in the numbers of their sides; the
+  ///           mesh is then unchanged.
   /// Cost:     place() is linear in the sides at the rim and at the holes of the patch, fill() in the patch.
   void reserve(std::size_t edges, std::size_t faces);
   void place(const Patch& patch, const Outline& outline, Placement& placement);

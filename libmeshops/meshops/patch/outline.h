@@ -13,10 +13,11 @@ namespace meshops {
 struct Outline {
   std::vector<int> rim;    ///< sides across which no triangle of the patch lies but one of another patch may; ascending
   std::vector<int> holes;  ///< sides beyond which nothing lies; ascending
-  /// For each hole, the hole whose boundary halfedge follows its own, or −1 where another patch decides it.
+  /// For each entry of `holes`, the side of the hole whose boundary halfedge follows that of this hole, or −1 where the
+  /// next one depends on another patch.
   std::vector<int> next_hole;
-  /// For each inner site, around which triangles of the patch close, one side that leaves it: the last of those whose
-  /// number is less than that of the side across. In any order.
+  /// One side for each inner site, around which triangles of the patch close, in any order: of the sides that leave the
+  /// site and whose number is less than that of the side across, the one with the greatest number.
   std::vector<int> inside;
 
   void clear() {
@@ -33,8 +34,8 @@ struct Outline {
 /// Throws:   ContractViolation. Cost: linear in the patch.
 MESHOPS_API void survey(const Patch& patch, Outline& outline);
 
-/// Returns the entry of Outline::next_hole for a hole, for a caller that knows the holes. Requires: as survey(). Cost:
-/// linear in the triangles between the two holes.
+/// Returns the entry of Outline::next_hole for the hole at side `hole`, for a caller that knows the holes.
+/// Requires: as survey(), but not checked. Cost: linear in the triangles between the two holes.
 MESHOPS_API int next_hole(const Patch& patch, int hole);
 
 }  // namespace meshops

@@ -11,6 +11,7 @@
 
 namespace meshops {
 
+/// Place of one patch. The entry of a side is the halfedge that the side gets, as far as it is known.
 class Placement {
   friend class PatchAssembler;
 
@@ -18,12 +19,12 @@ class Placement {
     sides += static_cast<std::size_t>(-Patch::nothing);
     if (of_side_.size() < sides) of_side_.resize(sides);
   }
-  /// The entry of a side, as other sides store it: place() fills it at the rim; at a hole it comes from the number of
-  /// the hole, elsewhere from the side across. The halfedge across is not used at the rim.
+  /// Returns the entry of a side, or of `open` or `nothing`, which receive values that nobody reads. place() sets the
+  /// entries at the rim; fill() sets those at holes, and that of the side across each side that it fills.
   Halfedge& at(int side) { return *(of_side_.data() - Patch::nothing + side); }
 
   int first_face_ = 0, first_edge_ = 0, first_hole_ = 0;
-  std::vector<Vertex> of_fan_;     // for each hole, the vertex between it and the next; invalid until determined
+  std::vector<Vertex> of_fan_;     // for each hole, the vertex between it and the next; invalid where join() decides
   std::vector<Halfedge> of_side_;  // the entries of sides follow two entries for `open` and `nothing`
 };
 

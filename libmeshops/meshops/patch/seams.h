@@ -1,5 +1,5 @@
-// What: finds sides of triangles that wait for their other side, by the sites between which they lie.
-// Cost: a short list per site, with the sides that wait there.
+// What: finds sides of triangles that wait for the side of another triangle on the same edge, by their sites.
+// Cost: of a search, the number of sides that wait at the site.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +42,7 @@ class Seams {
     return std::nullopt;
   }
 
-  /// Visits all sides that were ever added, in that order.
+  /// Visits all sides that were ever added, taken ones included, in the order in which they were added.
   template <typename Visit>
   void for_each(Visit visit) const {
     for (const Seam& seam : seams_) visit(seam.side);

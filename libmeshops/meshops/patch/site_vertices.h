@@ -63,8 +63,9 @@ class MESHOPS_API SiteVertices {
   void for_each(Site s, Visit visit) const {
     for (Vertex v = first(s); v.is_valid(); v = next(v)) visit(v);
   }
-  /// first() and next() return the same vertices one by one, and an invalid handle after the last. They throw
-  /// ContractViolation also when a listed vertex has lost its faces to a change by other code.
+  /// Returns the first vertex on the site; next() returns the one after `v`. Together they list the vertices that
+  /// for_each() visits, then an invalid handle. Both throw ContractViolation also when a listed vertex has lost its
+  /// faces to a change by other code.
   Vertex first(Site s) const {
     require(s < sites(), "Front: the site does not exist");
     return is_first(s) && has_own_fan(s) ? Vertex(static_cast<int>(s)) : listed(first_listed(s));
@@ -74,14 +75,15 @@ class MESHOPS_API SiteVertices {
     return listed(i < first_ ? first_listed(static_cast<Site>(i)) : further_[i - first_].next);
   }
 
-  /// Returns an isolated vertex for a further fan on the site, and lists it there. It has the properties of the first
-  /// vertex there, if that one has faces. Throws ContractViolation if other code marked the vertex deleted.
+  /// Returns an isolated vertex for a further fan on the site, and lists the vertex there. It gets the properties of
+  /// the first vertex with faces on the site, if there is one. Throws ContractViolation if other code marked the
+  /// vertex deleted.
   Vertex take(Site s);
   /// Releases a vertex that is isolated again. The last vertex on its site waits for the next triangle there; others
   /// can serve any site, and are marked deleted meanwhile if the mesh has status.
   void release(Vertex v);
 
-  // The following are for callers that lay many triangles at once and list their fans at the end.
+  // announce(), vertices() and list_announced() are for callers that lay many triangles and list their fans at the end.
   /// Returns the handle of a further vertex on a site. The caller makes the vertex; list_announced() lists it.
   /// Requires: no further vertex was used.
   Vertex announce(Site s) {

@@ -1,6 +1,6 @@
 // What:   the operator that merges one vertex of an edge into the other.
-// Law:    collapse(h) equals flips at the vertex, until h and its two neighbors are the only edges of it, and then a
-//         weld_face().
+// Law:    collapse(h) equals flips of edges at the start of h, until only h and its two neighbors are left there, and
+//         then a weld_face() of that vertex.
 // Source: Lewiner et al., section on stellar operators; Dey, Edelsbrunner, Guha, Nekhayev, Topology preserving edge
 //         contraction (1999) for the link condition.
 #pragma once
@@ -15,11 +15,11 @@
 
 namespace meshops {
 
-/// Returns why h cannot be collapsed, or nothing when it can. The reasons: h does not exist or is deleted; a face at it
-/// is not a triangle; its edge is an inner one between boundary vertices (they would become a pinch); another edge
-/// joins its vertices (it would become a loop); only an edge would be left; with Keep::simplicial, the link condition
-/// fails, i.e. the ends have a common neighbor other than the apexes, or both have three edges on a tetrahedron; the
-/// mesh has no status. The last reason holds for all operators that delete.
+/// Returns why h cannot be collapsed, or nothing when it can. The reasons: the mesh lacks status of some kind; h does
+/// not exist or is deleted; a face at its edge is not a triangle; its edge is an inner one between boundary vertices,
+/// which would become a pinch; a second edge joins its ends and would become a loop; nothing but an edge would be left
+/// of the component; the start of h has several fans (core/fans.h); with Keep::simplicial, the link condition fails:
+/// the ends have a common neighbor other than the apexes, or both have three edges on a tetrahedron.
 MESHOPS_API std::optional<std::string> collapse_blocker(const Connectivity& mesh, Halfedge h,
                                                         Keep keep = Keep::simplicial);
 
@@ -28,12 +28,12 @@ MESHOPS_API std::optional<std::string> collapse_blocker(const Connectivity& mesh
 ///              other halfedge from or to v becomes one from or to w. The edges from w to the apexes survive, except
 ///              if v is an inner vertex with only two edges: both apexes are one vertex, two edges join it to w, and
 ///              only the one on the right of h survives.
-/// Requires:    collapse_blocker() is empty; the mesh has status.
+/// Requires:    collapse_blocker() is empty; the mesh has status of every kind.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted.
 /// Inverse:     split_vertex(left, right) of the returned effect, up to handles; undo(), exactly.
 /// Δ:           V −1, E −3, F −2; along a boundary edge V −1, E −2, F −1; the topology stays.
-/// Cost:        the degree of v; Keep::simplicial: for each edge of v up to the degree of w.
+/// Cost:        the degree of v; Keep::simplicial: for each edge of v, up to twice the degree of w.
 MESHOPS_API WeldEffect collapse(Connectivity& mesh, Halfedge h, Keep keep = Keep::simplicial);
 
 }  // namespace meshops

@@ -53,7 +53,7 @@ struct WeldEffect {
   Halfedge halfedge{};  ///< marked deleted: from the removed vertex to the survivor
   std::array<Halfedge, 3> named = {
       Halfedge(), Halfedge(),
-      Halfedge()};  ///< for undo(): the halfedges of the survivor and of the ends of left and right
+      Halfedge()};  ///< for undo(): mesh.halfedge_handle() of the survivor and of the ends of left and right, before
   Delta delta() const { return -removed.sum(); }
 };
 

@@ -44,16 +44,16 @@ MESHOPS_API std::optional<std::string> insert_diagonal_blocker(const Connectivit
 /// Invalidates: nothing.
 /// Inverse:     remove_diagonal(), exactly.
 /// Δ:           E +1, F +1; the topology stays.
-/// Cost:        the number of sides; Keep::simplicial: also twice the lesser degree.
+/// Cost:        the number of sides; Keep::simplicial: also twice the lesser degree of the two corners.
 MESHOPS_API InsertDiagonalEffect insert_diagonal(Connectivity& mesh, Halfedge from, Halfedge to,
                                                  Keep keep = Keep::simplicial);
 
-/// Returns why the edge of h cannot be removed, or nothing when it can. The reasons: the halfedge does not exist, its
-/// edge is on the boundary, or one face lies on both sides of the edge. The result is a mesh of polygons; two faces
-/// with several common edges become one face that touches itself.
+/// Returns why the edge of h cannot be removed, or nothing when it can. The reasons: the mesh lacks status of some
+/// kind, the halfedge does not exist, its edge is on the boundary, or one face lies on both sides of the edge.
 MESHOPS_API std::optional<std::string> remove_diagonal_blocker(const Connectivity& mesh, Halfedge h);
 
-/// Removes the edge of h. The edge and the face of h are marked deleted, and the face beyond gets the sides of both.
+/// Removes the edge of h. The edge and the face of h are marked deleted, and the face beyond gets the sides of both: a
+/// polygon. Two faces with several common edges become one face that touches itself.
 /// Requires:    remove_diagonal_blocker() is empty; the mesh has status of every kind.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted.

@@ -95,13 +95,13 @@ template <typename T>
 concept HasMean = detail::MeanNumber<T> || detail::MeanVector<T>;
 
 /// Split hook for calls such as split_edge(mesh, h, Interpolate(weight, mesh.vertex_texcoords2D_pph(),
-/// mesh.vertex_colors_pph())). It does what CarryOver does, which includes the point of the new vertex if the mesh has
-/// points. In addition it sets the mean of each named vertex property; a property is named by an OpenMesh::VPropHandleT
-/// or a vertex PropertyManager, in any mixture.
+/// mesh.vertex_colors_pph())). The hook does what CarryOver does, which includes the point of the new vertex if the
+/// mesh has points, and then sets each named vertex property of the new vertex to the mean. A property is named by an
+/// OpenMesh::VPropHandleT or a vertex PropertyManager, in any mixture.
 /// Integers are rounded to the nearest, halves away from 0. Vectors are not normalized: compute normals anew. Vertex
 /// properties that are not named get default values in split_edge() and split_face(), as without the hook.
-/// Requires: the properties belong to the mesh that is split. Otherwise a split throws ContractViolation, mesh
-///           untouched. Types without a mean, such as text and flags, do not compile.
+/// Requires: the properties belong to the mesh that is split. Otherwise a split throws ContractViolation and leaves the
+///           mesh untouched. Types without a mean, such as text and flags, do not compile.
 template <HasMean... Values>
 class Interpolate {
  public:

@@ -14,6 +14,7 @@
 
 namespace meshops::detail {
 
+/// Returns the next halfedge counter-clockwise (cw(): clockwise) around the vertex that `h` leaves.
 inline Halfedge ccw(const Connectivity& mesh, Halfedge h) {
   return mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(h));
 }
@@ -21,7 +22,7 @@ inline Halfedge cw(const Connectivity& mesh, Halfedge h) {
   return mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(h));
 }
 
-/// Returns whether the left side of the halfedge is a triangle; there may be no face.
+/// Returns whether a triangle lies on the left of the halfedge; false on the boundary.
 inline bool is_triangle(const Connectivity& mesh, Halfedge h) {
   return !mesh.is_boundary(h) &&
          mesh.next_halfedge_handle(mesh.next_halfedge_handle(h)) == mesh.prev_halfedge_handle(h);
@@ -79,9 +80,7 @@ SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge ri
 ///           given.
 void open_vertex_again(Connectivity& mesh, const WeldEffect& effect);
 
-/// Returns why the vertex cannot be opened, or nullptr when it can. The reasons: nothing would open; the halfedges do
-/// not leave one live vertex; a gap of the boundary lies between them at a vertex with several gaps; with
-/// Keep::simplicial, the new vertex would be joined to another twice.
+/// Returns why the vertex cannot be opened, or nullptr when it can. The reasons are those of split_vertex_blocker().
 const char* open_refusal(const Connectivity& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,
                          Keep keep);
 /// Merges the start of h into its end and closes the faces of h. Marks the removed elements deleted.
@@ -89,7 +88,7 @@ WeldEffect close_edge(Connectivity& mesh, Halfedge h);
 /// Merges as close_edge() does, without marking anything deleted.
 WeldEffect close_links(Connectivity& mesh, Halfedge h);
 
-/// Returns why the edge cannot be closed, or nullptr when it can. Requires: a live halfedge.
+/// Returns why close_edge(h) is refused, or nullptr when it is not. Requires: a live halfedge.
 const char* close_refusal(const Connectivity& mesh, Halfedge h, Keep keep);
 
 }  // namespace meshops::detail

@@ -13,15 +13,15 @@
 
 namespace meshops {
 
-/// Returns why the vertex cannot be removed, or nothing when it can. The reasons: the mesh has no status, the
-/// vertex does not exist, it is isolated, or no edge at it can be collapsed; in the last case the reason is that of the
-/// first halfedge.
+/// Returns why the vertex cannot be removed, or nothing when it can. The reasons: the mesh lacks status of some kind,
+/// the vertex does not exist, it is isolated, or none of its halfedges can be collapsed; the text then names the reason
+/// for mesh.halfedge_handle(v).
 MESHOPS_API std::optional<std::string> remove_vertex_blocker(const Connectivity& mesh, Vertex v,
                                                              Keep keep = Keep::simplicial);
 
 /// Collapses the first halfedge of v that has no blocker. Halfedges are tried from mesh.halfedge_handle(v) on,
 /// clockwise, in the order of mesh.voh_range(v).
-/// Requires:    remove_vertex_blocker() is empty; the mesh has status.
+/// Requires:    remove_vertex_blocker() is empty; the mesh has status of every kind.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted, as collapse().
 /// Inverse:     split_vertex(left, right) of the returned effect, up to handles; undo(), exactly.

@@ -14,10 +14,10 @@
 
 namespace meshops {
 
-/// Returns why the vertex cannot be split between these halfedges, or nothing when it can. The reasons: they do not
-/// leave the same vertex, or one is left out at an inner vertex; the vertex has several fans (core/fans.h) and the
-/// boundary passes between the halfedges; with Keep::simplicial, two edges would join the new vertex to the same other
-/// vertex.
+/// Returns why the vertex cannot be split between these halfedges, or nothing when it can. The reasons: both are left
+/// out; one does not exist or is deleted; they leave different vertices; one is left out at an inner vertex; the vertex
+/// has several fans (core/fans.h) and the boundary passes between the halfedges; with Keep::simplicial, two edges would
+/// join the new vertex to the same other vertex.
 MESHOPS_API std::optional<std::string> split_vertex_blocker(const Connectivity& mesh, std::optional<Halfedge> left,
                                                             std::optional<Halfedge> right,
                                                             Keep keep = Keep::simplicial);
@@ -25,8 +25,8 @@ MESHOPS_API std::optional<std::string> split_vertex_blocker(const Connectivity& 
 /// Splits the vertex w that `left` and `right` leave: a new vertex takes over the edges between them, counter-clockwise
 /// from left to right. Both edges open to a triangle with the new edge; `left` lies on the left of the new halfedge.
 /// Without `right`, the new vertex takes over the edges from `left` to the boundary; without `left`, those from the
-/// boundary to `right`; in both cases the new edge is on the boundary. With equal halfedges, it takes over all edges
-/// but this one.
+/// boundary to `right`; in both cases the new edge is on the boundary. With equal halfedges, the new vertex takes over
+/// all edges but theirs.
 /// Effect:      `left` and `right` still leave w; on the side of the new vertex, a new edge to the same end takes their
 ///              place. No face loses a side. New elements have default values of all properties. A default point is
 ///              unspecified, because OpenMesh's vectors have no default: see the overloads below.
@@ -35,8 +35,8 @@ MESHOPS_API std::optional<std::string> split_vertex_blocker(const Connectivity& 
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: nothing.
 /// Inverse:     collapse() along the returned halfedge, exactly.
-/// Δ:           V +1, E +3, F +2; with one left out V +1, E +2, F +1; the topology stays.
-/// Cost:        the number of edges taken over; where the boundary passes between them, the degree.
+/// Δ:           V +1, E +3, F +2; with one halfedge left out V +1, E +2, F +1; the topology stays.
+/// Cost:        the number of edges taken over; where the boundary passes between them, the degree of w.
 MESHOPS_API SplitVertexEffect split_vertex(Connectivity& mesh, std::optional<Halfedge> left,
                                            std::optional<Halfedge> right, Keep keep = Keep::simplicial);
 

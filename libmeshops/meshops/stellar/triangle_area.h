@@ -11,8 +11,8 @@
 
 namespace meshops {
 
-/// Weight that returns the area between three points of a mesh, in the plane or in space. Keeps a reference to the
-/// mesh.
+/// Weight that returns the area of a triangle of mesh points, in the plane or in space, in the square of their unit.
+/// Keeps a reference to the mesh.
 template <HasPoints Mesh>
 class TriangleArea {
  public:

@@ -30,10 +30,10 @@ struct TriangulateFaceEffect {
   Delta delta() const { return {.edges = static_cast<int>(diagonals.size()), .faces = static_cast<int>(faces.size())}; }
 };
 
-/// Weight of triangles: weight(a, b, c), for three corners in their order around the face, returns any type with a sum
-/// and an order. If the sum is a maximum, the worst triangle becomes as good as possible. The weight of a triangle must
-/// not depend on its neighbors, as angles between them do (Liepa 2003): otherwise parts of least weight do not combine
-/// to a whole of least weight, and dynamic programming does not find it.
+/// Weight of triangles: weight(a, b, c), for three corners in their order around the face, returns any type that has +
+/// and <. If + returns the greater of its operands, the worst triangle becomes as good as possible. The weight of a
+/// triangle must not depend on its neighbors, as angles between triangles do (Liepa 2003): otherwise parts of least
+/// weight do not combine to a whole of least weight, and dynamic programming does not find that whole.
 template <typename Weight>
 concept TriangleWeight = requires(Weight& weight, Vertex v) {
   { weight(v, v, v) + weight(v, v, v) } -> std::convertible_to<std::remove_cvref_t<decltype(weight(v, v, v))>>;

@@ -18,14 +18,15 @@ struct WeldEdgeEffect : WeldEffect {
 };
 
 /// Returns why the start of h cannot be welded into the edge, or nothing when it can. The reasons: there is no such
-/// halfedge, the start does not have four edges (three on the boundary, with h along the boundary), or the reason of
-/// collapse_blocker().
+/// halfedge, the start does not have four edges (three on the boundary, with h along the boundary), a face at it is not
+/// a triangle, or a reason of collapse_blocker().
 MESHOPS_API std::optional<std::string> weld_edge_blocker(const Connectivity& mesh, Halfedge h,
                                                          Keep keep = Keep::simplicial);
 
 /// Removes the vertex v of h = v→b and all its edges except the one opposite to h, a–v, which becomes a–b.
-/// Effect:      v, the edge of h, the edges across and the faces of h are marked deleted; the faces at a grow.
-/// Requires:    weld_edge_blocker() is empty; the mesh has status.
+/// Effect:      v, the edge of h, the edges from v to the apexes, and the faces at h are marked deleted; the faces at
+///              the edge a–v take their place.
+/// Requires:    weld_edge_blocker() is empty; the mesh has status of every kind.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted; a, b, the edge a–v and the faces at a survive.
 /// Inverse:     split_edge() of `line`, up to handles; undo(), exactly.

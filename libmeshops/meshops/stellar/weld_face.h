@@ -17,16 +17,16 @@ struct WeldFaceEffect : WeldEffect {
   Face face{};  ///< the triangle that replaces the three
 };
 
-/// Returns why the vertex cannot be welded into one face, or nothing when it can. The reasons: the vertex does not
-/// exist, it is isolated or on the boundary, it does not have three edges, a face at it is not a triangle, or, with
-/// Keep::simplicial, a triangle with these corners exists already.
+/// Returns why the vertex cannot be welded into one face, or nothing when it can. The reasons: the mesh lacks status of
+/// some kind, the vertex does not exist, it is isolated or on the boundary, it does not have three edges, a face at it
+/// is not a triangle, or, with Keep::simplicial, a triangle with these corners exists already.
 MESHOPS_API std::optional<std::string> weld_face_blocker(const Connectivity& mesh, Vertex v,
                                                          Keep keep = Keep::simplicial);
 
 /// Removes an inner vertex of degree three; its three triangles become one.
 /// Effect:      the vertex, its edges, and the two faces at the edge of mesh.halfedge_handle(v) are marked deleted;
 ///              the third face becomes the triangle.
-/// Requires:    weld_face_blocker() is empty; the mesh has status.
+/// Requires:    weld_face_blocker() is empty; the mesh has status of every kind.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted.
 /// Inverse:     split_face() of `face`, up to handles; undo(), exactly.
