@@ -4,8 +4,8 @@
 //         change it in proportion to their share of the points.
 // Cost:   a sort of the triangles; the rest is near-linear. About the time of the filtration.
 // Source: docs/explanation/filtration_and_persistence.md, sections 6 and 7. Longest is most persistent: Edelsbrunner,
-//         Letscher, Zomorodian (2002); Betti curves that
-//         stand still mark the scale of a sample: Robins, Meiss, Bradley (1998).
+//         Letscher, Zomorodian (2002); Betti curves that stand still mark the scale of a sample: Robins, Meiss, Bradley
+//         (1998).
 #pragma once
 
 #include <optional>

@@ -28,8 +28,8 @@ class BoundaryWalk {
            (static_cast<unsigned>(seen_[side.triangle]) >> side.across & 1U) == 0;
   }
 
-  /// Returns the points of the whole curve through a new side, with the triangles to the right. None of its sides is
-  /// new afterwards.
+  /// Returns the points of the whole curve through a new side, in order, with the triangles on the right. Afterwards no
+  /// side of the curve is new.
   std::vector<std::uint32_t> curve_from(const BoundarySide& side) {
     std::vector<std::uint32_t> points;
     walk_from(side, [&](const BoundarySide& at) { points.push_back(of_.triangles[at.triangle][(at.across + 2) % 3]); });
@@ -45,7 +45,8 @@ class BoundaryWalk {
   }
 
  private:
-  /// Returns the boundary side that ends where this one begins, at the other end of the fan around that point.
+  /// Returns the boundary side that ends where `side` begins: the one at the other end of the fan of triangles around
+  /// that point.
   BoundarySide side_before(const BoundarySide& side) const {
     const std::uint32_t pivot = of_.triangles[side.triangle][(side.across + 1) % 3];
     BoundarySide at{side.triangle, (side.across + 2) % 3};
@@ -59,7 +60,7 @@ class BoundaryWalk {
   std::uint32_t neighbor(const BoundarySide& side) const { return of_.neighbors[side.triangle][side.across]; }
 
   TriangleArrays of_;
-  std::vector<std::uint8_t> seen_;  // for each triangle, a bit for each side
+  std::vector<std::uint8_t> seen_;  // for each triangle, bit k: a curve has passed the side across from corner k
 };
 
 }  // namespace rbpa

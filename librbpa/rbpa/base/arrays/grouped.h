@@ -14,8 +14,8 @@ class Grouped {
  public:
   static constexpr std::uint32_t none = 0xffffffff;
 
-  /// Puts items of one key below `keys` into a group, and items whose key is none into no group. Groups are numbered in
-  /// the order of their first items.
+  /// Groups the items 0 … items − 1: those with the same key_of(item), a number below `keys`, form a group; an item
+  /// with the key `none` is in no group. Groups are numbered in the order of their first items.
   template <typename KeyOf>
   Grouped(std::size_t items, std::size_t keys, const KeyOf& key_of) : group_(items, none) {
     std::vector<std::uint32_t> of_key(keys, none);

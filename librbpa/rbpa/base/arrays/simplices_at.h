@@ -28,7 +28,8 @@ class SimplicesAt {
   /// Sorts the simplices by corner. Requires: corners below `points`.
   SimplicesAt(std::span<const std::array<std::uint32_t, corners>> simplices, std::size_t points)
       : begin_(points + 2, 0) {
-    // begin_[p + 1] is where the simplices at p begin; each simplex put there advances it, until it is where they end.
+    // While simplices are put in place, begin_[p + 1] is the place of the next one at point p: first where those at p
+    // begin, in the end where they end.
     for (const auto& simplex : simplices)
       for (const std::uint32_t corner : simplex) ++begin_[corner + std::size_t{2}];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
@@ -43,7 +44,7 @@ class SimplicesAt {
   }
 
  private:
-  std::vector<std::size_t> begin_;  // by point
+  std::vector<std::size_t> begin_;  // for each point, where its simplices begin; and the end
   std::vector<std::uint32_t> simplices_;
 };
 

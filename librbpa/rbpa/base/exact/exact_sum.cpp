@@ -7,7 +7,8 @@
 namespace rbpa {
 namespace {
 
-// The last bit of a product is at least 2^−2148. Rounding needs three digits below the first one, wherever that is.
+// Position of the bit that weighs 1. The last bit of a product weighs 2^−2148 or more, so it is at position 188 or
+// higher: digits below are left for rounded(), which reads two digits after the first.
 constexpr int offset = 2336;
 constexpr std::int64_t digit_mask = 0xFFFFFFFF;
 
@@ -66,7 +67,7 @@ void ExactSum::add_product(double a, double b) {
 }
 
 void ExactSum::added() {
-  // A product adds less than 2^34 to a digit, and a digit holds 2^63.
+  // A product adds less than 2^34 to a digit, and a digit holds up to 2^63: carries can wait for 2^28 products.
   if (++additions_ < (1U << 28U)) return;
   carry(digits_);
   additions_ = 0;

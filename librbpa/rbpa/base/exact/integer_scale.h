@@ -1,5 +1,5 @@
 // What: converts doubles to integers, all multiplied by one power of two.
-// Law:  exact; an expression that is homogeneous in all of them keeps its sign.
+// Law:  exact; an expression that is homogeneous in all converted values keeps its sign.
 // Cost: grows with the span of the exponents.
 #pragma once
 
@@ -14,7 +14,7 @@ using Integer = boost::multiprecision::cpp_int;
 
 class IntegerScale {
  public:
-  /// Extends the scale to a value. To be called for all values before the first conversion.
+  /// Includes a value in the scale. Requires: called for all values before the first conversion.
   void include(double value) {
     if (value == 0) return;
     int exponent;

@@ -38,7 +38,7 @@ class IntegerSum {
     }
   }
 
-  // Their weights are 1, 2⁶⁴ and 2¹²⁸; the first two are not negative.
+  // The sum is low_ + 2⁶⁴ middle_ + 2¹²⁸ high_; low_ and middle_ are not negative.
   Integer128 low_ = 0, middle_ = 0, high_ = 0;
 };
 

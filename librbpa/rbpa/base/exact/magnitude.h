@@ -29,12 +29,12 @@ Magnitude magnitude_bound(std::span<const Point> points);
 inline constexpr int least_in_double = -150, largest_in_double = 150;
 constexpr bool fits_double(const Magnitude& m) { return m.lowest >= least_in_double && m.highest <= largest_in_double; }
 
-/// Bounds on circumradii. No triangle of such coordinates has a circumradius above the first, |ab||bc||ca| / 2|cross|
-/// with sides below 2^(highest + 1.5) and a cross product of at least 2^(2 lowest), or below the second, half the
-/// shortest edge.
+/// Bounds on the circumradii of all triangles whose coordinates have a given Magnitude. Upper bound: |ab||bc||ca| /
+/// 2|cross|, with sides below 2^(highest + 1.5) and a cross product of at least 2^(2 lowest). Lower bound: half the
+/// shortest possible edge.
 struct RadiusBounds {
-  int above_all;  ///< exponents of powers of two
-  int below_all;
+  int above_all;  ///< every circumradius is at most 2^above_all
+  int below_all;  ///< every circumradius is at least 2^below_all
 };
 constexpr RadiusBounds radius_bounds(const Magnitude& m) {
   return {3 * m.highest + 5 - 1 - 2 * m.lowest, m.lowest - 2};

@@ -20,7 +20,8 @@ HWY_BEFORE_NAMESPACE();
 namespace rbpa::HWY_NAMESPACE {
 namespace {
 
-/// Returns the order of at most eight 64-bit lanes in which those with set bits come first.
+/// A permutation of at most eight 64-bit lanes that moves the lanes with set bits to the front, in their order; the
+/// other lanes are unspecified.
 template <typename D>
 class LanesToFront {
  public:

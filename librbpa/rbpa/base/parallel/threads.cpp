@@ -1,7 +1,7 @@
 #include "rbpa/base/parallel/threads.h"
 
-// The thread sanitizer cannot see how oneTBB, which is not built with it, puts one piece of work before another, and
-// would report that instead of our mistakes: there the standard library's threads share the work.
+// Under the thread sanitizer, threads of the standard library share the work: oneTBB is not instrumented, so the
+// sanitizer does not see how it orders pieces of work, and would report races that are none.
 #if defined(__SANITIZE_THREAD__)
 #define RBPA_PLAIN_THREADS 1
 #elif defined(__has_feature)

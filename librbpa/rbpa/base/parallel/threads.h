@@ -1,6 +1,6 @@
 // What: runs work in several threads.
 // Law:  the result depends on how work is divided, never on the number of threads or on which of them is first.
-//       With RBPA_SERIAL there is one, and no oneTBB.
+// Note: with RBPA_SERIAL there is one thread, and no oneTBB.
 // Why:  oneTBB is included by threads.cpp alone, as its headers take longer to compile than most of their callers.
 #pragma once
 

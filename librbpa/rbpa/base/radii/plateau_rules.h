@@ -27,10 +27,11 @@ struct Weight {
   double covered;  ///< share of the points that are covered
 };
 
-/// Sorts plateaus, the best first. First come structured plateaus whose parts join into one piece later; then that
-/// piece, or what closes around it, such as the mouth of a crescent. The rest come from the union of all points or from
-/// chance; those that leave many points out are last. Calls weight_of(plateau); plateaus have `from`, `ratio` and
-/// `is_long`.
+/// Sorts plateaus, the best first. Let F be the long plateau without structure with the least `from`, where the points
+/// form one piece. First come the long structured plateaus below F, then F and the long structured ones above it, then
+/// all others, of which those that are neither long nor cover nine tenths of the points are last. Each group is sorted
+/// by (ratio − 1) · covered, descending.
+/// Requires: weight_of(plateau) returns a Weight; Plateau has `from`, `ratio` and `is_long`.
 template <typename Plateau, typename WeightOf>
 void rank(std::vector<Plateau>& plateaus, const WeightOf& weight_of) {
   constexpr double most = 0.9;  // share of the points

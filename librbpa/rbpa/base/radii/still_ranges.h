@@ -19,8 +19,8 @@ struct StepRange {
 
 class StillRanges {
  public:
-  /// Takes for each step its radius, ascending, and the change up to it, which never decreases. Radii beyond `reach`
-  /// count as `reach` in the length of a range. Keeps the span.
+  /// Takes for each step its radius, ascending, and the measure of change up to this radius, which never decreases. In
+  /// the length of a range, radii beyond `reach` count as `reach`. Keeps the span.
   StillRanges(std::span<const double> alpha, std::vector<long double> change, double reach)
       : alpha_(alpha), change_(std::move(change)), reach_(reach) {}
 
@@ -30,8 +30,8 @@ class StillRanges {
     return std::max(1.0, to / alpha_[range.first]);
   }
 
-  /// Returns at most `most` disjoint ranges, the longest first; each is the longest in the steps that those before have
-  /// left. Ranges with a ratio below `least_ratio` are left out, except the first.
+  /// Returns at most `most` disjoint ranges of the steps in `all`, the longest first: each is the longest one that
+  /// overlaps none before it. Ranges with a ratio below `least_ratio` are left out, except the first.
   std::vector<StepRange> longest(const StepRange& all, std::size_t most, double least_ratio) const {
     struct Left {
       StepRange range, longest;
@@ -61,7 +61,7 @@ class StillRanges {
  private:
   static constexpr long double tolerance = 1.1L;  // factor by which the change may grow within a range
 
-  /// Returns the longest range; of equally long ones the first.
+  /// Returns the longest range of steps in `within`; of equally long ones the first.
   StepRange longest_in(const StepRange& within) const {
     StepRange longest{within.first, within.first};
     double greatest = 0;

@@ -21,8 +21,8 @@ constexpr std::size_t corners_per_bucket = 1u << 11;
 constexpr std::size_t max_blocks_in_slab = 1u << 12;  // 12 megabytes; 16 with numbers
 constexpr std::size_t max_buckets = 1u << 11;         // so that the ends of all buckets fit the nearest cache
 
-/// Returns the number of bits by which smallest corners are shifted to become bucket numbers. Few blocks shall stay
-/// nearly empty.
+/// Returns the number of bits by which a smallest corner is shifted to become its bucket number. Buckets are limited in
+/// number, so that few blocks stay nearly empty.
 int bucket_shift(std::size_t bound, std::size_t most_open_blocks) {
   int shift = std::countr_zero(corners_per_bucket);
   while ((bound >> shift) >= std::min(max_buckets, most_open_blocks + 1)) ++shift;
@@ -77,8 +77,9 @@ struct Network<8> {
 };
 constexpr std::size_t max_network = 8;
 
-/// Calls put(place, rest) with a few rests in order. Their number changes from corner to corner, and a branch on it
-/// would be mispredicted: `size` rests are sorted and put, the additional ones being greater than all.
+/// Sorts `count` ≤ size rests, and calls put(place, rest) for places 0 … size − 1. `count` changes from corner to
+/// corner, and a branch on it would be mispredicted: entries from `count` on are therefore sorted and put as well, as
+/// the greatest keys.
 template <std::size_t size, typename R, typename Put>
 void put_few(const R* few, std::size_t count, Put put) {
   std::array<R, size> r;
@@ -94,8 +95,9 @@ void put_few(const R* few, std::size_t count, Put put) {
   for (std::size_t i = 0; i < size; ++i) put(i, r[i]);
 }
 
-/// Puts the triangles at one smallest corner in order: two on average, and up to a dozen if it is one of the least
-/// corners of all. At least max_network are put; those after the last have no meaning.
+/// Sorts the triangles with one smallest corner, two on average, seldom a dozen, and calls put(place, rest) for each.
+/// After the last triangle, places up to the fourth or eighth are put as well; these have no meaning.
+/// Requires: max_network entries can be read after `star`.
 template <typename R, typename Put>
 void put_star(R* star, std::size_t count, Put put) {
   if (count <= 4) return put_few<4>(star, count, put);
@@ -169,7 +171,7 @@ std::vector<std::vector<typename CanonicalOrder<Item>::Run>> CanonicalOrder<Item
   return of_bucket;
 }
 
-/// Sorts a bucket by counting the smallest corners.
+/// Sorts a bucket: by counting the smallest corners, then the few triangles of each smallest corner.
 template <typename Item>
 void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t first_corner, std::size_t corners,
                                 Workspace& workspace) const {
@@ -209,7 +211,8 @@ void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t firs
   }
 }
 
-/// Calls put_numbers(place, numbers) for the triangles of each bucket, in any thread: `place` is that of the first.
+/// Sorts all buckets and returns the triangles in order. For each bucket, calls put_numbers(place, numbers) in any
+/// thread: `numbers` are those of its triangles in order, `place` that of the first of them.
 template <typename Item>
 template <typename PutNumbers>
 std::vector<Triangle> CanonicalOrder<Item>::sort_all(Threads& threads, PutNumbers put_numbers,

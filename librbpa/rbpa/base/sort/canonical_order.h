@@ -70,11 +70,11 @@ class CanonicalOrder {
     idle_.push_back(writer);
   }
 
-  /// Returns all triangles in order. Nothing may be added afterwards. `rank`, if any, gets the new place of each
-  /// number. Calls `checkpoint`, if any, after each bucket, one call at a time; it may throw.
+  /// Returns all triangles in order. Nothing may be added afterwards. If `rank` is given, rank[n] becomes the place of
+  /// the triangle with number n. Calls `checkpoint`, if any, after each bucket, one call at a time; it may throw.
   std::vector<Triangle> sorted(Threads& threads, std::uint32_t* rank = nullptr, const Checkpoint& checkpoint = {});
-  /// Returns all triangles in order if their numbers are not places: `numbers` gets the number of each triangle, in
-  /// that order.
+  /// Returns all triangles in order; numbers[i] becomes the number of triangle i. Unlike for `rank`, several triangles
+  /// may have the same number.
   std::vector<Triangle> sorted_with_numbers(Threads& threads, std::uint32_t* numbers,
                                             const Checkpoint& checkpoint = {});
   /// Frees the memory.

@@ -2,7 +2,7 @@
 // Law:  the order depends on the rows alone, not on the order in which they come or on threads.
 // How:  rows are counted by their first number; the few rows of one first number are sorted by insertion. Each thread
 //       has a range of first numbers, and scans all rows.
-// Cost: linear if few rows have the same first number. If rows with the same one are near each other, few waits for
+// Cost: linear if few rows have the same first number; faster if rows with the same first number are near each other in
 //       memory.
 #pragma once
 

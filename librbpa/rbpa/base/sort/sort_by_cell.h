@@ -1,7 +1,7 @@
 // What: brings points into the order of the cells of a grid.
 // Law:  points of one cell keep their order. The result does not depend on the number of threads.
-// Cost: linear. Many points are first distributed over bands of rows, at their final range, so that one thread sorts
-//       each band within a cache: 24 bytes for each point of the bands at work.
+// Cost: linear. Many points are first distributed over bands of rows, each into the part of the output that its band
+//       fills; then one thread sorts each band within a cache, with 24 bytes for each point of a band in progress.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +17,9 @@
 
 namespace rbpa {
 
-/// Sorts points into `sorted` and `names`, both as long as the input and apart from it, by the cells `first_cell` …
-/// `last_cell` − 1 of a level, in which all of them lie. Fills in `level.start` of these cells; `first` is the value
-/// for the first one.
+/// Sorts points, all in the cells `first_cell` … `last_cell` − 1 of a level, by cell. Writes them to `sorted` and their
+/// names to `names`, which are as long as the input and do not overlap it. Sets level.start of these cells: `first` for
+/// the first one.
 template <typename Level>
 void sort_by_cell(const NamedPoints& input, Level& level, std::size_t first_cell, std::size_t last_cell,
                   std::uint32_t first, Point* sorted, std::uint32_t* names) {
@@ -42,8 +42,8 @@ void sort_by_cell(const NamedPoints& input, Level& level, std::size_t first_cell
   for (std::size_t c = 0; c < cells; ++c) start[c] += first;
 }
 
-/// Sorts points into all cells of a level, and fills in the end of the last one; in several threads when there are many
-/// points.
+/// Sorts points by cell over all cells of a level, and sets the whole of level.start, with the end. Uses several
+/// threads from 65,536 points on.
 template <typename Level>
 void sort_by_cell(const NamedPoints& input, Level& level, std::uint32_t first, Point* sorted, std::uint32_t* names,
                   Threads& threads) {

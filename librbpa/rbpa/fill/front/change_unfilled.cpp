@@ -6,7 +6,7 @@
 #include "rbpa/fill/front/unfilled.h"
 #include "rbpa/fill/rings/plane_predicates.h"
 
-// Adding and removing triangles.
+// Members of Unfilled that add and remove triangles.
 namespace rbpa {
 namespace {
 

@@ -2,8 +2,7 @@
 // Law:    the triangles cover the polygons once. Across every edge that is on no ring, the apex beyond lies outside of
 //         the circle. Of points on one circle the lexicographically largest is lifted, as everywhere
 //         (docs/explanation/exact_decisions.md), so there is one such triangulation: a function of the polygons as a
-//         set. All decisions
-//         are exact.
+//         set. All decisions are exact.
 // How:    the Delaunay triangulation of the points; then the edges that it lacks, one after the other in a random
 //         order. The triangles that an edge crosses are removed, a scan along its rim triangulates each of the two
 //         cavities, and flips make the result Delaunay again.

@@ -11,21 +11,21 @@ namespace {
 
 /// A front point replaces the ideal apex if it is this near to it, in sides of the triangle.
 constexpr double near_enough = 0.75;
-/// Least distance of a new point from the front, in sides of the triangle; the second one if there is no room for the
-/// first.
+/// Least distance of a new point from the front, in sides of the triangle; `tight_clearance` applies if `clearance`
+/// leaves no room.
 constexpr double clearance = 0.5, tight_clearance = 0.35;
 /// The quality above which a triangle of front points is not replaced by one with a new point in a narrow place.
 constexpr double good = 0.6;
 /// The quality below which a triangle makes the front retreat.
 constexpr double bad = 0.25;
-/// The number of times that the search radius is doubled. Farther corners are seen past long edges, along which a front
-/// advances by its own corners: these are tried first, and from then on each search is `far_step` times as wide as the
-/// last.
+/// The number of searches whose radius doubles. Corners farther away are seen past long edges, along which a front
+/// advances by the ends of the two edges beside its own: these ends are tried next, and then each search is `far_step`
+/// times as wide as the last.
 constexpr int near_looks = 8;
 constexpr double far_step = 16;
-/// Maximum number of triangles of the unfilled region that the front may cross or create for each triangle that it
-/// attaches, on the whole: an ordinary front needs thirty. Beyond that, a search crosses a few at most, and the front
-/// does not retreat.
+/// Maximum number of triangles of the unfilled region that the front may cross or create, for each boundary edge and
+/// each triangle so far: an ordinary front needs thirty. Beyond that, a search crosses at most `few_passed` triangles,
+/// and the front does not retreat.
 constexpr std::size_t most_work = 200, few_passed = 64;
 
 /// Returns the key of a pair of sites.
@@ -132,7 +132,8 @@ meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
   const bool again = retreated_from_.contains(key_of(task.from, task.to));
   unfilled_.look_from({task.from, task.to}, most_passed());
   look_around(task, task.side);
-  // If the front has retreated there before, it closes instead of repeating itself.
+  // If the front has retreated from this edge before, it takes a farther front point instead of a new point, so that it
+  // does not retreat again and again.
   if (const auto site = near_ideal(task, (again ? 1.2 : near_enough) * task.side)) return *site;
   std::optional<Point> apex = placed(task, 1, clearance);
   std::optional<Choice> best;
@@ -154,7 +155,7 @@ meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
     if (!best && task.is_all) return std::nullopt;  // cannot happen
     ++looks;
   }
-  // A point as far as that is no nearer from behind.
+  // A corner that is so far from the edge would be no nearer to the edge behind it: a retreat would not help.
   const bool is_far = looks >= near_looks;
   if (!is_far && best->quality < bad && !again && retreats_left_ > 0 && !is_late()) {
     if (const auto face = behind(front, h)) {

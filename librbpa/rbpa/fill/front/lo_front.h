@@ -2,8 +2,7 @@
 //         apex is a point of the front or a new one.
 // Law:    every triangle is empty: nothing of the front reaches into it or lies on it except its corners, which is
 //         decided exactly. For every edge of the front there is such a triangle (docs/explanation/plane.md, section
-//         27), so no edge
-//         is ever frozen, and the run ends.
+//         27), so no edge is ever frozen, and the run ends.
 // Cost:   for each triangle a search of the corners visible from an edge; and triangles that are detached again. On the
 //         whole about 200 triangles of the unfilled region are crossed or made for each edge of the boundary and each
 //         triangle of the result; ordinary fronts need thirty.

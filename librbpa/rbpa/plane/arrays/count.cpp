@@ -26,9 +26,10 @@
 // A walk that continues along its fan leads around a solid component, once for its outside and once for each hole. A
 // walk that crosses the gap leads around a component of the space, likewise.
 //
-// At the least point of a walk, in lexicographic order, the walk lies on one side. A fan there is narrower than 180°
-// unless the other side is in it, which happens once in a walk around a hole and never in one around the outside. A gap
-// there is wider than 180° once in a walk around the outside, and never in one around a hole.
+// At the lexicographically least point of a walk, the whole walk lies right of a vertical line. A fan there is narrower
+// than 180° unless it contains the left side of that line, which happens once in a walk around a hole and never in a
+// walk around the outside. A gap there is wider than 180° once in a walk around the outside, and never in a walk around
+// a hole.
 
 namespace rbpa {
 namespace {
@@ -50,7 +51,8 @@ struct Walks {
 
 class BoundarySides {
  public:
-  /// Takes sorted sides.
+  /// Links the sides into walks. Requires: sides in lexicographic order.
+  /// Throws: ContractViolation when they do not form closed curves; Cancelled.
   BoundarySides(std::span<const Point> points, std::vector<Side> sides, Steps& step)
       : points_(points), sides_(std::move(sides)), along_fan_(sides_.size()), across_gap_(sides_.size()) {
     std::vector<std::uint32_t> into(sides_.size());

@@ -1,7 +1,6 @@
 // What:   the edges of the Delaunay triangulation, by dividing the points into halves and merging their triangulations.
 // Law:    cocircular points are decided by the symbolic perturbation (docs/explanation/exact_decisions.md): the edges
-//         are a function of
-//         the set of points alone.
+//         are a function of the set of points alone.
 // How:    1. divide the points into halves, across the longer side of their box, until few are left: triangulate();
 //         2. sort these few and triangulate them from left to right: triangulate_sorted();
 //         3. merge halves, from the edge below both hulls up to the one above: merge().
@@ -58,8 +57,9 @@ class DelaunayEdges {
   using Corner = QuadEdges::Corner;
 
  public:
-  /// Puts the places into another order; corners of edges are positions in it. Without threads the calling one does all
-  /// the work. Calls working(), if any, repeatedly, in any thread and one at a time; it may throw.
+  /// Triangulates the points, and reorders `places`: corners of edges are positions in the new order. If `threads` is
+  /// null, the calling thread does all the work. Calls working(), if any, repeatedly, in any thread and one call at a
+  /// time; it may throw.
   /// Requires: at least two distinct points, as divide_and_conquer() does.
   DelaunayEdges(std::span<SitePoint> places, Threads* threads, const Checkpoint& working)
       : places_(places), edges_(places.size()), hull_(places.size()), threads_(threads), steps_(working) {
@@ -157,9 +157,9 @@ class DelaunayEdges {
     return extremes;
   }
 
-  /// Joins two triangulations, separated by a line, which touch it at the given corners of their hulls. Seen along the
-  /// line, with the first triangulation to the left, new edges are added from below to above. Points from `middle` on
-  /// are on the right.
+  /// Joins two triangulations that a line separates; `left_corner` and `right_corner` are the corners of their hulls
+  /// next to the line. Seen with the first triangulation on the left, edges between the two are added from the lowest
+  /// to the highest. Places from `middle` on are on the right.
   void merge(Corner left_corner, Corner right_corner, Corner middle, Own& own) {
     Edge edge = lower_tangent(left_corner, right_corner, own.unused);
     hull_[edges_.dest(edge)] = sym(edge);
@@ -197,7 +197,7 @@ class DelaunayEdges {
     hull_[edges_.org(edge)] = edge;
   }
 
-  /// Adds the edge below both hulls, from right to left.
+  /// Adds the lower common tangent of both hulls as an edge from right to left, and returns it.
   Edge lower_tangent(Corner left_corner, Corner right_corner, QuadEdges::Unused& unused) {
     Edge left = edges_.oprev(hull_[left_corner]), right = hull_[right_corner];
     for (;;) {

@@ -1,8 +1,7 @@
 // What:   the Delaunay triangulation of points, by dividing them into halves and merging their triangulations: a finder
 //         (tile/finder.h) on a tile without ghosts, beyond which there is nothing.
 // Law:    the triangles are those of the symbolic perturbation (docs/explanation/exact_decisions.md), a function of the
-//         set of points
-//         alone; the time bound holds for every point set.
+//         set of points alone; the time bound holds for every point set.
 // Cost:   O(n log n) in the worst case; about n log log n comparisons of circles for points scattered evenly. 76 bytes
 //         a point besides places and result.
 // Source: Guibas, Stolfi (1985), figure 23; parts that stay round: Dwyer (1987). docs/explanation/plane.md, section 14.

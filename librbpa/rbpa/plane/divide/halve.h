@@ -45,7 +45,8 @@ struct AlongY {
 
 inline constexpr std::size_t few = 16;
 
-/// Sorts up to `few` points: it counts for each how many come before it, so no branch can be mispredicted.
+/// Sorts up to `few` points. The place of a point is the number of points that come before it, counted without a branch
+/// that could be mispredicted.
 template <typename Order>
 void sort_few(std::span<SitePoint> places, Order before) {
   std::array<std::size_t, few> rank;
@@ -63,7 +64,8 @@ void sort_few(std::span<SitePoint> places, Order before) {
   std::copy_n(sorted.begin(), places.size(), places.begin());
 }
 
-/// A sample of the points, with a stride.
+/// A sample of 5 or 15 points at equal distances in the sequence, to estimate the longer side of the box and a middle
+/// point.
 class Sample {
  public:
   explicit Sample(std::span<const SitePoint> places) : count_(places.size() < 32 * some ? some : many) {
@@ -79,6 +81,7 @@ class Sample {
   /// Returns whether the sample is at least as wide as high.
   bool is_wide() const { return is_wide_; }
 
+  /// Returns the median of the sample.
   template <typename Order>
   SitePoint middle(Order before) const {
     std::array<SitePoint, many> sorted = place_;

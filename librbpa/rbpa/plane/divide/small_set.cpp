@@ -129,9 +129,10 @@ class SortedTriangles {
   QuadEdges& edges_;
   std::unique_ptr<Found[]> found_;
   std::size_t size_ = 0;
-  std::vector<std::uint32_t>
-      first_;  // for each point, and after the last, where its triangles begin; until sort(): the number of those
-};             // of the point before
+  // For each point, and after the last, the place of its first triangle; until sort(), the number of triangles of the
+  // point before.
+  std::vector<std::uint32_t> first_;
+};
 
 }  // namespace
 

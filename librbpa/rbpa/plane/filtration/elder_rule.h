@@ -25,14 +25,14 @@ struct Arrival {
   friend auto operator<=>(const Arrival&, const Arrival&) = default;
 };
 
-/// Pairs components. Edges are added ascending: an edge between two components ends the younger. Calls pair(vertex's
-/// arrival, edge) for each component that lives for some time, with the vertex with which it began, and the edge that
-/// ends it, or null.
+/// Pairs components. Edges are added in ascending order; an edge between two components ends the younger. Calls
+/// pair(birth, edge) for each component with birth.alpha < death: `birth` is the Arrival of its first vertex, `edge` a
+/// pointer to the edge that ends it, null if none does.
 /// Requires: the edges of `cells` are sorted by alpha.
 template <typename Pair>
 void pair_components(const FilteredCells& cells, Steps& pulse, const Pair& pair) {
   meshops::DisjointSets components(cells.vertices.size());
-  std::vector<Arrival> first;  // the first arrival of a component, at the vertex that represents it
+  std::vector<Arrival> first;  // of each component, its first vertex; at the number of the vertex that represents it
   first.reserve(cells.vertices.size());
   for (std::uint32_t v = 0; v < cells.vertices.size(); ++v) first.push_back({cells.vertices[v], v});
   for (const FilteredCells::Edge& edge : cells.edges) {
@@ -48,8 +48,9 @@ void pair_components(const FilteredCells& cells, Steps& pulse, const Pair& pair)
 }
 
 /// Pairs holes. Edges are removed descending: removing an edge joins the gaps on its sides. A gap is filled when the
-/// last of its triangles is added; of two gaps that are separate above this alpha, the one that is filled first is a
-/// hole from here to there. Calls pair(birth, last face's arrival) for each hole, which dies when that face is added.
+/// last of its triangles is added; of two gaps that an edge separates, the one that is filled first is a hole from the
+/// alpha of the edge until then. Calls pair(birth, death) for each hole with birth < death.alpha: `birth` is the alpha
+/// of the edge, `death` the Arrival of the face that fills the hole.
 /// Requires: the edges of `cells` are sorted by alpha.
 template <typename Pair>
 void pair_holes(const FilteredCells& cells, Steps& pulse, const Pair& pair) {

@@ -33,7 +33,8 @@ std::uint32_t opposite(const AlphaComplex& delaunay, const Side& side) {
   return delaunay.triangles[side.beyond][k];
 }
 
-/// Returns whether some point is inside the circle whose diameter the edge is; one of the two apexes is then inside.
+/// Returns whether a point lies inside the circle with the edge ab as its diameter. Only the two apexes of the edge are
+/// tested: if any point is inside, one of these is.
 bool is_non_manifold(const AlphaComplex& delaunay, std::span<const Point> points, const Side& side, const Point& a,
                      const Point& b) {
   using Wide = Predicates<long double>;

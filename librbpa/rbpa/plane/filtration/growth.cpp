@@ -52,7 +52,7 @@ void Growth::add(std::uint32_t triangle) {
     const bool before = glued[(k + 1) % 3], behind = glued[(k + 2) % 3];
     --gaps_[corner];
     if (!before && !behind) ++fans_;
-    // Between two triangles this one joins their fans, unless it fills the last gap of a single fan.
+    // A triangle between two others at a point joins their fans, unless it fills the last gap of a single fan.
     if (before && behind && gaps_[corner] > 0) --fans_;
     if (!on_[corner]) cover(corner);
     now_.components -= pieces_.join(corners[0], corner);

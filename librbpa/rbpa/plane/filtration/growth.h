@@ -32,10 +32,10 @@ class Growth {
 
   TriangleArrays arrays_;
   std::vector<std::uint32_t> first_on_point_;  // for each vertex, the first vertex on the same point; empty: itself
-  std::vector<std::uint32_t> gaps_;  // for each vertex, the number of its missing triangles, plus one for the boundary
-  meshops::DisjointSets solids_;     // sets of triangles
-  meshops::DisjointSets pieces_;     // sets of vertices
-  std::vector<bool> in_, on_, point_on_;  // triangles, vertices, first vertices
+  std::vector<std::uint32_t> gaps_;            // for each vertex, its triangles not added yet, plus one at the boundary
+  meshops::DisjointSets solids_;               // sets of triangles
+  meshops::DisjointSets pieces_;               // sets of vertices
+  std::vector<bool> in_, on_, point_on_;       // triangles, vertices, first vertices
   ComplexCounts now_;
   std::size_t fans_ = 0;
 };

@@ -3,8 +3,7 @@
 //       alpha > 0. A complex "at alpha" is therefore the cells whose least alpha is ≤ alpha, compared as plain doubles.
 // How:  computes an interval around the radius in long double. Nearly always a single double is the rounded-up radius;
 //       otherwise the exact predicates choose among the doubles that the interval leaves.
-//       docs/explanation/filtration_and_persistence.md, section 2 derives
-//       the interval.
+//       docs/explanation/filtration_and_persistence.md, section 2 derives the interval.
 // Cost: about 0.1 µs; 1 µs where the interval does not decide (one triangle of fifteen), some µs at a tie.
 #pragma once
 

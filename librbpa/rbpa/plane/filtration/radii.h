@@ -1,4 +1,4 @@
-// What: the radii of a filtration alone, for functions that need no counts of its steps.
+// What: computes the radii of a filtration alone, for functions that need no counts.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace rbpa {
 
-/// Returns what Filtration::triangle_alpha would be.
+/// Returns for each triangle the least double alpha that admits it, as Filtration::triangle_alpha has it.
 std::vector<double> radii_of(const Delaunay& delaunay, Steps& step);
 
 /// Computes smallest_covering() from the radii.

@@ -58,8 +58,7 @@ class GroupsDone {
   std::size_t done_ = 0;
 };
 
-/// The size of a group from which a call is long enough to check for cancellation within it, and to use several
-/// threads.
+/// Number of points in a group from which its computation may use several threads, and checks for cancellation.
 constexpr std::size_t long_enough = 16384;
 
 class GroupShaper {
@@ -186,8 +185,8 @@ GroupShapes shapes_of_groups(std::span<const Point> points, const Groups& groups
   GroupShaper shaper(alpha, options);
   const std::vector<Chunk> chunks = chunks_of(groups);
   Threads threads = threads_for(groups.members.size(), options.threads);
-  // A group with more than one thread's share of all points would keep the others waiting: it becomes a chunk on which
-  // all threads work.
+  // All threads work together on a group with more points than one thread's share of all: one thread alone would keep
+  // the others waiting.
   const auto is_for_all = [&](const Chunk& chunk) {
     const std::size_t size = groups[chunk.first].size();
     return size >= long_enough && size > groups.members.size() / threads.count();

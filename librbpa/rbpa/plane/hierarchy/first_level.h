@@ -9,8 +9,9 @@
 
 namespace rbpa {
 
-/// Returns the first level whose radius admits the triangle, which the last one does. `SomeLadder` is Ladder or
-/// ScaledLadder, and the corners are in its scale.
+/// Returns the first level whose radius admits the triangle (a, b, c). `SomeLadder` is Ladder or ScaledLadder; the
+/// corners are in its scale.
+/// Requires: the last level admits the triangle.
 template <typename Real, typename SomeLadder>
 int first_level(const Point& a, const Point& b, const Point& c, const SomeLadder& ladder) {
   if (ladder.radius(0).template admits<Real>(a, b, c)) return 0;

@@ -1,6 +1,7 @@
-// What:   builds the complex level by level, with the mesh of each level; LevelsAtOnce builds only the last one.
-// Law:    if the mesh was the complex of the previous level's radius, it is that of this level's radius after grow();
-//         every boundary halfedge is then frozen.
+// What:   builds the complex level by level, with a whole mesh after each level; LevelsAtOnce builds only the last
+//         mesh.
+// Law:    grow() turns a mesh that is the complex of the previous level's radius into that of the given level's radius,
+//         with every boundary halfedge frozen.
 // How:    adds the triangles of the first level at once, those of tiles and remainder as rbpa() does; the triangles of
 //         later levels wait and are inserted on their level.
 // Cost:   that of rbpa(), and one insertion for each triangle of a later level.

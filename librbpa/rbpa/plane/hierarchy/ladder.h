@@ -34,9 +34,8 @@ class Ladder {
   bool is_last(int level) const { return level >= end_; }
   Radius radius(int level) const { return is_last(level) ? last_ : Radius(std::ldexp(least_, level)); }
 
-  /// Returns a level such that the radii of all before it are less than `radius`, which may be rounded; seldom one
-  /// level too early. The level may be above the last one if that has a finite radius; an infinite last radius reaches
-  /// everything finite.
+  /// Returns the first level whose radius is at least `radius`, or seldom the level before, never a later one; so
+  /// `radius` may be rounded. The result is above end() if a finite last radius is less than `radius`.
   int first_reaching(Real radius) const {
     constexpr Real deflated = 1 - Real(1e-5);
     const Real ratio = radius / Real(least_) * deflated;

@@ -1,6 +1,6 @@
 // What: collects the triangles of patches in canonical order, with the level of each.
-// Why:  a patch and its points are in a cache when it is filled in; later, each triangle would have to fetch three
-//       points.
+// Why:  levels are computed while a patch is filled in, as the patch and its points are then in a cache; later, each
+//       triangle would have to fetch three points.
 #pragma once
 
 #include <cstddef>

@@ -97,8 +97,8 @@ meshops::FreshVector<std::uint32_t> LevelsAtOnce::new_numbers(std::size_t faces,
   return number;
 }
 
-/// Counts the sites and edges that each level adds: those of the later levels by their faces, `later`; all others are
-/// those of the first level.
+/// Counts the sites and edges that each level adds. `later` are the faces of all levels but the first; edges of none of
+/// them belong to the first level.
 void LevelsAtOnce::count_later(const meshops::AssembledPatches& assembled, std::span<const std::uint32_t> later) {
   const meshops::Connectivity& mesh = assembled.mesh();
   Growth& first = growth_.front();

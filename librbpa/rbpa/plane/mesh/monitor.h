@@ -36,7 +36,7 @@ class Monitor : public meshops::FrontVisitor {
     if (debug) validate(mesh);
   }
 
-  /// Reports a step of a search in which no triangle is found.
+  /// Counts a step of a search that finds no triangle.
   void searched(const meshops::Front& front) { step(front); }
 
  private:

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Weights along a vertical line, and the extremes of their partial sums from below.
+/// Weights at places of a vertical line, in a segment tree that has the least and the greatest of their partial sums
+/// from below. The partial sum at a place is the number of regions that cover it.
 class Heights {
  public:
   explicit Heights(std::span<const Quadrant> quadrants) {
@@ -20,7 +21,7 @@ class Heights {
     sort_unique(y_);
     leaves_ = std::bit_ceil(y_.size());
     nodes_.resize(2 * leaves_);
-    // Places after the last one are covered as the last is.
+    // Leaves after the last place weigh 0, so their partial sums repeat the last one.
   }
 
   void add(double y, int weight) {
@@ -36,7 +37,7 @@ class Heights {
   int least() const { return nodes_[1].least; }
   int most() const { return nodes_[1].most; }
 
-  /// Returns the lowest place with a sum that `is_meant`. Requires: there is one.
+  /// Returns the y of the lowest place for whose partial sum is_meant(sum) is true. Requires: there is one.
   template <typename IsMeant>
   double find(IsMeant is_meant) const {
     int sum = 0;
@@ -58,8 +59,8 @@ class Heights {
   std::vector<Node> nodes_;
 };
 
-/// Moves a vertical line to the right, and returns the first place where `is_wrong(least, most)`, as found by
-/// `is_meant`.
+/// Moves a vertical line over the corners from left to right, and stops where is_wrong(least, most) of the partial sums
+/// is true. Returns the lowest place on that line for which is_meant(sum) is true; nothing if the line never stops.
 template <typename IsWrong, typename IsMeant>
 std::optional<Point> sweep(std::span<const Quadrant> quadrants, IsWrong is_wrong, IsMeant is_meant) {
   Heights heights(quadrants);

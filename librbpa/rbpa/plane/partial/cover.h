@@ -1,7 +1,7 @@
 // What: the part of the plane that regions cover together.
 // How:  the sum of their indicator functions is a sum of quadrants, one at each corner of each region, with a sign.
 //       Where regions lie side by side, corners cancel: the rest are the corners of the covered part.
-// Law:  a function of the covered part, not of its division into regions.
+// Law:  the quadrants are a function of the covered part, not of its division into regions.
 // Cost: as many corners as that part has; n log n to check them.
 #pragma once
 
@@ -33,9 +33,10 @@ class Cover {
 
   std::span<const Quadrant> quadrants() const { return quadrants_; }
   bool is_whole() const;
-  /// Returns the corner of a place that is covered more than once, or a negative number of times.
+  /// Returns the lower left corner of an area that is covered more than once, or a negative number of times; nothing if
+  /// there is none.
   std::optional<Point> wrong() const;
-  /// Returns the corner of a place that is not covered.
+  /// Returns the lower left corner of an area that is not covered; nothing if the whole plane is covered.
   std::optional<Point> missing() const;
 
  private:

@@ -111,7 +111,8 @@ void append(std::vector<Item>& to, std::vector<Item>&& from) {
   to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
-/// Renumbers `b` after the numbers of `a`; open components come first and then held polygons.
+/// Renumbers components, groups and pinch members of `b` to follow those of `a`. Among members, the open components of
+/// both come first, then the held polygons of both.
 void number_behind(PartialState& a, PartialState& b) {
   const auto of_a = static_cast<std::uint32_t>(a.open.size()), of_b = static_cast<std::uint32_t>(b.open.size());
   const auto held_a = static_cast<std::uint32_t>(a.held.size());
@@ -125,7 +126,7 @@ void number_behind(PartialState& a, PartialState& b) {
   for (OpenComponent& component : b.open) component.group += of_a;  // there are at most as many groups as components
 }
 
-/// Appends the lists that are not processed yet.
+/// Adds the counts of `b` to those of `a`, and appends its lists of components, chains, pinches and polygons.
 void append_all(PartialState& a, PartialState&& b) {
   a.counts = a.counts + b.counts;
   append(a.open, std::move(b.open));
@@ -137,7 +138,8 @@ void append_all(PartialState& a, PartialState&& b) {
   append(a.polygons, std::move(b.polygons));
 }
 
-/// Merges two sorted lists: unites components that have a triangle in common.
+/// Merges two sorted lists of shared triangles, unites in `components` those that have a triangle in common, and drops
+/// triangles whose three corners are now in merged regions.
 std::vector<SharedTriangle> merge_shared(const std::vector<SharedTriangle>& a, const std::vector<SharedTriangle>& b,
                                          meshops::DisjointSets& components) {
   std::vector<SharedTriangle> merged;

@@ -36,7 +36,8 @@ Numbers number_components(PartialState& state, std::vector<OpenComponent>& finis
   return number;
 }
 
-/// Numbers groups by their first open component, and counts those without one.
+/// Numbers groups by their first open component. A group without an open component is finished: it is counted as a
+/// component and removed.
 void number_groups(PartialState& state, const std::vector<OpenComponent>& finished) {
   std::uint32_t bound = 0;
   for (const auto* components : {&std::as_const(state.open), &finished})
@@ -51,7 +52,7 @@ void number_groups(PartialState& state, const std::vector<OpenComponent>& finish
   for (const OpenComponent& component : finished) {
     std::uint32_t& n = number[component.group];
     if (n != no_index) continue;
-    n = groups;  // counted once, and removed
+    n = groups;  // so that the group is counted once
     ++state.counts.components;
   }
 }
@@ -68,8 +69,9 @@ void number_chains(PartialState& state, const Numbers& number) {
             [&](const Chain& a, const Chain& b) { return edge(a) < edge(b); });
 }
 
-/// Removes members that cannot come first: all finished polygons but the first, and this one as well if an open
-/// component already has a lesser point. An open component may still turn out to begin anywhere.
+/// Removes the members of a pinch that cannot be its first polygon: all finished polygons but the first, and the first
+/// as well if an open component already has a lesser point. Open components stay, as points of missing regions may
+/// still come first.
 void drop_losers(Pinch& pinch, const PartialState& state) {
   const auto open = static_cast<std::uint32_t>(state.open.size());
   std::uint32_t first = no_index;

@@ -22,7 +22,7 @@ struct SharedTriangle {
 };
 
 /// A path of boundary edges, triangles on the left. All its points are in merged regions, except the first and the
-/// last: its first edge is the last of another chain, its last edge the first of one.
+/// last. Its first edge is the last edge of another chain, and its last edge the first edge of another.
 struct Chain {
   std::uint32_t component;
   std::vector<Corner> path;

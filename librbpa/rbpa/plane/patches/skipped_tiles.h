@@ -1,7 +1,7 @@
 // What: the tiles that are left to the remainder unseen, because those before them settled hardly any star.
 // Why:  along curves, tiles decide nothing, and are cut in vain: the remainder triangulates all points once more.
-// How:  after four tiles in a row that settle few stars, each of which may be small, the next four are skipped; after
-//       another such tile eight, 16, … 64. A tile that settles more stars ends it.
+// How:  a tile is in vain if it settles less than one in 64 of its stars. After four tiles in vain in a row the next 4
+//       are skipped; after each further tile in vain the next 8, 16, 32, 64. The first other tile ends this.
 // Law:  a function of the stars that tiles settle, not of threads.
 #pragma once
 

@@ -2,9 +2,8 @@
 // Law:  each predicate returns the sign of a real number that its comment names, for every finite input. Exchanging
 //       arguments changes the sign as it does for the real number.
 // How:  a floating filter with a proved bound decides nearly always (docs/explanation/exact_decisions.md derives the
-//       bounds); the rest
-//       goes to integers of a fixed width where they fit, to double-double, to expansions, or to integers of any length
-//       where exponents are extreme.
+//       bounds); the rest goes to integers of a fixed width where they fit, to double-double, to expansions, or to
+//       integers of any length where exponents are extreme.
 // Cost: a few nanoseconds; 0.1–1 µs when the filter fails.
 #pragma once
 

@@ -106,7 +106,8 @@ std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, st
   std::vector<bool> known(polygons.size(), false);
   std::vector<std::size_t> waiting;
   for (std::size_t p = 0; p < polygons.size(); ++p) {
-    // Above a shell is the same as beside it: go down until a hole, the ground, or a polygon whose nesting is known.
+    // A polygon directly above the shell of another lies in the same hole as the other: go down until a hole, nothing,
+    // or a polygon whose nesting is known.
     std::size_t at = p;
     for (; !known[at]; at = below[at]->polygon) {
       waiting.push_back(at);

@@ -14,7 +14,7 @@ enum StarStatus : std::uint8_t { unseen = 0, shared = 1, settled = 3 };
 
 constexpr int no_side = -1;
 
-/// A number of a Patch, of a side or of what stands across if there is none, in 16 bits.
+/// An entry of Patch::across in 16 bits: the number of a side, or a negative number that stands for no side.
 using Across = std::uint16_t;
 constexpr Across packed(int across) { return static_cast<Across>(across - Patch::nothing); }
 constexpr int unpacked(Across across) { return across + Patch::nothing; }

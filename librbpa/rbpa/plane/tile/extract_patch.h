@@ -21,9 +21,9 @@ struct ExtractionWorkspace {
   std::vector<std::uint16_t> owned;                   // for each triangle: 1 if the tile owns its least corner, else 0
   std::vector<std::uint16_t> number;                  // for each side: the entry of the side across
   std::vector<std::uint16_t> elsewhere;               // for each point: triangles around it that other tiles own
-  std::vector<int> last,
-      ending;  // for each point: the side that leaves it in an outline, or a side of the rim that ends there
-  std::vector<CircumradiusFilter> within;  // for each triangle, alpha
+  // For each point: the side that leaves it in an outline, or a side of the rim that ends there.
+  std::vector<int> last, ending;
+  std::vector<CircumradiusFilter> within;  // for each triangle, how its circumradius compares with alpha
   std::vector<std::uint8_t> star;          // for each point, its status
   // lists of the result, before their length is known
   std::vector<std::uint32_t> settled, ghost_corners;
