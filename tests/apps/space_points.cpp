@@ -469,6 +469,21 @@ TEST_SUITE("points of space") {
                          BadInput);
   }
 
+  TEST_CASE("a selected point has an index below no_index") {
+    CloudBlock block;
+    block.index = {7, 4294967294};
+    std::vector<std::uint32_t> index;
+    append_index(block, index);
+    CHECK(index == std::vector<std::uint32_t>{7, 4294967294});
+    for (const std::uint64_t beyond : std::vector<std::uint64_t>{4294967295, 4294967296, 9000000000}) {
+      block.index = {beyond};
+      CHECK_THROWS_WITH_AS(append_index(block, index),
+                           "POINTS: found a selected point after the first 4294967295 points, expected selected points "
+                           "among these",
+                           BadInput);
+    }
+  }
+
   TEST_CASE("a path is read, compressed or not") {
     const Folder folder;
     is(read_space_points(folder.file("p.xyz", "0.5 -1 2\n3 4e-3 1e6\n"), Format::text));

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <utility>
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
+#include "rbpa/base/triangle.h"
 
 namespace rbpa::app {
 namespace {
@@ -131,7 +131,7 @@ void append_fields(const CloudBlock& block, std::vector<std::vector<double>>& fi
 
 void append_index(const CloudBlock& block, std::vector<std::uint32_t>& index) {
   for (const std::uint64_t i : block.index) {
-    if (i > std::numeric_limits<std::uint32_t>::max())
+    if (i >= no_index)
       bad_input("POINTS", "a selected point after the first 4294967295 points", "selected points among these");
     index.push_back(static_cast<std::uint32_t>(i));
   }

@@ -118,7 +118,7 @@ void append_fields(std::span<const double> values, CloudBlock& block);
 /// Appends the fields of a block to those of earlier blocks.
 void append_fields(const CloudBlock& block, std::vector<std::vector<double>>& fields);
 
-/// Appends the indices of a block to those of earlier blocks. Throws BadInput for an index beyond 32 bits.
+/// Appends the indices of a block to those of earlier blocks. Throws BadInput for an index from no_index on.
 void append_index(const CloudBlock& block, std::vector<std::uint32_t>& index);
 
 /// Returns `index`, or nothing if index[i] = i for all i.
