@@ -58,8 +58,8 @@ Lost lost(std::span<const Point3> vertices, std::span<const std::array<std::uint
 std::string why_not_kept(const SinglePositions& rounded, Format format, std::span<const Point3> vertices,
                          std::span<const std::array<std::uint32_t, 3>> triangles, const std::string& file);
 
-/// Returns "o.stl: 500000,4649000,0 is subtracted from all coordinates". Empty if nothing is subtracted, if no shift was
-/// requested, or if the format has double precision.
+/// Returns "o.stl: 500000,4649000,0 is subtracted from all coordinates". Empty if nothing is subtracted, if no shift
+/// was requested, or if the format has double precision.
 std::string text_of_shift(Format format, std::span<const Point3> vertices,
                           std::span<const std::array<std::uint32_t, 3>> triangles, const std::optional<Shift>& shift,
                           const std::string& file);
