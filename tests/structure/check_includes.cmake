@@ -88,7 +88,7 @@ set(allowed
     rbpa/space/predicate rbpa/space/solid/insertion rbpa/space/solid/rows"
   "rbpa/space/solid/triples: meshops/core rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/predicate"
   "rbpa/space/surface: meshops/core meshops/patch meshops/stellar rbpa/base rbpa/base/arrays rbpa/base/exact
-    rbpa/base/parallel rbpa/base/run rbpa/space/cells rbpa/space/predicate rbpa/space/surface/levels
+    rbpa/base/parallel rbpa/base/radii rbpa/base/run rbpa/space/cells rbpa/space/predicate rbpa/space/surface/levels
     rbpa/space/surface/normals rbpa/space/surface/pivot rbpa/space/surface/spacing rbpa/space/surface/star"
   "rbpa/space/surface/levels: rbpa/base rbpa/base/arrays rbpa/space/cells rbpa/space/surface"
   "rbpa/space/surface/normals: meshops/core rbpa/base rbpa/base/parallel rbpa/space/cells rbpa/space/surface"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/radii/cube_root.h"
 #include "rbpa/base/radii/plateau_rules.h"
 #include "rbpa/base/radii/still_ranges.h"
 #include "rbpa/base/run/steps.h"
@@ -126,7 +127,7 @@ Growth growth_of(std::span<const Point3> points, const Solid& delaunay, std::spa
     const Wide filled = std::min(Wide(1), positive(solid) / positive(enclosed));
     turns *= std::max(filled / filled_before, filled_before / filled);
     filled_before = filled;
-    const Wide twelfth_root = std::sqrt(std::sqrt(std::cbrt(positive(enclosed) / positive(whole))));
+    const Wide twelfth_root = std::sqrt(std::sqrt(cube_root(positive(enclosed) / positive(whole))));
     if (static_cast<double>(parts.points) / static_cast<double>(delaunay.distinct) < plateau_rules::least_share)
       growth.begin = growth.alpha.size() + 1;
     growth.alpha.push_back(now);

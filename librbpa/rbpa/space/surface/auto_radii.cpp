@@ -9,6 +9,7 @@
 
 #include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/radii/cube_root.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/surface/normals/find_nearest.h"
 #include "rbpa/space/surface/normals/fit_plane.h"
@@ -149,7 +150,8 @@ std::vector<double> radii_of(const Gaps& gaps) {
   std::vector<double> need = without_none(needs(gaps, largest)), radii;
   const auto some = static_cast<std::size_t>(some_of_all * static_cast<double>(need.size()));
   // Steps are larger where densities differ too much for this many radii.
-  const double step = std::max(ladder, std::pow(need.back() / need[some], 1.0 / (most_radii - 1)));
+  static_assert(most_radii == 4);
+  const double step = std::max(ladder, cube_root(need.back() / need[some]));
   while (radii.size() < most_radii && need.size() > some) {
     radii.push_back(margin * need.back());
     need.erase(std::lower_bound(need.begin(), need.end(), need.back() / step), need.end());
