@@ -1,4 +1,4 @@
-// What: places: coordinates of points relative to a box, scaled so that neither differences nor products overflow.
+// What: scales points relative to a box, so that neither differences nor products overflow. A scaled point is a place.
 // Law:  differences are rounded once, as the scale is a power of two.
 #pragma once
 

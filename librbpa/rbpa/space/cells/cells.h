@@ -31,14 +31,15 @@ class Cells {
   Cells(std::span<const Point3> points, double radius, Threads& threads);
 
   double radius() const { return radius_; }
+  /// Returns the number of cells.
   std::size_t size() const { return cells_.size() - 1; }
-  /// The distinct points.
+  /// Returns the distinct points.
   std::span<const Point3> sites() const { return sites_; }
-  /// The lowest input index at each site.
+  /// Returns the lowest input index at each site.
   std::span<const std::uint32_t> input_index() const { return input_index_; }
-  /// The other input points, sorted by site and index.
+  /// Returns the other input points, sorted by site and index.
   std::span<const Equal> equals() const { return equals_; }
-  /// Returns the equal input points, by ascending input index.
+  /// Returns the input points that are equal to one of lower index, ascending by index.
   std::vector<Duplicate> duplicates() const;
 
   /// Returns the first site in cell i; first_in(size()) is the number of sites.

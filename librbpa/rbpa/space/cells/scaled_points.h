@@ -1,4 +1,4 @@
-// What: points in space and a radius, scaled, where possible, so that products in the filters neither underflow nor
+// What: scales points in space and a radius, where possible, so that products in the filters neither underflow nor
 //       overflow.
 // Law:  the factor is a power of two, so that products are exact (cells/scale.h).
 // Cost: linear; a copy of the points where the factor is not 1.

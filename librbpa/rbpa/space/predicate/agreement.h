@@ -1,6 +1,7 @@
-// What: tests whether triangles agree with the normals at their corners.
-// Law:  exact. A corner at which there are several points has all their normals.
-// Cost: some nanoseconds in double, where points fit; otherwise the cost of TriangleNormal for each normal.
+// What: tests whether a triangle agrees with the normals at its corners: whether its own normal has a positive scalar
+//       product with each of them.
+// Law:  exact. If several points are at a corner, the normals of all count.
+// Cost: some nanoseconds for points that fit double; otherwise that of TriangleNormal for each normal.
 #pragma once
 
 #include <algorithm>
@@ -16,18 +17,17 @@
 
 namespace rbpa::space {
 
-/// Tests triangles, whose corners are indices of places, against normals. Triangles are oriented, and their own normal
-/// is not 0.
+/// Tests oriented triangles with an area. Corners are indices of places.
 class Agreement {
  public:
-  /// An additional normal at a place.
+  /// The normal of another point at a place.
   struct Further {
     std::uint32_t place;
     Point3 normal;
   };
 
-  /// Keeps the spans. Requires: a normal for each place, or no normals at all: then every triangle agrees;
-  /// `fits_double`: whether the places fit as by scale_to_double().
+  /// Keeps the spans. Without normals, every triangle agrees. Requires: no normals, or one for each place;
+  /// `fits_double` only if the places are scaled as scale_to_double() says.
   Agreement(std::span<const Point3> places, std::span<const Point3> normals, std::vector<Further> further,
             bool fits_double)
       : places_(places), normals_(normals), further_(std::move(further)), fits_double_(fits_double) {
@@ -40,7 +40,7 @@ class Agreement {
   Agreement(std::span<const Point3> points, std::span<const Point3> normals, std::span<const Duplicate> duplicates)
       : Agreement(points, normals, further_of(normals, duplicates), false) {}
 
-  /// Returns whether the triangle's own normal has a positive product with all normals at its corners.
+  /// Returns whether the triangle (a, b, c) agrees.
   bool operator()(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     if (normals_.empty()) return true;
     if (fits_double_ && further_.empty()) {
@@ -57,7 +57,7 @@ class Agreement {
     return !disagrees_at(a, normal) && !disagrees_at(b, normal) && !disagrees_at(c, normal);
   }
 
-  /// Returns, for each corner, whether the product of a normal there with the triangle's own is not positive.
+  /// Returns for each corner whether the triangle disagrees with a normal there.
   std::array<bool, 3> disagreeing(const std::array<std::uint32_t, 3>& triangle) const {
     const auto [a, b, c] = triangle;
     if (normals_.empty()) return {false, false, false};
@@ -65,7 +65,7 @@ class Agreement {
     return {disagrees_at(a, normal), disagrees_at(b, normal), disagrees_at(c, normal)};
   }
 
-  /// Returns false if no triangle (v, x, y) agrees, for x following y in a cycle of places around v; true if one may.
+  /// Returns false only if no triangle (v, x, y) agrees, where x follows y in `cycle`, a cycle of places around v.
   bool may_agree(std::uint32_t v, std::span<const std::uint32_t> cycle) const {
     if (!fits_double_ || normals_.empty()) return true;
     for (std::size_t k = 0; k < cycle.size(); ++k) {
@@ -76,7 +76,7 @@ class Agreement {
   }
 
  private:
-  /// Returns the sign of the product of a triangle's normal and a vector; 0 where it is not certain. Requires: the
+  /// Returns the sign of the scalar product of a triangle's normal and v; 0 if it is not certain. Requires: the
   /// triangle's corners fit double.
   static int sign_along(const RoundedNormal<double>& normal, const Point3& v) {
     const double product = normal.product(v), bound = 0x1p-50 * normal.magnitude(v);

@@ -1,7 +1,7 @@
 // What:   the ball of a given radius that rests on three points: whether it exists, and which points it contains.
-// Law:    exact for every finite input. The results are those of a ball larger by an infinitesimal, among points that
-//         the symbolic perturbation has moved by even less: no fourth point touches it. docs/explanation/surfaces.md,
-//         sections 10 and 14.
+// Law:    exact for every finite input. The ball counts as larger by an infinitesimal, and points as moved by even
+//         smaller ones (the symbolic perturbation), so that no fourth point touches the ball.
+//         docs/explanation/surfaces.md, sections 10 and 14.
 // How:    a floating-point filter whose bounds are computed with the ball (docs/explanation/surfaces.md, section 15);
 //         then long double, then integers of any length.
 // Cost:   about sixty operations for each ball, and fifteen for each point; microseconds where a filter fails.
@@ -18,14 +18,14 @@
 
 namespace rbpa::space {
 
-/// Returns whether q is in the ball that rests on a, b and c: decided by integers, and by the perturbation where q
-/// touches the ball.
+/// Returns whether q is in the ball that rests on a, b and c; by integers, and by the perturbation if q touches the
+/// ball.
 /// Requires: the circumradius of the three is at most the radius.
 bool in_ball_exactly(const Point3& a, const Point3& b, const Point3& c, double radius, const Point3& q);
 
 /// The ball of the radius that touches a, b and c, with its center on the side from which they are counter-clockwise.
-/// Real is double for points and a radius within the range of fits_double() (space/cells/scale.h), and long double for
-/// any.
+/// Real is double for points and a radius scaled as scale_to_double() says (space/cells/scale.h), and long double for
+/// any others.
 template <typename Real>
 class Ball {
   static_assert(std::numeric_limits<Real>::is_iec559);
@@ -108,7 +108,7 @@ class Ball {
     return true;
   }
 
-  /// Returns n² times the power of q.
+  /// Returns n² times the power of q with respect to the ball (negative inside), with a bound of its error.
   Estimate power_of(const Point3& q) const {
     const Vector3<Real> d = from<Real>(a_, q);
     const Real dd = dot(d, d);

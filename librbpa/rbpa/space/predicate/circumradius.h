@@ -1,9 +1,9 @@
 // What: circumradii of four points, rounded up to doubles.
 // Law:  the least double that is not below the circumradius, for any finite points that are not in a plane; infinity
 //       above all doubles.
-// How:  double-double, several at a time; integers of any length where two candidates are left, as for radii that are
-//       doubles.
-// Cost: some tens of nanoseconds each; some ten microseconds by integers.
+// How:  double-double, several radii at a time; integers of any length if two candidates are left, as for radii that
+//       are exact doubles.
+// Cost: some tens of nanoseconds a radius; some ten microseconds by integers.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace rbpa::space {
 
-/// Computes the radius of each simplex. Requires: corners that are points; as many radii as simplices.
+/// Computes the radius of each simplex. Requires: corners are indices of points; `radii` has room for one each.
 void circumradii_rounded_up(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 4>> simplices,
                             std::span<double> radii);
 

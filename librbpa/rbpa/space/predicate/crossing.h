@@ -17,8 +17,8 @@ using Corners = std::array<Point3, 3>;
 /// Requires: triangles with an area.
 bool triangles_cross(const Corners& s, const Corners& t);
 
-/// Returns whether the segment from p to q meets the triangle elsewhere than in ends that are corners of the triangle,
-/// or is one of its sides.
+/// Returns whether the segment from p to q meets the triangle anywhere except in an end that is a corner of the
+/// triangle. A segment that is a side of the triangle crosses it.
 /// Requires: p != q, a triangle with an area.
 bool segment_crosses(const Point3& p, const Point3& q, const Corners& t);
 

@@ -13,15 +13,15 @@ namespace rbpa::space {
 /// finite radius.
 bool is_least_sphere_within(const Point3& a, const Point3& b, double radius);
 
-/// Returns the radius rounded up: the least double that is not below it; infinity above all doubles. Requires: distinct
-/// points.
+/// Returns the radius rounded up: the least double that is not below the radius; infinity above all doubles. Requires:
+/// distinct points.
 double least_radius_rounded_up(const Point3& a, const Point3& b);
 
 /// Returns whether q is inside the least sphere through a and b.
 bool in_least_sphere(const Point3& a, const Point3& b, const Point3& q);
 
-/// The power of points with respect to the least sphere through three, times the square of their normal n: n² d² − axis
-/// · d for a point at d from the first.
+/// The power of a point with respect to the least sphere through three points, times the square of their normal n: n²
+/// d² − axis · d for a point at d from the first of the three.
 template <typename Number>
 struct PowerByLeastSphere {
   PowerByLeastSphere(const Point3& a, const Point3& b, const Point3& c);

@@ -32,6 +32,7 @@ class RoundedNormal {
   Vector3<Real> normal_, magnitude_;
 };
 
+/// The normal (b − a) × (c − a), for exact signs.
 class TriangleNormal {
  public:
   TriangleNormal(const Point3& a, const Point3& b, const Point3& c) : a_(a), b_(b), c_(c), rounded_(a, b, c) {}

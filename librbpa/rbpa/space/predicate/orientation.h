@@ -16,8 +16,8 @@ namespace rbpa::space {
 int orientation_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 int orientation_along_exactly(const Point3& a, const Point3& b, const Point3& c, int axis);
 
-/// Bounds of both filters: the errors are below eight roundings of the sum of the absolute values of all terms, unless
-/// these underflow.
+/// Constants of both filters: the error is below `orientation_filter`, eight roundings, times the sum of the absolute
+/// values of all terms; below `least_filtered`, terms may underflow.
 constexpr double orientation_filter = 0x1p-50, least_filtered = 0x1p-900;
 
 /// Returns the sign of (b − a) × (c − a) · (d − a): 1 when a, b, c are counter-clockwise seen from d.

@@ -1,8 +1,8 @@
 // What: the side of the sphere through four points that a fifth is on; ties are broken by perturbation.
 // Law:  exact for every finite input. The answers are those of one set of lifted points
 //       (docs/explanation/exact_decisions.md, section 2): never 0.
-// Cost: some ten nanoseconds; a tenth of a microsecond on grids, where the filter fails or is left out; microseconds
-//       otherwise.
+// Cost: some ten nanoseconds; a tenth of a microsecond for points on grids, if the filter fails or is left out;
+//       microseconds otherwise.
 #pragma once
 
 #include <optional>
@@ -44,7 +44,7 @@ class BeyondFilter {
                  double error) const;
 
  private:
-  double exact_below_;  // of the determinant; a smaller error means none
+  double exact_below_;  // of the determinant: a computed error below it means no error
   bool is_exact_;
 };
 

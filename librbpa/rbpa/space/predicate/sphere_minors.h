@@ -20,7 +20,7 @@
 
 namespace rbpa::space {
 
-/// A corner relative to corner d.
+/// A corner relative to corner d, with its squared length and its length.
 struct Spoke {
   double x, y, z, square, length;
 
@@ -61,6 +61,7 @@ class ErrorBound {
   std::uint64_t bits_;
 };
 
+/// The factors of the four products of V(q): of x, y, z and |q − d|².
 using SphereMinors = std::array<double, 4>;
 
 inline SphereMinors sphere_minors(const Spoke& a, const Spoke& b, const Spoke& c) {
@@ -75,14 +76,15 @@ inline SphereMinors sphere_minors(const Spoke& a, const Spoke& b, const Spoke& c
 /// covers 20 roundings there, and some of the bound itself.
 inline constexpr double in_sphere_filter = 24 * 0x1p-53;
 
-/// Returns the error bound of these minors. Requires: no corner at infinity. `underflow` is that of
-/// space/predicate/spread.h.
+/// Returns the error bound of V by sphere_minors(a, b, c). Requires: no corner at infinity; `underflow` is
+/// Spread::underflow().
 inline ErrorBound sphere_error(const Spoke& a, const Spoke& b, const Spoke& c, double underflow) {
   const double sum = a.length + b.length + c.length, weight = in_sphere_filter * (a.length * b.length * c.length);
   return {0.5 * weight * sum * sum + underflow, 1.5 * weight};
 }
 
-/// Returns the error bound where one corner is at infinity. Requires: its spoke is Spoke::to_infinity(), of length 0.
+/// Returns the same bound if one corner is at infinity. Requires: the spoke of that corner is Spoke::to_infinity(), of
+/// length 0.
 inline ErrorBound half_space_error(const Spoke& a, const Spoke& b, const Spoke& c, double underflow) {
   const double sum = a.length + b.length + c.length;
   // The second largest length by itself: a difference from the sum is rounded to 0 where it is that much shorter.

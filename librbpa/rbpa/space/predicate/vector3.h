@@ -17,6 +17,7 @@ struct Vector3 {
   Real x, y, z;
 };
 
+/// Returns b − a.
 template <typename Real>
 Vector3<Real> from(const Point3& a, const Point3& b) {
   return {Real(b.x) - Real(a.x), Real(b.y) - Real(a.y), Real(b.z) - Real(a.z)};

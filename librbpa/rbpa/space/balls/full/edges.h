@@ -1,4 +1,4 @@
-// What: the edges of a triangulation, of points or of a periodic box, each with the tetrahedra around it.
+// What: visits the edges of a triangulation, of points or of a periodic box, each with the tetrahedra around it.
 // Law:  an edge is identified by its points, and in a periodic box also by their offset in boxes.
 // Cost: a sort of the edges at each point.
 #pragma once
@@ -26,7 +26,7 @@ struct EdgeAt {
   std::uint8_t from, to;
 };
 
-/// Returns the other two corners of the tetrahedron.
+/// Returns the numbers of the other two corners of the tetrahedron.
 inline std::array<std::size_t, 2> others(const EdgeAt& at) {
   std::array<std::size_t, 2> found{};
   for (std::size_t k = 0, count = 0; k < 4; ++k)
@@ -34,8 +34,8 @@ inline std::array<std::size_t, 2> others(const EdgeAt& at) {
   return found;
 }
 
-/// Returns whether the least sphere through the ends of an edge has a radius of at most alpha and no corner around the
-/// edge inside.
+/// Returns whether the least sphere through the ends of an edge has a radius of at most alpha and contains no corner of
+/// the tetrahedra around the edge, `ring`.
 bool is_edge_alone(const Triangulated& delaunay, std::span<const EdgeAt> ring, double alpha);
 
 /// The tetrahedra at each point.
@@ -141,7 +141,7 @@ struct EdgeCounts {
   std::size_t joined = 0;  ///< edges of a spanning forest: points − joined = components
 };
 
-/// Counts the edges for which has_edge(tetrahedra around the edge) returns true.
+/// Counts the edges for which has_edge(tetrahedra around the edge) returns true; it is called from any thread.
 template <typename HasEdge>
 EdgeCounts count_edges(const Triangulated& delaunay, Threads& threads, const HasEdge& has_edge,
                        const GoOn& go_on = {}) {

@@ -3,8 +3,8 @@
 // Law:  a simplex is in the complex if a ball of radius at most alpha has its corners on its sphere and no point
 //       inside. Equivalently: a simplex of higher dimension with this face is in the complex; or the least sphere
 //       through its corners has a radius of at most alpha and no corner of the simplices around it is inside.
-// How:  each tetrahedron is tested where it is, with its own corners: across the side of a periodic box the neighbor
-//       has an image of the common face. Images are exact, so that both get the same answer.
+// How:  each triangle is tested with the corners of its first tetrahedron. In a periodic box the other tetrahedron may
+//       have an image of the triangle; images are exact, so the result holds for both.
 // Cost: linear in the tetrahedra; exact predicates where neither tetrahedron at a triangle is in the complex.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4.
 #pragma once

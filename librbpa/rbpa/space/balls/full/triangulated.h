@@ -11,12 +11,12 @@
 
 namespace rbpa::space {
 
-/// The tetrahedra of a triangulation; corners are vertices. Refers to the arrays that it is made of.
+/// The tetrahedra of a triangulation; corners are vertices. Refers to the arrays of its argument.
 struct Triangulated {
   std::span<const Point3> positions;  ///< of the vertices
   std::span<const std::array<std::uint32_t, 4>> simplices, neighbors;
-  std::span<const PeriodicVertex> vertices =
-      {};  ///< in a periodic box, the point and offset of each vertex; otherwise empty: vertices are points
+  /// In a periodic box, the point and offset of each vertex; otherwise empty: vertices are points.
+  std::span<const PeriodicVertex> vertices = {};
 
   Triangulated(std::span<const Point3> points, const Solid& solid)
       : positions(points), simplices(solid.simplices), neighbors(solid.neighbors) {}

@@ -1,4 +1,5 @@
-// What: pieces of tetrahedra connected through triangles that fill a periodic box, each piece laid out in space.
+// What: splits the tetrahedra that fill a periodic box into parts connected through triangles, and finds the directions
+//       in which each part percolates.
 // Cost: linear.
 #pragma once
 
@@ -15,17 +16,17 @@ namespace rbpa::space {
 
 class Parts {
  public:
-  /// Finds the pieces of the tetrahedra inside and of those outside. If `walls` is given, its triangles separate the
-  /// pieces outside. Requires: a tetrahedron across from each corner.
+  /// Finds the parts of the tetrahedra with `is_inside`, and of the others. If `walls` is given, its triangles separate
+  /// parts of the others. Requires: every tetrahedron has four neighbors.
   Parts(const PeriodicSolid& solid, const std::vector<bool>& is_inside, const FacesWithin* walls);
 
   std::size_t size() const { return begin_.size() - 1; }
   std::span<const std::uint32_t> tetrahedra(std::size_t part) const {
     return std::span(order_).subspan(begin_[part], begin_[part + 1] - begin_[part]);
   }
-  /// Returns the directions in which a part percolates: reaches images of itself.
+  /// Returns the directions in which a part percolates: in which it is connected with an image of itself.
   const Rank& directions(std::size_t part) const { return directions_[part]; }
-  /// Returns the directions in which all parts outside together percolate.
+  /// Returns the directions in which the parts of the tetrahedra without `is_inside` percolate, all together.
   const Rank& directions_outside() const { return directions_outside_; }
 
  private:
@@ -35,7 +36,7 @@ class Parts {
   Rank directions_outside_;
 };
 
-/// Returns the offset, in boxes, from tetrahedron t to the image that its neighbor across from corner k meets.
+/// Returns by how many boxes the neighbor across from corner k of tetrahedron t has to be moved to share the face of t.
 Boxes step_across(const PeriodicSolid& solid, std::uint32_t t, std::size_t k);
 
 }  // namespace rbpa::space

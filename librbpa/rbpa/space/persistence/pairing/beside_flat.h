@@ -1,5 +1,5 @@
-// What: additional points beside a set in a plane or on a line: with them, the Delaunay triangulation in space is a
-//       cone over that of the set.
+// What: finds points beside a set in a plane or on a line; with them, the Delaunay triangulation in space is a cone
+//       over that of the set.
 // Law:  the sphere through three points of a plane and any other point cuts the plane in the circle of the three. So
 //       with one point beside the plane, at any place, the tetrahedra stand on the Delaunay triangles of the set, with
 //       the same ties: nothing is projected or rounded. With two points beside a line the tetrahedra stand on its

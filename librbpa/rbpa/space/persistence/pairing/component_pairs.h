@@ -1,4 +1,4 @@
-// What: the edge that ends each component, and the point that began it.
+// What: finds for each component the edge that ends it and the point that began it.
 // How:  at the beginning each point is a component. Edges join components in the order of the filtration; where two
 //       meet, the component of the greater point ends.
 // Cost: union–find over the edges.

@@ -1,10 +1,11 @@
-// What: short cycles of edges, one for each tunnel.
-// Law:  consider a cycle whose last edge in the filtration makes a tunnel, and which is a boundary of triangles up to
-//       the one that ends the tunnel. It becomes a boundary exactly then: had it been one before, its last edge would
-//       have been paired before.
+// What: finds a short cycle of edges around each tunnel.
+// Law:  a cycle whose last edge in the filtration makes a tunnel, and that is a boundary of triangles up to the one
+//       that ends the tunnel, is no boundary of earlier triangles: otherwise its last edge would be paired with one of
+//       these.
 // How:  the column of the reduction is such a cycle. The shortest of all cycles with this last edge is the edge and a
-//       shortest path between its ends among earlier edges; columns decide whether it is a boundary in time. If it is
-//       not, parts of the column's cycle are replaced by shortest paths where the difference is a boundary.
+//       shortest path between its ends among earlier edges; columns decide whether this cycle is a boundary when the
+//       tunnel ends. If it is not, parts of the column's cycle are replaced by shortest paths where the difference is a
+//       boundary.
 // Cost: for each cycle, the number of edges in a ball around its ends that is as large as the cycle; where parts are
 //       replaced, several times that number.
 // Source: Dijkstra (1959); Hart, Nilsson, Raphael (1968).
@@ -23,7 +24,7 @@
 namespace rbpa::space {
 
 struct Cycle {
-  std::vector<std::uint32_t> edges;  ///< consecutive edges; the first is the one that makes the tunnel
+  std::vector<std::uint32_t> edges;  ///< consecutive edges, beginning with the one that makes the tunnel
   double length = 0;
   bool is_shortest = false;
 };

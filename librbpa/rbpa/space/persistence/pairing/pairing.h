@@ -1,4 +1,4 @@
-// What: the persistence pairing: for each simplex that begins a class, the simplex that ends it, in all dimensions.
+// What: pairs, in all dimensions, each simplex that begins a class with the simplex that ends the class.
 // Cost: docs/explanation/filtration_and_persistence.md, section 10.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace rbpa::space {
 
 /// Throws ContractViolation, whose message begins with the function's name, where the arrays do not belong together.
 void check_filtration(const char* function, const SolidFiltration& filtration);
-/// Throws, in addition, where the filtration is visibly not one of these points.
+/// Throws as above, and if the filtration is visibly not one of these points.
 void check_filtration(const char* function, std::span<const Point3> points, const SolidFiltration& filtration);
 
 struct Pairing {

@@ -1,7 +1,7 @@
-// What: the triangle that ends each tunnel, and the cycle that it turns into a boundary.
+// What: finds the triangle that ends each tunnel, and the cycle that becomes a boundary with that triangle.
 // How:  columns of the boundary matrix, with coefficients in Z/2, are reduced in any order, here along the curve
-//       through space. Where a column has the pivot of a later triangle's column, the two change places, and the
-//       reduction continues with the later one. Columns with two or more triangles in them are kept; any other is the
+//       through space. If a column has the same pivot as the stored column of a later triangle, it takes the place of
+//       that column, whose reduction continues. Columns with two or more triangles in them are kept; any other is the
 //       boundary of its triangle. Edges that end a component cannot be pivots and are left out of all columns: a cycle
 //       is determined by its other edges.
 // Law:  the pairs do not depend on the order, as the reduced matrix has the same pivots in any order. The columns of
@@ -39,8 +39,8 @@ class Tunnels {
   }
   /// Returns whether an edge comes before another in the filtration.
   bool is_before(std::uint32_t edge, std::uint32_t other) const { return rank_[edge] < rank_[other]; }
-  /// Returns the edges of a cycle that becomes a boundary with the triangle that ends this tunnel, without edges that
-  /// end components.
+  /// Returns the edges, without those that end components, of a cycle that becomes a boundary with the triangle that
+  /// ends the tunnel that an edge makes.
   std::vector<std::uint32_t> cycle(std::uint32_t edge) const;
   /// Returns whether a cycle is a boundary of triangles up to `triangle`. An edge that is given twice is not in the
   /// cycle.

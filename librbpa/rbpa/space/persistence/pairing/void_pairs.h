@@ -1,4 +1,4 @@
-// What: the triangle that makes each void, and the last tetrahedron that fills it.
+// What: finds the triangle that makes each void, and the last of the tetrahedra that fill it.
 // How:  in descending alpha, tetrahedra leave the complex and are joined through the triangles between them. A triangle
 //       that joins two voids makes the void whose last tetrahedron comes first; the void lives from the triangle to
 //       that tetrahedron. A triangle with the same radius as one of its tetrahedra joins it to the tetrahedron across
@@ -23,13 +23,13 @@ namespace rbpa::space {
 
 struct PersistentVoid {
   std::uint32_t triangle, tetrahedron;
-  std::uint32_t parted_from;  ///< the last tetrahedron of the void that it was part of before, or none: the outside
+  std::uint32_t parted_from;  ///< the last tetrahedron of the void that it was part of; none: the outside
 };
 
 struct PersistentVoids {
   std::vector<PersistentVoid> all;   ///< by triangle, in descending order of the filtration; some have persistence 0
   std::vector<bool> makes_one;       ///< for each triangle: whether it makes a void; the others end a tunnel
-  std::vector<std::uint32_t> basin;  ///< for each tetrahedron: the last tetrahedron of its basin, or none: the outside
+  std::vector<std::uint32_t> basin;  ///< for each tetrahedron, the last one of its basin; none: the outside
 };
 
 /// Finds the voids. Requires: `radii` of the tetrahedra; `triangles_of`: the numbers of the triangles of each;

@@ -1,4 +1,5 @@
-// What: pairs of edges of two boundary loops. A strip of two triangles between such edges joins the two loops into one.
+// What: finds bridges: pairs of edges of two boundary loops. A strip of two triangles between the edges joins the two
+//       loops to one.
 // Law:  a function of the points along the loops; it does not depend on where the loops begin.
 // Cost: the product of the numbers of edges.
 #pragma once
@@ -19,8 +20,8 @@ struct Bridge {
   std::uint32_t edge, other;
 };
 
-/// Returns at most `most` bridges, those whose corners are nearest to each other, the best first. Returns none where
-/// the work is used up before all pairs are compared.
+/// Returns the `most` bridges whose corners are nearest to each other, or fewer, the best first. Returns none if the
+/// work is used up before all pairs are compared.
 /// Requires: both loops have the hole to their left.
 std::vector<Bridge> nearest_bridges(std::span<const Point3> points, std::span<const std::uint32_t> loop,
                                     std::span<const std::uint32_t> other, std::size_t most, Work& work);
@@ -29,7 +30,7 @@ std::vector<Bridge> nearest_bridges(std::span<const Point3> points, std::span<co
 std::array<std::array<std::uint32_t, 3>, 2> strip_of(const Bridge& bridge, std::span<const std::uint32_t> loop,
                                                      std::span<const std::uint32_t> other);
 
-/// Returns the boundary of the hole without the strip, which is one loop.
+/// Returns the one loop that bounds the hole without the strip.
 std::vector<std::uint32_t> joined_loop(const Bridge& bridge, std::span<const std::uint32_t> loop,
                                        std::span<const std::uint32_t> other);
 

@@ -1,9 +1,9 @@
-// What: the chords of a rim that its triangulation may use; the sides of the rim are chords too.
+// What: chooses the chords of a rim that its triangulation may use; the sides of the rim are chords too.
 // Why:  there are n²/2 chords, and n³/6 triangles on them. For a long rim the nearest chords suffice, on each of
 //       several levels: every second corner, every fourth and so on, so that wide parts can be triangulated with long
 //       chords.
 // Law:  a function of the places of the corners and of the corner at which the rim begins.
-// Cost: n² to find the nearest; some tens of chords a corner.
+// Cost: n² to find the nearest chords; some tens of chords a corner.
 #pragma once
 
 #include <cstddef>
@@ -26,14 +26,13 @@ std::vector<Chord> candidate_chords(const Rim& rim, meshops::Steps& step);
 /// Chords that are numbered in the order of their low, then their high end.
 class Chords {
  public:
-  /// Keeps the candidates of a rim of `corners` corners, except the forbidden chords. Requires: sorted forbidden
-  /// chords.
+  /// Takes the candidates of a rim of `corners` corners, except the forbidden chords. Requires: both are sorted.
   Chords(std::size_t corners, std::vector<Chord> candidates, std::span<const Chord> forbidden);
 
   std::size_t size() const { return chords_.size(); }
   const Chord& operator[](std::size_t number) const { return chords_[number]; }
-  /// Returns whether every chord that is not forbidden is a candidate. is_complete() returns whether no chord at all is
-  /// missing, not even a forbidden one.
+  /// Returns whether all chords that are not forbidden are here. is_complete() returns whether all chords are here, so
+  /// that none is forbidden.
   bool are_all() const { return all_; }
   bool is_complete() const { return chords_.size() == (first_to_.size() - 1) * (first_to_.size() - 2) / 2; }
   /// Returns the number of the first chord whose low end is `corner`; for the corner after the last one, the number of

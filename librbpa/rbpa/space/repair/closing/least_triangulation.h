@@ -1,11 +1,11 @@
-// What:   the triangulation of a rim with the least turn over its worst edge; among several, the one of least area.
+// What:   finds the triangulation of a rim with the least turn over its worst edge; among several, the one of least
+//         area.
 // How:    dynamic programming over the parts of the rim behind each chord (Barequet and Sharir 1995) with the weight of
 //         Liepa (2003): the greatest turn over any edge, edges of the rim included, then the area. The turn over a
 //         chord depends on the triangle behind it. Only the best triangulation of the part behind the chord is kept, as
 //         in Liepa, so the result need not be the global optimum.
 // Law:    a function of the rim and of the corner at which it begins.
-// Cost:   n³/6 triangles for up to 256 corners, most of which one comparison dismisses; beyond, about n times a
-//         thousand.
+// Cost:   n³/6 triangles for up to 256 corners, most of which one comparison dismisses; about 1000 n for more corners.
 // Source: Liepa, Filling holes in meshes (2003); Zou, Ju, Carr, An algorithm for triangulating multiple 3D polygons
 //         (2013) for candidates.
 #pragma once

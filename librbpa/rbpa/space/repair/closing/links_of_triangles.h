@@ -1,5 +1,5 @@
-// What: links triangles of vertices as a Surface has them: as triangles of points, in lexicographic order, glued where
-//       they share two vertices.
+// What: turns triangles of vertices into those of a Surface: with points as corners, in lexicographic order, glued
+//       where they share two vertices.
 // Cost: a sort of the sides, and of the triangles.
 #pragma once
 

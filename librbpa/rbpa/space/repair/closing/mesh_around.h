@@ -1,6 +1,6 @@
-// What: the obstacles of a filling: the triangles of a mesh near the loops to be filled, and the edges between points
-//       of the loops.
-// Law:  exact. A filling that was added counts like the rest of the mesh.
+// What: keeps the obstacles of fillings: the triangles of a mesh near the loops to be filled, and the edges between
+//       points of the loops.
+// Law:  exact. Fillings that were added are obstacles too.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ namespace rbpa::space {
 struct Faults {
   std::vector<Chord> taken;     ///< chords between points that an edge of the mesh joins already
   std::vector<Chord> crossing;  ///< chords that cross a triangle
-  /// New triangles that a side of a triangle of the mesh, or another new triangle, crosses.
+  /// New triangles that cross a side of a triangle of the mesh, or another new triangle.
   std::vector<RimTriangle> triangles;
   bool none() const { return taken.empty() && crossing.empty() && triangles.empty(); }
 };
@@ -35,6 +35,7 @@ class MeshAround {
 
   /// Returns the chords of a loop that are edges of the mesh, sorted.
   std::vector<Chord> taken_chords(const SimpleLoop& loop) const;
+  /// Returns the faults of a filling of loop `number`; none: it may be added. Spends work for each pair of triangles.
   Faults faults(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling, Work& work) const;
   /// Adds the filling of loop `number` to the mesh.
   void add(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling);
@@ -45,7 +46,7 @@ class MeshAround {
   std::span<const SimpleLoop> loops_;
   std::vector<Point3> places_;                      // the points of the loops, sorted
   std::vector<std::vector<std::uint32_t>> joined_;  // for each place: the places to which an edge of the mesh joins it
-  std::vector<Corners> triangles_;                  // those of the mesh that are near the loops
+  std::vector<Corners> triangles_;                  // triangles of the mesh near the loops
   std::vector<std::vector<std::uint32_t>> corners_at_;  // for each loop: the places of its corners
   BoxTree loop_tree_, triangle_tree_;
   std::vector<std::vector<Corners>> added_;  // for each loop

@@ -1,4 +1,4 @@
-// What: the rim of a hole, scaled so that no computation with it underflows or overflows.
+// What: scales the rim of a hole so that no computation with it underflows or overflows.
 #pragma once
 
 #include <cmath>
@@ -18,8 +18,8 @@ using Vector = Vector3<double>;
 inline Vector operator-(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y, u.z - v.z}; }
 
 /// The greatest turn of a surface over an edge. The turn is |n − n'|² for unit normals n and n': 0 where the surface is
-/// flat, 4 where it is folded back, ascending with the angle. Below 0.0035 degrees the surface counts as flat. No
-/// function is used that processors or libraries may round differently.
+/// flat, 4 where it is folded back, ascending with the angle. Angles below 0.0035 degrees count as flat. The code uses
+/// no function that processors or libraries may round differently.
 inline constexpr float most_turn = 4;
 inline float turn_between(const Vector& unit, const Vector& other) {
   constexpr double flat = 0x1p-28;
@@ -32,7 +32,7 @@ inline float turn_between(const Vector& unit, const Vector& other) {
 struct Rim {
   std::vector<Point3> points;
   std::vector<Vector> places;  ///< the points, scaled to a box of side 1
-  /// Normal of the triangle at the edge from each corner to the next: of unit length; zero where it has no area
+  /// Unit normal of the triangle at the edge from each corner to the next; 0 if it has no area.
   std::vector<Vector> normals;
   int exponent = 0;  ///< a unit of places is 2^exponent units of the points
 

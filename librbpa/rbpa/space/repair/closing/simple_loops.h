@@ -15,11 +15,11 @@ namespace rbpa::space {
 /// Where the two differ, they are at the same point.
 struct LoopCorner {
   std::uint32_t in, out;
-  std::uint32_t edge;  ///< the edge after it, by number in the whole loop as given
+  std::uint32_t edge;  ///< number, in the given loop, of the edge after the corner
 };
 
 struct SimpleLoop {
-  std::uint32_t loop;  ///< the loop that it is a part of
+  std::uint32_t loop;  ///< number of the loop of which it is a part
   std::vector<LoopCorner> corners;
 };
 

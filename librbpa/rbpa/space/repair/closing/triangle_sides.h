@@ -1,4 +1,4 @@
-// What: the sides of triangles that are given by vertex numbers alone, and the loops of their boundary.
+// What: finds the sides of triangles that are given by vertex numbers alone, and the loops of their boundary.
 // Cost: a sort of the sides.
 #pragma once
 
@@ -17,8 +17,8 @@ struct TriangleSide {
   std::uint32_t triangle;
 };
 
-/// Returns the sides whose two ends both have `is_wanted`, or all sides where `is_wanted` is empty; sorted by from,
-/// then to. Throws: Cancelled.
+/// Returns the sides whose two ends are both wanted, or all sides if `is_wanted` is empty; sorted by from, then to.
+/// Throws: Cancelled.
 std::vector<TriangleSide> sorted_sides(std::span<const std::array<std::uint32_t, 3>> triangles,
                                        const std::vector<bool>& is_wanted, meshops::Steps& step);
 
@@ -29,7 +29,8 @@ std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std:
 /// The triangles at the edges of given boundary loops.
 class BoundarySides {
  public:
-  /// Throws: ContractViolation where an edge of a loop is not a boundary side; Cancelled.
+  /// Throws: ContractViolation if a loop is empty or has an edge that is not a boundary side, or loops pass an edge
+  ///         twice; Cancelled.
   BoundarySides(std::span<const std::array<std::uint32_t, 3>> triangles,
                 std::span<const std::vector<std::uint32_t>> loops, meshops::Steps& step);
 

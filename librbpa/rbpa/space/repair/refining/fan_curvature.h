@@ -1,6 +1,6 @@
-// What:   the mean curvature of triangles around a vertex.
-// How:    cotangents of the angles across from edges, and the part of each triangle's area that is nearest to the
-//         vertex.
+// What:   computes the mean curvature of triangles around a vertex.
+// How:    weights edges by cotangents of the angles across from them; a triangle counts by the part of its area that is
+//         nearest to the vertex.
 // Source: Meyer, Desbrun, Schröder, Barr, Discrete differential-geometry operators for triangulated 2-manifolds (2003).
 #pragma once
 
@@ -18,7 +18,7 @@ inline double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 /// The weights of a triangle v a b at its corner v.
 struct CornerWeights {
   double to_a = 0, to_b = 0;  ///< half cotangents of the angles at b and at a
-  double area = 0;            ///< its length is twice the triangle's area
+  double area = 0;            ///< of the part of the triangle that is nearest to v
   Vector normal{};            ///< its length is twice the triangle's area
 
   CornerWeights(const Vector& v, const Vector& a, const Vector& b) : normal(cross(minus(a, v), minus(b, v))) {
@@ -37,7 +37,7 @@ struct CornerWeights {
   }
 };
 
-/// The sum over the triangles around a vertex of their area and curvature.
+/// Sums of area and curvature over the triangles around a vertex.
 struct FanCurvature {
   Vector sum{};     ///< sum of weights times edges: the area times the curvature, along the normal
   Vector normal{};  ///< of any length
@@ -49,8 +49,8 @@ struct FanCurvature {
     normal = plus(normal, of.normal);
     area += of.area;
   }
-  /// Returns twice the mean curvature times the area: below 0 where the surface bends away from its normal, as a ball's
-  /// does.
+  /// Returns twice the mean curvature times the area: below 0 if the surface bends away from its normal, as that of a
+  /// ball.
   double bend() const {
     const double size = length(normal);
     return size > 0 ? dot(sum, normal) / size : 0;

@@ -1,5 +1,5 @@
-// What:   the triangles that fill one hole, during their refinement.
-// Law:    a function of the patch as given: of the order of its vertices and triangles.
+// What:   refines the triangles that fill one hole.
+// Law:    a function of the patch, including the order of its vertices and triangles.
 // Source: Liepa, Filling holes in meshes (2003).
 #pragma once
 
@@ -23,10 +23,10 @@ struct FillingRim {
   std::vector<Vector> places;         ///< of the vertices; all different
   std::vector<double> scales;         ///< for each vertex: the mean length of its edges outside of the patch
   std::vector<FanCurvature> outside;  ///< for each vertex: sum over its triangles outside of the patch
-  /// For each vertex: twice the mean curvature in the two rings of vertices next to it outside; none where no vertex
-  /// there has only triangles outside of the patch around it.
+  /// For each vertex: twice the mean curvature over those vertices of the two rings outside that triangles surround,
+  /// none of them in the patch; absent if there are no such vertices.
   std::vector<std::optional<double>> bend;
-  std::vector<bool> is_inner;  ///< for each vertex: whether triangles are all around it
+  std::vector<bool> is_inner;  ///< for each vertex: whether triangles surround it entirely
   Surface triangles;           ///< corners are vertices; glued; lowest corner first, sorted
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< between vertices, outside of the patch; low < high
 };
@@ -35,10 +35,10 @@ class FillingPatch {
  public:
   explicit FillingPatch(const FillingRim& rim);
 
-  /// Adds vertices until triangles are about as large as the rim's edges; at most `most` vertices.
+  /// Adds vertices, at most `most`, until triangles are about as large as the rim's edges suggest.
   void refine(std::size_t most, meshops::Steps& step);
-  /// Moves the added vertices so that the surface crosses the rim smoothly and as curved as it is outside; in between
-  /// the curvature is harmonic. Returns false, and moves nothing, where this does not determine the places. Throws:
+  /// Moves the added vertices so that the surface is smooth across the rim and as curved there as it is outside, with
+  /// harmonic curvature inside. Returns false, and moves nothing, if this does not determine the places. Throws:
   /// Cancelled.
   bool make_smooth(meshops::Steps& step);
 
@@ -68,8 +68,7 @@ class FillingPatch {
 
   const FillingRim& rim_;
   Mesh mesh_;
-  // By mesh vertex: its number in the rim, where several vertices share one number if fans meet; or that of an
-  // added vertex
+  // For each mesh vertex, its number: in the rim (shared by several vertices if fans meet), or that of an added vertex
   std::vector<std::uint32_t> names_;
   std::vector<double> scales_;  // by number
   std::vector<std::array<std::uint32_t, 3>> between_;

@@ -1,4 +1,4 @@
-// What: solves linear equations of places in the sense of least squares; a sparse system.
+// What: solves a sparse system of linear equations of places by least squares.
 // Cost: about n^1.5 for n places on a surface.
 #pragma once
 

@@ -14,8 +14,8 @@ namespace rbpa::space {
 /// corner is not an index of a point.
 void check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
                          std::span<const double> radii);
-/// Checks alpha too, and returns the threads for that many points. Throws: in addition InvalidInput where alpha is no
-/// valid radius.
+/// Checks alpha too, and returns the threads for that many points. Throws: as above; InvalidInput if alpha is not above
+/// 0.
 Threads check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
                             std::span<const double> radii, double alpha, unsigned threads);
 

@@ -1,4 +1,4 @@
-// What: connected tetrahedra of a solid, and the check that a boundary belongs to a solid.
+// What: finds connected tetrahedra of a solid, and checks that a boundary belongs to a solid.
 // Cost: linear.
 #pragma once
 
@@ -46,7 +46,7 @@ inline meshops::DisjointSets connected_through_faces(const Solid& solid) {
 /// tetrahedra are connected through faces.
 /// Requires: tetrahedra connected through faces are joined already.
 inline void connect_through_points(std::size_t points, const SolidBoundary& boundary, meshops::DisjointSets& sets) {
-  std::vector<std::uint32_t> first(points, Solid::none);  // tetrahedron at each
+  std::vector<std::uint32_t> first(points, Solid::none);  // a tetrahedron at each point
   for (std::size_t t = 0; t < boundary.tetrahedra.size(); ++t)
     for (const std::uint32_t corner : boundary.surface.triangles[t]) {
       if (first[corner] == Solid::none) first[corner] = boundary.tetrahedra[t];

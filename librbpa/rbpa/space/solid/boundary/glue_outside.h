@@ -10,8 +10,8 @@
 
 namespace rbpa::space {
 
-/// Changes the neighbors of a boundary that is glued through the solid. Returns the number of edges that are missing
-/// from half of the number of sides, because several wedges of tetrahedra share an edge.
+/// Changes the neighbors of a boundary that is glued through the solid. Returns by how much the number of edges is
+/// below half of the number of sides, because several wedges of tetrahedra share an edge.
 /// Requires: a closed, linked boundary of these points.
 std::size_t glue_outside(std::span<const Point3> points, Surface& boundary);
 

@@ -1,8 +1,8 @@
-// What: volume, area and bounding box of the region that closed triangles enclose.
+// What: computes volume, area and bounding box of the region that closed triangles enclose.
 // Law:  sums are exact and rounded once, so that they do not depend on the order; solid_boundary.h has the bounds.
-// How:  the volume is a sum of determinants of corners. Where these are integer multiples of 2⁻⁶⁰ of the greatest
-//       coordinate, which is the usual case, it is a sum of integers; else a product of two numbers is two doubles, and
-//       a product of three is four terms of an ExactSum.
+// How:  the volume is a sum of determinants of corners. If coordinates are integer multiples of 2⁻⁶⁰ of the greatest
+//       one, as usual, it is a sum of integers; else a product of two numbers is two doubles, and a product of three is
+//       four terms of an ExactSum.
 // Cost: linear; an integer sum takes a tenth of the time.
 #pragma once
 
@@ -16,7 +16,7 @@
 namespace rbpa::space {
 
 struct ClosedMeasures {
-  double volume = 0;  ///< negative where the triangles face what they enclose
+  double volume = 0;  ///< negative if the triangles face the region that they enclose
   double area = 0;
   Point3 low, high;  ///< opposite corners of the box
   /// The least triangle by coordinates, from its lexicographically least corner on: independent of any numbering

@@ -1,10 +1,10 @@
-// What: components of the outside of a solid, computed from its boundary: the triangles that bound the same component,
-//       and counts.
+// What: finds the components of the outside of a solid from its boundary: which triangles bound the same component, and
+//       counts.
 // Law:  a function of the tetrahedra; exact.
 // How:  a regular neighborhood of the complex is bounded by closed surfaces, one for each component of the outside of a
-//       connected complex (Alexander duality). Such a surface passes through triangles that are glued through the
-//       outside, and around a point through all fans in the same region of its link's complement.
-//       docs/explanation/space.md, section 19.
+//       connected complex (Alexander duality). Such a surface passes triangles that are glued through the outside, and
+//       at a point all fans in the same region of the complement of the point's link. docs/explanation/space.md,
+//       section 19.
 // Cost: linear; where several fans meet at a point, linear in all tetrahedra around it.
 #pragma once
 

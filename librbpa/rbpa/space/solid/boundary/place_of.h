@@ -1,5 +1,5 @@
-// What: the place of a number in a row that contains it once. The place cannot be predicted, so the code does not
-//       branch.
+// What: finds the place of a number in a row that contains it once, without a branch, as processors could not predict
+//       it.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace rbpa::space {
 
-/// Returns the place of `value` in `row`, from 0; also 0 where the row does not contain it.
+/// Returns the place of `value` in `row`, from 0; 0 also if the row does not contain it.
 inline std::uint32_t place_of(std::uint32_t value, const std::array<std::uint32_t, 4>& row) {
   return static_cast<std::uint32_t>(row[1] == value) | static_cast<std::uint32_t>(row[2] == value) << 1U |
          static_cast<std::uint32_t>(row[3] == value) * 3U;

@@ -1,4 +1,4 @@
-// What: some of the tetrahedra of a solid, as a solid of their own.
+// What: makes some of the tetrahedra of a solid a solid of their own.
 // Cost: linear.
 #pragma once
 

@@ -1,10 +1,10 @@
-// What: finds which of the new tetrahedra are neighbors: two are when their outer faces share an edge.
+// What: finds which of the new tetrahedra that fill a cavity are neighbors: two are if their outer faces share an edge.
 // How:  a table from directed edges to faces. Both tetrahedra at an edge write to the edge in their own direction, then
 //       read the entry of the opposite direction, so that nothing has to be cleared.
 //
 //           write  (a, b) → across from c       read  (b, a)
 //
-// Cost: a store and a load for each edge; where the boundary has many vertices, the cost of a hash table.
+// Cost: a store and a load for each edge; with more than 128 vertices, that of a hash table.
 #pragma once
 
 #include <bit>

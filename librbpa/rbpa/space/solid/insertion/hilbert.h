@@ -24,7 +24,7 @@ struct HilbertStep {
 
 inline constexpr std::size_t hilbert_states = 24;  // 8 · axis + entry
 
-/// Returns the steps of every state, for each octant.
+/// Returns the steps, by state and by octant.
 constexpr std::array<std::array<HilbertStep, 8>, hilbert_states> hilbert_steps() {
   const auto turned = [](unsigned bits, unsigned by) { return (bits << by | bits >> (3 - by)) & 7U; };
   const auto gray = [](unsigned i) { return i ^ (i >> 1U); };

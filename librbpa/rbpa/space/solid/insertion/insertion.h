@@ -37,11 +37,11 @@ class Insertion {
   Insertion(std::span<const Point3> points, std::span<const Point3> scaled, const Spread& spread,
             std::span<const std::uint32_t> order);
 
-  /// Inserts the first four points of the order that are not in a plane, as vertices 1 to 4. Returns false, and makes
-  /// nothing, where there are none.
+  /// Inserts the first four points of the order that are not in a plane, as vertices 1 to 4. Returns false, and changes
+  /// nothing, if there are no such points.
   bool begin();
-  /// Inserts vertex v. Returns the number of tetrahedra that it made. Requires: after begin(), every other vertex up to
-  /// size(), ascending.
+  /// Inserts vertex v. Returns the number of new tetrahedra. Requires: begin() returned true; all vertices from 5 to
+  /// size() are inserted in ascending order.
   std::size_t insert(Vertex v);
 
   Vertex size() const { return static_cast<Vertex>(vertex_.size() - 1); }
@@ -52,8 +52,8 @@ class Insertion {
 
   std::span<const Tetrahedron> tetrahedra() const { return tetrahedra_; }
   bool is_deleted(std::uint32_t t) const { return error_[t].is_deleted(); }
-  /// Returns whether the circumradius of a tetrahedron is at most alpha. Requires: the tetrahedron is no ghost, alpha
-  /// is finite.
+  /// Returns whether the circumradius of a tetrahedron is at most alpha. Requires: the tetrahedron is no ghost; alpha
+  /// is finite, and `scaled_alpha` is alpha multiplied as the points.
   bool is_within(std::uint32_t t, double alpha, double scaled_alpha) const;
 
  private:

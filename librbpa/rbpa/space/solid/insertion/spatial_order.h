@@ -1,5 +1,5 @@
-// What:   the order in which points are inserted: rounds of random points, each eight times as large as the one before,
-//         each along a Hilbert curve.
+// What:   computes the order in which points are inserted: rounds of random points, each eight times as large as the
+//         round before and sorted along a Hilbert curve.
 // Why:    randomness keeps the number of tetrahedra that are made small on any input; rounds keep the walk from one
 //         point to the next short; the curve keeps the memory in use in the caches.
 // Law:    a function of the set of points. Each distinct point comes once, with its lowest index.
@@ -17,10 +17,10 @@
 
 namespace rbpa::space {
 
-/// Returns all points in the order of the Hilbert curve; equal points follow each other, the lowest index first. Calls
-/// `checkpoint`, if any, repeatedly; it may throw.
-/// Requires: finite points; `scaled`: the same points multiplied, whose differences do not overflow. Rounding in
-/// `scaled` affects only the order of points near each other.
+/// Returns the indices of all points in the order of the Hilbert curve; equal points follow each other, the lowest
+/// index first. Calls `checkpoint`, if any, repeatedly; it may throw.
+/// Requires: finite points; `scaled` has the points times a factor such that differences do not overflow. Rounding in
+///           `scaled` affects only the order of points near each other.
 std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, std::span<const Point3> scaled,
                                           const Checkpoint& checkpoint);
 

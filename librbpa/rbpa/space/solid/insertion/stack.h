@@ -1,5 +1,6 @@
 // What: a list to which values are added without a check of the capacity, after make_room().
-// Why:  whether a value is wanted cannot be predicted, so every value is written, and only wanted ones are counted.
+// Why:  processors cannot predict whether a value is wanted, so every value is written and only wanted ones are
+//       counted.
 #pragma once
 
 #include <array>
@@ -12,6 +13,7 @@ namespace rbpa::space {
 template <typename T>
 class Stack {
  public:
+  /// Makes room for `more` further values.
   void make_room(std::size_t more) {
     if (count_ + more > items_.size()) items_.resize(2 * (count_ + more));
   }

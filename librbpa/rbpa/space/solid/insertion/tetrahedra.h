@@ -23,7 +23,7 @@ using Face = std::uint32_t;
 struct alignas(64) Tetrahedron {
   SphereMinors minor;
   std::array<Vertex, 4> corner;
-  std::array<Face, 4> neighbor;  ///< the face across from each corner, as the neighbor has it
+  std::array<Face, 4> neighbor;  ///< the face across from each corner, named by the neighbor
 
   bool is_ghost() const {  // corner 3 is a point
     return corner[0] == at_infinity || corner[1] == at_infinity || corner[2] == at_infinity;

@@ -1,4 +1,4 @@
-// What: coordinates modulo the sides of a periodic box.
+// What: reduces coordinates modulo the sides of a periodic box.
 // Law:  the sides and all coordinates are multiples of a step. The step is chosen so that every image at most one box
 //       away is a double. Rounding moves a coordinate by at most 2⁻⁵² of the power of two above the side.
 #pragma once

@@ -15,14 +15,14 @@
 
 namespace rbpa::space {
 
-/// Tetrahedra, one a row, with points as a finder numbers them. A row has the corners, positively oriented, and across
-/// from each corner the row of the neighboring tetrahedron, or Solid::none.
+/// Tetrahedra with points as a finder numbers them. Row t of `corners` has the corners of tetrahedron t, positively
+/// oriented; row t of `neighbors` has the row across from each corner, or Solid::none.
 struct SolidRows {
   std::vector<Row> corners;             ///< its memory is reused for Solid::neighbors
   meshops::FreshVector<Row> neighbors;  ///< used only if neighbors are wanted
 };
 
-/// Throws InvalidInput where the faces of that many tetrahedra cannot be numbered with 32 bits.
+/// Throws InvalidInput for more tetrahedra than have faces that 32 bits can number: 2^30.
 void check_number_of(std::size_t tetrahedra);
 
 /// Fills in the simplices of `solid`, and the neighbors if they are wanted. `index` has the input index of each of the

@@ -1,5 +1,5 @@
-// What: faces of tetrahedra whose neighbor is unknown; finds pairs of them that are the same face.
-// How:  in buckets by their first corner.
+// What: links tetrahedra at faces whose neighbor is unknown, by finding pairs of equal faces.
+// How:  sorts the faces into buckets by their first corner.
 // Cost: linear, where few have the same first corner.
 #pragma once
 
@@ -28,8 +28,8 @@ inline BorderFace border_face(const Row& corners, std::uint32_t tetrahedron, std
   return {face, 4 * tetrahedron + static_cast<std::uint32_t>(k)};
 }
 
-/// Returns whether the corners of the face, in ascending order, are counter-clockwise seen from outside of the
-/// tetrahedron.
+/// Returns whether the corners of the face across from corner k, in ascending order, are counter-clockwise seen from
+/// outside of the tetrahedron.
 inline bool is_ascending_outside(const Row& corners, std::size_t k) {
   const auto& outer = outer_faces[k];
   const std::uint32_t a = corners[outer[0]], b = corners[outer[1]], c = corners[outer[2]];

@@ -1,12 +1,11 @@
-// What: candidates for the fourth corner of a tetrahedron at a point v: the points within reach whose stars are not
-//       finished.
+// What: finds candidates for the fourth corner of a tetrahedron at a point v: the points within reach whose stars are
+//       not finished.
 // How:  a block has the points in the cells around a cell, once for all points of the cell. Points of the block in a
 //       ball around v are candidates. Their offsets from v are in double precision to decide and in single precision to
 //       choose. The centers of balls through v, p and q are x/2 + t n; of the points above the plane the one with the
-//       least t is the fourth corner (docs/explanation/space.md, sections 8 to 10 has the quotients). The choice is
-//       certain if every other
-//       candidate is outside of its sphere by more than the error, and the sphere is within the ball of candidates: if
-//       its radius is at most half of the reach.
+//       least t is the fourth corner (quotients: docs/explanation/space.md, sections 8 to 10). The choice is certain if
+//       every other candidate is outside of its sphere by more than the error, and the sphere is within the ball of
+//       candidates: if its radius is at most half of the reach.
 #if defined(RBPA_SPACE_TILES_CANDIDATES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TILES_CANDIDATES_INL_H_
 #undef RBPA_SPACE_TILES_CANDIDATES_INL_H_
@@ -53,7 +52,7 @@ struct Sphere {
   double constant, slope;
 };
 
-/// A sphere, repeated in all lanes.
+/// A sphere, its numbers repeated in all lanes.
 class SphereLanes {
  public:
   HWY_INLINE explicit SphereLanes(const Sphere& sphere)
@@ -64,7 +63,7 @@ class SphereLanes {
         constant_(hn::Set(Doubles(), sphere.constant)) {}
 
   using Lanes = hn::Vec<Doubles>;
-  /// Returns a bit for each point that is certainly outside. Points are relative to v.
+  /// Returns a bit for each point that is certainly outside. Points are relative to v; `square` is |p|².
   HWY_INLINE std::uint64_t outside(Lanes x, Lanes y, Lanes z, Lanes square) const {
     const auto most = hn::MulAdd(x, x_, hn::MulAdd(y, y_, hn::MulAdd(z, z_, hn::MulAdd(square, square_, constant_))));
     return bits_of(Doubles(), hn::Lt(most, hn::Zero(Doubles())));
@@ -83,7 +82,7 @@ HWY_INLINE std::uint64_t lane_bits(const std::uint8_t* bits, std::size_t first) 
 /// The unfinished points in the cells around a cell.
 class Block {
  public:
-  /// The number of cells on each side of a cell.
+  /// The number of cells gathered on each side of a cell.
   static constexpr int cells = 2;
 
   /// Gathers the unfinished points in the cells around a cell and around `more` cells after it in its row. `open` has
@@ -133,7 +132,7 @@ class Block {
     }
   }
 
-  /// Calls visit(i) for each point that is not certainly outside of a sphere, which is relative to v.
+  /// Calls visit(i) for each point that is not certainly outside of a sphere. The sphere is relative to v.
   template <typename Visit>
   HWY_INLINE void for_each_not_outside(const Sphere& sphere, const Point3& v, Visit visit) const {
     const Doubles d;
@@ -172,8 +171,8 @@ class Candidates {
     if (lane_.size() < points) lane_.resize(2 * points);
   }
 
-  /// Collects the points of the block within `reach` of v, without v itself, relative to v. The unit of single
-  /// precision is 1 / inverse.
+  /// Collects the points of the block within `reach` of v, v excluded, relative to v. In single precision, lengths are
+  /// multiplied by `inverse`.
   HWY_INLINE void see(const Block& block, const Point3& v, double reach, double inverse) {
     if (block.count_ + 2 * single_lanes > dx_.size()) grow(block.count_);
     const Doubles d;
@@ -216,8 +215,9 @@ class Candidates {
   }
   Local id(std::size_t at) const { return static_cast<Local>(id_[at]); }
 
-  /// Returns the position of a point with nearly the least t, among those clearly above the plane; none if there is
-  /// none. All in units of single precision: n is a normal, `square` its square, and x is `square` times the x above.
+  /// Returns the position of a point with nearly the least t among the points clearly above the plane, or none. In
+  /// units of single precision, n is a normal of the plane, `square` its square, and `x` is `square` times the x at the
+  /// head.
   HWY_INLINE std::size_t least(const Vector3<float>& x, const Vector3<float>& n, float square) const {
     const Singles d;
     const SingleNumbers di;

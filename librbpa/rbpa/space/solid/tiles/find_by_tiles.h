@@ -1,5 +1,5 @@
-// What: finds the Delaunay tetrahedra of circumradius at most alpha, tile by tile. Those at points that no tile settles
-//       come from a triangulation of these points and their neighbors.
+// What: finds the Delaunay tetrahedra of circumradius at most alpha, tile by tile. Tetrahedra whose corners no tile
+//       settles come from a triangulation of these points.
 // Law:  exact and complete; each tetrahedron once (docs/explanation/space.md, sections 11 to 15).
 // Cost: about a microsecond a point, for points that fill a volume.
 #pragma once
@@ -30,14 +30,15 @@ struct TiledSolid {
 struct TileLimits {
   std::size_t points_in_leaf = 8192;
   double most_triangles_at_an_edge = 5;  ///< greatest Leaves::crowding(); beyond it, points are spread too unevenly
-  // Fractions of the points. More are allowed at first, when most of the tiles so far may be at the hull.
+  // Limits of the fraction of unsettled points; the second for the first quarter of the leaves, which may be at the
+  // hull.
   double most_unsettled = 0.25, most_unsettled_at_first = 0.5;
-  double most_exact = 8;  ///< exact decisions for each point
+  double most_exact = 8;  ///< exact decisions a point
 };
 
 /// Fills in `solid`. `alpha` and points are scaled by the spread, which is exact. `step(done, all)` is called for each
-/// tile, from any thread; it may throw.
-/// Returns false if it gave up, as too many points are at the hull or have balls larger than tiles.
+/// tile, from any thread; it may throw. Returns false if it gave up: too many points are at the hull, have balls larger
+/// than tiles, or need exact decisions.
 bool find_by_tiles(std::span<const Point3> points, const Spread& spread, double alpha, Threads& threads,
                    const std::function<void(std::size_t, std::size_t)>& step, TiledSolid& solid,
                    const TileLimits& limits = {});

@@ -1,8 +1,8 @@
-// What: the points of a leaf and those around it, in the leaf's cells: sufficient to find the tetrahedra at the leaf's
-//       points, unless their balls are large.
-// Law:  a point is in the tile if and only if its cell is within the tile's cells. So a point of the leaf that is far
-//       from most of the leaf may be outside. Points are in the order of cells.
-// Cost: some nanoseconds for each point visited; three times as many as the leaf has, where points are spread evenly.
+// What: gathers the points of a leaf and those around it, in the leaf's cells: enough to find the tetrahedra at the
+//       leaf's points, unless their balls are large.
+// Law:  a point is in the tile exactly if its cell is among the tile's cells; a point of the leaf far from most others
+//       may be outside. Points are in the order of cells.
+// Cost: some nanoseconds for each point visited: three times as many as the leaf has, if points are spread evenly.
 #pragma once
 
 #include <array>
@@ -57,7 +57,7 @@ class Tile {
  private:
   CellGrid grid_;
   std::array<int, 3> cells_{};
-  std::array<Range, 3> filled_{};  // by the box of all points
+  std::array<Range, 3> filled_{};  // the cells that the box of all points meets
   std::size_t size_ = 0;
   Place first_own_ = 0;
   std::size_t own_ = 0;

@@ -1,5 +1,5 @@
-// What: points in space in leaves of a k-d tree, each with some thousand points, and within a leaf in cubic cells that
-//       fit its density.
+// What: sorts points in space into leaves of a k-d tree, each of some thousand points, and within a leaf into cubic
+//       cells that fit its density.
 // Law:  equal points are one site, represented by the lowest index. The order of sites may depend on the order of the
 //       points; results computed from them do not.
 // Cost: a few comparisons for each point to build the tree, whose planes come from a sample; a counting sort for the
@@ -20,7 +20,8 @@
 
 namespace rbpa::space {
 
-/// A position among the points in the order of leaves and cells. Places of repeated points are no sites.
+/// A position among the points in the order of leaves and cells. A place is a site unless its point repeats an earlier
+/// one.
 using Place = std::uint32_t;
 
 /// Assigns points to cubic cells. The cell is a monotone function of each coordinate, so that any value between two
@@ -47,7 +48,7 @@ struct CellGrid {
 
 struct Leaf {
   Box box;        ///< of its points
-  CellGrid grid;  ///< its lower corner is that of a box of most of the points
+  CellGrid grid;  ///< its lower corner is that of a box around most of the points
   /// Number of cells along each axis. Points beyond are in the outermost cells.
   std::array<int, 3> cells{};
   Place first = 0, end = 0;  ///< its sites
@@ -57,8 +58,8 @@ struct Leaf {
 
 class Leaves {
  public:
-  /// Sorts the points. Requires: finite points that fit double (base/exact/magnitude.h), fewer than 2^32 − 1. A leaf
-  /// has about `points_in_leaf` points at most.
+  /// Sorts the points; a leaf has about `points_in_leaf` points at most. Requires: finite points that fit double
+  /// (base/exact/magnitude.h), fewer than 2^32 − 1.
   Leaves(std::span<const Point3> points, std::size_t points_in_leaf, Threads& threads);
 
   std::size_t size() const { return leaves_.size(); }
@@ -68,7 +69,7 @@ class Leaves {
   /// Returns the number of places; some are no sites.
   std::size_t places() const { return points_.size(); }
   std::size_t distinct() const { return distinct_; }
-  /// Returns the average number of points in the cell of a point: three where points are spread evenly at random.
+  /// Returns the average number of points in the cell of a point: three for points spread evenly at random.
   double crowding() const { return crowding_; }
   const Point3& point(Place place) const { return points_[place]; }
   /// Returns the input index of each place.

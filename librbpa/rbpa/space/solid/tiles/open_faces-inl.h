@@ -1,4 +1,5 @@
-// What: the faces of a tile's tetrahedra that wait for the tetrahedron on their other side, each at one of its corners.
+// What: keeps the faces of a tile's tetrahedra that wait for the tetrahedron on their other side, each face at one of
+//       its corners.
 // How:  each corner has room for fifteen faces in a line of keys, which are compared at once; further faces are in one
 //       list for all corners.
 //
@@ -101,8 +102,8 @@ class OpenFaces {
 
   bool empty(std::uint32_t v) const { return lines_[v].used == 0; }
 
-  /// Removes the same face if it waits at v from the other side, and returns the face that waited. Otherwise adds the
-  /// face, and returns `nobody`. The outcome cannot be predicted, so the code does not branch.
+  /// If the same face waits at v, seen from its other side, removes it and returns its OpenFace::face. Otherwise adds
+  /// `face` and returns `nobody`. Processors could not predict which, so the code does not branch.
   HWY_INLINE std::uint32_t close_or_add(std::uint32_t v, const OpenFace& face, std::uint32_t nobody) {
     const Entry entry(face);
     Line& line = lines_[v];

@@ -1,8 +1,8 @@
 // What: finds the apex: the fourth corner of the tetrahedron outside of a face at a point of a tile, and the sphere of
 //       the tetrahedron.
-// Law:  exact: no other point of the tile is in the sphere. Nothing is found where the ball may contain points beyond
-//       the tile, or the face is on the hull.
-// How:  choose the most probable candidate; if a point may be in its sphere, search exactly from there.
+// Law:  exact: no other point of the tile is in the sphere. No apex is found if the ball may contain points beyond the
+//       tile, or the face is on the hull.
+// How:  chooses the most probable candidate; if a point may be in its sphere, searches exactly from this candidate on.
 //       docs/explanation/space.md, sections 11 to 15.
 #if defined(RBPA_SPACE_TILES_APEX_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TILES_APEX_SEARCH_INL_H_
@@ -32,7 +32,7 @@ class ApexSearch {
  protected:
   ApexSearch(const Spread& spread, double alpha) : beyond_filter_(spread), alpha_(alpha) {}
 
-  /// Starts with the tile that was gathered.
+  /// Starts with the points in tile_, which are those of `leaf`.
   void start_tile(const Leaf& leaf) {
     const std::size_t size = tile_.size();
     inverse_ = leaf.grid.inverse;
@@ -44,7 +44,7 @@ class ApexSearch {
     open_bits_.assign(size / 8 + 2, 0xff);
     exact_ = 0;
   }
-  /// Starts with a point of the block that was gathered.
+  /// Starts with point v, whose neighborhood is in block_.
   void start_at(Local v) {
     at_ = v;
     v_ = point(v);
@@ -88,8 +88,8 @@ class ApexSearch {
             1.5 * weight};
   }
 
-  /// Returns whether the center is off by less than a hundredth of the radius: docs/explanation/space.md, sections 11
-  /// to 15.
+  /// Returns whether the center is off by less than a hundredth of the radius (docs/explanation/space.md, sections 11
+  /// to 15).
   HWY_INLINE static bool is_certain(const Sphere& sphere) { return -sphere.minor[3] > 0x1p10 * sphere.slope; }
 
   /// Returns a box that contains the ball. Requires: is_certain().
@@ -209,7 +209,7 @@ class ApexSearch {
   Tile tile_;
   Block block_;
   Candidates candidates_;
-  std::vector<std::uint8_t> open_bits_;  // one bit for each point: it is not finished
+  std::vector<std::uint8_t> open_bits_;  // one bit for each point, set while the point is not finished
   std::size_t exact_ = 0;
 
   // The current point.

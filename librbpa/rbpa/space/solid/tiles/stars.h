@@ -1,10 +1,10 @@
-// What: the Delaunay tetrahedra at the points of a tile, star by star.
+// What: finds the Delaunay tetrahedra at the points of a tile, star by star.
 // Law:  exact: a tetrahedron is found only if no other point is in its sphere, with rounding considered and ties
 //       perturbed. A point is settled if all tetrahedra at it are found. Where a ball is too large for the tile, and at
 //       the hull, points stay unsettled.
 // How:  points are completed in their order. A face with a tetrahedron on one side waits at the first of its corners
-//       that is not completed. There the tetrahedron on the other side is found; each of its faces closes a waiting
-//       face or waits. docs/explanation/space.md, sections 11 to 15.
+//       that is not completed. When this corner is completed, the tetrahedron on the other side is found; each of its
+//       faces closes a waiting face or waits itself. docs/explanation/space.md, sections 11 to 15.
 // Cost: about a tenth of a microsecond for each tetrahedron.
 #pragma once
 
@@ -28,7 +28,8 @@ struct Stars {
   std::vector<Row> neighbors;           ///< numbers of tetrahedra, or none
   std::vector<BorderFace> border;       ///< faces without a neighbor
   std::vector<Place> unsettled;         ///< the unsettled places of the leaf
-  /// Other tetrahedra with a corner in the leaf. The leaf contributes one if its corner is the first settled one.
+  /// Tetrahedra with a corner in the leaf whose least corner is no settled place of the leaf. If some corner is
+  /// unsettled, the leaf of the least settled corner contributes the tetrahedron.
   std::vector<Row> shared;
   std::vector<std::uint8_t> shared_is_within;
   std::size_t exact = 0;  ///< number of decisions that needed more than a filter

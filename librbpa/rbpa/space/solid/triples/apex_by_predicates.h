@@ -1,7 +1,7 @@
 // What: finds the fourth corner of the tetrahedron on a side of a triangle of sites, by predicates.
 // Law:  exact, under the symbolic perturbation (predicate/sphere.h).
-// How:  each point on the side that is inside the ball of the last one found replaces it: on that side the balls
-//       through the triangle grow from one to the next. In the end no point at all may be inside.
+// How:  each point on the side that is inside the ball of the apex so far becomes the apex: on that side the balls
+//       through the triangle grow from one apex to the next. In the end, no point at all may be inside.
 // Cost: linear in the number of points; for some of them a predicate of ten nanoseconds, or of microseconds where
 //       points are cospherical.
 #pragma once

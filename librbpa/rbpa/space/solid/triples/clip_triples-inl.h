@@ -1,12 +1,12 @@
-// What: a register of triangles (v, q, r), and the sides of each on which there may be a tetrahedron whose fourth
-//       corner comes after r.
-// Law:  conservative: a side that is left out has no tetrahedron. docs/explanation/space.md, sections 8 to 10 derives
+// What: finds, for a register of triangles (v, q, r), the sides of each on which there may be a tetrahedron whose
+//       fourth corner comes after r.
+// Law:  conservative: a side that is left out has no tetrahedron. docs/explanation/space.md, sections 8 to 10, derives
 //       the bounds.
 // How:  in units of alpha, with v at the origin: centers of balls through the triangle are x/2 + t n, with n = q × r
 //       and x = (|q|² r − |r|² q) × n / n². Such a ball contains p unless t b ≤ a, for a = p² − p · x and b = 2 p · n.
 //       Where the center is within one alpha, |t| |n| ≤ 1, so that a − t b is off by at most E = 300 u κ, κ = |q| |r| /
-//       |n|; 512 are used. So the t that all points leave are between L and U, from (a + E) / b, and an apex after r
-//       has no t before (a − E) / b.
+//       |n|; 512 are used. So the values of t that no point excludes are between L and U, which are given by (a + E) /
+//       b; an apex after r has no t before (a − E) / b.
 //
 //            L            A      U     T        t
 //       -----|------------|------|-----|------->    A: least (a − E) / b of a point after r. Tried if A ≤ U and L ≤ U.
@@ -165,17 +165,17 @@ class Triangles {
   Single error_;
 };
 
-/// Widens a value before a comparison, by more than the error of an approximate reciprocal.
+/// Raises or lowers a value before a comparison by 2⁻⁶ of its size: more than the error of an approximate reciprocal.
 HWY_INLINE Single raised(Single t) { return hn::MulAdd(hn::Set(Singles(), 0x1p-6f), hn::Abs(t), t); }
 HWY_INLINE Single lowered(Single t) { return hn::NegMulAdd(hn::Set(Singles(), 0x1p-6f), hn::Abs(t), t); }
 
-/// Pairs for whose triangles the points leave part of the line of centers, between L and U.
+/// Pairs on whose line of centers the points leave a part, between L and U.
 class OpenTriangles {
  public:
   void clear() { count_ = 0; }
   std::size_t size() const { return count_; }
 
-  /// Appends the open ones of a register of pairs; only the first `used` pairs are valid.
+  /// Appends the open pairs of a register; only the first `used` pairs of it are valid.
   template <int kRegisters>
   HWY_INLINE void append(const NearPoints& near, const std::int32_t* pairs, std::size_t used) {
     const Singles d;

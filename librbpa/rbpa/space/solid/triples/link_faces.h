@@ -2,7 +2,7 @@
 // How:  a face belongs to its least corner. Rows are sorted by their first corners, so that most faces of a corner are
 //       in the rows that begin with it; the faces across from a row's first corner are distributed by counting. The few
 //       faces of each corner are sorted.
-// Law:  does not depend on the number of threads.
+// Law:  the result does not depend on the number of threads.
 // Cost: some ten nanoseconds for each face; 12 bytes for each tetrahedron in addition to the result.
 #pragma once
 

@@ -1,5 +1,5 @@
-// What: the points near a point, those after it in the order of sites first, in single and double precision. Compiled
-//       once for each kind of vector unit: Highway's toggle is the include guard.
+// What: gathers the points near a point, those after it in the order of sites first, in single and double precision.
+//       Compiled once for each kind of vector unit: Highway's toggle is the include guard.
 #if defined(RBPA_SPACE_TRIPLES_NEAR_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TRIPLES_NEAR_POINTS_INL_H_
 #undef RBPA_SPACE_TRIPLES_NEAR_POINTS_INL_H_
@@ -28,7 +28,8 @@ using Doubles = hn::CappedTag<double, 8>;
 using DoubleNumbers = hn::RebindToSigned<Doubles>;
 inline constexpr std::size_t single_lanes = hn::MaxLanes(Singles()), double_lanes = hn::MaxLanes(Doubles());
 
-/// The sites in the cells around a cell, in their order. Arrays are readable up to one register beyond their ends.
+/// The sites in the cells around a cell, in the order of sites. Arrays are readable up to one register beyond their
+/// ends.
 class Block {
  public:
   explicit Block(double alpha) : inverse_(1 / alpha) {}

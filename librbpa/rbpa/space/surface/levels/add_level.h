@@ -1,5 +1,5 @@
 // What: adds the triangles of one more radius to a surface of smaller radii.
-// Law:  at an open point the result has the triangles and the gluing that surface() by all these radii has there.
+// Law:  at an open point, the result has the triangles and the gluing of surface() by all these radii.
 // Cost: that of surface() of the points near open points that are not interior; a sort of the triangles.
 #pragma once
 
@@ -12,10 +12,9 @@
 
 namespace rbpa::space {
 
-/// Adds the triangles of `radius` with level `number`, which is greater than all levels of the surface. Around a point
-/// that is not open, triangles without an open corner may be wrong.
-/// Requires: a surface with levels, sorted as by surface(); `open`: for each point whether it is open. Of equal points
-/// the first decides.
+/// Adds the triangles of `radius` with level `number`. Triangles without an open corner may be missing or wrong.
+/// Requires: a surface with levels below `number`, sorted as by surface(); `open` has for each point whether it is
+///           open, and of equal points the first decides.
 void add_level(std::span<const Point3> points, std::span<const Point3> normals, std::uint32_t number, double radius,
                std::vector<std::uint8_t> open, Surface& surface, const SurfaceOptions& options);
 

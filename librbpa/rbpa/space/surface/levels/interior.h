@@ -1,6 +1,5 @@
-// What: the interior points and edges of a surface: no other triangle can be glued there.
-// Law:  a point is interior when one of the fans of triangles around it is closed, an edge when two sides are glued
-//       there.
+// What: finds the interior points and edges of a surface, at which no other triangle can be glued.
+// Law:  a point is interior if a fan of triangles around it is closed, an edge if two sides are glued along it.
 // Cost: linear, and a sort of the edges near the boundary.
 #pragma once
 
@@ -20,7 +19,8 @@ class Interior {
   bool has_point(std::uint32_t point) const { return points_[point] != 0; }
   /// Requires: neither end is an interior point.
   bool has_edge(std::uint32_t from, std::uint32_t to) const;
-  const std::vector<std::uint8_t>& points() const { return points_; }  ///< by index; not 0 for interior points
+  /// For each point by index: not 0 if it is interior.
+  const std::vector<std::uint8_t>& points() const { return points_; }
 
  private:
   std::vector<std::uint8_t> points_;

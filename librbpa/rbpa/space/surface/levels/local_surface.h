@@ -1,5 +1,5 @@
-// What: the part of a surface near some of its points, as a surface of its own points.
-// Law:  a wanted point has all its triangles in the part, glued as in the whole.
+// What: extracts the part of a surface near some of its points, with points numbered anew.
+// Law:  the part has all triangles at the wanted points, glued as in the whole.
 // Cost: linear in the surface once; then linear in the part, times a logarithm.
 #pragma once
 
@@ -30,7 +30,7 @@ class LocalSurfaces {
 
   /// Returns the part around `points`: these points, the triangles with a corner among them, and the corners of these
   /// triangles.
-  /// Requires: ascending indices; equal points are all given or none of them.
+  /// Requires: ascending indices; of equal points, all or none.
   LocalSurface at(std::span<const std::uint32_t> points) const;
 
   const std::array<std::uint32_t, 3>& corners_of(std::uint32_t triangle) const { return surface_.triangles[triangle]; }

@@ -18,8 +18,8 @@ class NeighborhoodFinder {
  public:
   NeighborhoodFinder(std::span<const Point3> points, double radius);
 
-  /// Returns, ascending, all points that a ball of the radius can touch or contain while it touches a wanted point; and
-  /// possibly other points. Of equal points it returns all or none.
+  /// Returns the indices, ascending, of all points that a ball of the radius can touch or contain while it touches a
+  /// wanted point, and possibly of others. Of equal points it returns all or none.
   std::vector<std::uint32_t> around(std::span<const std::uint32_t> wanted) const;
 
  private:

@@ -14,7 +14,7 @@ namespace rbpa::space {
 
 inline TriangleArrays arrays_of(const Surface& surface) { return {surface.triangles, surface.neighbors}; }
 
-/// Returns the triangles t with keep(t), glued among each other.
+/// Returns the triangles t for which keep(t) is true, glued among each other.
 template <typename Keep>
 Surface part_of(const Surface& surface, const Keep& keep) {
   Surface part;

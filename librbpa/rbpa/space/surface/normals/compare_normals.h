@@ -7,13 +7,13 @@
 namespace rbpa::space {
 
 struct NormalComparison {
-  double agreement;  ///< above 0: normals on the same side; below 0: on different sides; 1 and −1 are certain
+  double agreement;  ///< above 0: normals on the same side; below 0: on different sides; ±1: certainly
   double tilt;       ///< 0 where the edge lies in both planes, 2 where it is perpendicular to both
 };
 
-/// Compares normal m at p with normal n at q. At the ends of a circular arc the normals are reflections of each other
-/// across the plane in the middle; so one is reflected before the comparison. The result: opposite sides through a thin
-/// sheet, the same side around a sharp edge.
+/// Compares normal m at p with normal n at q, one of them reflected across the plane in the middle between p and q: at
+/// the ends of a circular arc, normals are such reflections. So outward normals agree, both on the two sides of a thin
+/// sheet and around a sharp edge.
 template <typename Real>
 NormalComparison compare_normals(const Point3& p, const Point3& m, const Point3& q, const Point3& n) {
   const Real x = Real(q.x) - Real(p.x), y = Real(q.y) - Real(p.y), z = Real(q.z) - Real(p.z);

@@ -1,5 +1,5 @@
-// What: the nearest others of each point of a set, by the k-d tree of nanoflann. Where these are on one line, as on the
-//       lines of a scanner, points that are farther from each other are chosen.
+// What: finds the nearest others of each point of a set, by the k-d tree of nanoflann. If these are on one line, as on
+//       the lines of a scanner, it chooses points farther from each other.
 // Law:  the order is by rounded squared distance, then lexicographically by point. Points are renumbered in the order
 //       of the tree's leaves, so that near points have near numbers: a function of the set of points.
 // Cost: O(n log n); about 30 times as much at points for which a wider neighborhood is searched.
@@ -30,18 +30,17 @@ struct Neighborhoods {
 /// for each i; the last call for i sees the final neighborhood.
 using SpansPlane = std::function<bool(const Neighborhoods&, std::size_t i)>;
 
-/// Returns the `count` nearest others of each point, or all where there are fewer. Differences and squares are of type
-/// Real. Where the nearest do not span a plane, the result has as many of the nearest 8 `count` or 16 `count`: the
-/// nearest two and others that are far from each other. Where these do not span a plane either, the result has the
-/// nearest again.
-/// Calls go_on(), if any, repeatedly, one call at a time.
+/// Returns the `count` nearest others of each point, or all if there are fewer. Differences and squares are of type
+/// Real. If the nearest do not span a plane, the result has `count` of the nearest 8 · count, or else 16 · count: the
+/// two nearest, and others that are far from each other. If none of these choices spans a plane, the result has the
+/// nearest. Calls go_on(), if any, repeatedly, one call at a time.
 /// Requires: distinct points, ascending, at least one; no square of a difference overflows, or underflows to 0.
 template <typename Real>
 Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads, const Checkpoint& go_on,
                            const SpansPlane& spans_plane = {});
 
-/// Returns the spacing: the median over the points of the distance between neighbors in a square grid with as many
-/// points per area.
+/// Returns the spacing: the median over the points of the mesh width of a square grid with as many points per area as
+/// there are around the point.
 /// Requires: at least one point, with nearest others.
 double spacing_of(const Neighborhoods& near);
 

@@ -1,4 +1,4 @@
-// What: the plane that fits a point and its nearest others, by the eigenvectors of their covariance (Eigen).
+// What: fits a plane to a point and its nearest others, by the eigenvectors of their covariance (Eigen).
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@ namespace rbpa::space {
 
 struct Plane {
   Point3 normal;
-  /// Roundness of the points along the plane: 1 in a disc, 0 on a line; the ratio of the two greater eigenvalues
+  /// Roundness of the points along the plane, the ratio of the two greater eigenvalues: 1 in a disc, 0 on a line.
   double roundness;
-  /// Confidence in the plane: 1 in a plane, 0 in a ball or on a line; 1 − the ratio of the two smaller eigenvalues
+  /// Confidence in the plane, 1 − the ratio of the two smaller eigenvalues: 1 in a plane, 0 in a ball or on a line.
   double flatness;
 
-  /// Returns whether the points determine the plane. At the straight rim of a sheet roundness is 0.28; on scan lines
-  /// that are farther from each other than eight points along them it is about 0.
+  /// Returns whether the points determine the plane. Roundness is 0.28 at the straight rim of a sheet, and about 0 on
+  /// scan lines that are farther from each other than eight points along them.
   bool is_certain() const { return roundness >= 0.03; }
 };
 
@@ -35,9 +35,9 @@ struct PlanesOfPoints {
   std::vector<double> flatness;  ///< of each point, by positions in `near`
 };
 
-/// Fits planes to the points and their `count` nearest others. Where `count` is 8 or more and the nearest are nearly on
-/// a line, wider neighborhoods are used (find_nearest()); fewer than 8 are often on a line, and are kept. Requirements
-/// and calls of go_on() are those of find_nearest().
+/// Fits planes to the points and their `count` nearest others. If these are nearly on a line and at least 8, wider
+/// neighborhoods are used (find_nearest()); fewer than 8 points are on a line too often for that. Requirements and
+/// calls of go_on() are those of find_nearest().
 template <typename Real>
 PlanesOfPoints fit_planes(std::vector<Point3> points, std::size_t count, Threads& threads, const Checkpoint& go_on);
 

@@ -16,17 +16,17 @@
 
 namespace rbpa::space {
 
-/// A spanning tree of the points, with an additional root whose number is the number of points. The tree of the points
-/// begins at the children of the root.
+/// A spanning tree of the points and of an additional root, whose number is the number of points. The children of the
+/// root are the points at which the tree begins.
 struct OrientationTree {
   std::vector<std::uint32_t> order;   ///< the root and all points; each comes after its parent
   std::vector<std::uint32_t> parent;  ///< of each point, and of the root itself
 };
 
-/// Turns the normals, one for each point of the neighborhoods, to one side, as estimate_normals() describes. `sides` is
-/// empty or has for each point its outer side, as outer_sides() returns it, or 0: the tree begins at the points whose
-/// side is not 0, and in a component of the graph without such points at an extreme point. Calls go_on(), if any,
-/// repeatedly. Returns the tree.
+/// Turns the normals, one for each point of the neighborhoods, to one side, as estimate_normals() describes, and
+/// returns the tree. `sides` is empty, or has for each point OuterSides::side: the tree begins at the points whose side
+/// is not 0, and in a component of the graph without such points at an extreme point. Calls go_on(), if any,
+/// repeatedly.
 template <typename Real>
 OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> normals, const Checkpoint& go_on,
                                std::span<const std::int8_t> sides = {});

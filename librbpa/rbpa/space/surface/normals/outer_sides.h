@@ -1,6 +1,6 @@
-// What: the side of its plane that each point of a closed surface shows to a ball outside. The tree of orient_normals()
-//       errs where the two sides of a body are nearer to each other than the points are, because neighbors do not
-//       determine the side there.
+// What: finds the side of its plane that each point of a closed surface shows to a ball outside. The tree of
+//       orient_normals() errs where the two sides of a body are nearer to each other than the points are, as neighbors
+//       do not determine the side there.
 // How:  the exposed triangles of the outer shells face outward. The normals of the triangles at a point, weighted by
 //       area, are summed. The sum is on one side of the point's plane where the surface is closed, and near 0 where the
 //       ball touches both sides of an open surface. The first ball has a radius of 8 spacings and passes through no
@@ -24,13 +24,13 @@ namespace rbpa::space {
 
 /// The outer side of each point.
 struct OuterSides {
-  /// 1: the side of its normal is outside; −1: the other side; 0: not known, or the normals of its component are
-  /// right
+  /// For each point, 1: its normal points outward; −1: inward; 0: not known, or the normals of the component are right.
   std::vector<std::int8_t> side;
-  /// The component of the triangles' sum along the normal, divided by their area; 0 where the side is 0
+  /// For each point, the absolute sum of the triangles' normals along its normal, divided by their area; 0 if the side
+  /// is 0.
   std::vector<double> vote;
 
-  bool empty() const { return side.empty(); }  ///< all sides are 0
+  bool empty() const { return side.empty(); }  ///< whether all sides are 0
 };
 
 /// Finds the outer sides. Requires: unit normals, in the order of the neighborhoods. Throws: Cancelled.

@@ -95,8 +95,7 @@ std::vector<double> side_confidence(const Neighborhoods& near, std::span<const P
     up.sum += below[r].sum;
     up.all += below[r].all;
   }
-  // The confidence of each vertex, starting from the middle of its part of the tree: the vertex at which no cut
-  // separates more than half of the part.
+  // The confidence of each vertex, starting from the middle of its part of the tree.
   std::vector<double> by_rank(size + std::size_t{1}, -1), confidence(size);
   for (Number r = 1; r <= size; ++r)
     if (paths.parent(r) == 0) {

@@ -1,12 +1,12 @@
-// What:   rolls the ball all the way around an edge: the arcs on which it contains no point, and the triangles at their
-//         ends.
+// What:   rolls the ball all the way around an edge, and finds the arcs on which it contains no point, and the
+//         triangles at their ends.
 // Law:    exact. Each free arc of the circle of its centers is reported once, with the exposed triangle at its
 //         beginning and the one at its end. A function of the edge and the set of points. docs/explanation/surfaces.md,
 //         section 12.
-// How:    where the ball leaves a point, it may contain another one: the search then continues where it leaves that
-//         one. Where it contains none, it is free until it touches the first point.
-// Cost:   at most edges no arc is free. This takes a few balls, each tested against points until it contains one. Each
-//         free arc takes two passes over all points.
+// How:    where the ball leaves a point, it may contain another one: the search then continues where it leaves this
+//         other point. If it contains none, it is free until it touches the next point.
+// Cost:   two passes over all points for each free arc. Most edges have none, which takes a few balls, each tested
+//         against points until it contains one.
 #pragma once
 
 #include <cstddef>
@@ -42,14 +42,14 @@ class EdgeRoll {
   }
 
  private:
-  /// Returns the ball as it leaves p: it rests on (a, b, p). coming_to(): as it comes to p, on (b, a, p).
+  /// Returns the ball as it leaves p: it rests on (a, b, p). coming_to() returns it as it comes to p: on (b, a, p).
   Ball<Real> leaving(std::size_t p) const { return Ball<Real>(a_, points_[b_], points_[p], radius_); }
   Ball<Real> coming_to(std::size_t p) const { return Ball<Real>(points_[b_], a_, points_[p], radius_); }
 
   /// Returns the least position of a point that lies in the ball, other than p and b; `none` if there is no such
   /// point. Requires: the ball rests on p.
   std::size_t holder(const Ball<Real>& ball, std::size_t p) const;
-  /// Returns a point that the ball leaves into a free arc, or none.
+  /// Returns the position of a point that the ball leaves into a free arc, or none.
   std::size_t first_left_free() const;
   /// Returns the first such point after the ball has come to `from`. Requires: there is one.
   std::size_t next_left_free(std::size_t from) const;

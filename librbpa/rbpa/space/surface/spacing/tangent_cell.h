@@ -1,4 +1,4 @@
-// What: the largest gap between a point and its neighbors, in the plane that fits them.
+// What: measures the largest gap between a point and its neighbors, in the plane that fits them.
 // Law:  a function of the list of neighbors, in rounded numbers; no exact decision depends on it.
 // How:  the plane cuts the point's Voronoi cell; the corners of the section are the centers of the gaps.
 #pragma once
@@ -11,7 +11,7 @@
 namespace rbpa::space {
 
 /// Returns the distance to the farthest corner of the section: about the circumradius of the largest triangle around
-/// the point. Returns nothing where it is beyond `reach`, as at the end of a surface.
+/// the point. Returns nothing if the distance is above `reach`, as at the end of a surface.
 /// Requires: neighbors relative to the point, none at it, the farthest last; a unit normal; no square overflows or
 /// underflows.
 std::optional<double> gap_around(std::span<const Point3> neighbors, const Point3& normal, double reach);

@@ -1,6 +1,7 @@
-// What: the two balls of the radius that touch v, p and q: the circles of p and q cross at their centers, on the sphere
-//       of centers around v. For one pair of points, or for as many pairs as a vector has lanes.
-// Law:  centers come with a bound of their error. docs/explanation/surfaces.md, sections 14 and 15.
+// What: computes the two balls of the radius that touch v, p and q. On the sphere of centers of balls that touch v, the
+//       circles of p and q cross at the centers of these two. For one pair of points, or for as many pairs as a vector
+//       has lanes.
+// Law:  centers have a bound of their error. docs/explanation/surfaces.md, sections 14 and 15.
 // How:  relative to v, with n = p × q and D = 4r²n² − p²q²(p − q)², the centers are
 //
 //           (p² (q × n) + q² (n × p) ± √D n) / 2n²

@@ -1,5 +1,5 @@
-// What: the union of the caps subtracted from the sphere of a ball's centers: tests whether it covers a point, a circle
-//       or a great circle.
+// What: keeps the caps that are subtracted from the sphere of a ball's centers, and tests whether their union covers a
+//       point, a circle or a great circle.
 // Law:  "yes" is certain; "no" means that it could not be shown. Compiled once for each kind of vector unit: Highway's
 //       toggle is the include guard.
 #if defined(RBPA_SPACE_STAR_CAP_UNION_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -30,8 +30,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 class CapUnion {
  public:
   using Vector = Vector3<double>;
-  /// The greatest number of caps. A region bounded by more caps is lost. A smooth surface needs about ten, a dense
-  /// cluster some thousand.
+  /// Maximum number of caps; a region bounded by more is lost. A smooth surface needs about ten, a dense cluster some
+  /// thousand.
   static constexpr std::size_t most = 32767;
 
   void reset(double radius) {
@@ -78,9 +78,8 @@ class CapUnion {
     return has_circle(p) && misses(place_on_circle(p), limits::slack * radius_);
   }
 
-  /// Removes the caps that p's cap contains: they cover nothing any more. Returns false where containment is not
-  /// certain for some cap; then the caps may not be used further. Requires: p's circle is free, so that every other cap
-  /// is disjoint from p's.
+  /// Removes the caps that lie within p's cap. Returns false if this is not certain for some cap; then the caps may not
+  /// be used further. Requires: p's circle is free, so that every other cap is disjoint from p's.
   bool forget_within(const Neighbor& p) {
     for (std::size_t i = 0; i < count_; ++i) {
       if (points_[i].power == forgotten) continue;
@@ -142,7 +141,7 @@ class CapUnion {
         hn::MulAdd(hn::LoadU(d, &y_[i]), hn::Set(d, w.y), hn::Mul(hn::LoadU(d, &z_[i]), hn::Set(d, w.z))));
   }
 
-  /// Grows the arrays to sizes of whole vectors.
+  /// Grows the arrays; their sizes remain multiples of a vector.
   void grow() {
     const std::size_t size = std::max<std::size_t>(256, 2 * points_.size());
     points_.resize(size);

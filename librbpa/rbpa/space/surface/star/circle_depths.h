@@ -1,5 +1,5 @@
-// What: the depth of one point's circle, which contains the centers of the balls that touch the point, in the cap of
-//       another point.
+// What: computes how deep the circle of a point, on which the centers of balls that touch it lie, reaches into the cap
+//       of another point.
 // Law:  correct within the errors that limits.h allows.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace rbpa::space {
 
-/// The extremes of c · p − p²/2 for all c on the circle of q; along the circle it is a cosine.
+/// The extremes of the depth c · p − p²/2 for all c on the circle of q, along which the depth is a cosine.
 struct CircleDepths {
   double greatest, least, error;
 };

@@ -1,5 +1,5 @@
-// What: the exposed triangles at some of many points.
-// Law:  exposed_triangles() returns the same triangles, with the same rolls between them.
+// What: finds the exposed triangles at some of many points.
+// Law:  the triangles, and the rolls between them, are those of exposed_triangles().
 // Cost: that of the rings of these points, and of the cells of all points.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What: the rings of exposed triangles around sites.
+// What: finds the rings of exposed triangles around sites.
 // Law:  exact and complete: all exposed triangles at each site, and the triangles to which the ball rolls from each.
 // How:  1. gather the sites in the cells around a cell, once for all sites in it (surroundings-inl.h);
 //       2. find the free region of the ball at each site, by caps (free_region-inl.h), and read the rings off its

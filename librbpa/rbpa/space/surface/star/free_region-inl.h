@@ -1,5 +1,6 @@
-// What: the free region: possible centers of a ball that touches a point v and contains no other point. It is the
-//       sphere of centers around v without one cap for each other point. Its corners are the exposed triangles at v.
+// What: computes the free region: the possible centers of a ball that touches a point v and contains no other point.
+//       The region is the sphere of centers around v less one cap for each other point. Its corners are the exposed
+//       triangles at v.
 // Law:  exact: each sign is certain, or decided by Ball::contains(). Where neither is possible the region is lost, and
 //       false is returned. docs/explanation/surfaces.md, section 13.
 // How:  caps are subtracted one after the other (cut()) from the cycles of arcs that bound the region. An arc is part
@@ -69,8 +70,7 @@ class FreeRegion {
     return true;
   }
 
-  /// Returns the number of caps that bound the region or have bounded it. While this number is constant, the region is
-  /// unchanged.
+  /// Returns the number of caps that bound the region or have bounded it. The region changes only if this number does.
   std::size_t caps() const { return caps_.count(); }
 
   /// Returns whether the region is empty, whatever is subtracted later.
@@ -89,9 +89,9 @@ class FreeRegion {
            retry_waiting(is_in_ball, [&](const Neighbor& q) { return !crossing_of(p, q, radius_).is_impossible; });
   }
 
-  /// Finishes the region. To be called after all caps are subtracted: waiting caps are tried again until none changes
-  /// anything. The circles of those that remain cross nothing, so no triangle is on them. Returns false when the region
-  /// is lost.
+  /// Finishes the region: tries waiting caps again until none changes anything. The circles of the caps that still wait
+  /// cross nothing, so no triangle is on them. Returns false when the region is lost. Requires: all caps are
+  /// subtracted.
   template <typename IsInBall>
   bool finish(IsInBall is_in_ball) {
     for (std::size_t before = waiting_.count() + 1;
@@ -111,7 +111,7 @@ class FreeRegion {
     for (std::uint64_t left = boundary_.live(), part = 0; left != 0 && bound.is_bounded(); left &= ~part) {
       Vector sum = {0, 0, 0};
       part = boundary_.for_each_in_cycle(std::countr_zero(left), [&](int k) { sum = plus(sum, boundary_.corner(k)); });
-      // Coverage only grows, so this remains true.
+      // Coverage only grows, so that is_parted_ remains true.
       is_parted_ = is_parted_ || caps_.covers_great_circle(sum);
       if (is_parted_)
         bound.add(corners, part, sum);

@@ -1,5 +1,5 @@
-// What: the corners and arcs of the free region after the caps of a few points have been subtracted, all at once.
-// Law:  every sign is certain; where one is not, find() returns false. docs/explanation/surfaces.md, section 13.
+// What: finds the corners and arcs of the free region after the caps of a few points, all subtracted at once.
+// Law:  every sign is certain; otherwise find() returns false. docs/explanation/surfaces.md, section 13.
 // How:  1. cross the circles of each pair of points (ball_pair-inl.h), in vector lanes;
 //       2. drop the crossings that some other cap covers: the rest are the corners;
 //       3. from each corner follow its circle to the next corner on it: these are the arcs.

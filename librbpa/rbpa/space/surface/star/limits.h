@@ -1,5 +1,5 @@
-// What: the distances from a tie beyond which the sign of a rounded number is certain, and their derivation
-//       (docs/explanation/surfaces.md, section 15). A sign nearer to a tie is decided by exact arithmetic; where that is
+// What: derives the distances from a tie beyond which the sign of a rounded number is certain
+//       (docs/explanation/surfaces.md, section 15). A sign nearer to a tie is decided by exact arithmetic. If that is
 //       not possible, the free region of the site is given up, and the ball rolls about every edge at the site.
 #pragma once
 

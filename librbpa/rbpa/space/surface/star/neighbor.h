@@ -15,7 +15,7 @@ inline Vector3<double> scaled(const Vector3<double>& u, double s) { return {u.x 
 /// · at > power.
 struct Neighbor {
   Vector3<double> at;  // relative to v
-  double power;        // half the square of its distance
+  double power;        // half the square of its distance from v
   double length;       // its distance
   std::size_t site;
 

@@ -1,4 +1,4 @@
-// What: the boundary of a free region: cycles of corners and of the arcs between them, on the sphere of a ball's
+// What: keeps the boundary of a free region: cycles of corners and of the arcs between them, on the sphere of a ball's
 //       centers.
 // Law:  arcs are shorter than 120 degrees; where necessary, corners that are not triangles divide them.
 //       docs/explanation/surfaces.md, section 13.
@@ -46,7 +46,7 @@ class RegionBoundary {
     top_ = 0;
   }
 
-  /// Returns the existing corners, which are also the existing arcs.
+  /// Returns the set of existing corners, which is also the set of existing arcs.
   std::uint64_t live() const { return live_; }
   /// Returns the cap `about` of corner k: the ball rests on (v, about, left) there, and the arc from k is on the circle
   /// of `about`. Both are numbers of caps; `left` is none where the corner is not a triangle.
@@ -132,7 +132,7 @@ class RegionBoundary {
       if (sine > 2 * limits::slack * q.length * square && cosine > -square / 2) return true;
       const double angle = pseudo_angle(sine / q.length, cosine);
       if (angle < 1 || (angle < 2 && cosine > -square / 2)) return true;
-      // The corner is off the middle, where the circles of symmetric points would meet it.
+      // The new corner is not in the middle, where circles of symmetric points would pass through it.
       Vector m;
       if (cosine < -0.9 * square) {
         m = scaled(cross(q.at, u), 1 / q.length);

@@ -44,11 +44,10 @@ class SurfaceAssembly {
     return static_cast<Site>(std::min((part + 1) * part_size, cells_.sites().size()));
   }
 
-  /// Adds the triangles of a part for which keep(v, x, y) returns true; it is called once for each triangle. A cycle is
-  /// stored if is_needed(v, cycle), which may be false only if no triangle of the cycle is kept. Parts may be added in
-  /// any order, by any thread. `scratch` is overwritten; each thread has its own, so that long-lived memory is not
-  /// fragmented.
-  /// Returns the number of triangles added.
+  /// Adds the triangles of a part for which keep(v, x, y) returns true; keep() is called once for each triangle. A
+  /// cycle is stored if is_needed(v, cycle) returns true; it must do so if a triangle of the cycle is kept. Parts may
+  /// be added in any order, by any thread. `scratch` is overwritten; each thread has its own, so that long-lived memory
+  /// is not fragmented. Returns the number of triangles added.
   template <typename Keep, typename IsNeeded>
   std::size_t add(std::size_t part, const Rings& rings, Keep keep, IsNeeded is_needed, Part& scratch);
 

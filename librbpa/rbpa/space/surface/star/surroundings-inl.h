@@ -1,4 +1,4 @@
-// What: the sites in the cells around a cell, and those among them that can change the free region of a site.
+// What: gathers the sites in the cells around a cell, and selects those that can change the free region of a site.
 // Law:  single precision, rounded to the safe side: a site that is left out changes nothing.
 //       docs/explanation/surfaces.md, section 13.
 // How:  offsets from one of the sites, in radii, one array for each coordinate. Compiled once for each kind of vector
@@ -69,9 +69,9 @@ class Surroundings {
     return {{near_.data(), near}, all};
   }
 
-  /// Calls visit(site) for the sites whose squared distance from the v of the last within() is above `from` and at most
-  /// `to`, in squared radii, and whose cap may meet a cone of the bound. visit() may shrink the bound meanwhile.
-  /// Stops and returns false when visit() returns false.
+  /// Calls visit(site) for the sites whose squared distance from v of the last within() is above `from` and at most
+  /// `to`, in squared radii, and whose cap may meet a cone of the bound; visit() may shrink the bound. Stops and
+  /// returns false when visit() returns false.
   template <typename Visit>
   bool for_each_candidate(const BoundingCones& bound, float from, float to, Visit visit) {
     // A vector of at most 16 sites is tested against each cone: lane k is the site i + k, relative to v.

@@ -1,5 +1,5 @@
-// What: points whose circles are free as a whole. Each bounds the free region but has no corner; its cap is not
-//       subtracted yet.
+// What: keeps the points whose circles are free as a whole. Such a circle bounds the free region but has no corner; its
+//       cap is not subtracted yet.
 // Law:  no two of the circles cross, and no cap is inside another. The nearest point is first.
 #pragma once
 
