@@ -53,7 +53,8 @@ TEST_SUITE("solid box") {
         "--stats "
         "s.json");
     REQUIRE(outcome.code == 0);
-    CHECK(outcome.err.find("1 solid component, 0 closed voids, 1 channel, volume ") != std::string::npos);
+    CHECK(outcome.err.find("1 solid component, 0 closed voids, 1 void that percolates in 1 direction, volume ") !=
+          std::string::npos);
     CHECK(outcome.err.find("(voids of the full complex) -> t.vtu, t.npy, t.png, b.ply, v.csv\n") != std::string::npos);
     const json report = json::parse(outcome.out), stats = json::parse(folder.content("s.json"));
     CHECK(report["box"] == json({10.0, 10.0, 10.0}));
@@ -93,7 +94,8 @@ TEST_SUITE("solid box") {
         const Outcome outcome =
             folder.rbpa(std::string("solid ") + name + ".xyz --box 4 --alpha " + alpha + " -o " + name + ".npy");
         REQUIRE(outcome.code == 0);
-        CHECK(outcome.err.find("384 tetrahedra, 1 solid component, 0 closed voids, 0 channels, volume 64, area 0") !=
+        CHECK(outcome.err.find(
+                  "384 tetrahedra, 1 solid component, 0 closed voids, 0 voids that percolate, volume 64, area 0") !=
               std::string::npos);
       }
       CHECK(folder.content("near.npy") == folder.content("far.npy"));
@@ -116,11 +118,11 @@ TEST_SUITE("solid box") {
     CHECK(voids("5") == std::vector<int>(8, 0));
     CHECK(voids("6.1") == std::vector<int>(8, 0));
     CHECK(voids("6.1 --complex solid") == std::vector<int>{3});
-    CHECK(folder.rbpa("solid " + oxygens + "--alpha 5 --json").err.find("8 closed voids, 0 channels") !=
+    CHECK(folder.rbpa("solid " + oxygens + "--alpha 5 --json").err.find("8 closed voids, 0 voids that percolate") !=
           std::string::npos);
     CHECK(folder.rbpa("solid " + oxygens + "--alpha 5 --json --complex solid")
-              .err.find("0 closed voids, 1 channel, volume 4070.27, area 2872.6 (voids of the solid)\n") !=
-          std::string::npos);
+              .err.find("0 closed voids, 1 void that percolates in 3 directions, volume 4070.27, area 2872.6 (voids of "
+                        "the solid)\n") != std::string::npos);
   }
 
   TEST_CASE("a glass percolates up to the radius that a grid of distances shows, not up to that of its tetrahedra") {

@@ -1,9 +1,11 @@
 #include "space/periodic_report.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "io/bytes/number.h"
@@ -48,16 +50,26 @@ Json json_of(const PeriodicPart& part, bool is_void, const PointNames& names) {
   return json;
 }
 
+/// Returns "1 closed void, 2 voids that percolate in 1 direction, 1 void that percolates in 3 directions".
+std::string text_of_voids(std::span<const PeriodicPart> voids) {
+  std::array<std::size_t, 4> count{};
+  for (const PeriodicPart& part : voids) ++count[part.dimension];
+  std::string text = counted(count[0], "closed void");
+  if (count[0] == voids.size()) return text + ", 0 voids that percolate";
+  for (std::size_t d = 1; d < count.size(); ++d)
+    if (count[d] > 0)
+      text += ", " + counted(count[d], "void") + (count[d] == 1 ? " that percolates in " : " that percolate in ") +
+              counted(d, "direction");
+  return text;
+}
+
 }  // namespace
 
 std::string text_of_periodic(const PeriodicFacts& facts) {
   const PeriodicTopology& topology = *facts.topology;
-  const auto closed = static_cast<std::size_t>(std::count_if(topology.voids.begin(), topology.voids.end(),
-                                                             [](const PeriodicPart& v) { return v.dimension == 0; }));
   return std::to_string(topology.tetrahedra) + (topology.tetrahedra == 1 ? " tetrahedron, " : " tetrahedra, ") +
-         counted(topology.solid_components.size(), "solid component") + ", " + counted(closed, "closed void") + ", " +
-         counted(topology.voids.size() - closed, "channel") + ", volume " + rounded(topology.volume, 6) + ", area " +
-         rounded(topology.area, 6) + " (voids of the " +
+         counted(topology.solid_components.size(), "solid component") + ", " + text_of_voids(topology.voids) +
+         ", volume " + rounded(topology.volume, 6) + ", area " + rounded(topology.area, 6) + " (voids of the " +
          (facts.walls == ComplexKind::full ? "full complex)" : "solid)");
 }
 

@@ -24,8 +24,8 @@ struct PeriodicFacts {
   double read_seconds = 0, build_seconds = 0, count_seconds = 0, write_seconds = 0;
 };
 
-/// Returns "12 tetrahedra, 2 solid components, 1 closed void, 2 channels, volume 2.5, area 8 (voids of the full
-/// complex)".
+/// Returns "12 tetrahedra, 2 solid components, 1 closed void, 1 void that percolates in 3 directions, volume 2.5, area
+/// 8 (voids of the full complex)".
 /// Requires: facts.topology is present.
 std::string text_of_periodic(const PeriodicFacts& facts);
 
