@@ -83,7 +83,7 @@ class Scale {
   double in(double value) const { return std::scalbn(value, -exponent_); }
   Point out(const Point& p) const { return {std::scalbn(p.x, exponent_), std::scalbn(p.y, exponent_)}; }
   FillOptions in(FillOptions options, std::vector<SizeAt>& sizes) const {
-    constexpr double huge = 0x1p400;  // larger values mean the same
+    constexpr double huge = 0x1p400;  // larger sizes have the same effect
     for (SizeAt& size : sizes) size = {{in(size.at.x), in(size.at.y)}, std::min(in(size.size), huge)};
     options.size = std::min(in(options.size), huge);
     options.sizes = sizes;

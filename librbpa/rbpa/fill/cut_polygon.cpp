@@ -64,8 +64,8 @@ class Boundary {
     bool leaves;
   };
 
-  /// Finds which edge follows which at a corner: counter-clockwise from the leaving edge to the other, the inside lies
-  /// between them.
+  /// Finds for each edge that comes to a corner the edge that leaves the corner after it on the ring: counter-clockwise
+  /// from the leaving edge to the coming one lies the inside.
   void pair(std::uint32_t corner, std::vector<End>& ends, Corners& next) const {
     const Point& p = points_[corner];
     const auto is_below = [&](const End& end) {
@@ -144,7 +144,8 @@ class LeftRings {
   }
 
  private:
-  /// An end of a chain, which leaves the line or returns to it on the segment from `inner`, left of it.
+  /// An end of a chain, at which the chain leaves the line or returns to it, on the edge from `inner`, left of the
+  /// line, to `outer`, on the line or right of it.
   struct End {
     std::uint32_t chain, inner, outer;
     bool is_last;
@@ -152,7 +153,8 @@ class LeftRings {
 
   int side(std::uint32_t i) const { return side_of(points_[i], x_); }
 
-  /// Takes the parts of a ring left of the line, each from a point of the line to a point of the line.
+  /// Adds the parts of a ring left of the line as chains, each from a point on the line to the next one; a ring that
+  /// does not meet the line is added whole if it lies left of it.
   void take(const Corners& ring) {
     const auto is_on = [this](std::uint32_t i) { return side(i) == 0; };
     const auto first = std::find_if(ring.begin(), ring.end(), is_on);

@@ -15,7 +15,7 @@ namespace rbpa::paper {
 
 /// A level that has ended.
 struct Level {
-  int number;     ///< i
+  int number;     ///< the index i of the level, from 0
   Radius radius;  ///< 2ⁱ α₀, or α on the last
   bool is_last;
   std::size_t transferred;  ///< number of points: boundary and isolated ones

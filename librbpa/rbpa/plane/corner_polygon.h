@@ -27,7 +27,8 @@ using CornerRing = std::vector<Corner>;
 /// ever has this triangle.
 using ComponentName = std::array<std::uint64_t, 3>;
 
-/// A Polygon (rbpa/plane/outline_polygons.h) with coordinates, equal to it to the last bit.
+/// A Polygon (rbpa/plane/outline_polygons.h) whose corners carry coordinates. Area and perimeter are those of the
+/// Polygon, to the last bit.
 struct CornerPolygon {
   CornerRing shell = {};               ///< counter-clockwise
   std::vector<CornerRing> holes = {};  ///< clockwise; sorted by first point, then by second

@@ -115,7 +115,8 @@ class Locator::Impl {
       : points_(points), of_(delaunay), sites_(points, threads, checkpoint), at_site_(sites_.size(), 0) {
     if (of_.triangles.empty()) return;
     meshops::require(is_triangulation_of_all(sites_.size(), of_),
-                     "locator: the triangles are not the whole Delaunay triangulation of the points");
+                     "locator: the triangles are not the whole Delaunay triangulation of the points (take "
+                     "alpha_complex(points, infinity))");
     std::vector<std::uint32_t> at_point(points.size(), 0);
     for (std::uint32_t t = 0; t < of_.triangles.size(); ++t)
       for (const std::uint32_t corner : of_.triangles[t]) at_point[corner] = t;
@@ -138,7 +139,8 @@ class Locator::Impl {
       at = of_.neighbors[at][k];
       if (at == no_index) return no_index;  // beyond the convex hull
     }
-    throw meshops::ContractViolation("locator: a walk goes in circles, so the triangulation is not Delaunay");
+    throw meshops::ContractViolation(
+        "locator: a walk goes in circles, so the triangulation is not Delaunay (take alpha_complex(points, infinity))");
   }
 
   std::size_t points() const { return points_.size(); }

@@ -84,7 +84,7 @@ void drop_short(std::vector<Placed>& pairs, const PairChoice& choice) {
 /// Holes of a complex at any radius.
 class HoleSearch {
  public:
-  /// Keeps references.
+  /// Keeps references to all arguments.
   HoleSearch(const Delaunay& delaunay, const Filtration& filtration, const FilteredCells& cells)
       : points_(delaunay.points()),
         all_(delaunay.triangulation()),

@@ -1,5 +1,6 @@
 // What: a pair of numbers with element-wise arithmetic, in one register if they are double.
-// Why:  half as many instructions. A compiler that vectorizes by itself does so late, and the instructions stall.
+// Why:  one instruction does the work of two. Left to itself, a compiler packs scalars into a register so late that
+//       instructions wait for it.
 #pragma once
 
 #include <cmath>

@@ -11,7 +11,7 @@
 
 namespace rbpa {
 
-/// A number of threads that may work on something, the calling one included.
+/// A group of threads that share work, the calling one included.
 class Threads {
  public:
   /// Allows at most `count` threads, capped by the number of processors; 0: one for each processor.
@@ -21,7 +21,7 @@ class Threads {
 
   std::size_t count() const { return count_; }
 
-  /// A reference to a function, valid while the function is.
+  /// A reference to a function or lambda, valid as long as the referenced object.
   template <typename Signature>
   class Call;
   template <typename Result, typename... Arguments>

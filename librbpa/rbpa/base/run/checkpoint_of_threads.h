@@ -7,7 +7,7 @@
 
 namespace rbpa {
 
-/// A checkpoint that any thread may call. It calls its function one call at a time, and throws Cancelled when that
+/// A checkpoint that any thread may call. It calls go_on(), one call at a time, and throws Cancelled when go_on()
 /// returns false.
 class CheckpointOfThreads {
  public:

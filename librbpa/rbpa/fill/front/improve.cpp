@@ -89,8 +89,8 @@ bool is_star(const Point& p, const std::vector<Point>& ring) {
   return true;
 }
 
-/// Returns the target position of p: the mean, over the sides of its star, of the apex of a triangle of the target
-/// size.
+/// Returns the target position of p: each side of the ring around p proposes the apex of an isosceles triangle whose
+/// legs have the target length; the result is the mean of these apexes.
 Point wanted(const Point& p, const std::vector<Point>& ring, const SizeField& field) {
   const double size = field.at(p);
   double x = 0, y = 0, weights = 0;

@@ -66,7 +66,8 @@ void Unfilled::look_from(const FrontEdge& edge, std::size_t most) const {
   most_ = most;
   of_look_ = 0;
   seen_ = {apex};
-  // The regions right of the line to the end and left of the line back are empty, as nothing lies right of the edge.
+  // Through either of these two sides the apex is one bound of the view. The end of the edge in place of the other
+  // bound means none, as nothing lies right of the edge.
   closed_ = {{after(first), apex, edge.from}, {before(first), edge.to, apex}};
 }
 

@@ -2,7 +2,7 @@
 //       edge's ring.
 // Law:  the rings stay the same sets of the plane. Afterwards two edges that have more than an end in common cross in
 //       their inner parts, or are the same edge.
-// Cost: n log n in the vertices, and the work for boxes of long slanted edges.
+// Cost: n log n in the vertices, and a visit of each box of a tree of points that a long slanted edge crosses.
 #pragma once
 
 #include <cstddef>

@@ -22,7 +22,8 @@ class LinkedTriangles {
  public:
   static constexpr std::uint32_t none = TriangleArrays::none;
 
-  /// Prepares for triangles on `sites` sites; `names`, less than `bound`, are the names of corners.
+  /// Prepares for triangles on `sites` sites. names[s], less than `bound`, is the number that stands for site s in the
+  /// result. Keeps the span.
   LinkedTriangles(std::size_t sites, std::span<const std::uint32_t> names, std::size_t bound, const Threads& threads);
 
   /// The state of one patch between the steps.

@@ -15,7 +15,7 @@ namespace {
 using Rational = boost::multiprecision::cpp_rational;
 using Wide = boost::multiprecision::cpp_bin_float_50;  // exponents to 2^31
 
-/// Returns a difference, times 2^exponent; for rational numbers exactly, and without that power.
+/// Returns (a − b) · 2^exponent; as a rational number exactly, and without the power.
 template <typename Number>
 Number difference(double a, double b, int exponent);
 template <>
@@ -64,7 +64,7 @@ Vector<Number> to_circumcenter(const Vector<Number>& u, const Vector<Number>& v)
 /// neighbor.
 constexpr double tolerance = 1e-9;
 
-/// Returns whether products of such numbers, of degree six, stay within the exponents of double.
+/// Returns whether products of six numbers of this size stay within the exponents of double.
 bool stays(double way) { return way == 0 || (std::abs(way) > 0x1p-120 && std::abs(way) < 0x1p120); }
 
 }  // namespace

@@ -23,7 +23,8 @@ class OutlinedTriangles {
   /// A directed side, by the names of its points.
   using Side = std::array<std::uint32_t, 2>;
 
-  /// Keeps a reference to an empty list of triangles on `sites` sites; `names` are those of corners.
+  /// Keeps a reference to an empty list of triangles on `sites` sites, and the span: names[s] is the number that stands
+  /// for site s in the result.
   OutlinedTriangles(std::size_t sites, std::span<const std::uint32_t> names, List& list) : names_(names), list_(list) {
     seams_.begin(sites);
   }

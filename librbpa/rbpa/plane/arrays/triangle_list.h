@@ -16,7 +16,8 @@ namespace rbpa {
 
 class TriangleList {
  public:
-  /// Prepares for triangles on `sites` sites; `names`, less than `bound`, are the names of corners.
+  /// Prepares for triangles on `sites` sites. names[s], less than `bound`, is the number that stands for site s in the
+  /// result. Keeps the span.
   TriangleList(std::size_t sites, std::span<const std::uint32_t> names, std::size_t bound, const Threads& threads)
       : names_(names), order_(bound, 2 * sites, threads.count()) {}
 

@@ -73,7 +73,7 @@ class QuadEdges {
     return e;
   }
 
-  /// Puts an edge that is alone at its point next to another one, counter-clockwise.
+  /// Inserts edge `e`, which is alone at its origin, as the next edge counter-clockwise after the edge `after`.
   void insert(Edge e, Edge after) {
     const Edge before = onext(after);
     edges_[e].oprev = after;

@@ -13,7 +13,8 @@
 
 namespace rbpa {
 
-/// The number of points from which several threads work on tiles, and one thread does not lose by them.
+/// Number of points from which tiles are used: from there on several threads can share them, and a single thread loses
+/// no time by them.
 inline constexpr std::size_t small_set_limit = 10000;
 
 /// Fills in `result`, except for the members of a full complex. Returns false and does nothing if the points do not fit

@@ -40,7 +40,7 @@ class Enumeration {
         factor_(static_cast<float>(4 * scaled_ * scaled_)) {}
 
   bool run() {
-    constexpr float max_cells = 0.99f;  // a point within reach is in a cell beside the point's
+    constexpr float max_cells = 0.99f;  // so that points within reach of a point lie in the 3 × 3 cells around it
     if (!(reach_ <= max_cells * at_.cell) || !at_.unknown.empty()) return false;
     owned_points_.find(tile_, at_);
     const OwnedPoints::Box& owned = owned_points_.box();
@@ -78,7 +78,7 @@ class Enumeration {
   static constexpr std::size_t full = 1024;  // triples; there is room for as many more as one pair can add
   static_assert(max_near < OwnedPoints::word);
 
-  /// A listed point, and the points within its reach, in ascending order: from `next` on they come after it.
+  /// A listed point, and the points within its reach, in ascending order; those from `next` on come after the point.
   struct Near {
     alignas(64) float x[max_near + near_padding], y[max_near + near_padding];
     std::int32_t label[max_near + near_padding];
@@ -90,7 +90,7 @@ class Enumeration {
   static std::size_t point_of(std::int32_t label) { return OwnedPoints::point_of(label); }
   bool owns(std::size_t point) const { return tile_.owned[point] != 0; }
 
-  /// Processes points of a row. Returns false if too many points are near them.
+  /// Processes `count` points of a row, from `first` on. Returns false if too many points are near one of them.
   bool take(int row, std::size_t first, std::size_t count) {
     if (!find_rows(row, first, count)) return false;
     listed_ = pairs_ = triples_ = 0;
@@ -108,11 +108,11 @@ class Enumeration {
   /// Returns the maximum number of triples; dense points have too many.
   std::size_t max_wanted() const { return 256 + 12 * taken_; }
 
-  /// Returns whether too many decisions are left open by rounding: they cost less in the front, which meets each of
-  /// them once.
+  /// Returns whether rounding leaves too many decisions open. A front (pivots/) is faster then, as it meets each of
+  /// these decisions once.
   bool is_doubtful() const { return doubts_ > 32 + taken_ / 32; }
 
-  /// Finds the points of three rows of three cells around each point.
+  /// Finds for each point the points in the 3 × 3 cells around it, as a range in each of three rows.
   bool find_rows(int row, std::size_t first, std::size_t count) {
     const D d;
     const DI di;
@@ -138,7 +138,8 @@ class Enumeration {
                        [](std::int32_t around) { return around <= static_cast<std::int32_t>(max_near); });
   }
 
-  /// Lists a point if it and two after it may form a triangle that is of interest here.
+  /// Lists a point if the tile owns it or a point within its reach, and at least two points within its reach come after
+  /// it.
   HWY_INLINE void find_near(std::size_t j, std::size_t point) {
     const D d;
     const V px = hn::Set(d, at_.x[point]), py = hn::Set(d, at_.y[point]), reach = hn::Set(d, reach_ * reach_);

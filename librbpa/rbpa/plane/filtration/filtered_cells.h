@@ -16,12 +16,12 @@ namespace rbpa {
 struct FilteredCells {
   struct Edge {
     double alpha;
-    std::array<std::uint32_t, 2> ends;   ///< vertices
+    std::array<std::uint32_t, 2> ends;   ///< numbers of the vertices at its ends
     std::array<std::uint32_t, 2> sides;  ///< faces; outside() beyond the hull
   };
   std::vector<double> vertices;  ///< for each distinct point, its alpha, by input index
   std::vector<Edge> edges;
-  std::vector<double> faces;  ///< for each triangle
+  std::vector<double> faces;  ///< for each triangle, its alpha
   std::uint32_t outside() const { return static_cast<std::uint32_t>(faces.size()); }
 };
 

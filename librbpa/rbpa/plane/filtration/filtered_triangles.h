@@ -36,7 +36,8 @@ inline long double area(Corners corners) {
 ///         triangulation.
 inline void require_same(const Filtration& filtration, const AlphaComplex& delaunay, const std::string& function) {
   if (filtration.triangle_alpha.size() != delaunay.triangles.size() || filtration.distinct != delaunay.distinct)
-    throw meshops::ContractViolation(function + ": the filtration is of another triangulation");
+    throw meshops::ContractViolation(
+        function + ": the filtration is of another triangulation than the one given (compute it by filtration())");
 }
 
 }  // namespace rbpa

@@ -20,8 +20,8 @@ class SolidParts {
   /// Keeps the spans.
   SolidParts(const TriangleArrays& arrays, std::size_t points);
 
-  /// Adds the next triangle. Calls left(size) for every component that disappears, and come(size) for the one in its
-  /// place.
+  /// Adds the next triangle. Calls left(size) for every component that the triangle joins, and come(size) for the
+  /// component that they become.
   /// Requires: there is a next one.
   template <typename Left, typename Come>
   void add_next(const Left& left, const Come& come);
@@ -31,9 +31,9 @@ class SolidParts {
  private:
   TriangleArrays arrays_;
   std::vector<std::uint32_t> gaps_;  // for each point, the number of its missing triangles, plus one for the boundary
-  meshops::DisjointSets parts_;      // sets of triangles
+  meshops::DisjointSets parts_;      // the components, as sets of triangles
   std::vector<std::uint32_t> vertices_;  // number of vertices of a component, at the triangle that represents it
-  std::vector<bool> on_;                 // points
+  std::vector<bool> on_;                 // whether each point is in a triangle
   std::uint32_t next_ = 0;
   std::size_t covered_ = 0;
 };
@@ -56,7 +56,7 @@ void SolidParts::add_next(const Left& left, const Come& come) {
     const std::uint32_t corner = arrays_.triangles[next_][k];
     const bool before = glued[(k + 1) % 3], behind = glued[(k + 2) % 3];
     --gaps_[corner];
-    // A new fan begins here, or two fans become one, unless they were one that has now closed.
+    // The triangle begins a fan at this corner, or joins two fans, or closes a single fan.
     if (!before && !behind) ++vertices;
     if (before && behind && gaps_[corner] > 0) --vertices;
     if (!on_[corner]) ++covered_;

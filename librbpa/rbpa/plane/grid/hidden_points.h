@@ -1,6 +1,6 @@
 // What: points that are not in a grid, with their places, for searches that must not miss them.
-// Law:  in_box() reports every hidden point of a box. are_left() and its siblings report every side on which one lies
-//       outside of the grid.
+// Law:  in_box() reports every hidden point of a box. are_left() and its siblings report every side of the grid's box
+//       on which a hidden point lies outside of the box.
 #pragma once
 
 #include <span>

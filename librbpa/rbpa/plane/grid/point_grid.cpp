@@ -76,7 +76,7 @@ void PointGrid::refine(Threads& threads, const Checkpoint& checkpoint) {
   }
 }
 
-/// Returns a grid of sites, which it sorts; nothing if all are one point.
+/// Sorts the sites `first` … `last` − 1 into a grid of their own, and returns this grid; nothing if all are one point.
 auto PointGrid::level_of(std::uint32_t first, std::uint32_t last, Threads& threads) -> std::optional<Level> {
   const meshops::FreshVector<Point> points(points_.begin() + first, points_.begin() + last);
   const meshops::FreshVector<std::uint32_t> index(index_.begin() + first, index_.begin() + last);
@@ -110,8 +110,9 @@ void PointGrid::find_duplicates(std::uint32_t first, std::uint32_t last, Repeate
   }
 }
 
-/// Returns whether any of some points equals one of the few before it, without a branch, as half of the points of a
-/// grid have the same x as the one before.
+/// Returns whether any of the points `first` … `last` − 1 equals one of the `nearby` points before it. There is no
+/// branch for each point: on a lattice half of the points have the same x as the one before, and it would be
+/// mispredicted.
 bool PointGrid::repeats_nearby(std::uint32_t first, std::uint32_t last) const {
   decltype(Two<double>() == Two<double>()) repeats = {};
   for (std::uint32_t apart = 1; apart <= nearby; ++apart)

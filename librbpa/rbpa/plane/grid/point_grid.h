@@ -1,8 +1,9 @@
 // What: the distinct points, laid out in cells that hold a few each.
 // Law:  the cells follow the points, never alpha: a cell with many points is a grid of its own, so clusters of any
 //       density are found as fast as uniform points. scan() reaches every point of a box.
-// Cost: construction, by all threads, linear for bounded variation of density, one more level per √n-fold rise of it;
-//       memory 20 bytes a point and 4 a cell; scan linear in the rows that the box meets and the points in its cells.
+// Cost: construction, by all threads, is linear if the density varies within bounds; each √n-fold rise of the density
+//       adds a level. Memory: 20 bytes a point and 4 a cell. scan() is linear in the rows that the box meets and the
+//       points in its cells.
 #pragma once
 
 #include <algorithm>

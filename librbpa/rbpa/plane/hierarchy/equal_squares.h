@@ -69,8 +69,8 @@ class EqualSquares {
     }
   }
 
-  /// Merges quarters into the squares of which they were cut. Requires: a depth above 0; afterwards only max_held() and
-  /// merge() may be called.
+  /// Merges quarters into the squares from which they were cut. Requires: a depth above 0; afterwards only max_held()
+  /// and merge() may be called.
   void merge() {
     const std::size_t columns = std::size_t{1} << depth_--;
     std::vector<std::uint32_t> merged(held_.size() / 4);

@@ -14,7 +14,7 @@ namespace rbpa {
 
 class LevelRecord {
  public:
-  /// Keeps references. The clock of the first level starts now.
+  /// Keeps the span, and references to `ended` and `result`. The clock of the first level starts now.
   LevelRecord(double alpha, const std::function<void(const EndedLevel&)>& ended,
               std::span<const std::uint32_t> input_index, Hierarchy& result)
       : alpha_(alpha), ended_(ended), input_index_(input_index), result_(result) {}

@@ -26,7 +26,7 @@ namespace rbpa {
 
 class LevelsAtOnce {
  public:
-  /// Keeps references.
+  /// Keeps references to all arguments.
   LevelsAtOnce(const Sites& sites, const Ladder& ladder, Threads& threads, Monitor& monitor)
       : sites_(sites), ladder_(ladder), threads_(threads), monitor_(monitor) {}
 

@@ -21,7 +21,7 @@ namespace rbpa {
 template <typename Real>
 class Quadtree {
  public:
-  /// Keeps a reference. Requires: finite, distinct points.
+  /// Keeps the span. Requires: finite, distinct points.
   Quadtree(std::span<const Point> points, std::size_t capacity)
       : points_(points), capacity_(std::max<std::size_t>(capacity, 1)) {}
 

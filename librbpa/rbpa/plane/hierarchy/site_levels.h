@@ -16,7 +16,7 @@ namespace rbpa {
 
 class SiteLevels {
  public:
-  /// Keeps references. Cost: linear in the levels.
+  /// Keeps references to both arguments. Cost: linear in the levels.
   SiteLevels(const Sites& sites, const Ladder& ladder)
       : sites_(sites), ladder_(ladder), scaled_ladder_(ladder, sites.window()) {}
 

@@ -22,7 +22,8 @@ namespace rbpa {
 
 class Assembly {
  public:
-  /// Keeps references; the complex is still empty. Calls `progress`, if any, while points are sorted.
+  /// Keeps references to `complex`, which is still empty, and to `threads`. Calls `progress`, if any, while points are
+  /// sorted.
   /// Throws: Cancelled.
   Assembly(std::span<const Point> input, SolidAlphaComplex& complex, Threads& threads, const OnProgress& progress = {})
       : sites_(input, threads, checkpoint_of(progress, input.size())), threads_(threads), complex_(begin(complex)) {}
@@ -90,7 +91,7 @@ class Assembly {
     return found;
   }
 
-  // 1, as a mesh that is validated has no spare elements
+  // 1 in the debug build, where meshes are validated: they then have no spare elements
   static constexpr std::size_t elements_at_a_time = debug ? 1 : 4096;
 
   SolidAlphaComplex& begin(SolidAlphaComplex& complex) const {
@@ -98,8 +99,8 @@ class Assembly {
     complex.distinct = points;
     complex.duplicates = sites_.duplicates();
     // A planar triangulation of n points has fewer than 3n edges and 2n faces. There are a few more vertices than
-    // points where fans meet at one point, or wait to be joined: up to a twelfth of scattered points, at 0.7 spacings.
-    // Unused memory is never touched.
+    // points, as each fan at a point has one, also before fans are joined: up to a twelfth more for scattered points,
+    // at an alpha of 0.7 spacings. Unused memory is never touched.
     const std::size_t vertices = points + points / 8 + 64, edges = 3 * points + elements_at_a_time,
                       faces = 2 * points + elements_at_a_time;
     meshops::reserve(complex.mesh, vertices, edges, faces);

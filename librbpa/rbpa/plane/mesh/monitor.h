@@ -22,7 +22,7 @@ inline constexpr bool debug = true;
 
 class Monitor : public meshops::FrontVisitor {
  public:
-  /// Keeps a reference.
+  /// Keeps a reference to `progress`.
   Monitor(const OnProgress& progress, std::size_t points) : progress_(progress), points_(points) {}
 
   void seeded(const meshops::Front& front, const meshops::InsertedTriangle&) { count(front); }

@@ -48,7 +48,7 @@ class Heights {
 
  private:
   struct Node {
-    int sum = 0, least = 0, most = 0;  // over all its leaves; partial sums begin with the first of them
+    int sum = 0, least = 0, most = 0;  // of the leaves below the node; partial sums begin with the first of these
   };
   std::size_t place(double y) const {
     return static_cast<std::size_t>(std::lower_bound(y_.begin(), y_.end(), y) - y_.begin());

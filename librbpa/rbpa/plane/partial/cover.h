@@ -1,6 +1,6 @@
 // What: the part of the plane that regions cover together.
-// How:  the sum of their indicator functions is a sum of quadrants, one at each corner of each region, with a sign.
-//       Where regions lie side by side, corners cancel: the rest are the corners of the covered part.
+// How:  the sum of the indicator functions of the regions is a sum of quadrants, one at each corner of each region,
+//       with a sign. Where regions lie side by side, corners cancel: the rest are the corners of the covered part.
 // Law:  the quadrants are a function of the covered part, not of its division into regions.
 // Cost: as many corners as that part has; n log n to check them.
 #pragma once

@@ -21,8 +21,8 @@ bool ring_before(const CornerRing& a, const CornerRing& b);
 /// Throws: InvalidInput when the rings are not those of a component.
 CornerPolygon polygon_of(OpenComponent&& component);
 
-/// Removes the holes and returns them in order, if they have at least `min_corners` corners; keeps their sums in the
-/// component, under that name.
+/// Removes the holes of a component and returns them in order, if together they have at least `min_corners` corners.
+/// The component keeps the sums of these holes, under `name`.
 std::vector<CornerRing> holes_out_of(OpenComponent& component, const ComponentName& name, std::size_t min_corners);
 
 /// Adds the sums of removed holes when two components are merged.

@@ -39,7 +39,7 @@ struct HoleSums {
 struct OpenComponent {
   /// Number of the group: components that are connected through points have the same one.
   std::uint32_t group = 0;
-  std::uint64_t points = 0;  // points that count in it in any case
+  std::uint64_t points = 0;  // input points of the component, without those at undecided pinches
   /// The lexicographically least point of its chains and rings; at infinity if there are none.
   Point least = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   std::vector<CornerRing> rings = {};

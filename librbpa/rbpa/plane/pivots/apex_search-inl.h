@@ -38,7 +38,7 @@ class ApexSearch {
   using Index = EdgeBatch::Index;
   static constexpr Index none = EdgeBatch::none;
 
-  /// Keeps references.
+  /// Keeps references to both arguments.
   ApexSearch(const Tile& tile, const TileCoordinates& coordinates)
       : at_(coordinates),
         window_(edges_, coordinates),

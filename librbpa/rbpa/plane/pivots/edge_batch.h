@@ -33,7 +33,7 @@ struct EdgeBatch {
   alignas(64) float k[size], high[size];
   alignas(64) std::int32_t is_verified[size];
 
-  /// The apexes, and the radii of the circles.
+  /// The apexes that were found, and the radii of the circles through edge and apex.
   Index apex[size];
   alignas(64) float found_radius[size];
 };

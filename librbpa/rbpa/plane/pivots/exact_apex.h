@@ -17,7 +17,7 @@ class ExactApex {
  public:
   using Index = std::uint16_t;
 
-  /// Keeps references.
+  /// Keeps references to both arguments.
   ExactApex(const Tile& tile, const TileCoordinates& coordinates) : tile_(tile), at_(coordinates) {}
 
   /// Returns the candidate that the ball touches first. Candidates may lie on either side of the chord. The result is

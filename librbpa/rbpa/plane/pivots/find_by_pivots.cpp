@@ -170,13 +170,13 @@ HWY_EXPORT(advance_on);
 /// neighbors that are not empty.
 bool is_along_curves(const Tile& tile) {
   constexpr double max_per_cell = 4;     // evenly scattered points have 2.3 per cell that is not empty
-  constexpr double min_neighbors = 1.3;  // right and above; 1 along a curve, 1.7 where points are scattered
+  constexpr double min_neighbors = 1.3;  // mean per filled cell: 1 along a curve, 1.7 where points are scattered
   // occupancy seen by a point, as a multiple of the mean over cells; higher in clusters
   constexpr double max_occupancy = 2.5;
   const auto columns = static_cast<std::size_t>(tile.columns), cells = tile.cells();
   std::uint64_t filled = 0, neighbors = 0, squares = 0;
-  // No branches, as all would be unpredictable. The cell after a row's last one is not its neighbor, but not far
-  // either.
+  // No branches, as all would be mispredicted. The last cell of a row and the first cell of the next row count as
+  // neighbors: they are few.
   const auto has_points = [&](std::size_t c) { return std::uint64_t{tile.start[c] < tile.start[c + 1]}; };
   for (std::size_t c = 0; c + columns < cells; ++c) {
     const std::uint64_t count = std::uint64_t{tile.start[c + 1]} - tile.start[c], here = has_points(c);

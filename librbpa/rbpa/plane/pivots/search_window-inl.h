@@ -31,7 +31,7 @@ class SearchWindow {
   // maximum width of a disc, in chords: a wider one is treated as a half-plane
   static constexpr float max_chords = 0x1p20f;
 
-  /// Keeps references.
+  /// Keeps references to both arguments.
   SearchWindow(EdgeBatch& edges, const TileCoordinates& coordinates) : edges_(edges), at_(coordinates) {}
 
   /// Opens the first window of every edge.

@@ -24,7 +24,7 @@ class Chord {
     const Point* at;
     Two<Real> dot_and_cross, magnitude;
   };
-  /// Computes the products of a point. Keeps a reference.
+  /// Computes the products of a point, and keeps a reference to the point.
   Candidate candidate(const Point& p) const {
     const Two<Real> at = of(p), ap = at - a_, bp = at - b_;
     const Two<Real> dot = ap * bp, cross = mirrored_ * swapped(ap);

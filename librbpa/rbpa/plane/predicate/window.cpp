@@ -63,7 +63,8 @@ Window window_of(std::span<const Point> points) {
       if (!is_worth_it || !is_inside) window.beyond.push_back(i);
     }
   }
-  // Centers the points, as far as the power of two is a double itself.
+  // Centers the bits of the points between the bounds of double; the exponent is limited, so that 2^exponent is a
+  // double itself.
   window.exponent = std::min(least_in_double + (width - (inside.highest - inside.lowest)) / 2 - inside.lowest, 1000);
   window.bounds = radius_bounds({inside.lowest + window.exponent, inside.highest + window.exponent});
   return window;

@@ -16,8 +16,8 @@ namespace rbpa {
 
 struct Window {
   int exponent = 0;                   ///< the points in the window fit double when multiplied by 2^exponent
-  std::vector<std::uint32_t> beyond;  ///< the positions of the others, ascending
-  RadiusBounds bounds{};              ///< bounds of the circumradii of those in the window, scaled
+  std::vector<std::uint32_t> beyond;  ///< the positions of the points beyond the window, ascending
+  RadiusBounds bounds{};              ///< bounds of the circumradii of points in the window, scaled
 
   /// Returns alpha in the scale of the window: 2^exponent alpha, or an equivalent value if all circles are larger or
   /// smaller.

@@ -21,7 +21,7 @@ namespace rbpa {
 
 class Remainder {
  public:
-  /// Begins without a tile. Keeps a reference. Alpha is in the scale of the input.
+  /// Begins without a tile. Keeps a reference to the sites. Alpha is in the scale of the input.
   Remainder(const Sites& sites, const Radius& alpha) : sites_(sites), alpha_(alpha), missing_(sites.size(), unseen) {}
 
   /// Adds a tile, in any order.

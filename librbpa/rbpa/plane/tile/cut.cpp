@@ -32,7 +32,8 @@ void for_each_grid(const Level& level, std::uint32_t merged, std::uint32_t first
     if (points_in(level, child->cell) > merged) visit(child->cell);
 }
 
-/// Limit on owned plus ghost points. A tile next to dense cells leaves their points to others.
+/// Returns the maximum number of points, ghosts included, of a tile that owns `owned` points. Next to dense cells, a
+/// tile leaves ghosts out.
 std::size_t max_points_around(std::size_t owned) { return std::min(Tile::max_points, 8 * owned + 1024); }
 
 std::uint32_t points_of(const Level& level, const Block& block) {
@@ -166,8 +167,8 @@ void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
   });
   owned_ = all_;
 
-  // This applies around the block, and around the grids in it: a dense cell would cost more time than the triangles
-  // along its edge.
+  // Points of cells with more than `dense` points are left out, around the block and around the grids in it: they would
+  // cost more time than the triangles along the edge of such a cell.
   const std::uint32_t dense =
       std::max(std::max(64u, block.merged), 16 * block.points / static_cast<std::uint32_t>(block.columns * block.rows));
   const std::size_t max_all = max_points_around(owned_);

@@ -28,7 +28,8 @@ std::vector<Block> blocks(const PointGrid& grid, std::uint32_t max_points);
 /// A cutter of tiles from a grid, one after another in the same memory.
 class Cutter {
  public:
-  /// Keeps references. A tile lists the cells of hidden points as unknown, and assumes that points may lie beyond them.
+  /// Keeps references to both arguments. A tile lists cells with hidden points as unknown, and assumes that further
+  /// points lie beyond them.
   explicit Cutter(const PointGrid& grid, const HiddenPoints& hidden = none_hidden()) : grid_(grid), hidden_(hidden) {}
 
   /// Replaces `tile` by the tile of a block: its points, and the ghosts around them. The tile is empty if the block has
