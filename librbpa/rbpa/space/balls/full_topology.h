@@ -20,7 +20,6 @@
 
 namespace rbpa {
 
-/// Counts of the full alpha complex.
 struct FullCounts {
   std::size_t points = 0, edges = 0, triangles = 0, tetrahedra = 0;  ///< numbers of simplices in the complex
   std::size_t components = 0, tunnels = 0, voids = 0;                ///< Betti numbers 0 to 2
@@ -41,7 +40,6 @@ RBPA_API FullCounts count_full(std::span<const Point3> points, const Solid& dela
 RBPA_API Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                           double alpha, MaxThreads threads = 0, const GoOn& go_on = {});
 
-/// The voids of the full alpha complex.
 struct FullVoids {
   Surface boundary;            ///< the walls of all voids, seen from within; a triangle between two voids twice
   std::vector<SolidVoid> all;  ///< triangle numbers refer to `boundary`; the largest volume first
@@ -54,7 +52,6 @@ struct FullVoids {
 RBPA_API FullVoids full_voids(std::span<const Point3> points, const Solid& space, double alpha, MaxThreads threads = 0,
                               const GoOn& go_on = {});
 
-/// Counts and voids of the full alpha complex.
 struct FullTopology {
   FullCounts counts;
   FullVoids voids;

@@ -45,8 +45,8 @@ std::array<Point3, 3> in_box(const PeriodicSolid& solid, const Triangle& triangl
   return {corner(0), corner(1), corner(2)};
 }
 
-/// A closed surface around some of the tetrahedra where they are: the triangles that bound them, then pairs of
-/// triangles between two of them that are an image apart.
+/// A closed surface around some of the tetrahedra at their places: first the triangles that bound them; then, for each
+/// two neighbors that do not meet because one is an image, a triangle of each.
 class Hull {
  public:
   explicit Hull(const PeriodicSolid& solid) : solid_(solid), measure_(solid.positions) {}
@@ -170,7 +170,9 @@ PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<cons
                                    ComplexKind walls, unsigned wanted, const GoOn& go_on) {
   const std::size_t all = delaunay.simplices.size();
   meshops::require_one_each("periodic_topology", radii.size(), "radii", all, "tetrahedra");
-  meshops::require(delaunay.neighbors.size() == all, "periodic_topology: the triangulation has no neighbors");
+  meshops::require(
+      delaunay.neighbors.size() == all,
+      "periodic_topology: the triangulation has no neighbors, expected periodic_solid() with the option neighbors");
   for (const auto& row : delaunay.neighbors)
     for (const std::uint32_t n : row)
       meshops::require(n < all,

@@ -89,7 +89,7 @@ class Union {
   }
 
   /// Returns whether the tetrahedron is in the complex, and no face of it at a, or at the edge from a to b, is on the
-  /// hull. Where all tetrahedra are so, the terms sum to nothing.
+  /// hull. If this holds for all tetrahedra around, the angle that they leave is 0.
   bool is_inside(std::uint32_t t, std::uint32_t a, std::uint32_t b) const {
     if (!faces_.has_tetrahedron(t)) return false;
     for (std::size_t k = 0; k < 4; ++k)
@@ -155,7 +155,7 @@ BallUnion union_of_balls(std::span<const Point3> points, const Solid& delaunay, 
   check_radius(radius);
   meshops::require_one_each("union_of_balls", radii.size(), "radii", delaunay.simplices.size(), "tetrahedra");
   meshops::require(delaunay.neighbors.size() == radii.size() && !radii.empty(),
-                   "union_of_balls: the triangulation has no tetrahedra or no neighbors");
+                   "union_of_balls: the triangulation has no tetrahedra or no neighbors, expected solid() at infinity");
   Threads threads = threads_for(points.size(), wanted);
   return Union(points, points.size(), delaunay, radii, radius, threads).measure();
 }
@@ -179,8 +179,9 @@ BallUnion union_of_balls(std::span<const Point3> points, double radius, const So
       more.push_back(p);
     if (!std::isfinite(high.x + far) || !std::isfinite(high.y + far) || !std::isfinite(high.z + far))
       throw InvalidInput(
-          "all points are in a plane, and are so far apart, or the balls so large, that points beyond them would not "
-          "be finite");
+          "all points are in a plane, and points farther away than all balls would not be finite, expected points "
+          "nearer "
+          "together or a smaller radius");
     delaunay = solid(more, infinity, with_neighbors);
   }
   const std::span<const Point3> all = more.empty() ? points : std::span<const Point3>(more);

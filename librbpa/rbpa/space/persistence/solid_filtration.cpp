@@ -29,8 +29,7 @@ std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, const 
   return space::order_on_curve(points, space::scaled(points, spread, copy), checkpoint);
 }
 
-/// Returns the corner of a triangle that is inside the least sphere of the other two, as at most one is; 3 where none
-/// is.
+/// Returns the corner of a triangle that is inside the least sphere of the other two, at most one; 3 if there is none.
 std::uint8_t obtuse_corner(std::span<const Point3> points, const Triangle& triangle) {
   for (std::size_t k = 0; k < 3; ++k)
     if (space::in_least_sphere(points[triangle[(k + 1) % 3]], points[triangle[(k + 2) % 3]], points[triangle[k]]))

@@ -37,7 +37,8 @@ class VoidSearch {
         const std::uint32_t triangle = filtration_.triangles_of[reached[i]][k];
         if (filtration_.triangle_alpha[triangle] <= alpha) continue;
         const std::uint32_t beyond = filtration_.delaunay.neighbors[reached[i]][k];
-        meshops::require(beyond != none, "solid_representatives: found a void without an end");
+        meshops::require(beyond != none,
+                         "solid_representatives: a void reaches the outside, expected pairs of this filtration");
         if (is_reached_[beyond]) continue;
         is_reached_[beyond] = true;
         reached.push_back(beyond);

@@ -32,7 +32,6 @@ struct VoidNode {
   std::uint32_t parent = 0;  ///< the node from which it separates; none: the outside
 };
 
-/// The voids as nodes of a tree.
 struct VoidTree {
   static constexpr std::uint32_t none = 0xffffffff;
 

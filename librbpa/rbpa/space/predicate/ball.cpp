@@ -4,9 +4,8 @@ namespace rbpa::space {
 namespace {
 
 /// Returns whether the perturbation moves q, on the circle of (a, b, c), inside. The lexicographically largest of the
-/// four is lifted most (docs/explanation/exact_decisions.md, section 2). If it is q, q leaves the circle; if it is a
-/// corner, points on
-/// the side of that corner move inside.
+/// four is lifted most (docs/explanation/exact_decisions.md, section 2). If this is q, q leaves the circle; if it is a
+/// corner, points on the side of that corner move inside.
 bool pulled_in(const Point3& a, const Point3& b, const Point3& c, const Point3& q) {
   if (a < q && b < q && c < q) return false;
   if (b < a && c < a) return exact::compare_normals(q, b, c, a, b, c) > 0;

@@ -28,14 +28,14 @@ using space::Chord;
 using space::RimTriangle;
 using space::SimpleLoop;
 
-/// Returns the number of triangulations that are tried for a loop of `corners` corners: more where one costs less.
+/// Returns how many further triangulations are tried for a loop of `corners` corners: more if one costs less.
 std::size_t attempts_for(std::size_t corners) {
   constexpr std::size_t most = 100, least = 10, steps = 100'000'000;
   const std::size_t each = std::min(corners, std::size_t{300}) * std::min(corners, std::size_t{300}) * corners / 6 + 1;
   return std::clamp(steps / each, least, most);
 }
 
-/// Returns the number of pairs of triangles that may be compared.
+/// Returns the maximum number of pairs of triangles that are compared.
 std::size_t most_pairs(std::size_t triangles) {
   constexpr std::size_t always = std::size_t{1} << 24U, each = 4096;
   return always + each * triangles;
@@ -225,8 +225,7 @@ class Joining {
     return open;
   }
 
-  /// Returns whether a loop is still a boundary of the current triangles: loops closed meanwhile may have merged
-  /// vertices.
+  /// Returns whether a loop is still a boundary of the current triangles: closing other loops may have merged vertices.
   static bool is_boundary(const Loop& loop, const std::vector<space::TriangleSide>& sides) {
     const auto has = [&](std::uint32_t from, std::uint32_t to) {
       const auto found =

@@ -39,7 +39,6 @@ enum class HoleOutcome : std::uint8_t {
   too_much_work,  ///< not all triangulations were tried, because too many triangles are near each other
 };
 
-/// The filling of one hole.
 struct HoleFill {
   HoleOutcome outcome = HoleOutcome::filled;
   /// Number of new triangles. A loop that touches itself may be filled in part. If loops are closed together, the
@@ -49,7 +48,6 @@ struct HoleFill {
   friend bool operator==(const HoleFill&, const HoleFill&) = default;
 };
 
-/// A mesh with filled holes.
 struct HoleFilling {
   /// The given triangles in their order, then the new ones, loop by loop; last, those that close several loops
   /// together.

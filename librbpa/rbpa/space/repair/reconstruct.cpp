@@ -64,7 +64,8 @@ struct WholeCloud {
     normals.resize(points.size());
   }
 
-  /// Returns the values of the input, with those of the points that are not left out, and of added points behind.
+  /// Returns `input` with `values` in place of the entries of points that are not left out; values of added points
+  /// follow.
   template <typename Value>
   std::vector<Value> with(std::span<const Value> values, std::vector<Value> input) const {
     if (values.empty()) return {};
@@ -186,8 +187,7 @@ class Reconstructing {
     if (!has_normals && options_.radii.size() > 1)
       throw InvalidInput(std::to_string(options_.radii.size()) + " radii without normals, expected one");
     if (has_normals && options_.components.shell != ShellChoice::all)
-      throw InvalidInput(
-          "a choice of shells and normals, expected no normals, as shells are chosen of surfaces without");
+      throw InvalidInput("a choice of shells for a surface with normals, expected all shells, or NormalSource::none");
   }
 
   std::span<const Point3> normals() const {

@@ -374,7 +374,7 @@ RefinedSurface refine_filling(std::span<const Point3> points, const Surface& sur
                               const SurfaceOptions& options) {
   space::check_points(points);
   meshops::require(is_new.size() == surface.triangles.size(),
-                   "refine_filling: is_new differs in length from the triangles");
+                   "refine_filling: is_new differs in length from the triangles, expected one value for each");
   return Refining(points, surface, is_new, options).run();
 }
 

@@ -32,9 +32,9 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-constexpr double ladder = 1.25;
-constexpr int steps = 12;  // of the ladder of radii
-constexpr double close_enough = 0x1p-10;
+constexpr double ladder = 1.25;           // ratio of consecutive radii of larger balls
+constexpr int steps = 12;                 // number of larger radii that are tried
+constexpr double close_enough = 0x1p-10;  // relative distance to a radius that fails, at which bisection ends
 
 Indices rim_of(const Hole& hole) {
   Indices rim;
@@ -284,8 +284,8 @@ class Repairs {
     for_each_left(radius, is_wanted, attempt);
   }
 
-  /// Returns a smaller radius that closes the hole as `radius` does, with triangles that need at least `least`. A ball
-  /// of that radius may contain another point, or rest on other triangles too.
+  /// Returns the least radius found that closes the hole, up to `radius`, which does: `least`, at which the ball may
+  /// rest on all triangles that close it, unless such a ball contains another point; else by bisection.
   static double least_closing(const LargerBall& ball, const Hole& hole, double too_small, double radius, double least) {
     while (least < radius && radius > too_small * (1 + close_enough)) {
       const double smaller = least > too_small ? least : too_small + (radius - too_small) / 2;
@@ -356,10 +356,11 @@ std::vector<SuggestedRepair> suggested_repairs(std::span<const Point3> points, s
   space::check_normals(points, normals);
   require_linked(space::arrays_of(surface), points.size());
   for (const Hole& hole : holes) {
-    meshops::require(!hole.edges.empty(), "suggested_repairs: a hole has no edge");
+    meshops::require(!hole.edges.empty(), "suggested_repairs: a hole has no edge, expected holes()");
     for (const RimEdge& edge : hole.edges)
-      meshops::require(edge.triangle < surface.triangles.size() && edge.from < points.size() && edge.to < points.size(),
-                       "suggested_repairs: an edge of a hole has a point or a triangle that does not exist");
+      meshops::require(
+          edge.triangle < surface.triangles.size() && edge.from < points.size() && edge.to < points.size(),
+          "suggested_repairs: an edge of a hole has a point or a triangle that does not exist, expected holes()");
   }
   return Repairs(points, normals, radii, surface, holes, options).run();
 }

@@ -18,8 +18,8 @@ namespace {
 
 using Row = std::array<std::uint32_t, 4>;
 
-/// A face of an image: its points, ascending, and the offsets in boxes of the second and the third point from the
-/// first.
+/// A face by what its images share: its points, ascending, and the offsets in boxes of the second and the third point
+/// from the first. `at` is 4 t + k.
 struct ImageFace {
   std::array<std::uint32_t, 3> points;
   std::array<std::int8_t, 6> apart;
@@ -46,9 +46,8 @@ ImageFace face_at(const PeriodicSolid& solid, std::uint32_t at) {
   return face;
 }
 
-/// Links the tetrahedra that have images of one face, by a sort of the faces. A face is given by 4 t + k: across from
-/// corner k of tetrahedron t. It is identified by its three points and their offsets in boxes relative to each other,
-/// which all its images share.
+/// Links the tetrahedra that have images of one face, by a sort of `faces`. A face is given by 4 t + k: across from
+/// corner k of tetrahedron t.
 void link_images(std::span<const std::uint32_t> faces, PeriodicSolid& solid) {
   std::vector<ImageFace> sorted;
   sorted.reserve(faces.size());
@@ -91,7 +90,7 @@ Images images_of(std::span<const Point3> wrapped, const space::Torus& torus, dou
   return images;
 }
 
-/// Keeps the vertices that are corners of tetrahedra. They keep their order, and so rows do.
+/// Keeps the vertices that are corners of tetrahedra. Vertices and rows keep their order.
 void keep_corners(PeriodicSolid& solid) {
   std::vector<std::uint32_t> number(solid.vertices.size(), Solid::none);
   for (const Row& row : solid.simplices)
@@ -119,7 +118,7 @@ void list_isolated(std::size_t points, PeriodicSolid& solid) {
 }
 
 /// Finds the tetrahedra of circumradius at most `radius`. All points within twice the radius of a corner in the box are
-/// known; so tetrahedra with such a corner are right, and each class of images has one.
+/// known; so the tetrahedra with such a corner are right, and each class of images has such a tetrahedron.
 PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& torus, double radius,
                           const SolidOptions& options) {
   Images images = images_of(wrapped, torus, 2 * radius);
@@ -177,8 +176,8 @@ PeriodicSolid periodic_solid(std::span<const Point3> points, const Point3& box, 
   wrapped.reserve(points.size());
   for (const Point3& p : points) wrapped.push_back(torus.wrapped(p));
 
-  // Most tetrahedra are small. Where those within a radius fill the space, there are no others, and fewer images are
-  // needed than for alpha.
+  // Most tetrahedra are small. If those within some radius below alpha fill the space, there are no others, and fewer
+  // images are needed.
   constexpr double first_in_spacings = 2;
   const double spacing = std::cbrt(torus.box().x) * std::cbrt(torus.box().y) * std::cbrt(torus.box().z) /
                          std::cbrt(static_cast<double>(std::max<std::size_t>(points.size(), 1)));
@@ -213,7 +212,9 @@ Solid without_offsets(const PeriodicSolid& solid) {
 }
 
 std::vector<Triangle> periodic_boundary(const PeriodicSolid& solid) {
-  meshops::require(solid.neighbors.size() == solid.simplices.size(), "periodic_boundary: the solid has no neighbors");
+  meshops::require(
+      solid.neighbors.size() == solid.simplices.size(),
+      "periodic_boundary: the solid has no neighbors, expected periodic_solid() with the option neighbors");
   std::vector<Triangle> boundary;
   for (std::size_t t = 0; t < solid.simplices.size(); ++t)
     for (std::size_t k = 0; k < 4; ++k) {

@@ -23,7 +23,6 @@
 
 namespace rbpa {
 
-/// Options of solid() and periodic_solid().
 struct SolidOptions {
   /// Whether Solid::neighbors are filled in.
   bool neighbors = true;

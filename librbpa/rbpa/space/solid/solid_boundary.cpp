@@ -73,8 +73,8 @@ class OpenFaces {
   }
 
  private:
-  /// Passes the tetrahedra around an edge, starting at the triangle. Every neighbor is checked to share its face before
-  /// it is entered; so no two tetrahedra have the same next one, and the walk ends.
+  /// Walks through the tetrahedra around side j of triangle i, and glues the side to the one where the walk ends. A
+  /// neighbor is entered only if it shares the face; so no two tetrahedra have the same next one, and the walk ends.
   void glue(std::uint32_t i, std::uint32_t j) {
     constexpr const char* not_shared =
         "solid_boundary: expected neighbors[t][k] to be the tetrahedron across the face opposite corner k of t";
@@ -123,7 +123,7 @@ Surface glued_outside(std::span<const Point3> points, const Surface& boundary) {
   require_linked(space::arrays_of(boundary), points.size());
   for (const Triangle& neighbors : boundary.neighbors)
     for (const std::uint32_t other : neighbors)
-      meshops::require(other != Surface::none, "glued_outside: expected a closed boundary");
+      meshops::require(other != Surface::none, "glued_outside: a side has no neighbor, expected solid_boundary(solid)");
   Surface result = boundary;
   space::glue_outside(points, result);
   return result;

@@ -18,7 +18,6 @@
 
 namespace rbpa {
 
-/// The boundary of a solid.
 struct SolidBoundary {
   /// The boundary triangles, counter-clockwise seen from outside. The neighbor across a side is reached by turning
   /// about the side through the solid; every side has one.
@@ -41,7 +40,6 @@ RBPA_API SolidBoundary solid_boundary(const Solid& solid);
 /// Cost:     linear, and a sort at edges where several wedges meet.
 RBPA_API Surface glued_outside(std::span<const Point3> points, const Surface& boundary);
 
-/// Volume and area of a solid.
 struct BoundaryMeasures {
   double volume = 0;  ///< in cubed units of the points; relative error at most 2⁻⁵²
   /// Area, in squared units. The error is at most 2⁻⁵⁰ times the sum, over all triangles, of the product of two sides.

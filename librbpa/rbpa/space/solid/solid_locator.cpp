@@ -36,7 +36,7 @@ SolidLocator::SolidLocator(std::span<const Point3> points, std::span<const std::
     for (std::size_t k = 0; k < 4; ++k)
       meshops::require(
           simplices[t][k] < points.size() && (neighbors[t][k] == Solid::none || neighbors[t][k] < simplices.size()),
-          "SolidLocator: a corner or a neighbor does not exist");
+          "SolidLocator: a corner or a neighbor does not exist, expected indices of points and of tetrahedra");
   if (simplices.empty()) return;
   space::Box box;
   for (const auto& row : simplices)
@@ -76,11 +76,12 @@ std::uint32_t SolidLocator::find(const Point3& query, Walk& walk) const {
   };
   std::uint32_t t = start_[cell_of(query)], before = Solid::none;
   for (std::size_t steps = 0;; ++steps) {
-    meshops::require(steps <= simplices_.size(), "SolidLocator: the triangulation is not Delaunay");
+    meshops::require(steps <= simplices_.size(),
+                     "SolidLocator: a walk goes in circles, expected the Delaunay triangulation: solid() at infinity");
     std::uint32_t next = t;
     for (std::size_t k = 0; k < 4 && next == t; ++k) {
       const std::uint32_t beyond = neighbors_[t][k];
-      if (beyond == before && before != Solid::none) continue;  // the query is on this side of the face
+      if (beyond == before && before != Solid::none) continue;  // the query is on this side of the face to `before`
       if (side(t, k) <= 0) continue;
       if (beyond == Solid::none) return Solid::none;
       next = beyond;

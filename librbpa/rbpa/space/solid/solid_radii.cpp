@@ -69,7 +69,7 @@ class GrowingPieces {
     }
     for (std::uint32_t t = 0; t < simplices.size(); ++t)
       if (radii_[t] <= alpha) ++size[sets.find(t)];
-    // Each corner of a component belongs to one of its tetrahedra, so that hardly any component is large enough.
+    // A component of n tetrahedra has at most 4 n corners: most components are too small to be counted.
     for (std::uint32_t root = 0; root < size.size(); ++root)
       if (4 * std::size_t{size[root]} >= wanted_ && count_corners(root, alpha, sets) >= wanted_) return true;
     return false;
@@ -139,7 +139,8 @@ double min_alpha(const Solid& delaunay, std::span<const double> radii, double sh
 double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share, const GoOn& go_on) {
   require_radii(delaunay, radii);
   require_share(share);
-  meshops::require(delaunay.neighbors.size() == radii.size(), "auto_alpha: the triangulation has no neighbors");
+  meshops::require(delaunay.neighbors.size() == radii.size(),
+                   "auto_alpha: the triangulation has no neighbors, expected solid() with the option neighbors");
   if (delaunay.simplices.empty()) return infinity;
   // A component with enough points keeps them as alpha grows, so the least alpha is found by bisection over the radii.
   std::vector<double> sorted(radii.begin(), radii.end());

@@ -28,7 +28,7 @@ SolidCounts space::count_solid(const Solid& solid, const SolidBoundary& boundary
   counts.solid_components = count_sets(outside.solid_components);
   counts.components = count_sets(outside.components);
   const std::size_t surfaces = count_sets(outside.surfaces);
-  // Signed numbers, because sums of arrays that are not a solid's may be negative.
+  // Signed numbers: the sums may be negative if the arrays are not those of a solid.
   const auto signed_of = [](std::size_t count) { return static_cast<std::ptrdiff_t>(count); };
   const std::ptrdiff_t euler = outside.twice_euler / 2;
   const std::ptrdiff_t edges =

@@ -43,8 +43,8 @@ class Nesting {
   const space::Grouped& surfaces() const { return surfaces_; }
   /// Returns whether a surface is around a component.
   bool is_outer(std::uint32_t surface) const { return outer_[component_[surface]] == surface; }
-  /// Returns, for a surface around a component, the surface around the innermost void that
-  /// contains the component, or none.
+  /// Returns, for a surface around a component, the surface around the innermost void that contains the component, or
+  /// none.
   std::uint32_t around(std::uint32_t surface) const { return around_[surface]; }
 
   /// Does steps 2 and 3.
@@ -62,7 +62,7 @@ class Nesting {
         ++depth[c];
       }
     }
-    // Surfaces around the component of the innermost surface are around it too.
+    // The surface of the innermost void around c is of a component that lies in one void less than c.
     for (const auto& [c, s] : within)
       if (depth[component_[s]] + 1 == depth[c]) around_[outer_[c]] = s;
   }

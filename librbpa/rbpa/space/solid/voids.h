@@ -34,7 +34,6 @@ struct SolidVoid {
   Point3 low, high;  ///< opposite corners of its box
 };
 
-/// The voids of a solid, and the counts of the solid.
 struct Voids {
   /// The value in `number` for triangles that face the outside.
   static constexpr std::uint32_t none = 0xffffffff;

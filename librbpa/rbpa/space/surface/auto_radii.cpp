@@ -23,14 +23,14 @@ constexpr std::size_t neighbors = 32;
 constexpr double most_of_all = 0.99;  // fraction of the points whose gaps are ordinary
 constexpr double beyond_most = 2;     // a gap more than this many times the largest of these is an exception
 constexpr double margin = 1.25;       // because surfaces are not flat, and not all gaps are seen
-constexpr double ladder = 2;          // a ball this many times larger than needed loses detail
+constexpr double ladder = 2;          // ratio of radii: a ball this many times larger than needed loses detail
 constexpr double some_of_all = 0.05;  // fraction of the points that gets a smaller radius of its own
 constexpr std::size_t most_radii = 4;
 constexpr double least_flatness = 0.5;  // of neighbors that are on a surface
 // Fraction of a point's neighbors that are at least as near to it as to their own neighbors
 constexpr double least_returned = 0.5;
-constexpr double most_strangers =
-    0.3;  // fraction of the points that are on no surface; where there are more, none is left out
+// Greatest fraction of points on no surface that are left out; if there are more, none is
+constexpr double most_strangers = 0.3;
 constexpr double none = -1;
 
 /// The gap around each point, or none, in the order of `near`.
@@ -71,8 +71,8 @@ int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3
   return exponent;
 }
 
-/// Removes the gaps of points that are on no surface, and of points whose neighbors are mostly such points, which are
-/// in flat places by chance.
+/// Removes the gaps of points that are on no surface, and of points whose neighbors mostly are: these are flat by
+/// chance.
 void leave_out_strangers(Gaps& gaps, const std::vector<char>& on_surface) {
   const auto all = std::count(on_surface.begin(), on_surface.end(), 0);
   if (static_cast<double>(all) > most_strangers * static_cast<double>(on_surface.size())) return;

@@ -80,7 +80,7 @@ std::vector<Hole> chosen_curves(std::span<const Hole> curves, std::span<const Cu
 std::vector<CurveKind> curve_kinds(std::span<const Point3> points, const SurfaceComponents& components,
                                    std::span<const Hole> curves) {
   for (const Hole& curve : curves) {
-    meshops::require(!curve.edges.empty(), "curve_kinds: a curve has no edge");
+    meshops::require(!curve.edges.empty(), "curve_kinds: a curve has no edge, expected holes()");
     for (const RimEdge& edge : curve.edges)
       meshops::require(
           edge.from < points.size() && edge.to < points.size() && edge.triangle < components.number.size(),

@@ -63,12 +63,12 @@ inline constexpr double least_confidence = 0.5;
 /// Estimates normals as estimate_normals(), and the confidence in each, which is the lesser of two numbers:
 /// - the confidence in the plane that fits the neighbors: 1 minus the ratio of the two least eigenvalues of their
 ///   covariance; 1 in a plane, 0 in a ball of points or on a line;
-/// - the confidence in the side. Each edge of the spanning tree cuts the graph of nearest points in two; the edges of
-///   the graph across the cut vote whether the normals at their ends agree, each weighted by its own confidence. A cut
-///   counts 1 if all agree, 0 if half or more do not; the least cut on the path from the middle of the tree to the point
-///   is the confidence. If balls decide the side, the tree has several parts, and the confidence in the middle of a part
-///   is how much more of its first point they see from outside than from inside. With viewpoints, it is four times the
-///   cosine of the angle between normal and view, at most 1.
+/// - the confidence in the side. Each edge of the spanning tree cuts the graph of nearest points in two; the edges
+///   across the cut vote whether the normals at their ends agree, each weighted by its own confidence. A cut counts 1
+///   if all agree, 0 if half or more do not; the least cut on the path from the middle of the tree to the point is the
+///   confidence. If balls decide the side, the tree has parts, and in the middle of a part the number is how much more
+///   of its first point balls see from outside than from inside. With viewpoints, the number is four times the cosine
+///   of the angle between normal and view, at most 1.
 /// Cost: O(n log n) more, in one thread; measured, 0 to 16 % of the estimate by one thread.
 RBPA_API EstimatedNormals estimate_normals_and_confidence(std::span<const Point3> points,
                                                           const NormalOptions& options = {});

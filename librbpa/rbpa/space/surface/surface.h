@@ -20,7 +20,6 @@
 
 namespace rbpa {
 
-/// Options of surface() and of functions on surfaces.
 struct SurfaceOptions {
   MaxThreads threads = 0;
   /// Progress::triangles is the number of exposed triangles so far; for functions of a given surface the number of its

@@ -26,7 +26,7 @@ namespace {
 using Corners = std::array<Point3, 3>;
 using Vector = space::Vector3<double>;
 
-/// Returns the corners of a triangle, the least point first: the first index of a triangle depends on the numbers of
+/// Returns the corners of a triangle, the least point first, so that the result does not depend on the numbers of
 /// points.
 Corners corners_of(std::span<const Point3> points, const std::array<std::uint32_t, 3>& triangle) {
   Corners corners = {points[triangle[0]], points[triangle[1]], points[triangle[2]]};
@@ -127,7 +127,8 @@ SurfaceComponents surface_components(std::span<const Point3> points, const Surfa
 
 std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components, const GoOn& go_on) {
   require_linked(space::arrays_of(surface), std::numeric_limits<std::uint32_t>::max(), go_on);
-  meshops::require(are_of(components, surface), "genus_of: the components are not those of the surface");
+  meshops::require(are_of(components, surface),
+                   "genus_of: the components are not those of the surface, expected surface_components()");
   std::vector<std::size_t> genus;  // at first the number of vertices
   genus.resize(components.all.size(), 0);
   Steps step(go_on);
@@ -146,7 +147,7 @@ std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponent
 std::vector<bool> choose_components(const SurfaceComponents& components, const std::vector<bool>& outer,
                                     const ComponentChoice& choice) {
   meshops::require(choice.shell == ShellChoice::all || outer.size() == components.all.size(),
-                   "choose_components: expected for each component whether it is outer");
+                   "choose_components: outer differs in length from the components, expected one value for each");
   std::size_t left = choice.max_components.value_or(components.all.size());
   if (choice.shell == ShellChoice::largest) left = 1;
   std::vector<bool> kept;

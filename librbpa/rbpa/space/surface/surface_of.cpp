@@ -88,8 +88,8 @@ class EdgeTurn {
  private:
   const Point3& at(const SideInSpace& side) const { return points_[side.apex]; }
   int along(const SideInSpace& side) const { return space::orientation_along(a_, b_, at(side), axis_); }
-  /// Returns the part of the full turn, which starts in the direction of the first side: that direction, the first
-  /// half, the opposite direction, the second half.
+  /// Returns the part of a full turn, from the direction of the first side on, in which a side is: 0 that direction, 1
+  /// the first half, 2 the opposite direction, 3 the second half.
   int part(const SideInSpace& side) const {
     const int turned = space::orientation(a_, b_, start_, at(side));
     if (turned != 0) return turned > 0 ? 1 : 3;

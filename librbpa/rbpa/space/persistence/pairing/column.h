@@ -18,7 +18,6 @@ using ColumnEntry = std::uint64_t;
 inline ColumnEntry column_entry(std::uint32_t rank, std::uint32_t edge) { return ColumnEntry{rank} << 32U | edge; }
 inline std::uint32_t edge_of(ColumnEntry entry) { return static_cast<std::uint32_t>(entry); }
 
-/// A sum of columns.
 class Column {
  public:
   void assign(std::span<const ColumnEntry> ascending) {

@@ -58,7 +58,7 @@ class Search {
     std::uint32_t apex = no_corner;  // none where the chord is a side
     float least = 0;                 // lower bound of the turn of any triangulation of the part
   };
-  /// Weights of the parts in some order.
+  /// Weights of the parts, by the number or by the place of their chords.
   struct Weights {
     explicit Weights(std::size_t size) : turn(size, 0), area(size, 0) {}
     std::vector<float> turn;

@@ -57,7 +57,7 @@ bool is_side(const Chord& chord, std::size_t size) {
   return chord.second == chord.first + 1 || (chord.first == 0 && chord.second + 1 == size);
 }
 
-/// Returns the one of two crossing triangles that is to be forbidden.
+/// Returns which of two crossing triangles is to be forbidden: the one of larger area.
 const RimTriangle& worse(const Rim& rim, const RimTriangle& s, const RimTriangle& t) {
   const auto square = [&](const RimTriangle& of) {
     const Vector n = cross(rim.places[of[1]] - rim.places[of[0]], rim.places[of[2]] - rim.places[of[0]]);

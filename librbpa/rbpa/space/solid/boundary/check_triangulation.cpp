@@ -10,10 +10,12 @@ namespace rbpa::space {
 void check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
                          std::span<const double> radii) {
   meshops::require_one_each(function, radii.size(), "radii", delaunay.simplices.size(), "tetrahedra");
-  meshops::require(delaunay.neighbors.size() == radii.size(),
-                   (function + ": the triangulation has no neighbors").c_str());
-  meshops::require(corner_bound<4>(delaunay.simplices) <= points.size(),
-                   (function + ": a tetrahedron has a corner that is not a point").c_str());
+  meshops::require(
+      delaunay.neighbors.size() == radii.size(),
+      (function + ": the triangulation has no neighbors, expected solid() with the option neighbors").c_str());
+  meshops::require(
+      corner_bound<4>(delaunay.simplices) <= points.size(),
+      (function + ": a tetrahedron has a corner that is not a point, expected solid() of these points").c_str());
 }
 
 Threads check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,

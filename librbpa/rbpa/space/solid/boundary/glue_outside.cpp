@@ -27,7 +27,7 @@ void for_each_rising_side(const std::vector<Triangle>& triangles, const Put& put
 
 std::size_t glue_outside(std::span<const Point3> points, Surface& boundary) {
   const std::vector<Triangle>& triangles = boundary.triangles;
-  /// A side that leads to a point, across from a corner of a triangle.
+  /// A side of a triangle that leads to point `to`, across from corner `across`.
   struct Side {
     std::uint32_t to, triangle, across;
   };
@@ -46,7 +46,7 @@ std::size_t glue_outside(std::span<const Point3> points, Surface& boundary) {
     const Triangle& corners = triangles[t];
     sides.push_back({corners[(k + 1) % 3], corners[(k + 2) % 3], corners[k], t, k});
   };
-  // end[i] is now the end of point i's sides, which begin at the end of the sides of the point before.
+  // Now end[i] is the end of the sides of point i, which begin where those of the point before end.
   for (std::size_t i = 0, begin = 0; i < points.size(); begin = end[i++]) {
     const auto of = std::span(rising).subspan(begin, end[i] - begin);
     std::sort(of.begin(), of.end(), [](const Side& s, const Side& t) { return s.to < t.to; });

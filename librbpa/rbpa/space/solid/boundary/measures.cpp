@@ -30,7 +30,7 @@ Point3 size_of(std::span<const Point3> points) {
   return size;
 }
 
-/// Returns the corners, the least first: the first index of a triangle depends on the numbers of points.
+/// Returns the corners, the least point first, so that the result does not depend on the numbers of points.
 Corners corners_of(std::span<const Point3> points, const Triangle& triangle) {
   const Point3 &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
   if (b < a && b < c) return {b, c, a};
@@ -151,7 +151,7 @@ ClosedMeasures Measures::of(std::span<const Triangle> triangles, std::span<const
   }
   result.low = box.low;
   result.high = box.high;
-  // These triangles need a scale of their own where other points are much farther out.
+  // The triangles need a scale of their own if other points are much farther out.
   const Point3 size = size_of(std::array{result.low, result.high});
   constexpr int too_small = -200;  // a power of two
   const auto is_small = [&](double of_triangles, const PowerOfTwo& scale) {

@@ -123,8 +123,8 @@ class AtPoints {
     return fans;
   }
 
-  /// Passes the tetrahedra at v that are reached from one of them through faces at v, until none of the boundary's
-  /// corners is left. Returns how many corners are left.
+  /// Visits the tetrahedra at v that are connected with `from` through faces at v: one region. Of `left` corners of the
+  /// boundary at v, returns the number outside of the region; stops when it is 0.
   std::size_t pass_region(std::uint32_t v, std::uint32_t from, std::size_t left) {
     seen_[from] = next_region_;
     reached_.assign(1, from);
@@ -148,8 +148,8 @@ class AtPoints {
     return left;
   }
 
-  /// Joins regions of the link that touch: in a point of the link, which is an edge of the complex, where a side of
-  /// each leaves along this edge.
+  /// Joins regions of the link that touch in a point of the link. Such a point is an edge of the complex, along which a
+  /// side of each region leaves v.
   void find_parts(std::uint32_t regions) {
     std::sort(at_.begin(), at_.end(), [](const CornerAt& a, const CornerAt& b) { return a.head < b.head; });
     part_.resize(regions);
@@ -166,8 +166,8 @@ class AtPoints {
     return region;
   }
 
-  /// Joins fans of different parts of the link that are in the same region of its complement: the ones that no part
-  /// separates.
+  /// Joins fans of different parts of the link that are in the same region of its complement, as no part separates
+  /// them.
   void join_fans(std::uint32_t v) {
     std::sort(at_.begin(), at_.end(),
               [](const CornerAt& a, const CornerAt& b) { return std::pair(a.part, a.fan) < std::pair(b.part, b.fan); });
@@ -181,7 +181,7 @@ class AtPoints {
       for (const CornerAt& c : at_) outside_.surfaces.join(at_.front().triangle, c.triangle);
       return;
     }
-    // For each fan: its place with respect to each part of several fans, which is the fan of that part that faces it.
+    // For each fan, its place: for each part with several fans, the fan of that part that faces it.
     std::vector<std::pair<std::vector<std::uint32_t>, std::uint32_t>> places;  // second: a triangle of the fan
     std::vector<std::span<const CornerAt>> by_part;
     for (std::size_t i = 0, end = 0; i < at_.size(); i = end) {
@@ -206,7 +206,7 @@ class AtPoints {
       if (places[i].first == places[i - 1].first) outside_.surfaces.join(places[i].second, places[i - 1].second);
   }
 
-  /// Returns the fan of a part of the link that is crossed an odd number of times on the way to it from another part.
+  /// Returns the fan of `part` that an arc to `part` from the part `from` crosses an odd number of times.
   std::uint32_t fan_between(std::uint32_t v, std::span<const CornerAt> from, std::span<const CornerAt> part) const {
     const auto link_triangle = [&](const CornerAt& c) {
       const Row& corners = solid_.simplices[behind_[c.triangle]];

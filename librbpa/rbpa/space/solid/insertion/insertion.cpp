@@ -131,8 +131,7 @@ std::uint32_t Insertion::locate(Vertex v) const {
   std::uint32_t t = start_;
   const Estimate at_start = estimate(t, q);
   if (at_start.value > at_start.error) return t;
-  // V is minus the power times six volumes, and minor 3 is six volumes with the opposite sign; for ghosts it is about
-  // 0.
+  // V is minus the power times six volumes, and minor 3 is minus six volumes; for ghosts minor 3 is about 0.
   const auto power_of = [&](std::uint32_t s, double value) {
     return tetrahedra_[s].is_ghost() ? std::numeric_limits<double>::infinity() : value / tetrahedra_[s].minor[3];
   };
@@ -294,7 +293,8 @@ inline void Insertion::make(std::uint32_t t, const Locals& locals) {
 std::uint32_t Insertion::new_tetrahedra(std::size_t count) {
   const std::size_t first = tetrahedra_.size();
   if (first + count > max_tetrahedra)
-    throw InvalidInput("more than " + std::to_string(max_tetrahedra) + " tetrahedra at a time cannot be numbered");
+    throw InvalidInput("more than " + std::to_string(max_tetrahedra) +
+                       " tetrahedra at a time, expected so few that 32 bits number their faces");
   tetrahedra_.resize(first + count);
   error_.resize(first + count);
   return static_cast<std::uint32_t>(first);

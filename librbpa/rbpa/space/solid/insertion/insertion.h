@@ -31,7 +31,8 @@ namespace rbpa::space {
 
 class Insertion {
  public:
-  /// Vertex i + 1 is point order[i]. Keeps `points` and `scaled`, which must outlive this object.
+  /// Makes point order[i] vertex i + 1; begin() exchanges some (see index()). Keeps `points` and `scaled`, which must
+  /// outlive this object.
   /// Requires: `order` has indices of distinct, finite points, fewer than 2^32 − 1; `scaled` are the points multiplied
   ///           by the power of two of `spread` (spread.h).
   Insertion(std::span<const Point3> points, std::span<const Point3> scaled, const Spread& spread,

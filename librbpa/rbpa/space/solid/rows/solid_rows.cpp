@@ -52,7 +52,8 @@ Row permuted(const Row& row, Permutation p) {
 void check_number_of(std::size_t tetrahedra) {
   constexpr std::size_t most = std::size_t{1} << 30U;
   if (tetrahedra > most)
-    throw InvalidInput("more than " + std::to_string(most) + " tetrahedra at a time cannot be numbered");
+    throw InvalidInput("more than " + std::to_string(most) +
+                       " tetrahedra at a time, expected so few that 32 bits number their faces");
 }
 
 void fill_in(SolidRows rows, std::span<const std::uint32_t> index, std::size_t bound, bool neighbors, Threads& threads,

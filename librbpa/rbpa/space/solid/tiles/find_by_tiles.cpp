@@ -50,7 +50,7 @@ class Collected {
     shared_is_within_.insert(shared_is_within_.end(), stars.shared_is_within.begin(), stars.shared_is_within.end());
   }
 
-  /// Appends those of the shared tetrahedra that their leaf contributes, now that the settled points are known.
+  /// Appends the shared tetrahedra that their leaf contributes (Stars::shared), now that all settled points are known.
   void append_shared() {
     std::vector<std::uint8_t> is_unsettled(leaves_.places(), 0);
     for (const Place i : unsettled) is_unsettled[i] = 1;

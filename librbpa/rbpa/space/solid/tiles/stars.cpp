@@ -48,10 +48,10 @@ class StarSearch : public StarFinder, private ApexSearch {
  private:
   using Corners = std::array<std::uint16_t, 4>;
   static constexpr std::uint32_t none = Stars::none;
-  /// The neighbor across a face without one. Tetrahedron 0 is not used.
+  /// The value of across_ for a face without a neighbor. Tetrahedron 0 is not used.
   static constexpr std::uint32_t nobody = 0;
-  /// The rank of a point outside of the leaf, or of one that was given up. The rank of other points is their number in
-  /// the leaf.
+  /// The rank of points at which no face waits: those outside of the leaf, and those that were given up. The rank of
+  /// other points is their number in the leaf.
   static constexpr std::uint32_t waits_for_nothing = 1U << 16U;
 
   void start(const Leaf& leaf) {
@@ -73,8 +73,8 @@ class StarSearch : public StarFinder, private ApexSearch {
     make_room();
   }
 
-  /// Returns whether the tile is abandoned: most points would stay unsettled or need exact decisions, each of which
-  /// takes long.
+  /// Returns whether the tile is abandoned: of an eighth of its points, but at least 64, more than three quarters stay
+  /// unsettled, or exact decisions, which take long, are more than twelve a point.
   bool is_abandoned() const {
     constexpr std::size_t fewest = 64, most_exact = 12;
     return completed_ >= std::max(fewest, of_leaf_ / 8) &&
@@ -112,7 +112,7 @@ class StarSearch : public StarFinder, private ApexSearch {
     }
   }
 
-  /// Finds all tetrahedra at v. Returns false if it cannot.
+  /// Finds all tetrahedra at v. Returns false if some cannot be found.
   bool complete(Local v) {
     start_at(v);
     const std::uint32_t before = count_;
@@ -239,9 +239,9 @@ class StarSearch : public StarFinder, private ApexSearch {
   std::size_t of_leaf_ = 0, completed_ = 0, failures_ = 0;
 };
 
-/// Adds a first tetrahedron of the star. It starts with the edge to the nearest point and the triangles at that edge,
-/// those of least circumradius first: if the least ball of a triangle is empty, tetrahedra lie on both sides of it.
-/// Returns false if a few of these triangles have no tetrahedron that is proven to be empty.
+/// Adds a first tetrahedron of the star: at the edge to the nearest point, from triangles of least circumradius first,
+/// because tetrahedra lie on both sides of a triangle whose least ball is empty. Returns false if none of six triangles
+/// has a tetrahedron whose ball is proven to be empty.
 bool StarSearch::add_first(OpenFaces::AtCorner& open) {
   around_.clear();
   // All points around are used, finished or not.

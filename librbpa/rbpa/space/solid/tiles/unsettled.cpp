@@ -54,7 +54,7 @@ class OpenSides {
  private:
   struct Side {
     std::uint32_t middle, greatest, face;
-    bool is_ascending;  ///< as its tetrahedron sees it
+    bool is_ascending;  ///< whether its corners ascend as its tetrahedron sees it
   };
   std::vector<Side> sides_;
   std::vector<std::uint32_t> end_;  // end of the sides of each first corner

@@ -31,7 +31,7 @@ class TripleSearch {
         apex_(alpha),
         found_(found) {}
 
-  /// Greatest number of points around a cell: more would not fit the bits of a pair.
+  /// Maximum number of points around a cell: more would not fit the bits of a pair.
   static constexpr std::size_t most_around = 1u << 12;
 
   bool run(std::size_t first_cell, std::size_t end_cell) {

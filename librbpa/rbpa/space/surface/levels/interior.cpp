@@ -12,7 +12,7 @@ std::vector<std::uint8_t> corners_of_open_fans(const TriangleArrays& of) {
   for (std::uint32_t t = 0; t < of.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       if (of.neighbors[t][k] != TriangleArrays::none) continue;
-      // Passes around the corner after k, from the side across from k to the other end of the fan.
+      // Walks around the corner after k, from the side across from k to the other end of the fan.
       const std::uint32_t pivot = of.triangles[t][(k + 1) % 3];
       std::uint32_t at = t;
       std::size_t corner = (k + 1) % 3;

@@ -124,7 +124,7 @@ Graph graph_of(const Neighborhoods& points, const std::vector<Number>& seeds) {
   return {boost::edges_are_sorted, edges.begin(), edges.end(), root + Number{1}, edges.size()};
 }
 
-/// Orients the normal of each vertex that the tree reaches like its parent's.
+/// Turns the normal of each vertex that the tree reaches to the side of its parent's normal.
 template <typename Real>
 class Turn : public boost::default_dijkstra_visitor {
  public:
