@@ -102,7 +102,7 @@ void require_reports_alone(const TopologyArguments& arguments) {
   if (arguments.output && writes_mesh(arguments)) refuse("-o");
   if (arguments.generators) refuse("--generators");
   if (std::count(arguments.meshes.begin(), arguments.meshes.end(), "-") > 1)
-    throw WrongUsage("-: found standard input twice, expected once");
+    throw WrongUsage("MESH: found -, standard input, twice, expected once");
 }
 
 }  // namespace

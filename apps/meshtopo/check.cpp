@@ -39,7 +39,8 @@ Check parse_check(const std::string& text) {
   long number = 0;
   const auto [end, error] = std::from_chars(first, last, number);
   if (error != std::errc() || end != last)
-    throw WrongUsage("--check: found " + in_quotes(text) + ", expected a whole number, such as " + name + "=0");
+    throw WrongUsage("--check: found " + in_quotes(text) + ", expected " + name + "=N, N a whole number, such as " +
+                     name + "=0");
   return {name, number};
 }
 

@@ -59,9 +59,10 @@ int main(int argc, char** argv) {
   app.add_flag("--shortest", arguments.shortest,
                "With --generators, write the basis of the least total length, which takes minutes for large meshes")
       ->disable_flag_override();
-  app.add_option("--weld", arguments.weld,
-                 "Merge vertices that a chain with no step longer than D joins; 0: those at equal positions. Drop "
-                 "faces that become degenerate or repeat another")
+  app.add_option(
+         "--weld", arguments.weld,
+         "Merge vertices that a chain with no step longer than D joins, in units of the vertices; 0: those at equal "
+         "positions. Drop faces that become degenerate or repeat another")
       ->type_name("D");
   app.add_option("--keep-largest", arguments.keep_largest, "Keep only the K components with the largest areas")
       ->type_name("K");
@@ -77,9 +78,10 @@ int main(int argc, char** argv) {
                  "Fill holes, after a repair, by triangles between their vertices that intersect nothing: all holes; "
                  "rims: the rims of sheets as well; N: holes of at most N edges; length=L: holes at most that long")
       ->type_name("all|rims|N|length=L");
-  app.add_option("--close-tunnels-below", arguments.close_tunnels_below,
-                 "Cut handles and close tunnels that have a loop shorter than L around them, if nothing intersects; "
-                 "after holes are filled")
+  app.add_option(
+         "--close-tunnels-below", arguments.close_tunnels_below,
+         "Cut handles and close tunnels that have a loop shorter than L around them, in units of the vertices, if the "
+         "new faces intersect nothing; after holes are filled")
       ->type_name("L");
   app.add_option("--check", arguments.checks,
                  "Check properties of each mesh, such as closed,manifold,oriented,genus=0,components=1; print a line "
@@ -92,7 +94,7 @@ int main(int argc, char** argv) {
       ->type_name("N")
       ->capture_default_str();
   app.add_flag("-q,--quiet", arguments.quiet,
-               "Print neither progress nor the text report, but warnings and checks that fail")
+               "Print neither progress nor the text report; warnings and checks that fail are printed all the same")
       ->disable_flag_override();
   app.footer(
       "Examples:\n"

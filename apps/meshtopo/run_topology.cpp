@@ -138,11 +138,12 @@ class Run {
       const std::size_t edges = count(meshops::SoupDefectKind::non_manifold_edge),
                         vertices = count(meshops::SoupDefectKind::pinch);
       if (edges > 0)
-        say("meshtopo", name + ": STL cannot keep " + app::counted(edges, "edge") + " that " +
-                            (edges == 1 ? "was" : "were") + " cut (ply, obj and off can)");
+        say("meshtopo", name + ": STL joins points at equal positions, so " + app::counted(edges, "edge") +
+                            (edges == 1 ? " that was cut is" : " that were cut are") +
+                            " non-manifold again (.ply, .obj and .off keep " + (edges == 1 ? "it" : "them") + " cut)");
       if (vertices > 0)
         say("meshtopo", name + ": STL cannot keep apart the vertices of " + app::counted(vertices, "place") +
-                            " at which surfaces touch (ply, obj and off can)");
+                            " at which surfaces touch (.ply, .obj and .off can)");
       if (!is_wanted) findings.result.reset();
     }
     const std::string shifted = text_of_shift(Format::stl, faces.vertices, faces.triangles, plan_.shift, name);

@@ -36,7 +36,8 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
           "closes gaps that the smaller ones leave; auto: choose them by the gaps between the points")
       ->type_name("R[,R2,...]|auto")
       ->required();
-  verb.add_option("--max-radius", arguments.max_radius, "Limit the radii of --radius auto: replace larger ones by R")
+  verb.add_option("--max-radius", arguments.max_radius,
+                  "Replace radii of --radius auto above R, in units of the points, by R (by default there is no limit)")
       ->type_name("R");
   verb.add_option("--normals", arguments.normals,
                   "Take normals from the file, estimate them, or use none and make triangles on both sides of "
@@ -170,9 +171,11 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
                   "Write the pockets, which close only above alpha, as csv or json: volume and radius when they "
                   "close, and the triangle that closes them, their mouth")
       ->type_name("FILE");
-  verb.add_option("--voids-above", arguments.voids_above, "Write only voids and pockets of a larger volume than V")
+  verb.add_option("--voids-above", arguments.voids_above,
+                  "Write only voids and pockets of a volume above this, in cubed units of the points (default 0)")
       ->type_name("VOLUME");
-  verb.add_option("--top", arguments.top, "Write only the K largest voids and pockets")->type_name("K");
+  verb.add_option("--top", arguments.top, "Write only the K largest voids and the K largest pockets (by default all)")
+      ->type_name("K");
   verb.add_option("--complex", arguments.complex,
                   "Bound voids by full, the full alpha complex, whose triangles without a tetrahedron stop a ball "
                   "of radius alpha as well, or by solid, the tetrahedra alone (default full with --voids, "

@@ -16,9 +16,10 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
   add_alpha_options(verb, arguments);
   add_output_options(verb, arguments, endings(Use::triangles));
   add_switch(verb, "--compact", arguments.compact, "Leave out vertices that nothing uses (.npy keeps input indices)");
-  verb.add_option("--complex", arguments.complex,
-                  "Make the solid complex, or the full one, with the edges and points of the alpha complex that "
-                  "are in no triangle")
+  verb.add_option(
+          "--complex", arguments.complex,
+          "Make the solid complex, which is triangles alone, or the full one, which also has the edges and points of "
+          "the alpha complex that are in no triangle")
       ->type_name("NAME")
       ->capture_default_str();
   add_method_options(verb, arguments.method);
@@ -62,8 +63,8 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
   add_switch(verb, "--persistence", arguments.persistence, "Add births and deaths of components and holes");
   verb.add_option(
           "--dimension", arguments.dimension,
-          "Take points of the plane (2), or of space (3), with tunnels and voids: then the full alpha complex, and CSV "
-          "has every pair")
+          "Take POINTS as points of the plane (2) or of space (3). In space compute the full alpha complex, with its "
+          "tunnels and voids; --csv prints every pair")
       ->type_name("2|3")
       ->capture_default_str();
   add_waters_option(verb, arguments.waters);
@@ -83,7 +84,8 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
                   "Write only the K most persistent pairs of each dimension (default 100, unless --min-persistence "
                   "is given)")
       ->type_name("K");
-  verb.add_option("--min-persistence", arguments.min_persistence, "Write only pairs with death - birth at least P")
+  verb.add_option("--min-persistence", arguments.min_persistence,
+                  "Write only pairs with death - birth at least P, a length in units of the points")
       ->type_name("P");
   verb.add_option(
           "--levels", arguments.levels,
@@ -121,11 +123,14 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
   add_alpha_options(verb, arguments);
   add_output_options(verb, arguments, endings(Use::shape));
   add_method_options(verb, arguments.method);
-  verb.add_option("--min-hole-area", arguments.min_hole_area,
-                  "Fill holes that enclose less than this area, with everything in them; inf fills all")
+  verb.add_option(
+          "--min-hole-area", arguments.min_hole_area,
+          "Fill holes that enclose less than this area, in squared units of the points, with everything in them; inf: "
+          "all holes")
       ->type_name("A")
       ->capture_default_str();
-  verb.add_option("--min-part-area", arguments.min_part_area, "Drop polygons of less area, after holes are filled")
+  verb.add_option("--min-part-area", arguments.min_part_area,
+                  "Drop polygons of less than this area, in squared units of the points, after holes are filled")
       ->type_name("A")
       ->capture_default_str();
   verb.add_option("--isolated", arguments.isolated,
@@ -171,9 +176,10 @@ CLI::App* add_report(CLI::App& app, ReportArguments& arguments) {
   verb.add_option("-o,--output", arguments.output, "Write this page, .html; - is standard output")
       ->type_name("OUT")
       ->required();
-  verb.add_option("--dimension", arguments.dimension,
-                  "Take points of the plane (2), or of space (3), with tunnels and voids, and a boundary to turn "
-                  "around")
+  verb.add_option(
+          "--dimension", arguments.dimension,
+          "Take POINTS as points of the plane (2) or of space (3). In space the page shows tunnels and voids, and a "
+          "boundary that can be turned")
       ->type_name("2|3")
       ->capture_default_str();
   add_waters_option(verb, arguments.waters);

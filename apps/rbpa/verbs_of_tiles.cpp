@@ -27,7 +27,7 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
       ->type_name("R")
       ->required();
   add_output_options(verb, arguments, stream_formats());
-  verb.add_option("--memory", arguments.memory, "Limit the memory of the run, such as 500M or 4G")
+  verb.add_option("--memory", arguments.memory, "Limit the memory of the run: a size such as 500M or 4G, at least 64M")
       ->type_name("SIZE")
       ->capture_default_str();
   verb.add_option("--scratch", arguments.scratch,
@@ -38,7 +38,8 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
   verb.add_option("--tile-size", arguments.tile_size,
                   "Limit tiles to S points, at least 16 (by default as many as memory allows)")
       ->type_name("S");
-  add_switch(verb, "--keep-tiles", arguments.keep_tiles, "Keep the files of tiles in --scratch");
+  add_switch(verb, "--keep-tiles", arguments.keep_tiles,
+             "Keep the files of tiles in --scratch (by default they are removed at the end)");
   // Options of rbpa shape, hidden from the help: the refusal names the verb that has them.
   for (const auto& [name, value] :
        {std::pair("--min-hole-area", &arguments.min_hole_area), std::pair("--min-part-area", &arguments.min_part_area)})

@@ -158,7 +158,8 @@ Scratch::Scratch(const StreamRequest& request)
       throw;
     }
   }
-  throw Failure(folder_ + ": other processes remove the folder again and again");
+  throw Failure(folder_ +
+                ": another process removed the folder each time it was made (--scratch FOLDER names another)");
 }
 
 bool Scratch::make(const StreamRequest& request) {
@@ -177,13 +178,15 @@ bool Scratch::make(const StreamRequest& request) {
     };
     const fs::directory_iterator entries(folder_);
     if (std::any_of(begin(entries), end(entries), is_other))
-      throw WrongUsage("--scratch: found other files in " + folder_ + ", expected an empty folder, or none");
+      throw WrongUsage("--scratch: found files of another program in " + folder_ +
+                       ", expected an empty folder or a new name");
   }
   if (has_run_ && !request.resume)
     throw WrongUsage("--scratch: found a run in " + folder_ + ", expected --resume to continue it, or another folder");
   const Lock lock = lock_file(folder_ + lock_name, O_CREAT, lock_);
   if (lock == Lock::gone || (lock == Lock::busy && !is_asked_for_)) return false;
-  if (lock == Lock::busy) throw Failure(folder_ + ": another run is using the folder");
+  if (lock == Lock::busy)
+    throw Failure(folder_ + ": another run is using the folder (wait for it, or name another with --scratch)");
   if (!has_run_) {
     clear_leftovers();
     return true;

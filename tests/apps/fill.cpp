@@ -188,7 +188,7 @@ TEST_SUITE("fill") {
     folder.file("nothing.wkt", "POLYGON EMPTY");
     const Outcome nothing = folder.rbpa("fill nothing.wkt --size 1 -o m.off");
     CHECK(nothing.code == 0);
-    CHECK(nothing.err.find("there is no triangle: there is no polygon") != std::string::npos);
+    CHECK(nothing.err.find("there is no triangle, as there is no polygon to fill") != std::string::npos);
   }
 
   TEST_CASE("rings of files of Triangle begin at any vertex") {
@@ -250,7 +250,7 @@ TEST_SUITE("fill") {
             "p.off: found the ending 'off', expected one of " + formats + ", or --format");
     refuses(folder, "p.wkt --format off --size 1 -o m.off", 2, "--format: found 'off', expected one of " + formats);
     refuses(folder, "- --size 1 -o m.off </dev/null", 3, "standard input: found an empty file, expected polygons");
-    refuses(folder, "p.wkt --size 1", 2, "found no -o OUT, expected at least one (or --stats)");
+    refuses(folder, "p.wkt --size 1", 2, "-o: found no OUT, expected at least one (or --stats FILE)");
     refuses(folder, "p.wkt --size 1 -o m.abc", 2,
             "m.abc: found the ending 'abc', expected one of off, ply, obj, npy, vtu, geojson, json, svg, png, or "
             "--output-format");

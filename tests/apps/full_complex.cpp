@@ -346,10 +346,10 @@ TEST_SUITE("full complex") {
     for (const std::string file : {"m.off", "m.ply"})
       refuses(folder, "mesh p.xy --alpha 1 --complex full -o m.obj -o " + file,
               file +
-                  ": found --complex full, expected one of obj, npy, vtu, svg, png, which can contain edges and "
-                  "points in no triangle");
+                  ": found a format of triangles alone, expected one of obj, npy, vtu, svg, png for the edges and "
+                  "points of --complex full (or --complex solid)");
     refuses(folder, "mesh p.xy --alpha 1 --complex full -o - --output-format npy",
-            "-o -: found --complex full, which writes three .npy files, expected a file name");
+            "-o -: found standard output for the three .npy files of --complex full, expected a file name");
     refuses(folder, "mesh p.xy --alpha 1 --complex full --method hrbpa -o m.obj",
             "--complex full requires --method rbpa");
     refuses(folder, "mesh p.xy --alpha 1 --complex full --search paper -o m.obj",

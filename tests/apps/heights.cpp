@@ -16,7 +16,7 @@ namespace {
 
 std::string warning(const std::string& file, int points = 3) {
   return "rbpa: " + file + ": z of " + std::to_string(points) +
-         " points was ignored (rbpa surface computes in space)\n";
+         " points was ignored (rbpa surface and rbpa solid use it)\n";
 }
 
 /// Returns points of three numbers with the given third ones.

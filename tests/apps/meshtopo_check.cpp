@@ -136,7 +136,7 @@ TEST_SUITE("meshtopo --check") {
     for (const std::string number :
          {"genus", "genus=", "genus=0.5", "genus=x", "genus= 0", "genus=99999999999999999999"})
       CHECK(folder.meshtopo("whole.off --check '" + number + "'").err ==
-            "meshtopo: --check: found '" + number + "', expected a whole number, such as genus=0\n");
+            "meshtopo: --check: found '" + number + "', expected genus=N, N a whole number, such as genus=0\n");
     CHECK(folder.meshtopo("whole.off --check").code == 2);
   }
 }
@@ -206,7 +206,7 @@ TEST_SUITE("meshtopo, several meshes") {
     CHECK(refused("whole.off open.off bad.off --generators l.obj") ==
           "meshtopo: --generators: found 3 meshes, expected one\n");
     CHECK(refused("whole.off open.off --weld 0 -o w.off") == "meshtopo: -o: found 2 meshes, expected one\n");
-    CHECK(refused("- - --format off") == "meshtopo: -: found standard input twice, expected once\n");
+    CHECK(refused("- - --format off") == "meshtopo: MESH: found -, standard input, twice, expected once\n");
     CHECK(refused("whole.off open.foo").starts_with("meshtopo: open.foo: found the ending 'foo', expected one of"));
     CHECK(
         refused("whole.off open.off -o ./open.off --json") ==

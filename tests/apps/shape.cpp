@@ -198,7 +198,7 @@ TEST_SUITE("shape") {
             "--output-format: found 'ply', expected one of geojson, json, wkt, ewkt, csv, svg, png");
     refuses(folder, "shape p.xy --alpha 1 -o -",
             "-o - requires --output-format: one of geojson, json, wkt, ewkt, csv, svg, png");
-    refuses(folder, "shape p.xy --alpha 1", "found no -o OUT, expected at least one (or --stats)");
+    refuses(folder, "shape p.xy --alpha 1", "-o: found no OUT, expected at least one (or --stats FILE)");
     refuses(folder, "shape p.xy --alpha 1 -o s.png --width 1",
             "--width: found '1', expected a whole number of pixels from 64 to 8192");
     CHECK(folder.rbpa("shape p.xy -o s.wkt").code == 2);

@@ -197,7 +197,7 @@ TEST_SUITE("solid") {
     says("0 0 0\n1 1 0\n1 0 0\n0 1 0\n", "inf", "all points are in a plane");
     says("0 0 0\n1 1 0\n1 0 0\n0 1 0\n", "auto", "all points are in a plane");
     says("0 0 0\n1 1 0\n1 0 0\n0 1 0\n", "1 --pockets p.csv", "all points are in a plane");
-    says("0 0 0\n1 1 1\n1 0 0\n0 1 0\n", "0.1", "no four points have such a small circumradius");
+    says("0 0 0\n1 1 1\n1 0 0\n0 1 0\n", "0.1", "none has circumradius <= 0.1 (a larger --alpha may have some)");
   }
 
   TEST_CASE("wrong usage and bad input are refused in a line, and nothing is written") {
@@ -219,7 +219,7 @@ TEST_SUITE("solid") {
             "t.ply: found the ending 'ply', expected one of npy, vtu, msh, mesh, png, or --output-format");
     refuses(folder, "c.xyz --alpha 1 --boundary t.png", 2,
             "--boundary: found the ending 'png', expected one of off, ply, obj, stl, npy, glb, vtu");
-    refuses(folder, "c.xyz --alpha 1", 2, "found no -o OUT, expected at least one (or --stats)");
+    refuses(folder, "c.xyz --alpha 1", 2, "-o: found no OUT, expected at least one (or --stats FILE)");
     refuses(folder, "bad.xyz --alpha 1 -o t.npy", 3, "bad.xyz:2: found 'zero', expected a number");
   }
 }

@@ -164,7 +164,8 @@ TEST_SUITE("solid box") {
                            "box; voids and counts at --alpha 1.5 need all tetrahedra") != std::string::npos);
     outcome = folder.rbpa("solid a.pdb --alpha 3 --box 10 --where \"resname == 'DPP'\" --voids v.json");
     CHECK(outcome.code == 3);
-    CHECK(outcome.err.ends_with("rbpa: a.pdb: 0 atoms selected, but a box needs at least one\n"));
+    CHECK(outcome.err.ends_with(
+        "rbpa: a.pdb: found 0 atoms, expected at least one for --box (see --where and --waters)\n"));
     outcome = folder.rbpa("solid c.xyz --alpha 9 --box 4 --voids v.json");
     CHECK(outcome.code == 0);
   }
@@ -206,7 +207,8 @@ TEST_SUITE("solid box") {
     CHECK(of_file.err == given.err);
     CHECK(json::parse(of_file.out)["box"] == json{4.0, 4.0, 4.0});
     CHECK(run("m.pdb --box 5 -o t.npy")
-              .err.find("rbpa: m.pdb: the cell of the file is 4 x 4 x 4 (--box auto takes it)\n") == 0);
+              .err.find(
+                  "rbpa: m.pdb: --box is not the cell of the file, which is 4 x 4 x 4 (--box auto uses that)\n") == 0);
     const Outcome oblique = run("oblique.pdb --box auto -o t.npy");
     CHECK(oblique.code == 3);
     CHECK(oblique.err ==

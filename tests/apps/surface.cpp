@@ -298,7 +298,7 @@ TEST_SUITE("surface") {
     refuses(folder, "p.dat --radius 1 -o m.off", 2,
             "p.dat: found the ending 'dat', expected one of " + rbpa::app::endings(rbpa::app::Use::space) +
                 ", or --format");
-    refuses(folder, "p.xyz --radius 1", 2, "found no -o OUT, expected at least one (or --stats)");
+    refuses(folder, "p.xyz --radius 1", 2, "-o: found no OUT, expected at least one (or --stats FILE)");
     refuses(folder, "p.xyz --radius 1 -o m.off --holes h.ply", 2, "--holes: found the ending 'ply', expected obj");
     refuses(folder, "p.xyz --radius 1 --normals none --holes h.obj", 2,
             "--holes cannot be combined with --normals none, whose triangles have no boundary");

@@ -190,14 +190,13 @@ TEST_SUITE("surface") {
     const Outcome flat = folder.rbpa("surface t.xyz --radius 1 --watertight --json -q -o m.ply");
     CHECK(flat.code == 1);
     CHECK(flat.out.empty());
-    CHECK(
-        flat.err ==
-        "rbpa: not watertight: 1 boundary curve left, 1 hole not filled: 1 where any filling crosses the surface, the "
-        "longest of length 3.41421 with 3 edges at 0, 0, 0; nothing is written\n");
+    CHECK(flat.err ==
+          "rbpa: --watertight: 1 boundary curve left, 1 hole not filled: 1 where any filling crosses the surface, the "
+          "longest of length 3.41421 with 3 edges at 0, 0, 0; nothing is written\n");
     CHECK(!folder.has("m.ply"));
     const Outcome none = folder.rbpa("surface t.xyz --radius 0.1 --watertight -o m.ply");
     CHECK(none.code == 1);
-    CHECK(none.err.ends_with("\nrbpa: not watertight: there is no triangle; nothing is written\n"));
+    CHECK(none.err.ends_with("\nrbpa: --watertight: there is no triangle; nothing is written\n"));
     // Both sides of a sheet are closed, and coincide.
     const Outcome sides = folder.rbpa("surface t.xyz --radius 1 --normals none --watertight -o m.ply");
     CHECK(sides.code == 1);

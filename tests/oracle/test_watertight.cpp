@@ -25,7 +25,7 @@ using apps_test::Outcome;
 bool check_watertight(const Folder& folder, const std::string& input, const std::string& options) {
   const Outcome outcome = folder.rbpa("surface " + input + " --watertight -o w.off --json " + options);
   if (outcome.code == 1) {
-    CHECK(outcome.err.find("rbpa: not watertight: ") != std::string::npos);
+    CHECK(outcome.err.find("rbpa: --watertight: ") != std::string::npos);
     CHECK_FALSE(folder.has("w.off"));
     return false;
   }

@@ -204,7 +204,7 @@ void run_fill(const FillArguments& arguments) {
   run.publish();
   caution(request.targets, filling.points, file.vertices);
 
-  if (filling.triangles.empty()) say("rbpa", "there is no triangle: there is no polygon");
+  if (filling.triangles.empty()) say("rbpa", run.input() + ": there is no triangle, as there is no polygon to fill");
   const std::string left_out =
       valid.why_left_out.empty() ? "" : counted(valid.why_left_out.size(), "invalid feature") + " left out, ";
   run.summarize(text_of_polygons(filling.polygons.size(), totals.holes) + ", " + left_out + "area " +

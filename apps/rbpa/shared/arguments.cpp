@@ -21,7 +21,8 @@ std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool a
     otherwise = find_format(use, *arguments.output_format);
     if (!otherwise) refuse_name("--output-format", *arguments.output_format, known_formats);
   }
-  if (arguments.outputs.empty() && !any_report) throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
+  if (arguments.outputs.empty() && !any_report)
+    throw WrongUsage("-o: found no OUT, expected at least one (or --stats FILE)");
   std::vector<Target> targets;
   for (const std::string& path : arguments.outputs) {
     if (path.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
@@ -46,12 +47,12 @@ std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
   std::vector<Target> all;
   for (const Target& target : targets) {
     if (!is_for(Use::full, target.format))
-      throw WrongUsage(target.path + ": found --complex full, expected one of " + endings(Use::full) +
-                       ", which can contain edges and points in no triangle");
+      throw WrongUsage(target.path + ": found a format of triangles alone, expected one of " + endings(Use::full) +
+                       " for the edges and points of --complex full (or --complex solid)");
     all.push_back(target);
     if (target.format != Format::npy) continue;
     if (target.path == "-")
-      throw WrongUsage("-o -: found --complex full, which writes three .npy files, expected a file name");
+      throw WrongUsage("-o -: found standard output for the three .npy files of --complex full, expected a file name");
     all.push_back({beside(target.path, "edges"), Format::npy_edges});
     all.push_back({beside(target.path, "points"), Format::npy_points});
   }
@@ -112,7 +113,8 @@ std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, con
   for (const Target& target : targets) {
     files.push_back(target.path);
     if (target.format != Format::shp) continue;
-    if (target.path == "-") throw WrongUsage("-o -: found shp, which consists of several files, expected a file name");
+    if (target.path == "-")
+      throw WrongUsage("-o -: found standard output for shp, which is several files, expected a file name");
     for (const std::string& path : ogr_paths(target))
       if (path != target.path) others.push_back(path);
   }

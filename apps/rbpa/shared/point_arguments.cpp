@@ -61,7 +61,7 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
   const Format format = source.format;
   const bool text = is_table(format), ogr = format == Format::ogr;
   if (ogr && source.path == "-")
-    throw WrongUsage("-: found standard input, which GDAL cannot read, expected a file name");
+    throw WrongUsage("POINTS: found -, standard input, which GDAL cannot read, expected a file name");
   if (arguments.columns) require_format(text, "--columns", "with fixed columns", "text");
   if (arguments.skip_invalid) require_skips_invalid(Use::points, format);
   const bool of_groups = columns.key || columns.radius;

@@ -26,7 +26,7 @@ PointFile Run::read_points(const PointSource& source) const {
   const auto remark_on = [&](const std::string& text) { summarize(input_name(source.path) + ": " + text); };
   for (const std::string& text : file.warnings) remark_on(text);
   if (file.heights.differ() && !source.heights)
-    remark_on("z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface computes in space)");
+    remark_on("z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface and rbpa solid use it)");
   return file;
 }
 

@@ -36,7 +36,8 @@ inline void add_waters_option(CLI::App& verb, bool& waters) {
 }
 
 inline void add_stats_option(CLI::App& verb, std::optional<std::string>& file) {
-  verb.add_option("--stats", file, "Write sizes, times and peak memory as JSON")->type_name("FILE");
+  verb.add_option("--stats", file, "Write counts, times in seconds and peak memory in bytes as JSON")
+      ->type_name("FILE");
 }
 
 inline void add_width_option(CLI::App& verb, std::string& width) {

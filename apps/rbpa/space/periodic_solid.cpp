@@ -68,10 +68,10 @@ void PeriodicRun::settle_box() {
                      ", expected CRYST1 or _cell with right angles for --box auto (--box LX,LY,LZ gives the sides)");
     request_.box = {(*sides)[0], (*sides)[1], (*sides)[2]};
   } else if (sides && *sides != std::array{given.x, given.y, given.z}) {
-    warning("the cell of the file is " + text_of((*sides)[0]) + " x " + text_of((*sides)[1]) + " x " +
-            text_of((*sides)[2]) + " (--box auto takes it)");
+    warning("--box is not the cell of the file, which is " + text_of((*sides)[0]) + " x " + text_of((*sides)[1]) +
+            " x " + text_of((*sides)[2]) + " (--box auto uses that)");
   } else if (!fault.empty()) {
-    warning("the file has " + fault);
+    warning("the file has " + fault + ": the sides of --box are used");
   }
 }
 
@@ -177,7 +177,8 @@ void PeriodicRun::run() {
   file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
   warning(file_.warnings);
   if (file_.points.empty())
-    throw BadInput(input() + ": 0 " + name_of_points() + " selected, but a box needs at least one");
+    throw BadInput(input() + ": found 0 " + name_of_points() +
+                   ", expected at least one for --box (see --where and --waters)");
   settle_box();
   warning_range();
   facts_.read_seconds = lap();
@@ -191,7 +192,8 @@ void PeriodicRun::run() {
 
   const bool has_void = facts_.topology && !facts_.topology->voids.empty() && facts_.walls == ComplexKind::full;
   if (solid_.simplices.empty() && !has_void)
-    say("rbpa", "there is no tetrahedron: no four points have such a small circumradius");
+    say("rbpa", "there is no tetrahedron: none has circumradius <= " + text_of(facts_.alpha) +
+                    " (a larger --alpha may have some)");
   std::vector<std::string> files;
   for (const Target& target : request_.targets) files.push_back(target.path);
   for (const auto& target : {request_.boundary, request_.voids})

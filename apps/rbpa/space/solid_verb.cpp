@@ -169,7 +169,7 @@ void SolidRun::write(const SolidFacts& facts) {
 
 /// Returns "there is no tetrahedron: " and the reason.
 std::string why_empty(const SolidFacts& facts) {
-  std::string why = "no four points have such a small circumradius";
+  std::string why = "none has circumradius <= " + text_of(facts.alpha) + " (a larger --alpha may have some)";
   if (facts.distinct < 4)
     why = "fewer than four distinct points";
   else if (std::isinf(facts.alpha) || (facts.triangulation.distinct > 0 && facts.triangulation.simplices.empty()))

@@ -108,14 +108,14 @@ SurfaceFacts SurfaceRun::reconstructed(SpacePoints& file) {
 void SurfaceRun::require_watertight(const SurfaceFacts& facts) const {
   if (const std::string left = openings(facts); !left.empty()) {
     if (facts.surface.triangles.empty()) say("rbpa", why_empty(facts));
-    throw Failure("not watertight: " + left + "; nothing is written");
+    throw Failure("--watertight: " + left + "; nothing is written");
   }
   for (const Target& target : request_.targets) {
     TriangleProgress progress(!options().quiet, "looking for crossings", triangles_text);
     const std::string why =
         why_file_is_open(target.format, target.path, facts.points, facts.surface.triangles, request_.shift,
                          {.threads = options().threads, .progress = progress.watch()});
-    if (!why.empty()) throw Failure("not watertight: " + why + "; nothing is written");
+    if (!why.empty()) throw Failure("--watertight: " + why + "; nothing is written");
   }
 }
 

@@ -100,7 +100,7 @@ StreamRequest parse_request(const StreamArguments& arguments) {
     if (given && !request.scratch)
       throw WrongUsage(std::string(option) + " requires --scratch, the folder with the tiles");
   if (arguments.outputs.empty() && !arguments.stats)
-    throw WrongUsage("found no -o OUT, expected at least one (or --stats)");
+    throw WrongUsage("-o: found no OUT, expected at least one (or --stats FILE)");
   for (const std::string& path : arguments.outputs)
     request.targets.push_back(parse_stream_target(path, arguments.output_format));
   request.sources = parse_sources(arguments);

@@ -91,7 +91,7 @@ TEST_CASE("wrong arguments are refused with the reason") {
   }
   CHECK(said(folder, "a.xy -o t.npy --alpha 0", 2).find("expected a radius") != std::string::npos);
   CHECK(said(folder, "- -o t.npy --alpha 1", 2).find("read twice") != std::string::npos);
-  CHECK(said(folder, "a.xy --alpha 1", 2).find("found no -o OUT") != std::string::npos);
+  CHECK(said(folder, "a.xy --alpha 1", 2).find("-o: found no OUT") != std::string::npos);
   CHECK(said(folder, "a.xy --alpha 1 -o t.off", 2).find("found the ending 'off', expected one of geojson") !=
         std::string::npos);
   CHECK(said(folder, "a.xy --alpha 1 -o t.ply", 2).find("found no '*' in the name of the file") != std::string::npos);
@@ -106,7 +106,8 @@ TEST_CASE("wrong arguments are refused with the reason") {
         std::string::npos);
   CHECK(said(folder, "none --alpha 1 -o t.npy", 3).find("a folder without files of points") != std::string::npos);
   CHECK(said(folder, "c.xy --alpha 1 -o t.npy", 3) == "rbpa: c.xy: found no such file, expected a file of points\n");
-  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --scratch .", 2).find("found other files in .") != std::string::npos);
+  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --scratch .", 2).find("found files of another program in .") !=
+        std::string::npos);
   CHECK(said(folder, "a.xy --alpha 1 -o t.npy --scratch a.xy", 1).find("cannot make the folder") != std::string::npos);
   CHECK(said(folder, "a.xy --alpha 1 -o nowhere/t.npy", 1).find("nowhere") != std::string::npos);
   CHECK(folder.names() == std::vector<std::string>{"a.xy", "b.geojson", "none"});
