@@ -87,16 +87,19 @@ struct GroupProblem {
 
 /// The solid alpha complexes of groups. Entry g of a vector is that of group g, unless stated otherwise.
 struct GroupShapes {
-  /// The given or chosen radius. NaN if a point is not finite, if the group's own radius is not above 0, or if the rule
-  /// finds no radius.
+  /// The given or chosen radius of each group. NaN if a point is not finite, if the group's own radius is not above 0,
+  /// or if the rule finds no radius.
   std::vector<double> alphas;
-  std::vector<Polygon>
-      polygons;  ///< of all groups, in their order, each sorted as by outline_polygons(); input indices
-  /// The polygons of group g are numbers polygon_begin[g] to polygon_begin[g + 1] − 1.
+  /// The polygons of all groups, one group after another, each sorted as by outline_polygons(); input indices. Those of
+  /// group g are numbers polygon_begin[g] to polygon_begin[g + 1] − 1.
+  std::vector<Polygon> polygons;
   std::vector<std::uint64_t> polygon_begin = {0};
   std::vector<PolygonTotals> totals;
-  std::vector<std::uint64_t> triangle_begin = {0};  ///< likewise for triangles, also if these are not kept
-  std::vector<Triangle> triangles;     ///< only on request: of all groups, each as alpha_complex() returns its own
+  /// The triangles of group g are numbers triangle_begin[g] to triangle_begin[g + 1] − 1, counted even if not kept.
+  std::vector<std::uint64_t> triangle_begin = {0};
+  /// Only on request: the triangles of all groups, one group after another, each sorted as by alpha_complex(); input
+  /// indices.
+  std::vector<Triangle> triangles;
   std::vector<GroupProblem> problems;  ///< for groups without a polygon, ascending
 };
 

@@ -20,8 +20,7 @@ using meshops::Site;
 /// Returns where to cut the edge from a to b, as fractions of its length, ascending.
 std::vector<double> cuts(const Point& a, const Point& b, const SizeField& field, Steps& step) {
   const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
-  // Steps are an eighth of the size, which changes little in between.
-  // fraction of the edge, and the number of lengths of the field up to it
+  // Entries of a walk in steps of an eighth of the size: fraction of the edge so far, integral of 1 / size up to there.
   std::vector<std::pair<double, double>> counted = {{0, 0}};
   for (double share = 0, count = 0; share < 1;) {
     step();

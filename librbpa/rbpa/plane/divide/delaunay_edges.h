@@ -226,7 +226,7 @@ class DelaunayEdges {
   const Point& at(Corner c) const { return places_[c].at; }
   static Edge sym(Edge e) { return QuadEdges::sym(e); }
 
-  static constexpr std::size_t min_for_threads = 10000;  // a millisecond or two
+  static constexpr std::size_t min_for_threads = 10000;  // points: one or two milliseconds of work
   std::span<SitePoint> places_;
   QuadEdges edges_;
   std::vector<Edge> hull_;  // for an extreme corner, the edge of the hull that leaves it counter-clockwise

@@ -33,9 +33,9 @@ class Growth {
   TriangleArrays arrays_;
   std::vector<std::uint32_t> first_on_point_;  // for each vertex, the first vertex on the same point; empty: itself
   std::vector<std::uint32_t> gaps_;            // for each vertex, its triangles not added yet, plus one at the boundary
-  meshops::DisjointSets solids_;               // sets of triangles
-  meshops::DisjointSets pieces_;               // sets of vertices
-  std::vector<bool> in_, on_, point_on_;       // triangles, vertices, first vertices
+  meshops::DisjointSets solids_;               // solid components, as sets of triangles
+  meshops::DisjointSets pieces_;               // components, as sets of vertices
+  std::vector<bool> in_, on_, point_on_;       // triangles added; vertices and first vertices in one of them
   ComplexCounts now_;
   std::size_t fans_ = 0;
 };

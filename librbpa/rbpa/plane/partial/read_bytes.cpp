@@ -28,7 +28,8 @@ std::uint64_t word_at(std::span<const std::uint8_t> bytes, std::size_t at) {
 void check_frame(std::span<const std::uint8_t> bytes) {
   constexpr std::size_t header = 3 * word;
   if (bytes.size() < header || word_at(bytes, 0) != partial_format::magic)
-    refuse("found " + std::to_string(bytes.size()) + " bytes that do not begin with RBPAPART");
+    refuse("found " + std::to_string(bytes.size()) +
+           " bytes that do not begin with RBPAPART, expected those that to_bytes() wrote");
   if (const std::uint64_t version = word_at(bytes, word); version != partial_format::version)
     refuse("found version " + std::to_string(version) + ", expected " + std::to_string(partial_format::version));
   if (const std::uint64_t size = word_at(bytes, 2 * word); size != bytes.size())
@@ -38,7 +39,8 @@ void check_frame(std::span<const std::uint8_t> bytes) {
     refuse("found " + std::to_string(bytes.size()) + " bytes, expected a multiple of 8");
   const std::size_t end = bytes.size() - word;
   if (crc64(bytes.first(end)) != word_at(bytes, end))
-    refuse("found another checksum than that of its bytes, which were changed");
+    refuse(
+        "found bytes that do not have the checksum at their end, expected unchanged bytes (compute the result again)");
 }
 
 /// Reads words one by one, and never beyond the end.
@@ -47,7 +49,7 @@ class Reader {
   Reader(std::span<const std::uint8_t> bytes, std::size_t at) : bytes_(bytes), at_(at) {}
 
   std::uint64_t number() {
-    if (left() == 0) refuse("found its end at byte " + std::to_string(at_) + ", expected more");
+    if (left() == 0) refuse("found the end of the bytes at byte " + std::to_string(at_) + ", expected more");
     const std::uint64_t value = word_at(bytes_, at_);
     at_ += word;
     return value;
@@ -117,7 +119,7 @@ class Reader {
     return polygon;
   }
   void end() const {
-    if (left() != 0) refuse("found " + std::to_string(8 * left()) + " bytes after its end, expected none");
+    if (left() != 0) refuse("found " + std::to_string(8 * left()) + " bytes after the last item, expected none");
   }
 
  private:

@@ -58,7 +58,7 @@ void for_each_patch(const Sites& sites, const Radius& alpha, Threads& threads, S
       [&](std::size_t i, Workspace& w) {
         if (!skipped.contains(i)) {
           skipped.joined(i, w.owned, w.found.settled.size());
-        } else if (w.owned != 0) {  // another thread was faster
+        } else if (w.owned != 0) {  // found before the tiles ahead of it decided that it is skipped
           w.found.clear();
           sink.prepare(std::as_const(w.found), w.share);
         }
