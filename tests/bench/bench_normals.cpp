@@ -12,12 +12,13 @@
 #include "rbpa/space/surface/estimate_normals.h"
 #include "support/data_folder.h"
 #include "support/random.h"
+#include "support/vectors.h"
 
 namespace rbpa_bench {
 namespace {
 
+using namespace rbpa_test;
 using rbpa::Point3;
-using rbpa_test::Random;
 
 /// Points in space; normals point outward, on sheets upward.
 struct KnownNormals {
@@ -26,12 +27,6 @@ struct KnownNormals {
 };
 
 constexpr double pi = std::numbers::pi;
-
-Point3 operator+(const Point3& p, const Point3& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-Point3 operator*(double s, const Point3& p) { return {s * p.x, s * p.y, s * p.z}; }
-Point3 operator/(const Point3& p, double s) { return {p.x / s, p.y / s, p.z / s}; }
-double dot(const Point3& p, const Point3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
-double length(const Point3& p) { return std::sqrt(dot(p, p)); }
 
 /// Adds points p + d n, where d is noise.
 struct Adder {

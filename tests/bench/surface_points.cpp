@@ -8,18 +8,16 @@
 #include <unordered_map>
 
 #include "support/random.h"
+#include "support/vectors.h"
 
 namespace rbpa_bench {
 namespace {
 
+using namespace rbpa_test;
 using rbpa::Point3;
-using rbpa_test::Random;
 
 constexpr double pi = std::numbers::pi, moved = 0.2;
 
-Point3 operator+(const Point3& p, const Point3& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-Point3 operator*(double s, const Point3& p) { return {s * p.x, s * p.y, s * p.z}; }
-double dot(const Point3& p, const Point3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
 Point3 any(double size, Random& random) {
   return {random.between(-size, size), random.between(-size, size), random.between(-size, size)};
 }

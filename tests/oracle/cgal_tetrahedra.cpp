@@ -11,7 +11,7 @@
 #include <numeric>
 #include <utility>
 
-#include "oracle/rational.h"
+#include "oracle/rational_vector.h"
 
 namespace rbpa_test {
 namespace {
@@ -24,46 +24,25 @@ using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data
 
 constexpr std::uint32_t none = 0xffffffff;
 
-struct Vector {
-  Rational x, y, z;
-};
-Vector from(const rbpa::Point3& a, const rbpa::Point3& b) {
-  return {rational(b.x) - rational(a.x), rational(b.y) - rational(a.y), rational(b.z) - rational(a.z)};
-}
-Rational dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
-Vector cross(const Vector& u, const Vector& v) {
-  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-}
-Vector times(const Rational& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
-Vector plus(const Vector& u, const Vector& v) { return {u.x + v.x, u.y + v.y, u.z + v.z}; }
-
 /// Decides in rational numbers. The center solves c · u = u²/2 for each edge u at a.
 bool is_within(const std::array<rbpa::Point3, 4>& p, double alpha) {
-  const Vector u = from(p[0], p[1]), v = from(p[0], p[2]), w = from(p[0], p[3]);
+  const Vector3<Rational> u = rational_from(p[0], p[1]), v = rational_from(p[0], p[2]), w = rational_from(p[0], p[3]);
   const Rational volume = dot(cross(u, v), w);
-  const Vector sum =
-      plus(plus(times(dot(u, u), cross(v, w)), times(dot(v, v), cross(w, u))), times(dot(w, w), cross(u, v)));
+  const Vector3<Rational> sum = dot(u, u) * cross(v, w) + dot(v, v) * cross(w, u) + dot(w, w) * cross(u, v);
   const Rational radius = rational(alpha);
   return dot(sum, sum) <= 4 * volume * volume * radius * radius;
 }
 
 /// Decides in doubles if the values are far apart. Returns: whether they are.
 bool is_clear(const std::array<rbpa::Point3, 4>& p, double alpha, bool& within) {
-  using V = std::array<long double, 3>;
+  using V = Vector3<long double>;
   const auto edge = [&](std::size_t k) {
     return V{(long double)p[k].x - p[0].x, (long double)p[k].y - p[0].y, (long double)p[k].z - p[0].z};
   };
-  const auto cross3 = [](const V& a, const V& b) {
-    return V{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  };
-  const auto dot3 = [](const V& a, const V& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-  const V u = edge(1), v = edge(2), w = edge(3), vw = cross3(v, w), wu = cross3(w, u), uv = cross3(u, v);
-  const long double volume = dot3(uv, w), uu = dot3(u, u), vv = dot3(v, v), ww = dot3(w, w);
-  long double squares = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const long double c = uu * vw[k] + vv * wu[k] + ww * uv[k];
-    squares += c * c;
-  }
+  const V u = edge(1), v = edge(2), w = edge(3), uv = cross(u, v);
+  const long double volume = dot(uv, w), uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
+  const V sum = uu * cross(v, w) + vv * cross(w, u) + ww * uv;
+  const long double squares = dot(sum, sum);
   const long double sizes = std::sqrt(uu * vv * ww), right = 4 * volume * volume * alpha * alpha;
   // A crude bound: the volume and center of a sliver have errors of some 2^-60 of the products of its edges.
   const long double size = std::sqrt(uu) + std::sqrt(vv) + std::sqrt(ww);

@@ -7,15 +7,12 @@
 #include "oracle/cgal_normals.h"
 #include "rbpa/space/surface/estimate_normals.h"
 #include "support/space_sets.h"
+#include "support/vectors.h"
 
 using namespace rbpa_test;
 using rbpa::Point3;
 
 namespace {
-
-double sine(const Point3& m, const Point3& n) {
-  return std::hypot(m.y * n.z - m.z * n.y, m.z * n.x - m.x * n.z, m.x * n.y - m.y * n.x);
-}
 
 /// Returns the share of our normals that differ from CGAL's by a degree or more.
 double others(const Points3& points, std::size_t neighbors, std::size_t of_cgal) {
@@ -23,7 +20,7 @@ double others(const Points3& points, std::size_t neighbors, std::size_t of_cgal)
   const Points3 theirs = normals_by_cgal(points, of_cgal);
   REQUIRE(ours.size() == theirs.size());
   std::size_t count = 0;
-  for (std::size_t i = 0; i < ours.size(); ++i) count += sine(ours[i], theirs[i]) > 0.0175;
+  for (std::size_t i = 0; i < ours.size(); ++i) count += length(cross(ours[i], theirs[i])) > 0.0175;
   return static_cast<double>(count) / static_cast<double>(ours.size());
 }
 

@@ -12,6 +12,7 @@
 #include "support/arguments.h"
 #include "support/solid_sets.h"
 #include "support/space_sets.h"
+#include "support/vectors.h"
 
 using namespace rbpa_test;
 using rbpa::Point3;
@@ -34,19 +35,10 @@ std::string text(const Points3& points, double alpha) {
 }
 
 double circumradius(const Points3& points, const Tetrahedron& t) {
-  const Point3& a = points[t[0]];
-  const auto edge = [&](std::size_t k) {
-    return Point3{points[t[k]].x - a.x, points[t[k]].y - a.y, points[t[k]].z - a.z};
-  };
-  const auto dot = [](const Point3& u, const Point3& v) { return u.x * v.x + u.y * v.y + u.z * v.z; };
-  const auto cross = [](const Point3& u, const Point3& v) {
-    return Point3{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-  };
-  const Point3 u = edge(1), v = edge(2), w = edge(3), vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
-  const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
-  return std::hypot(uu * vw.x + vv * wu.x + ww * uv.x, uu * vw.y + vv * wu.y + ww * uv.y,
-                    uu * vw.z + vv * wu.z + ww * uv.z) /
-         (2 * std::abs(dot(uv, w)));
+  const auto edge = [&](std::size_t k) { return points[t[k]] - points[t[0]]; };
+  const Point3 u = edge(1), v = edge(2), w = edge(3), uv = cross(u, v),
+               sum = dot(u, u) * cross(v, w) + dot(v, v) * cross(w, u) + dot(w, w) * uv;
+  return std::hypot(sum.x, sum.y, sum.z) / (2 * std::abs(dot(uv, w)));
 }
 
 /// Returns infinity, circumradii from the least to the greatest, rounded, so that some are just above and some just

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "support/vectors.h"
+
 namespace rbpa_test {
 namespace {
 
@@ -20,13 +22,11 @@ Points3 generate(std::size_t count, std::uint64_t seed, Make make) {
 
 Point3 anywhere(Random& random) { return {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}; }
 
-Point3 times(double s, const Point3& p) { return {s * p.x, s * p.y, s * p.z}; }
-
 Point3 on_sphere(Random& random) {
   while (true) {
     const Point3 p = anywhere(random);
-    const double size = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
-    if (size > 0.1 && size <= 1) return times(1 / size, p);
+    const double size = length(p);
+    if (size > 0.1 && size <= 1) return 1 / size * p;
   }
 }
 
@@ -66,7 +66,7 @@ Points3 shells(std::size_t count) {
 }
 
 Points3 scaled(Points3 points, double factor) {
-  for (Point3& p : points) p = times(factor, p);
+  for (Point3& p : points) p = factor * p;
   return points;
 }
 
@@ -74,7 +74,7 @@ Points3 scaled(Points3 points, double factor) {
 
 Points3 uniform_cube(std::size_t count, std::uint64_t seed) {
   const double half = std::cbrt(static_cast<double>(count)) / 2;
-  return generate(count, seed, [&](Random& random) { return times(half, anywhere(random)); });
+  return generate(count, seed, [&](Random& random) { return half * anywhere(random); });
 }
 
 Points3 jittered_cubes(std::size_t count, std::uint64_t seed) {
@@ -150,11 +150,11 @@ std::vector<SolidSet> solid_sets(std::size_t count) {
   const std::size_t few = std::min<std::size_t>(count, 400);  // for shapes with a quadratic number of tetrahedra
   std::vector<SolidSet> sets;
   sets.push_back({"cube", uniform_cube(count, 1)});
-  sets.push_back({"ball", generate(count, 2, [](Random& r) { return times(std::cbrt(r.unit()), on_sphere(r)); })});
+  sets.push_back({"ball", generate(count, 2, [](Random& r) { return std::cbrt(r.unit()) * on_sphere(r); })});
   sets.push_back({"sphere", on_unit_sphere(count, 3)});
   sets.push_back({"two spheres", generate(count, 4, [](Random& r) {
                     const double radius = r.chance(0.5) ? 1 : 2;
-                    return times(radius, on_sphere(r));
+                    return radius * on_sphere(r);
                   })});
   sets.push_back({"slab", generate(count, 5, [](Random& r) {
                     const Point3 p = anywhere(r);
@@ -196,7 +196,7 @@ std::vector<SolidSet> solid_sets(std::size_t count) {
                   })});
   sets.push_back({"cube at 1e100", scaled(uniform_cube(count, 16), 1e100)});
   sets.push_back({"grid at 1e-100", scaled(cubic_grid(count, 1, 17), 1e-100)});
-  const auto mixed = [](Random& r) { return times(std::array{1e100, 1.0, 1e-100}[r.below(3)], anywhere(r)); };
+  const auto mixed = [](Random& r) { return std::array{1e100, 1.0, 1e-100}[r.below(3)] * anywhere(r); };
   sets.push_back({"1e100, 1 and 1e-100", generate(std::min<std::size_t>(count, 150), 18, mixed)});
   return sets;
 }

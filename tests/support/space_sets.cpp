@@ -4,19 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "support/vectors.h"
+
 namespace rbpa_test {
 namespace {
 
 using rbpa::Point3;
-
-Point3 operator+(const Point3& p, const Point3& q) { return {p.x + q.x, p.y + q.y, p.z + q.z}; }
-Point3 operator-(const Point3& p, const Point3& q) { return {p.x - q.x, p.y - q.y, p.z - q.z}; }
-Point3 operator*(double s, const Point3& p) { return {s * p.x, s * p.y, s * p.z}; }
-double dot(const Point3& p, const Point3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
-Point3 cross(const Point3& p, const Point3& q) {
-  return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
-}
-double length(const Point3& p) { return std::sqrt(dot(p, p)); }
 
 Point3 in_cube(Random& random) { return {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)}; }
 

@@ -18,6 +18,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/space/balls/full_topology.h"
 #include "support/solid_sets.h"
+#include "support/vectors.h"
 
 using namespace rbpa_test;
 using rbpa::Point3;
@@ -206,13 +207,8 @@ TEST_CASE("a void's tetrahedra are all of it at its birth, and its triangles are
       double enclosed = 0;  // by the faces, which are turned outward
       for (std::size_t k = 0; k < found.faces.size(); ++k) {
         rbpa::Triangle corners = found.faces[k];
-        const Point3 &o = set.points[found.faces[0][0]], &a = set.points[corners[0]], &b = set.points[corners[1]],
-                     &c = set.points[corners[2]];
-        const double u[3] = {a.x - o.x, a.y - o.y, a.z - o.z}, v[3] = {b.x - o.x, b.y - o.y, b.z - o.z},
-                     w[3] = {c.x - o.x, c.y - o.y, c.z - o.z};
-        enclosed += (u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) +
-                     u[2] * (v[0] * w[1] - v[1] * w[0])) /
-                    6;
+        const auto corner = [&](std::size_t at) { return set.points[corners[at]] - set.points[found.faces[0][0]]; };
+        enclosed += dot(corner(0), cross(corner(1), corner(2))) / 6;
         std::sort(corners.begin(), corners.end());
         CHECK(corners == filtration.triangles[found.cells[k]]);
       }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "oracle/rational.h"
+#include "oracle/rational_vector.h"
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/space/cells/scale.h"
 #include "rbpa/space/predicate/normal_sign.h"
@@ -22,24 +22,17 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-struct Vector {
-  Rational x, y, z;
-};
-Vector from(const Point3& a, const Point3& b) {
-  return {rational(b.x) - rational(a.x), rational(b.y) - rational(a.y), rational(b.z) - rational(a.z)};
-}
-Rational dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
+using Vector = Vector3<Rational>;
+
 /// Returns the determinant with the three vectors as rows.
-Rational det(const Vector& u, const Vector& v, const Vector& w) {
-  return u.x * (v.y * w.z - v.z * w.y) - u.y * (v.x * w.z - v.z * w.x) + u.z * (v.x * w.y - v.y * w.x);
-}
+Rational det(const Vector& u, const Vector& v, const Vector& w) { return dot(u, cross(v, w)); }
 int sign(const Rational& r) { return r.sign(); }
 
 /// The ball by the textbook: the circumcenter solves 2u·x = u², 2v·x = v², n·x = 0, and the center is h normals above
 /// it.
 struct RationalBall {
   RationalBall(const Point3& a, const Point3& b, const Point3& c, double radius)
-      : u(from(a, b)), v(from(a, c)), n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x} {
+      : u(rational_from(a, b)), v(rational_from(a, c)), n(cross(u, v)) {
     const Rational all = 2 * dot(n, n);
     if (all == 0) return;
     // Cramer's rule: the right sides replace a column.
@@ -100,7 +93,7 @@ TEST_CASE_TEMPLATE("a ball agrees with rational numbers", Real, double, long dou
       const RationalBall expected(s[0], s[1], s[2], radius);
       const Ball<Real> ball(s[0], s[1], s[2], radius);
       REQUIRE(ball.rests() == expected.rests);
-      const Vector d = from(s[0], s[3]);
+      const Vector d = rational_from(s[0], s[3]);
       const int above = sign(dot(expected.n, d));
       CHECK(ball.side_of_plane(s[3]) == above);
       if (!expected.rests) continue;
@@ -240,7 +233,8 @@ TEST_CASE("the test of a triangle's normal agrees with rational numbers") {
       if (s.size() < 4) continue;
       Point3 m = random.chance(0.5) ? s[3] : random_normals(1, random).front();
       if (random.chance(0.2)) m = {m.x * 0x1p-1000, m.y * 0x1p-1060, m.z * 0x1p-1020};
-      const Vector u = from(s[0], s[1]), v = from(s[0], s[2]), w{rational(m.x), rational(m.y), rational(m.z)};
+      const Vector u = rational_from(s[0], s[1]), v = rational_from(s[0], s[2]),
+                   w{rational(m.x), rational(m.y), rational(m.z)};
       const int expected = sign(det(u, v, w));
       none += expected == 0;
       CHECK(rbpa::space::TriangleNormal(s[0], s[1], s[2]).sign_along(m) == expected);

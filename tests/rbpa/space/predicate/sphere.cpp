@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "oracle/rational.h"
+#include "oracle/rational_vector.h"
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/spread.h"
 #include "support/arguments.h"
@@ -21,23 +21,13 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-struct Vector {
-  Rational x, y, z;
-};
-Vector from(const Point3& a, const Point3& b) {
-  return {rational(b.x) - rational(a.x), rational(b.y) - rational(a.y), rational(b.z) - rational(a.z)};
-}
-Rational dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y + u.z * v.z; }
-Vector cross(const Vector& u, const Vector& v) {
-  return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-}
+using Vector = Vector3<Rational>;
 
 /// Returns the circumcenter relative to a, by Cramer's rule. Requires: a positive volume.
 Vector center(const Vector& u, const Vector& v, const Vector& w) {
   const Vector vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);
   const Rational uu = dot(u, u), vv = dot(v, v), ww = dot(w, w), twice = 2 * dot(uv, w);
-  return {(uu * vw.x + vv * wu.x + ww * uv.x) / twice, (uu * vw.y + vv * wu.y + ww * uv.y) / twice,
-          (uu * vw.z + vv * wu.z + ww * uv.z) / twice};
+  return (uu * vw + vv * wu + ww * uv) / twice;
 }
 
 }  // namespace
@@ -51,7 +41,8 @@ TEST_CASE("side of sphere and circumradius agree with rational numbers") {
       Points3 p = space_set(static_cast<SpaceKind>(k), 5, random);
       if (p.size() < 5) continue;
       const double radius = space_radius(p, random);
-      const Vector u = from(p[0], p[1]), v = from(p[0], p[2]), w = from(p[0], p[3]), q = from(p[0], p[4]);
+      const Vector u = rational_from(p[0], p[1]), v = rational_from(p[0], p[2]), w = rational_from(p[0], p[3]),
+                   q = rational_from(p[0], p[4]);
       const Rational volume = dot(cross(u, v), w);
       if (volume == 0) {
         CHECK(space::exact::compare_circumradius(p[0], p[1], p[2], p[3], radius) == 1);
@@ -60,7 +51,7 @@ TEST_CASE("side of sphere and circumradius agree with rational numbers") {
       if (volume < 0) {
         std::swap(p[2], p[3]);
       }
-      const Vector c = center(u, v, w), to = {q.x - c.x, q.y - c.y, q.z - c.z};
+      const Vector c = center(u, v, w), to = q - c;
       const int expected = Rational(dot(c, c) - dot(to, to)).sign();
       ties += expected == 0;
       inside += expected > 0;
@@ -73,7 +64,7 @@ TEST_CASE("side of sphere and circumradius agree with rational numbers") {
       const double value = space::in_sphere_by_double_double(p[0], p[1], p[2], p[3], p[4]);
       const Rational exact = (dot(c, c) - dot(to, to)) * abs(volume);
       Rational size = 0;
-      for (const Point3& r : p) size = std::max(size, Rational(dot(from(p[3], r), from(p[3], r))));
+      for (const Point3& r : p) size = std::max(size, Rational(dot(rational_from(p[3], r), rational_from(p[3], r))));
       const Rational error = abs(Rational(rational(value) - exact)) - rational(0x1p-52) * abs(exact);
       CHECK((error <= 0 || error * error <= rational(0x1p-190) * size * size * size * size * size));
       decided += value != 0;
@@ -110,7 +101,7 @@ TEST_CASE("ties are perturbed consistently: any four corners and the fifth point
       // Even permutations of the corners change nothing.
       CHECK(space::pulled_into_sphere(t[1], t[2], t[0], t[3], p[out]) == in);
       CHECK(space::pulled_into_sphere(t[3], t[2], t[1], t[0], p[out]) == in);
-      const Rational six = dot(cross(from(t[0], t[1]), from(t[0], t[2])), from(t[0], t[3]));
+      const Rational six = dot(cross(rational_from(t[0], t[1]), rational_from(t[0], t[2])), rational_from(t[0], t[3]));
       volume += in ? Rational(-six) : six;
     }
     // Tetrahedra of the selected triangulation are empty, those of the other contain the fifth point; each set fills

@@ -14,6 +14,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/space/repair/crossing_triangles.h"
 #include "support/space_sets.h"
+#include "support/vectors.h"
 
 using namespace rbpa_test;
 using rbpa::HoleOutcome;
@@ -53,10 +54,7 @@ Mesh sphere(int times) {
   for (; times > 0; --times) {
     std::vector<Row> cut;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const Point3 &p = mesh.points[std::min(a, b)], &q = mesh.points[std::max(a, b)];
-      const Point3 sum = {p.x + q.x, p.y + q.y, p.z + q.z};
-      const double length = std::sqrt(sum.x * sum.x + sum.y * sum.y + sum.z * sum.z);
-      const Point3 m = {sum.x / length, sum.y / length, sum.z / length};
+      const Point3 m = unit(mesh.points[std::min(a, b)] + mesh.points[std::max(a, b)]);
       const auto found = std::find(mesh.points.begin(), mesh.points.end(), m);
       if (found == mesh.points.end())
         mesh.points.push_back(m);

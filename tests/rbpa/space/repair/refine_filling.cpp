@@ -19,6 +19,7 @@
 #include "rbpa/space/surface/surface_components.h"
 #include "support/arguments.h"
 #include "support/space_sets.h"
+#include "support/vectors.h"
 
 using namespace rbpa_test;
 using rbpa::FilledSurface;
@@ -85,7 +86,7 @@ double longest_new_edge(const Points3& points, const Surface& surface, const std
   for (std::size_t t = 0; t < is_new.size(); ++t)
     for (std::size_t k = 0; k < 3 && is_new[t]; ++k) {
       const Point3 &p = points[surface.triangles[t][k]], &q = points[surface.triangles[t][(k + 1) % 3]];
-      longest = std::max(longest, std::hypot(p.x - q.x, p.y - q.y, p.z - q.z));
+      longest = std::max(longest, length(p - q));
     }
   return longest;
 }
@@ -98,11 +99,8 @@ double farthest_normal(const Points3& points, const RefinedSurface& refined, con
     if (!refined.is_new[t]) continue;
     const auto& row = refined.surface.triangles[t];
     const Point3 &a = points[row[0]], &b = points[row[1]], &c = points[row[2]];
-    const Point3 u = {b.x - a.x, b.y - a.y, b.z - a.z}, v = {c.x - a.x, c.y - a.y, c.z - a.z};
-    const Point3 n = {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
-    const Point3 m = normal_at({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3});
-    least =
-        std::min(least, (n.x * m.x + n.y * m.y + n.z * m.z) / std::hypot(n.x, n.y, n.z) / std::hypot(m.x, m.y, m.z));
+    const Point3 n = cross(b - a, c - a), m = normal_at((a + b + c) / 3);
+    least = std::min(least, dot(n, m) / length(n) / length(m));
   }
   return std::acos(least) * 180 / std::acos(-1.0);
 }
@@ -122,7 +120,7 @@ TEST_CASE("a hole in a torus, whose curvature varies, is filled close to it, at 
           const double u = 2 * pi * (i + 0.5 * (j % 2)) / 160, w = 2 * pi * j / 64;
           const double out = ring + tube * std::cos(w);
           const Point3 p = {out * std::cos(u), out * std::sin(u), tube * std::sin(w)};
-          if (std::hypot(p.x - middle.x, p.y - middle.y, p.z - middle.z) < width) continue;
+          if (length(p - middle) < width) continue;
           sample.points.push_back(p);
           sample.normals.push_back({std::cos(w) * std::cos(u), std::cos(w) * std::sin(u), std::sin(w)});
         }
@@ -230,8 +228,7 @@ TEST_CASE(
     }
     const double width = random.between(0.2, 0.45), bumps = random.between(0, 0.3);
     Sample sample = sphere_without(1500, [&](const Point3& p) {
-      return std::any_of(centers.begin(), centers.end(),
-                         [&](const Point3& c) { return std::hypot(p.x - c.x, p.y - c.y, p.z - c.z) < width; });
+      return std::any_of(centers.begin(), centers.end(), [&](const Point3& c) { return length(p - c) < width; });
     });
     for (Point3& p : sample.points) {
       const double r = 1 + bumps * std::sin(5 * p.x) * std::cos(4 * p.y + p.z);

@@ -16,6 +16,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/space/solid/solid_radii.h"
 #include "support/periodic_sets.h"
+#include "support/vectors.h"
 
 using namespace rbpa_test;
 using rbpa::PeriodicSolid;
@@ -82,12 +83,8 @@ std::size_t wrong_neighbors(const PeriodicSolid& solid) {
 double volume_of(const PeriodicSolid& solid) {
   double six = 0;
   for (const auto& row : solid.simplices) {
-    const auto edge = [&](std::size_t k) {
-      const Point3 &a = solid.positions[row[0]], &b = solid.positions[row[k]];
-      return Point3{b.x - a.x, b.y - a.y, b.z - a.z};
-    };
-    const Point3 u = edge(1), v = edge(2), w = edge(3);
-    six += w.x * (u.y * v.z - u.z * v.y) + w.y * (u.z * v.x - u.x * v.z) + w.z * (u.x * v.y - u.y * v.x);
+    const auto edge = [&](std::size_t k) { return solid.positions[row[k]] - solid.positions[row[0]]; };
+    six += dot(edge(3), cross(edge(1), edge(2)));
   }
   return six / 6;
 }

@@ -18,6 +18,7 @@
 #include "rbpa/space/surface/surface_components.h"
 #include "space/solid/solid_model.h"
 #include "support/arguments.h"
+#include "support/vectors.h"
 
 using namespace rbpa_test;
 using rbpa::Point3;
@@ -192,9 +193,8 @@ TEST_CASE("walled-in tetrahedra around one point bound the voids that the triang
     for (const auto& [radius, count] : {std::pair(1.0, 40), {2.0, 60}}) {
       for (int i = 0; i < count;) {
         const Point3 p = {2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1};
-        const double length = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
-        if (length > 1 || length < 0.1) continue;
-        points.push_back({radius * p.x / length, radius * p.y / length, radius * p.z / length});
+        if (length(p) > 1 || length(p) < 0.1) continue;
+        points.push_back(radius * p / length(p));
         ++i;
       }
     }
@@ -326,12 +326,10 @@ TEST_CASE("the void in a spherical shell lies between its inner ball, and that b
   for (const double radius : {1.0, 1.1})
     for (int i = 0; i < 3000; ++i) {
       Point3 p{};
-      double length = 0;
       do {
         p = {2 * random.unit() - 1, 2 * random.unit() - 1, 2 * random.unit() - 1};
-        length = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
-      } while (length > 1 || length < 0.1);
-      points.push_back({radius * p.x / length, radius * p.y / length, radius * p.z / length});
+      } while (length(p) > 1 || length(p) < 0.1);
+      points.push_back(radius * p / length(p));
     }
   const double alpha = 0.2;
   const Solid s = solid(points, alpha);

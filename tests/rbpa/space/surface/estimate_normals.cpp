@@ -16,6 +16,7 @@
 #include "rbpa/space/surface/surface.h"
 #include "support/data_folder.h"
 #include "support/space_sets.h"
+#include "support/vectors.h"
 
 using namespace rbpa_test;
 using rbpa::estimate_normals;
@@ -26,12 +27,6 @@ TEST_SUITE_BEGIN("space");
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-double dot(const Point3& p, const Point3& q) { return p.x * q.x + p.y * q.y + p.z * q.z; }
-Point3 unit(const Point3& p) {
-  const double length = std::sqrt(dot(p, p));
-  return {p.x / length, p.y / length, p.z / length};
-}
 
 /// Points, and their true normals.
 struct Known {
@@ -201,7 +196,7 @@ TEST_CASE("the normals of a plane are its own, exactly for a level plane, upward
     wall.push_back({u, 0.7, v});
   }
   for (const Point3& n : estimate_normals(level)) CHECK(n == Point3{0, 0, 1});
-  for (const Point3& n : estimate_normals(tilted)) CHECK(dot(n, unit({1, -0.5, 1})) > 1 - 1e-12);
+  for (const Point3& n : estimate_normals(tilted)) CHECK(dot(n, unit(Point3{1, -0.5, 1})) > 1 - 1e-12);
   for (const Point3& n : estimate_normals(wall)) CHECK(n.y > 1 - 1e-12);
 }
 
@@ -286,7 +281,7 @@ TEST_CASE("points on a line have the direction across it that is nearest to z, o
   for (const Point3& n : estimate_normals(rounded)) CHECK(dot(n, expected) > 1 - 1e-12);
   // Three points that are not on a line: the plane through them.
   for (const Point3& n : estimate_normals({{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}))
-    CHECK(dot(n, unit({1, 1, 1})) > 1 - 1e-12);
+    CHECK(dot(n, unit(Point3{1, 1, 1})) > 1 - 1e-12);
 }
 
 TEST_CASE("the surface of a ball from estimated normals equals that from true ones") {

@@ -12,6 +12,7 @@
 #include "rbpa/space/surface/surface_levels.h"
 #include "rbpa/space/surface/unused_points.h"
 #include "support/space_sets.h"
+#include "support/vectors.h"
 
 using namespace rbpa_test;
 using rbpa::Point3;
@@ -22,8 +23,6 @@ TEST_SUITE_BEGIN("space");
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-double length(const Point3& p) { return std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z); }
 
 /// Returns random points on the unit sphere, moved along their normals by nearly normally distributed noise, given in
 /// spacings.

@@ -14,6 +14,7 @@
 #include "rbpa/space/surface/estimate_normals.h"
 #include "rbpa/space/surface/normals/fit_plane.h"
 #include "support/space_sets.h"
+#include "support/vectors.h"
 
 using namespace rbpa_test;
 using rbpa::Point3;
@@ -65,9 +66,8 @@ Known ball(std::size_t count) {
   Known known{.name = "ball", .points = {}, .normals = {}};
   while (known.points.size() < count) {
     const Point3 p = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
-    const double length = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z);
-    if (length < 0.1 || length > 1) continue;
-    known.normals.push_back({p.x / length, p.y / length, p.z / length});
+    if (length(p) < 0.1 || length(p) > 1) continue;
+    known.normals.push_back(unit(p));
     known.points.push_back(known.normals.back());
   }
   return known;
@@ -75,10 +75,7 @@ Known ball(std::size_t count) {
 
 double right_share(const Known& known, const Points3& normals) {
   std::size_t right = 0;
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    const Point3 &n = normals[i], &m = known.normals[i];
-    right += n.x * m.x + n.y * m.y + n.z * m.z > 0;
-  }
+  for (std::size_t i = 0; i < normals.size(); ++i) right += dot(normals[i], known.normals[i]) > 0;
   return static_cast<double>(right) / static_cast<double>(normals.size());
 }
 
@@ -95,8 +92,7 @@ std::vector<std::int8_t> sides_of(const Known& known, const std::function<bool(s
   auto [near, normals, flatness] = rbpa::space::fit_planes<double>(points, 16, threads, {});
   for (std::size_t k = 0; k < order.size(); ++k) {
     Point3& n = normals[near.place[k]];
-    const Point3& m = known.normals[order[k]];
-    const bool is_wrong = n.x * m.x + n.y * m.y + n.z * m.z < 0;
+    const bool is_wrong = dot(n, known.normals[order[k]]) < 0;
     if (is_wrong != is_turned(k)) n = {-n.x, -n.y, -n.z};
   }
   return rbpa::space::outer_sides(near, normals, options).side;

@@ -13,6 +13,7 @@
 #include "rbpa/space/surface/normals/compare_normals.h"
 #include "rbpa/space/surface/normals/fit_plane.h"
 #include "support/space_sets.h"
+#include "support/vectors.h"
 
 using namespace rbpa_test;
 using rbpa::EstimatedNormals;
@@ -86,9 +87,8 @@ Points3 ball(std::size_t count, double noise, std::uint64_t seed) {
   Points3 points;
   while (points.size() < count) {
     const Point3 p = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
-    const double length = std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z),
-                 out = (1 + noise * random.between(-1, 1)) / length;
-    if (length > 0.1 && length < 1) points.push_back({out * p.x, out * p.y, out * p.z});
+    const double size = length(p), out = (1 + noise * random.between(-1, 1)) / size;
+    if (size > 0.1 && size < 1) points.push_back(out * p);
   }
   return points;
 }
@@ -154,8 +154,7 @@ TEST_CASE("every normal of a smooth ball is confident, and those on the wrong si
     std::size_t wrong = 0, sure = 0, wrong_and_sure = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Point3 &p = points[i], &n = found.normals[i];
-      const bool is_wrong = p.x * n.x + p.y * n.y + p.z * n.z < 0,
-                 is_sure = found.confidence[i] >= rbpa::least_confidence;
+      const bool is_wrong = dot(p, n) < 0, is_sure = found.confidence[i] >= rbpa::least_confidence;
       CHECK((found.confidence[i] >= 0 && found.confidence[i] <= 1));
       wrong += is_wrong;
       sure += is_sure;
