@@ -1,4 +1,5 @@
-// What: all public headers about points in the plane: complexes, polygons, filtrations, groups, parts that merge.
+// What: includes all public headers about points in the plane: complexes, polygons, filtrations, groups, parts that
+//       merge.
 #pragma once
 
 #include "rbpa/plane/alpha_complex.h"

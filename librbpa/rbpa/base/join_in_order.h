@@ -17,8 +17,8 @@
 
 namespace rbpa {
 
-/// A queue of the items 0 … count − 1 that threads share. It hands out their numbers in order, gives each its turn, and
-/// stops all threads when one has failed.
+/// A queue of the items 0 … count − 1 for several threads: hands out item numbers in order, gives each item its turn,
+/// and stops all threads when one has failed.
 class SharedWork {
  public:
   explicit SharedWork(std::size_t count) : count_(count) {}

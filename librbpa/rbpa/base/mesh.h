@@ -1,4 +1,4 @@
-// What: the halfedge mesh that librbpa returns.
+// What: the halfedge mesh that librbpa returns: a triangle mesh of OpenMesh with coordinates in double.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/Traits.hh>
@@ -6,7 +6,7 @@
 
 namespace rbpa {
 
-/// Traits of the mesh. Coordinates are doubles, as OpenMesh's default, float, cannot hold the input.
+/// The traits of the mesh. Coordinates are doubles: float, the default of OpenMesh, would round the input.
 struct MeshTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
   using Normal = OpenMesh::Vec3d;

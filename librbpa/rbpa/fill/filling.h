@@ -1,4 +1,4 @@
-// What: the options and the result of fill().
+// What: the options and the result of fill(), which triangulates polygons.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ struct FillOptions {
   /// the target is its length. Must be above 0. Absent: short edges do not lower the target.
   std::optional<double> grade = std::nullopt;
   /// Sizes at points: at p the target is the least of `size` and sizes[i].size + g |p − sizes[i].at|, where g is
-  /// `grade`, or default_grade. This is the greatest function of slope g that exceeds no given value.
+  /// `grade`, or default_grade. The target is thus the greatest function of slope g that exceeds no given value.
   std::span<const SizeAt> sizes = {};
   /// Whether the boundary stays as it is. Otherwise boundary edges that are longer than the target are cut.
   bool keep_boundary = false;

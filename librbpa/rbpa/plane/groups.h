@@ -1,8 +1,8 @@
 // What: computes the shapes of many sets of points in one call, each on its own: a footprint for every building, a hull
 //       for every cluster.
-// Law:  the result of a group equals that of a call with its points alone, with the indices of the input. It does not
-//       depend on the number of threads, or on the other groups: shapes_of_groups() reports an error in one group as a
-//       sentence in the result, and computes the other groups.
+// Law:  the result of a group equals that of a call with its points alone, with the indices of the input. The result
+//       does not depend on the number of threads, or on the other groups: shapes_of_groups() reports an error in one
+//       group as a sentence in the result, and computes the other groups.
 // Cost: that of the single calls, shared among threads, without the fixed cost of a call:
 //       docs/reference/performance.md.
 // Note: independent of OpenMesh.
@@ -60,6 +60,7 @@ struct Group {
 /// valid until visit() returns.
 /// Throws: InvalidInput when the offsets or members are not valid Groups of these points; any exception of `visit`,
 ///         after which some groups are not visited; Cancelled.
+/// Cost:   linear in the members, and the calls of visit().
 RBPA_API void for_each_group(std::span<const Point> points, const Groups& groups,
                              const std::function<void(const Group&)>& visit, const GroupOptions& options = {});
 

@@ -49,8 +49,8 @@ struct HierarchyOptions {
   MaxThreads threads = 0;
   /// Callback for progress and cancellation, with the intervals of Options::progress (rbpa.h).
   OnProgress progress = {};
-  /// Callback at the end of each level of Hierarchy::levels, before the next level begins. Its time counts for no
-  /// level. An exception that it throws ends the run. Empty: never called.
+  /// Callback at the end of each level of Hierarchy::levels, before the next level begins. The time of the callback
+  /// counts for no level, and an exception of the callback ends the run. Empty: never called.
   std::function<void(const EndedLevel&)> level_ended = {};
 };
 

@@ -84,8 +84,8 @@ std::vector<std::vector<Ring>> rings_by_component(const TriangleArrays& complex,
   return rings.take();
 }
 
-/// Returns the polygon of rings. One of them is counter-clockwise. It has the lexicographically least point of all,
-/// perhaps with holes that touch it there.
+/// Returns the polygon of the rings of a component. Its shell is the one counter-clockwise ring, which has the
+/// lexicographically least point of all rings; holes may touch the shell there.
 Polygon polygon_of(std::vector<Ring> rings, const Order& order, Steps& step) {
   for (Ring& ring : rings) {
     step(ring.points.size());

@@ -51,6 +51,7 @@ struct RimSize {
 
 struct PartialState;
 
+/// The contribution of a set of disjoint regions to a solid alpha complex.
 class RBPA_API Partial {
  public:
   /// Constructs the contribution of no region: the neutral element of merge().

@@ -26,8 +26,8 @@ struct Region {
   friend bool operator==(const Region&, const Region&) = default;
 };
 
-/// Returns a box that contains every point at a distance of at most 2 alpha from a point of the region. It is rounded
-/// outward, and contains some points that are farther.
+/// Returns a box that contains every point at a distance of at most 2 alpha from a point of the region. The box is
+/// rounded outward, and contains some points that are farther.
 /// Throws: InvalidInput unless 0 < alpha < ∞ and the region's bounds are numbers in ascending order.
 RBPA_API Region halo(const Region& region, double alpha);
 

@@ -22,14 +22,15 @@
 
 namespace rbpa {
 
+/// A persistence pair with the edge or the polygons that locate it.
 struct Representative {
   PersistencePair pair = {};
   /// Dimension 0: the ends, as input indices, of the edge at which the component meets an older one; absent if the
   /// component never dies.
   std::optional<std::array<std::uint32_t, 2>> joined_at = std::nullopt;
   /// Dimension 1: the hole at pair.birth, and at the last radius at which it exists. At that radius it is one triangle,
-  /// or several with the same circumcircle; level_representatives() may return larger holes. Its Polygon::holes
-  /// surround the parts of the complex within the hole.
+  /// or several with the same circumcircle; level_representatives() may return larger holes. Inner rings
+  /// (Polygon::holes) surround the parts of the complex within the hole.
   Polygon at_birth = {}, before_death = {};
 };
 

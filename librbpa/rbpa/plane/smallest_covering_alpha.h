@@ -1,7 +1,7 @@
 // What:   finds the least alpha at which at most K solid components contain a given share of the points, so that a few
 //         outliers may be left out.
 // Law:    with share 1 the result equals smallest_covering(filtration, max_components). The result never falls when the
-//         share rises or K falls. It is exact and a function of the set of points alone.
+//         share rises or K falls. The result is exact, and a function of the set of points alone.
 // Cost:   linear in the steps if the number of components is unbounded, or if no point may be left out; otherwise it
 //         sorts the triangles and spends the logarithm of their number on each.
 // Source: docs/explanation/filtration_and_persistence.md, section 4.

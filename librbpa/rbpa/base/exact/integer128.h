@@ -1,4 +1,4 @@
-// What: the compiler's integers of 128 bits.
+// What: names for the integer types of 128 bits that the compiler has.
 #pragma once
 
 namespace rbpa {

@@ -1,4 +1,4 @@
-// What: the positions of the set bits of a byte, ascending.
+// What: a table of the positions of the set bits of each byte, ascending.
 #pragma once
 
 #include <array>

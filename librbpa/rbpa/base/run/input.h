@@ -1,4 +1,4 @@
-// What: checks the input of a run.
+// What: checks alpha and points before a run, and chooses its number of threads.
 #pragma once
 
 #include <cstddef>

@@ -44,8 +44,8 @@ class Unfilled {
   /// Throws: Cancelled.
   Unfilled(const std::vector<Point>& places, std::span<const std::vector<Site>> rings, const GoOn& go_on);
 
-  /// Begins a search from an edge of the front, for the functions below. It passes at most `most` triangles; the
-  /// triangle beside the edge is always seen.
+  /// Begins a search from an edge of the front, for the functions below. The search passes at most `most` triangles;
+  /// the triangle beside the edge is always seen.
   void look_from(const FrontEdge& edge, std::size_t most = unlimited) const;
   /// Returns the sites in a box that make an empty triangle with that edge, except those that were found before; in any
   /// order.

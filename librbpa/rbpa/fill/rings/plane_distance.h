@@ -1,4 +1,4 @@
-// What: distances in the plane, rounded.
+// What: the rounded distance of a point from a segment, and a quick test whether it is large.
 #pragma once
 
 #include <algorithm>

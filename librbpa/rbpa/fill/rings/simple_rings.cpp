@@ -90,8 +90,8 @@ class RingSweep {
     RingsMeet::Side vertex;
   };
 
-  /// Finds rings that cross at a shared point. They do not cross there if their pairs of edges, in the order around it,
-  /// are nested.
+  /// Finds rings that cross at a shared point. Two rings do not cross at the point if their pairs of edges, in the
+  /// order around the point, are nested.
   void find_crossing_at_a_point() {
     for (auto first = shared_.begin(); first != shared_.end();) {
       step_();

@@ -61,7 +61,8 @@ class QuadEdges {
     return e;
   }
 
-  /// Adds an edge from the origin of `a` to that of `b`. It becomes the next edge counter-clockwise at either origin.
+  /// Adds an edge from the origin of `a` to that of `b`. The new edge becomes the next one counter-clockwise after `a`
+  /// and after `b`.
   Edge connect(Edge a, Edge b, Unused& unused) {
     const Edge e = unused.first, back = sym(e);
     unused.first = edges_[e].onext;

@@ -14,7 +14,7 @@ class HiddenPoints {
  public:
   /// Constructs an empty set of hidden points.
   HiddenPoints() = default;
-  /// Keeps the places, some of which may lie outside of `box`. They may be rounded by amounts that are negligible
+  /// Keeps the places, some of which may lie outside of `box`. The places may be rounded by amounts that are negligible
   /// against a cell.
   HiddenPoints(std::span<const Point> places, const Box& box) : places_(places) {
     for (const Point& p : places) {

@@ -1,4 +1,4 @@
-// What: the level of a triangle.
+// What: finds the level of a triangle: the first radius of a ladder that admits it.
 #pragma once
 
 #include <algorithm>

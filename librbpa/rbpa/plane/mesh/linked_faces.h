@@ -1,5 +1,5 @@
-// What: the faces of a mesh as triangles in arrays, with their neighbors. It avoids halfedges, each of which is a cache
-//       miss.
+// What: the faces of a mesh as triangles in arrays, with their neighbors. Code that reads the arrays avoids halfedges,
+//       each of which is a cache miss.
 #pragma once
 
 #include "rbpa/base/mesh.h"

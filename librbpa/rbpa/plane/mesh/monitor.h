@@ -1,6 +1,6 @@
-// What: the visitor of every run. It repeatedly calls the caller's progress function, which may cancel the run. In
-//       the debug build it validates the mesh: after every triangle while the mesh is small, then each time it has
-//       grown by a sixteenth.
+// What: the visitor of every run: calls the caller's progress function repeatedly, which may cancel the run. The debug
+//       build also validates the mesh: after every triangle while the mesh is small, then each time the mesh has grown
+//       by a sixteenth.
 #pragma once
 
 #include <algorithm>

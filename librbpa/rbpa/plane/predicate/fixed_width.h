@@ -1,5 +1,5 @@
-// What: differences of points as integers of a fixed width, times a power of two. They exist on grids, and wherever
-//       coordinates have few bits.
+// What: differences of points as integers of a fixed width, times a power of two. Such integers exist on grids, and
+//       wherever coordinates have few bits.
 // Law:  exact: an expression that is homogeneous in the differences keeps its sign.
 // Why:  on grids nearly every circle is a tie, which no filter decides; integers do in the time of two filters.
 // Cost: some nanoseconds, and fewer if the differences do not fit.

@@ -24,8 +24,8 @@ struct Window {
   Radius scaled(const Radius& alpha) const;
 };
 
-/// Returns the window that has the most points. If it has less than half of them, all are beyond. Its exponent is 0 if
-/// all points fit unscaled. A function of the set of points.
+/// Returns the window that has the most points. If that window has less than half of the points, all points are beyond.
+/// The exponent is 0 if all points fit unscaled. The result is a function of the set of points.
 /// Requires: finite points.
 /// Cost:     linear.
 Window window_of(std::span<const Point> points);

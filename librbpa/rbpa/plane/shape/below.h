@@ -11,7 +11,7 @@ struct SweptEdge {
   Point low, high;
 };
 
-/// Orders edges from low to high, among those that cross the sweep line between two events of the sweep. They meet in
+/// Orders edges from low to high, among those that cross the sweep line between two events of the sweep. Edges meet in
 /// common ends at most, so no orientation is zero. A point on no edge has its place among them.
 struct Below {
   using is_transparent = void;

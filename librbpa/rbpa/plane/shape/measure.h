@@ -1,4 +1,4 @@
-// What: areas and lengths of rings.
+// What: computes areas, exactly summed and rounded once, and lengths of rings.
 // Law:  a function of the ring's edges, not of their order.
 #pragma once
 

@@ -1,6 +1,6 @@
 // What: the common part of the finders of a tile's triangles, by pivots (pivots/) or by enumeration (enumeration/).
 // Law:  a finder replaces `found` by a patch of the complex and the sites that it settles, a function of the tile and
-//       alpha alone. It returns false if it can decide nothing or would be too slow; `found` is unspecified then.
+//       alpha alone. A finder returns false if it can decide nothing or would be too slow; `found` is unspecified then.
 #pragma once
 
 #include "rbpa/plane/tile/coordinates.h"

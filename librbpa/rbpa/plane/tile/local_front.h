@@ -1,7 +1,7 @@
 // What: triangles of a tile and the front around them, in 16 bits a number.
 // Law:  a side of a triangle is glued as soon as the triangle across it exists.
 // Why:  an advancing front on a tile needs neither vertices nor curves: fans on one point are separated when the
-//       triangles are added to the mesh. It stays in the fastest cache, and has no unpredictable branch.
+//       triangles are added to the mesh. The front stays in the fastest cache, and no branch is unpredictable.
 #pragma once
 
 #include <cstddef>
