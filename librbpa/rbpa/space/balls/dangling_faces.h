@@ -29,8 +29,8 @@ struct DanglingFaces {
 /// those of solid_filtration().
 /// Requires: `delaunay` is solid() of these points at infinity, with neighbors; `radii` are its circumradii(); 0 <
 ///           alpha ≤ infinity.
-/// Throws:   ContractViolation if radii or neighbors are missing or a corner is not a point; InvalidInput when alpha is
-///           not above 0.
+/// Throws:   ContractViolation if radii, neighbors or a corner's point are missing; InvalidInput if alpha is not above
+///           0.
 RBPA_API DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaunay,
                                       std::span<const double> radii, double alpha, MaxThreads threads = 0);
 

@@ -28,8 +28,7 @@
 
 namespace rbpa {
 
-/// The steps of measure_solid(), each announced when it begins. `counting` stands for measures, voids, the full complex
-/// and components.
+/// The steps of measure_solid(), each announced when it begins. `counting`: measures, voids, full complex, components.
 enum class SolidStep : std::uint8_t { tetrahedra, choosing, boundary, counting, balls };
 
 struct MeasureSolidOptions {
@@ -74,8 +73,7 @@ struct MeasuredSolid {
 /// Computes the solid and the results that the options request.
 /// Requires: as solid(); for rules that take a cover, 0 < cover ≤ 1; for the rule `plateau`, a rank from 1 to the
 ///           number of plateaus if there are any; for `balls`, as union_of_balls().
-/// Throws:   InvalidInput that names the violated requirement; ContractViolation when the cover is out of its bounds;
-///           Cancelled.
+/// Throws:   InvalidInput that names the violated requirement; ContractViolation unless 0 < cover ≤ 1; Cancelled.
 RBPA_API MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOptions& options = {});
 
 }  // namespace rbpa

@@ -31,8 +31,7 @@ struct PeriodicPart {
   /// For a void of the full complex, the volume of its part that is at least alpha from every input point: the possible
   /// centers of a ball of radius alpha.
   std::optional<double> outside_balls = {};
-  /// Number of independent directions in which it percolates. For a void, 0 = closed, 1 = a channel, 2 = a layer, 3 = a
-  /// network.
+  /// Number of independent directions in which it percolates. A void: 0 = closed, 1 = channel, 2 = layer, 3 = network.
   unsigned dimension = 0;
 };
 
@@ -44,10 +43,8 @@ struct PeriodicTopology {
   std::vector<PeriodicPart> solid_components, voids;  ///< the largest volume first
 };
 
-/// Computes the topology of the full alpha complex, whose voids a ball of radius alpha cannot leave, or of the solid
-/// alpha complex.
-/// Requires: `delaunay` is periodic_solid() at infinity, with neighbors; `radii` are its circumradii; 0 < alpha ≤
-///           infinity.
+/// Computes the topology of the solid complex or of the full one, whose voids no ball of radius alpha can leave.
+/// Requires: periodic_solid() at infinity, with neighbors, and its circumradii; 0 < alpha ≤ infinity.
 /// Throws:   ContractViolation when sizes differ or a tetrahedron lacks a neighbor; InvalidInput when alpha is not
 ///           above 0; Cancelled.
 RBPA_API PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<const double> radii, double alpha,

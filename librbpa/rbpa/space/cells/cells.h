@@ -1,5 +1,4 @@
-// What: points in space sorted into cubic cells, somewhat larger than the ball's radius. Empty cells, which are most,
-//       are not stored.
+// What: sorts points in space into cubic cells, somewhat larger than the ball's radius. Empty cells are not stored.
 // Law:  every point within two radii of a point is in the 125 cells around its cell, for coordinates of any exponents.
 //       Equal points are one site. The order of the cells is a function of the set of points.
 //       docs/explanation/surfaces.md, section 16.

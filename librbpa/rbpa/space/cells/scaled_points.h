@@ -1,5 +1,4 @@
-// What: scales points in space and a radius, where possible, so that products in the filters neither underflow nor
-//       overflow.
+// What: scales points in space and a radius, if possible, so that products in filters neither under- nor overflow.
 // Law:  the factor is a power of two, so that products are exact (cells/scale.h).
 // Cost: linear; a copy of the points where the factor is not 1.
 #pragma once

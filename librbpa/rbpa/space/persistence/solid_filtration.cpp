@@ -37,8 +37,7 @@ std::uint8_t obtuse_corner(std::span<const Point3> points, const Triangle& trian
   return 3;
 }
 
-/// Finds the radius of each edge: that of its own least sphere if no corner around is inside, else that of the first
-/// triangle at it.
+/// Finds the radius of each edge: that of its least sphere if no corner around is inside, else of its first triangle.
 void find_alpha_of_edges(std::span<const Point3> points, Threads& threads, Steps& step, SolidFiltration& filtration) {
   const auto& triangles = filtration.triangles;
   std::vector<std::uint8_t> obtuse(triangles.size());
@@ -75,8 +74,8 @@ std::vector<std::uint32_t> keep_below(std::size_t points, Rows& rows) {
   return number;
 }
 
-/// Fills in triangles and edges of points that have no tetrahedron, and the radii of triangles: the base of a cone over
-/// the points.
+/// For points without a tetrahedron: fills in triangles, with radii, and edges, from the base of a cone over the
+/// points.
 void take_flat(std::span<const Point3> points, const SolidOptions& options, Threads& threads, Steps& step,
                SolidFiltration& filtration) {
   std::vector<Point3> cone(points.begin(), points.end());

@@ -31,8 +31,7 @@ struct SolidPair {
   friend bool operator==(const SolidPair&, const SolidPair&) = default;
 };
 
-/// Returns the pairs, sorted by dimension, birth and death, those without a death last, then by the simplex that
-/// creates them.
+/// Returns the pairs, sorted by dimension, birth, death (without a death last), and by the simplex that creates them.
 /// Throws: ContractViolation when arrays of the filtration do not fit together; Cancelled.
 RBPA_API std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const GoOn& go_on = {});
 

@@ -29,8 +29,7 @@ struct SolidRepresentative {
   /// follow. Dimension 2: the triangles around the void, ascending.
   std::vector<std::uint32_t> cells;
   std::vector<std::uint32_t> tetrahedra;  ///< dimension 2: the tetrahedra in the void, ascending
-  /// Dimension 2: the corners of the triangles in `cells`, in the same order, counter-clockwise seen from outside the
-  /// void.
+  /// Dimension 2: the corners of the triangles in `cells`, in this order, counter-clockwise seen from outside the void.
   std::vector<Triangle> faces;
   double length = 0;            ///< sum of the lengths of the edges, in units of the points
   double area = 0, volume = 0;  ///< of the triangles, and of the tetrahedra, in squared and cubed units

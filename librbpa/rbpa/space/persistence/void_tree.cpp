@@ -101,8 +101,7 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
   tree.node_of.resize(node.size());
   for (std::size_t t = 0; t < node.size(); ++t) {
     std::uint32_t& of = tree.node_of[t] = node_of(found.basin[t]);
-    // The basin may belong to a void that closes only above this radius; below, it is part of the void that this one
-    // splits off from.
+    // Below the radius at which its void closes, a basin is part of the parent void.
     while (of != VoidTree::none && tree.nodes[of].closes >= radii[t]) of = tree.nodes[of].parent;
   }
   find_volumes(points, delaunay, radii, step, tree);

@@ -12,8 +12,7 @@ int side_of(const Corners& t, const Point3& p) { return orientation(t[0], t[1], 
 
 bool has(const Corners& t, const Point3& p) { return p == t[0] || p == t[1] || p == t[2]; }
 
-/// Tests in the plane of a triangle, seen along an axis that is not parallel to the plane. All points are in that
-/// plane.
+/// Tests of points in the plane of a triangle, seen along an axis that is not parallel to the plane.
 class InPlane {
  public:
   /// Requires: a triangle with an area.

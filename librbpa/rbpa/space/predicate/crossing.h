@@ -1,5 +1,4 @@
-// What: tests whether two triangles in space, or a segment and a triangle, cross: whether they share more than corners
-//       and sides.
+// What: tests whether two triangles in space, or a segment and a triangle, cross: share more than corners and sides.
 // Law:  exact for every finite input. Corners are shared when they are equal as points.
 // Cost: tens of nanoseconds where a plane separates them.
 #pragma once

@@ -1,5 +1,4 @@
-// What: signs of the expressions behind every decision in space, by integers of any length: the last stage of each
-//       predicate.
+// What: computes signs behind all decisions in space by integers of any length: the last stage of each predicate.
 // Law:  exact for all finite doubles.
 // Cost: microseconds, growing with the range of the exponents.
 #pragma once
@@ -20,8 +19,7 @@ int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, doub
 /// Returns the sign of (circumradius of (a, b, c, d)) − radius. The circumradius of points in a plane is infinite.
 int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, const Point3& d, double radius);
 
-/// Returns the side of q with respect to the sphere through a, b, c, d: 1 when q is inside, −1 when outside, 0 when on
-/// it.
+/// Returns the side of the sphere through a, b, c, d on which q is: 1 inside, −1 outside, 0 on the sphere.
 /// Requires: orientation(a, b, c, d) > 0.
 int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 

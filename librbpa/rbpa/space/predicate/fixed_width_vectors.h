@@ -2,8 +2,7 @@
 //       64 bits. The differences have this form on grids of any unit, and for most points near each other.
 // Law:  exact: an expression that is homogeneous in the differences keeps its sign.
 // Why:  on grids most in-sphere tests are ties, which no filter decides.
-// Cost: a tenth of a microsecond, a twentieth of the cost of integers of any length; some nanoseconds where differences
-//       do not fit.
+// Cost: a tenth of a microsecond, a twentieth of that of integers of any length; nanoseconds if differences do not fit.
 #pragma once
 
 #include <algorithm>

@@ -9,12 +9,11 @@
 
 namespace rbpa::space {
 
-/// Returns whether the radius of the least sphere through a and b is at most `radius`. Requires: distinct points; a
-/// finite radius.
+/// Returns whether the least sphere through a and b has at most this radius. Requires: distinct points, a finite
+/// radius.
 bool is_least_sphere_within(const Point3& a, const Point3& b, double radius);
 
-/// Returns the radius rounded up: the least double that is not below the radius; infinity above all doubles. Requires:
-/// distinct points.
+/// Returns the least double that is not below the radius; infinity above all doubles. Requires: distinct points.
 double least_radius_rounded_up(const Point3& a, const Point3& b);
 
 /// Returns whether q is inside the least sphere through a and b.

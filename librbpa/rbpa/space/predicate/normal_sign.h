@@ -22,8 +22,7 @@ class RoundedNormal {
                   std::abs(u.x * v.y) + std::abs(u.y * v.x)};
   }
   Real product(const Point3& v) const { return normal_.x * Real(v.x) + normal_.y * Real(v.y) + normal_.z * Real(v.z); }
-  /// Returns the sum of the absolute values of all terms of product(v). The error of product(v) is a small fraction of
-  /// it.
+  /// Returns the sum of the absolute values of the terms of product(v), whose error is a small fraction of this sum.
   Real magnitude(const Point3& v) const {
     return magnitude_.x * std::abs(Real(v.x)) + magnitude_.y * std::abs(Real(v.y)) + magnitude_.z * std::abs(Real(v.z));
   }

@@ -33,8 +33,7 @@ inline int orientation(const Point3& a, const Point3& b, const Point3& c, const 
   return orientation_exactly(a, b, c, d);
 }
 
-/// Returns the sign of (b − a) × (c − a) along an axis, 0 to 2: 1 when a, b, c are counter-clockwise seen from far
-/// along the axis.
+/// Returns the sign of (b − a) × (c − a) along an axis, 0 to 2: 1 if a, b, c are counter-clockwise seen down the axis.
 inline int orientation_along(const Point3& a, const Point3& b, const Point3& c, int axis) {
   const Point3 along = {axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
   const RoundedNormal<double> normal(a, b, c);

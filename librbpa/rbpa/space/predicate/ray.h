@@ -20,8 +20,7 @@ inline int ray_crossing(const std::array<Point3, 3>& triangle, const std::array<
   if (from[0].y < low_y || from[0].y > high_y) return 0;
   const auto [low_z, high_z] = std::minmax({a.z, b.z, c.z});
   if (from[0].z < low_z || from[0].z > high_z) return 0;
-  // The ray begins at p + ε q + ε² r + ε³ s for the corners p, q, r, s: a sign is that of the first corner whose sign
-  // is not 0.
+  // The ray begins at p + ε q + ε² r + ε³ s for corners p, q, r, s: a sign is the first of theirs that is not 0.
   const auto side_of_line = [&](const Point3& u, const Point3& v) {
     for (const Point3& p : from)
       if (const int side = orientation_along(u, v, p, 0); side != 0) return side;

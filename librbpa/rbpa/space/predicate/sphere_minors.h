@@ -1,6 +1,5 @@
 // What: the sphere through four points, prepared for the most frequent test: is another point inside?
-// How:  the minors of the first three rows of the in-sphere determinant are stored, which leaves four products for a
-//       point q:
+// How:  stores the minors of the first three rows of the in-sphere determinant; four products remain for a point q:
 //
 //                  | a − d   |a − d|² |
 //           V(q) = | b − d   |b − d|² |  =  minor · (q − d, |q − d|²)   positive inside: a, b, c, d positively oriented
@@ -83,8 +82,7 @@ inline ErrorBound sphere_error(const Spoke& a, const Spoke& b, const Spoke& c, d
   return {0.5 * weight * sum * sum + underflow, 1.5 * weight};
 }
 
-/// Returns the same bound if one corner is at infinity. Requires: the spoke of that corner is Spoke::to_infinity(), of
-/// length 0.
+/// Returns the same bound if one corner is at infinity. Requires: its spoke is Spoke::to_infinity(), of length 0.
 inline ErrorBound half_space_error(const Spoke& a, const Spoke& b, const Spoke& c, double underflow) {
   const double sum = a.length + b.length + c.length;
   // The second largest length by itself: a difference from the sum is rounded to 0 where it is that much shorter.

@@ -9,8 +9,7 @@
 namespace rbpa::space {
 
 Spread spread(std::span<const Point3> points) {
-  // The lowest and highest bits of all coordinates depend on their exponents, so the last bit of each coordinate is
-  // found.
+  // Finds the lowest and the highest bit of all coordinates.
   int lowest = 2000, highest = -2000;
   const auto look = [&](double coordinate) {
     const auto bits = std::bit_cast<std::uint64_t>(coordinate);
@@ -29,8 +28,7 @@ Spread spread(std::span<const Point3> points) {
   }
   if (lowest > highest) return {};  // all are 0
   if (fits_double({lowest, highest})) return {0, lowest, true};
-  // The greatest coordinate is scaled to about 1, as far as the lowest bit allows; numbers of a larger spread lose low
-  // bits.
+  // Scales the greatest coordinate to about 1, as far as the lowest bit allows; a larger spread loses low bits.
   const int exponent = std::min(std::max(-highest, least_in_double - lowest), largest_in_double - highest);
   return {exponent, lowest + exponent, lowest + exponent >= least_in_double};
 }

@@ -22,8 +22,7 @@ struct Spread {
   /// Returns the greatest error that underflow may cause in a polynomial of degree up to five.
   double underflow() const { return is_exact ? 0 : 0x1p-400; }
   /// Returns a bound: a product of `degree` differences whose computed error is below the bound has no error at all,
-  /// because all numbers involved are multiples of 2^(unit degree) and have 53 bits. Returns 0 where there is no such
-  /// bound.
+  /// because all numbers involved are multiples of 2^(unit degree) and have 53 bits. Returns 0 if there is none.
   double exact_below(int degree) const { return is_exact ? std::ldexp(16.0, unit * degree) : 0; }
 };
 

@@ -1,5 +1,5 @@
-// What: differences of points in space, in double, long double or integers, and their products; distances and volumes,
-//       rounded.
+// What: computes differences of points in space and their products, in any type of number; rounded distances and
+//       volumes.
 #pragma once
 
 #include <algorithm>

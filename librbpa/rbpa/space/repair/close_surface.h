@@ -17,17 +17,16 @@
 
 namespace rbpa {
 
-/// A surface that is closed if every hole is filled. The triangles that are not new are the kept ones, in their old
-/// order.
+/// A surface that is closed if every hole is filled. Its old triangles are the kept ones, in their order.
 struct ClosedSurface : FilledSurface {
   std::vector<bool> kept = {};  ///< for each triangle of the given surface, whether it is kept
   std::size_t given_up = 0;     ///< number of triangles removed; 0 unless the surface is closed
 };
 
 /// Fills all boundary curves. Triangles are removed only if this closes the surface; if it is closed without, only if
-/// it then touches itself at fewer points. At most a twentieth of the triangles are removed; none if the closed surface
-/// would have more components, or if a curve of more than 256 edges stays open. Components that become islands() are
-/// removed too.
+/// it then touches itself at fewer points. At most a twentieth of the triangles are removed; none if the surface would
+/// have more components, or a curve of more than 256 edges stays open. Components that become islands() are removed
+/// too.
 /// Requires: an indexable_surface() of these points.
 /// Throws:   as fill_holes().
 RBPA_API ClosedSurface close_surface(std::span<const Point3> points, const Surface& surface,

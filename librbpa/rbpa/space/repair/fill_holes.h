@@ -1,5 +1,4 @@
-// What:   closes holes of a triangle mesh in space by triangles between the corners of the holes; no new triangle
-//         crosses another.
+// What:   closes holes of a triangle mesh in space by triangles between the holes' corners; none crosses another.
 // How:    for each boundary loop, finds the triangulation that turns least over its worst edge, then the one of least
 //         area (Liepa 2003), on condition that no new triangle crosses any other, which is decided exactly. If the best
 //         triangulation crosses something, its crossing edges and triangles are forbidden and the next best one is
@@ -49,24 +48,21 @@ struct HoleFill {
 };
 
 struct HoleFilling {
-  /// The given triangles in their order, then the new ones, loop by loop; last, those that close several loops
-  /// together.
+  /// The given triangles in their order, then new ones, loop by loop; last, those that close several loops together.
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<HoleFill> loops;  ///< the outcome for each given loop
 };
 
 /// Returns the boundary loops of triangles as lists of vertices, with the triangles to the right and a hole to the
 /// left. Each loop begins with its least vertex; the loops are sorted.
-/// Requires: an oriented manifold: each directed side belongs to one triangle, and the triangles at a vertex form one
-///           fan.
-/// Throws:   ContractViolation when two triangles have a side in the same direction, or several boundary curves pass a
+/// Requires: an oriented manifold: each directed side has one triangle, and the triangles at a vertex form one fan.
+/// Throws:   ContractViolation when triangles have a side in the same direction, or several boundary curves pass a
 ///           vertex.
 RBPA_API std::vector<std::vector<std::uint32_t>> boundary_loops(
     std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// Closes the given boundary loops. A loop that passes a point several times is cut there, and its parts are closed one
-/// by one. If it passes the point at different vertices, the lowest of these vertices replaces the others in all
-/// triangles.
+/// by one. If it has different vertices there, the lowest of these replaces the others in all triangles.
 /// Requires: finite points; loops of these triangles, as boundary_loops() returns them.
 /// Throws:   InvalidInput when a point is not finite; ContractViolation when a corner is not an index of a point, or a
 ///           loop is empty or has an edge that is not a boundary side or that loops pass twice; Cancelled.

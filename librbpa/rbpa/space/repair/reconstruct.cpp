@@ -64,8 +64,7 @@ struct WholeCloud {
     normals.resize(points.size());
   }
 
-  /// Returns `input` with `values` in place of the entries of points that are not left out; values of added points
-  /// follow.
+  /// Returns `input` with `values` for the points that are not left out, and then those of added points.
   template <typename Value>
   std::vector<Value> with(std::span<const Value> values, std::vector<Value> input) const {
     if (values.empty()) return {};

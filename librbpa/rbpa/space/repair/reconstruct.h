@@ -69,8 +69,7 @@ struct ReconstructionOptions {
   std::vector<double> radii = {};
   /// Upper limit of the radii that auto_radii() chooses, which are cut to it. Given radii are not limited.
   double max_radius = std::numeric_limits<double>::infinity();
-  /// Finds the unused points and the causes of boundary curves; if there is no triangle, also a radius at which there
-  /// are triangles.
+  /// Finds the unused points and the causes of boundary curves; if there is no triangle, also a radius that has some.
   bool explain = false;
   bool repairs = false;             ///< suggests repairs of holes; implies `explain`
   ComponentChoice components = {};  ///< a choice of shells requires the source `none`
@@ -80,15 +79,13 @@ struct ReconstructionOptions {
   bool watertight = false;                ///< calls make_watertight() for the kept components; then `filled` is ignored
   bool refine = false;                    ///< refines the fillings by refine_filling()
   MaxThreads threads = 0;
-  /// Called repeatedly by the functions of the steps; Progress::triangles is as each function says. Returning false
-  /// cancels the run.
+  /// Called repeatedly by the functions of the steps, with Progress as each says. Returning false cancels the run.
   OnProgress progress = {};
   /// Called by the calling thread when a step begins, never at the same time as `progress`.
   std::function<void(ReconstructionStep)> on_step = {};
 };
 
-/// A surface, and what was found on the way. Point numbers are input indices; added points are numbered after all input
-/// points.
+/// A surface, and what was found on the way. Point numbers are input indices; those of added points follow.
 struct Reconstruction {
   Surface surface;
   std::vector<Point3> points;      ///< position of each point, added points included

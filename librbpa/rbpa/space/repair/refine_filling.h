@@ -1,5 +1,4 @@
-// What:   refines the fillings of holes until they are as fine and as smooth as the surface around them, by adding
-//         points.
+// What:   adds points to the fillings of holes until they are as fine and as smooth as the surface around them.
 // How:    splits triangles that are large for the edges at their corners, and flips edges until they are Delaunay
 //         (Liepa 2003). Then moves the new points only, so that the mean curvature along the rim is that of the two
 //         rings of points outside, and harmonic inside: up to twenty rounds of least squares, each a sparse system.
@@ -42,8 +41,7 @@ struct RefinedSurface : AddedPoints {
 /// Refines each filling: each connected set of triangles t with is_new[t].
 /// Requires: an indexable_surface() of the points, which are finite; one flag for each triangle; fewer than 2^31 points
 ///           and triangles, the added ones included.
-/// Throws:   InvalidInput when a point is not finite; ContractViolation when another requirement is visibly violated;
-///           Cancelled.
+/// Throws:   InvalidInput when a point is not finite; ContractViolation when another requirement is not met; Cancelled.
 RBPA_API RefinedSurface refine_filling(std::span<const Point3> points, const Surface& surface,
                                        const std::vector<bool>& is_new, const SurfaceOptions& options = {});
 

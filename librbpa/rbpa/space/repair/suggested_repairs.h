@@ -25,8 +25,8 @@ enum class SuggestedRepairKind : std::uint8_t {
   /// Reverses the normals at `points` only. Then surface() of the same radii closes the hole and has no new boundary;
   /// it may have other triangles at these points.
   turn_normals,
-  /// Adds `radius` to the radii. Then surface() closes the hole: no edge of the hole, or of an added triangle next to
-  /// it, is boundary.
+  /// Adds `radius` to the radii. Then surface() closes the hole: no edge of it, or of an added triangle beside it, is
+  /// boundary.
   larger_ball,
   filling,  ///< fills the hole by fill_holes()
 };
@@ -35,8 +35,7 @@ struct SuggestedRepair {
   SuggestedRepairKind kind = SuggestedRepairKind::none;
   double radius = 0;                       ///< of the larger ball, in units of the points
   std::vector<std::uint32_t> points = {};  ///< points whose normals are to be reversed; ascending
-  /// The outcome of fill_holes(), tried if nothing else closes the hole; absent if indexable_surface() changes the
-  /// curve.
+  /// The outcome of fill_holes(), if nothing else closes the hole; absent if indexable_surface() changes the curve.
   std::optional<HoleOutcome> filled = std::nullopt;
   friend bool operator==(const SuggestedRepair&, const SuggestedRepair&) = default;
 };
@@ -46,8 +45,7 @@ struct SuggestedRepair {
 /// that close the hole, if only their circumradii decide; otherwise it is at most a thousandth larger. A ball that
 /// closes the hole may be missed if its radius is between one that fails and 1.25 times that radius.
 /// Requires: the surface() of these points, normals and radii, and some of its holes().
-/// Throws:   InvalidInput as surface(); ContractViolation when the holes or the surface visibly are not those;
-///           Cancelled.
+/// Throws:   InvalidInput as surface(); ContractViolation when the holes are visibly of another surface; Cancelled.
 RBPA_API std::vector<SuggestedRepair> suggested_repairs(std::span<const Point3> points, std::span<const Point3> normals,
                                                         std::span<const double> radii, const Surface& surface,
                                                         std::span<const Hole> holes,

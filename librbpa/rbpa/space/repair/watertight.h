@@ -1,8 +1,7 @@
 // What: makes a surface of points in space watertight, and proves it: each side has a neighbor, and no triangles cross.
 // How:  drops the islands, fills all boundary curves as close_surface() does, refines the fillings on request, and
 //       lists the curves that stay open and the crossing_triangles().
-// Law:  the result depends on the points and the triangles only, not on any order or number of threads. The check is
-//       exact.
+// Law:  a function of the points and the triangles, not of any order or number of threads. The check is exact.
 // Cost: that of close_surface(), of refine_filling() on request, and of crossing_triangles().
 #pragma once
 

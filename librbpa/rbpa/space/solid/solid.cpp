@@ -61,8 +61,7 @@ space::SolidRows rows_of(const space::Insertion& triangulation, double alpha, do
 ///   1. sort the points into cells, and estimate the cost;
 ///   2. find the tetrahedra of a part of the cells, in any thread, and append them;
 ///   3. find neighbors, and sort.
-/// Returns false, and fills in nothing, if it would cost more than `most_cost` for each point, in units of
-/// triples_cost().
+/// Returns false, and fills in nothing, if it would cost more than `most_cost` a point, in units of triples_cost().
 bool find_near(std::span<const Point3> points, double alpha, double most_cost, const SolidOptions& options,
                Solid& solid) {
   constexpr double most_exact = 1.0 / 64;  // fraction of the points

@@ -1,10 +1,8 @@
-// What: the boundary of a solid as a closed surface, made of the triangles with a tetrahedron on one side only; its
-//       volume and area.
+// What: finds the boundary of a solid, a closed surface of the triangles with one tetrahedron, and its volume and area.
 // Law:  a function of the set of tetrahedra. Where four, six or more boundary triangles share an edge, two are
 //       neighbors if they bound the same wedge of tetrahedra. Each fan of triangles around a point thus has a vertex of
 //       its own in split_fans() and surface_mesh(). docs/explanation/space.md, section 17.
-// Cost: one look at the neighbors of every tetrahedron; the rest is linear in the tetrahedra around edges of the
-//       boundary.
+// Cost: one look at the neighbors of each tetrahedron; the rest is linear in the tetrahedra around boundary edges.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +33,7 @@ RBPA_API SolidBoundary solid_boundary(const Solid& solid);
 /// a triangle is the neighbor of the next one around the edge across the empty space in front of it. Voids are then
 /// closed surfaces, and bodies that touch along an edge are one.
 /// Requires: the boundary of a solid of these points.
-/// Throws:   ContractViolation when a corner is not a point, a triangle is not a neighbor of its neighbor, or a side
-///           has no neighbor.
+/// Throws:   ContractViolation when a corner does not exist, or a side has no neighbor or one that is not mutual.
 /// Cost:     linear, and a sort at edges where several wedges meet.
 RBPA_API Surface glued_outside(std::span<const Point3> points, const Surface& boundary);
 

@@ -1,8 +1,7 @@
 // What:   computes the radius at which each tetrahedron enters the solid alpha complex. From these radii alone follow
 //         the complex of any alpha, and the least alpha at which it has all points, or has all in one component.
 // Law:    a tetrahedron is in the complex of alpha exactly if its radius is at most alpha, for every double alpha.
-// Cost:   some 70 nanoseconds a tetrahedron for circumradii(), shared among threads; about linear for the other
-//         functions.
+// Cost:   some 70 nanoseconds a tetrahedron for circumradii(), shared among threads; about linear for the others.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994); docs/explanation/space.md, section 20.
 #pragma once
 

@@ -71,8 +71,7 @@ int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3
   return exponent;
 }
 
-/// Removes the gaps of points that are on no surface, and of points whose neighbors mostly are: these are flat by
-/// chance.
+/// Removes the gaps of points on no surface, and of points among mostly such neighbors, which are flat by chance.
 void leave_out_strangers(Gaps& gaps, const std::vector<char>& on_surface) {
   const auto all = std::count(on_surface.begin(), on_surface.end(), 0);
   if (static_cast<double>(all) > most_strangers * static_cast<double>(on_surface.size())) return;
@@ -102,8 +101,8 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
     std::vector<Point3> around;
     for (std::size_t i = first; i < last; ++i) {
       const int exponent = relative(gaps.near, i, around);
-      // A corner nearer than half of the farthest neighbor's distance is nearer to the point than to any point beyond
-      // the neighbors.
+      // A corner within half of the farthest neighbor's distance is nearer to the point than to any beyond the
+      // neighbors.
       const Point3& end = around.back();
       const double farthest = std::sqrt(end.x * end.x + end.y * end.y + end.z * end.z);
       const double reach = around.size() + 1 == count ? farthest : farthest / 2;

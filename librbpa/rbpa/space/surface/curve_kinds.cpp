@@ -17,8 +17,7 @@ constexpr double island_share = 0.01, rim_share = 0.25;
 
 using Vector = space::Vector3<double>;
 
-/// Twice a vector area. The sums are exact, so that they do not depend on the order of curves or on where a curve
-/// begins.
+/// Twice a vector area, as exact sums, which do not depend on the order of curves or on where a curve begins.
 struct VectorArea {
   std::array<ExactSum, 3> sums;
 

@@ -1,5 +1,4 @@
-// What: classifies the boundary curves of a surface as holes, outer rims, or boundaries of small islands, and finds the
-//       islands.
+// What: classifies boundary curves of a surface as holes, outer rims, or those of small islands; finds the islands.
 // Law:  the result depends on the points and the triangles only, not on any order. The area that a curve encloses is
 //       that of a flat cap over it: its vector area.
 // Cost: linear in the edges of the curves.
@@ -27,8 +26,7 @@ enum class CurveKind : std::uint8_t {
   island,  ///< a curve of an island
 };
 
-/// Returns for each component whether it is an island: it is open, and its area is less than a hundredth of the largest
-/// component's.
+/// Returns for each component whether it is an island: open, with less than 1 % of the area of the largest component.
 RBPA_API std::vector<bool> islands(const SurfaceComponents& components);
 
 /// A choice of boundary curves; by default all of kind `hole`.

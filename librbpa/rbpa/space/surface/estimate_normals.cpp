@@ -49,8 +49,7 @@ void check_viewpoints(std::span<const Point3> points, std::span<const Point3> vi
       throw InvalidInput("viewpoint " + std::to_string(i) + " is not finite, expected finite coordinates");
 }
 
-/// Returns the normals of distinct points, in their order, and their confidence where wanted; viewpoints are not
-/// considered.
+/// Returns the normals of distinct points, in their order, and their confidence if wanted, without viewpoints.
 template <typename Real>
 EstimatedNormals normals_of(std::vector<Point3> points, const NormalOptions& options, bool with_confidence) {
   const std::size_t count = points.size();

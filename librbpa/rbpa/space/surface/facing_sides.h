@@ -1,5 +1,4 @@
-// What: pairs the sides of triangles that face each other around an edge of several triangles, so that they can be
-//       glued.
+// What: pairs the sides of triangles that face each other around an edge of several triangles, for gluing.
 // Law:  exact, on any finite input. Let the triangles at an edge be sorted counter-clockwise around it: sides of two
 //       consecutive triangles face each other if the wedge between the triangles is on the positive side of both. Each
 //       side faces at most one other, and that one faces it. The result is a function of the set of sides.
@@ -17,8 +16,7 @@
 
 namespace rbpa {
 
-/// A side of the triangle (from, to, apex), which is counter-clockwise seen from its positive side; corners are point
-/// indices.
+/// A side of the triangle (from, to, apex), counter-clockwise seen from its positive side; corners are point indices.
 struct EdgeSide {
   std::uint32_t from, to, apex;
   std::uint32_t triangle;  ///< number of the triangle; any that the caller chooses

@@ -1,5 +1,4 @@
-// What: finds the boundary curves of a surface of points in space, and for each edge the reason why the surface ends
-//       there.
+// What: finds the boundary curves of a surface of points in space, and for each edge why the surface ends there.
 // Law:  a function of the points, their normals and the radii. The exposed triangles form a closed surface, so the ball
 //       rolls over every side to an exposed triangle. A side is boundary if that triangle is not in the surface.
 //       docs/explanation/surfaces.md, section 5.
@@ -47,8 +46,7 @@ struct Hole {
   friend bool operator==(const Hole&, const Hole&) = default;
 };
 
-/// Returns all boundary curves, sorted by their first edges. At a point with several fans of triangles, a curve stays
-/// at its fan.
+/// Returns all boundary curves, sorted by their first edges. At a point with several fans, a curve stays at its fan.
 /// Requires: the surface() of these points, normals and radii.
 /// Throws:   InvalidInput as surface(); ContractViolation when the surface is visibly not that of the points, normals
 ///           and radii; Cancelled.

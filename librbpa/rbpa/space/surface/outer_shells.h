@@ -34,8 +34,7 @@ RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double r
 /// does not lie in that one.
 /// Requires: each surface is closed; its triangles are in any order.
 /// Throws:   ContractViolation when a corner is not an index of a point; Cancelled.
-/// Cost:     for each triangle, a test of the rays within its range of y and z; n log n if few surfaces overlap in y
-///           and z.
+/// Cost:     for each triangle, a test of the rays in its range of y, z; n log n if few surfaces overlap there.
 RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points,
                                                  std::span<const std::vector<std::array<std::uint32_t, 3>>> surfaces,
                                                  const GoOn& go_on = {});

@@ -32,8 +32,7 @@ struct OutlierOptions {
 
 struct Outliers {
   std::vector<std::uint32_t> points;  ///< input indices, ascending
-  /// The median distance, rounded, in units of the points; 0 if there are fewer than two distinct points, and then no
-  /// outliers.
+  /// The median distance, rounded, in units of the points; 0, and no outliers, for fewer than two distinct points.
   double distance = 0;
 };
 

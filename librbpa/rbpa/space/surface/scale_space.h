@@ -1,5 +1,4 @@
-// What:   moves noisy points in space onto the surface about which they are scattered, so that a ball can roll over
-//         them.
+// What:   moves noisy points in space onto the surface about which they scatter, so that a ball can roll over them.
 // How:    each step projects every point onto the plane that fits it and its nearest others best, all points at once.
 // Law:    a function of the set of points, not of any order or thread; multiplying all points by a power of two
 //         multiplies the result. Equal points stay equal. The result is an estimate, in rounded numbers.
@@ -22,8 +21,7 @@ struct ScaleSpaceOptions {
   /// Number of steps. 0 = until a step moves the median point, relative to its neighbors, by less than a tenth of the
   /// distance between neighbors, but at most 8. A curved surface shrinks a little in each step.
   std::size_t steps = 0;
-  /// Number of nearest other points to which, with the point itself, the plane is fitted. More points smooth more in
-  /// each step.
+  /// Number of nearest other points to which, with the point itself, the plane is fitted. More points smooth more.
   std::size_t neighbors = 30;
   MaxThreads threads = 0;
   OnProgress progress = {};  ///< Progress::triangles is 0

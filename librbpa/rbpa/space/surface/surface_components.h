@@ -36,7 +36,7 @@ struct SurfaceComponents {
 
 /// Computes the components of a surface.
 /// Requires: a surface of these points.
-/// Throws:   ContractViolation when a corner is none of these points, or a triangle is not a neighbor of its neighbor;
+/// Throws:   ContractViolation when a corner does not exist, or a triangle is not a neighbor of its neighbor;
 ///           Cancelled.
 RBPA_API SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface,
                                               const GoOn& go_on = {});

@@ -32,8 +32,7 @@ RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface&
 /// Builds the same mesh, and frees the memory of the surface on the way.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface);
 
-/// Returns the position of each vertex of an OpenMesh mesh, by index of the vertex; the origin for vertices marked
-/// deleted.
+/// Returns the position of each vertex of an OpenMesh mesh, by index; the origin for vertices marked deleted.
 template <meshops::HasPoints AnyMesh>
 std::vector<Point3> places_of(const AnyMesh& mesh) {
   std::vector<Point3> places(mesh.n_vertices());
@@ -47,8 +46,8 @@ std::vector<Point3> places_of(const AnyMesh& mesh) {
 
 /// Returns the triangles of a mesh as a surface. Corners are indices of vertices, and `given` has the index of the face
 /// of each triangle. Of vertices at one place, the lowest stands for all, glued or not.
-/// Requires: validate(mesh) is empty; triangles only; a finite place of each vertex; the corners of a face at different
-///           places.
+/// Requires: validate(mesh) is empty; triangles only; a finite place of each vertex; different places of a face's
+///           corners.
 /// Throws:   ContractViolation when a face is no triangle or there are fewer places than vertices; InvalidInput as
 ///           surface_of() of triangles.
 RBPA_API SurfaceOfTriangles surface_of(const meshops::Connectivity& mesh, std::span<const Point3> places);

@@ -36,8 +36,7 @@ RBPA_API SurfaceOfTriangles surface_of(std::span<const Point3> points,
 /// k, or Surface::none.
 /// Requires: what surface_of() without neighbors requires; each triangle is a neighbor of its neighbors, across the
 ///           side between the same corners.
-/// Throws:   InvalidInput that names the violated requirement; ContractViolation if the violated requirement is about
-///           `neighbors`.
+/// Throws:   InvalidInput that names the violated requirement; ContractViolation if that is about `neighbors`.
 RBPA_API SurfaceOfTriangles surface_of(std::span<const Point3> points,
                                        std::span<const std::array<std::uint32_t, 3>> triangles,
                                        std::span<const std::array<std::uint32_t, 3>> neighbors);

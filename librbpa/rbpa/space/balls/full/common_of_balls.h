@@ -17,8 +17,7 @@ inline Vector operator*(double s, const Vector& v) { return {s * v.x, s * v.y, s
 inline double norm(const Vector& v) { return std::hypot(v.x, v.y, v.z); }
 Vector unit(const Vector& v);
 
-/// Returns the solid angle at a corner whose edges have the directions of three unit vectors, as a fraction of the
-/// sphere.
+/// Returns the solid angle at a corner with edges along three unit vectors, as a fraction of the sphere.
 /// Source: Van Oosterom, Strackee (1983).
 double solid_angle(const Vector& a, const Vector& b, const Vector& c);
 

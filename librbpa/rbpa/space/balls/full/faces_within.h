@@ -1,5 +1,4 @@
-// What: the triangles and edges of a Delaunay triangulation, of points or of a periodic box, that are in the full alpha
-//       complex.
+// What: finds the triangles and edges of a Delaunay triangulation (also of a periodic box) in the full alpha complex.
 // Law:  a simplex is in the complex if a ball of radius at most alpha has its corners on its sphere and no point
 //       inside. Equivalently: a simplex of higher dimension with this face is in the complex; or the least sphere
 //       through its corners has a radius of at most alpha and no corner of the simplices around it is inside.

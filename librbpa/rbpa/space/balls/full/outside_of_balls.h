@@ -1,5 +1,4 @@
-// What: computes the volume of each void of the full alpha complex that is outside of the balls of radius alpha around
-//       the points.
+// What: computes the volume of each void of the full alpha complex outside of the balls of radius alpha.
 // How:  the volume of the tetrahedra of a void, less the volume of the balls in them by inclusion and exclusion. The
 //       share of a tetrahedron in a ball is given by its angles: docs/explanation/space.md, section 21.
 // Law:  the choice of simplices is exact; sizes and angles are rounded; their sum is exact and rounded once.

@@ -2,8 +2,7 @@
 //       over that of the set.
 // Law:  the sphere through three points of a plane and any other point cuts the plane in the circle of the three. So
 //       with one point beside the plane, at any place, the tetrahedra stand on the Delaunay triangles of the set, with
-//       the same ties: nothing is projected or rounded. With two points beside a line the tetrahedra stand on its
-//       edges.
+//       the same ties: nothing is projected or rounded. With two beside a line, they stand on its edges.
 // Cost: linear.
 #pragma once
 

@@ -42,8 +42,7 @@ class Tunnels {
   /// Returns the edges, without those that end components, of a cycle that becomes a boundary with the triangle that
   /// ends the tunnel that an edge makes.
   std::vector<std::uint32_t> cycle(std::uint32_t edge) const;
-  /// Returns whether a cycle is a boundary of triangles up to `triangle`. An edge that is given twice is not in the
-  /// cycle.
+  /// Returns whether a cycle is a boundary of triangles up to `triangle`. An edge given twice is not in the cycle.
   bool is_boundary(std::span<const std::uint32_t> edges, std::uint32_t triangle);
 
  private:

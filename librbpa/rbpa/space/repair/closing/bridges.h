@@ -1,5 +1,4 @@
-// What: finds bridges: pairs of edges of two boundary loops. A strip of two triangles between the edges joins the two
-//       loops to one.
+// What: finds bridges: pairs of edges of two boundary loops, between which a strip of two triangles joins the loops.
 // Law:  a function of the points along the loops; it does not depend on where the loops begin.
 // Cost: the product of the numbers of edges.
 #pragma once

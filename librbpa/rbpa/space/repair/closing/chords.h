@@ -1,7 +1,6 @@
 // What: chooses the chords of a rim that its triangulation may use; the sides of the rim are chords too.
 // Why:  there are n²/2 chords, and n³/6 triangles on them. For a long rim the nearest chords suffice, on each of
-//       several levels: every second corner, every fourth and so on, so that wide parts can be triangulated with long
-//       chords.
+//       several levels: every second corner, every fourth and so on, so that wide parts get long chords.
 // Law:  a function of the places of the corners and of the corner at which the rim begins.
 // Cost: n² to find the nearest chords; some tens of chords a corner.
 #pragma once
@@ -35,7 +34,7 @@ class Chords {
   /// that none is forbidden.
   bool are_all() const { return all_; }
   bool is_complete() const { return chords_.size() == (first_to_.size() - 1) * (first_to_.size() - 2) / 2; }
-  /// Returns the number of the first chord whose low end is `corner`; for the corner after the last one, the number of
+  /// Returns the number of the first chord with the low end `corner`; for the corner after the last, the number of
   /// chords.
   std::uint32_t first_from(std::uint32_t corner) const { return first_from_[corner]; }
   /// Returns the first place of the chords whose high end is `corner`, in the order by high, then low end.

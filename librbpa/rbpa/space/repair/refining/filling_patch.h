@@ -38,8 +38,7 @@ class FillingPatch {
   /// Adds vertices, at most `most`, until triangles are about as large as the rim's edges suggest.
   void refine(std::size_t most, meshops::Steps& step);
   /// Moves the added vertices so that the surface is smooth across the rim and as curved there as it is outside, with
-  /// harmonic curvature inside. Returns false, and moves nothing, if this does not determine the places. Throws:
-  /// Cancelled.
+  /// harmonic curvature inside. Returns false, and moves nothing, if this determines no places. Throws: Cancelled.
   bool make_smooth(meshops::Steps& step);
 
   std::size_t added() const { return between_.size(); }

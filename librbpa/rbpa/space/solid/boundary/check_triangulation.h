@@ -14,8 +14,7 @@ namespace rbpa::space {
 /// corner is not an index of a point.
 void check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
                          std::span<const double> radii);
-/// Checks alpha too, and returns the threads for that many points. Throws: as above; InvalidInput if alpha is not above
-/// 0.
+/// Checks alpha too; returns the threads for that many points. Throws: as above; InvalidInput unless alpha is above 0.
 Threads check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
                             std::span<const double> radii, double alpha, unsigned threads);
 

@@ -30,8 +30,7 @@ inline void require_boundary(std::size_t points, const Solid& solid, const Solid
     for (const std::uint32_t other : neighbors) meshops::require(other != Surface::none, not_its_boundary);
 }
 
-/// Returns the sets of tetrahedra connected through faces. Throws ContractViolation where a neighbor is no tetrahedron
-/// of the solid.
+/// Returns the sets of tetrahedra connected through faces. Throws ContractViolation if a neighbor does not exist.
 inline meshops::DisjointSets connected_through_faces(const Solid& solid) {
   meshops::DisjointSets sets(solid.simplices.size());
   for (std::uint32_t t = 0; t < solid.neighbors.size(); ++t)

@@ -11,8 +11,7 @@
 namespace rbpa::space {
 namespace {
 
-/// Calls put(from, to, triangle, across) for each side that leads to the greater of its two points: once for each wedge
-/// at an edge.
+/// Calls put(from, to, triangle, across) for each side that leads to its greater point: once for each wedge at an edge.
 template <typename Put>
 void for_each_rising_side(const std::vector<Triangle>& triangles, const Put& put) {
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {

@@ -14,8 +14,7 @@
 namespace rbpa::space {
 namespace {
 
-/// A triangle of the boundary at one of its corners, with a copy of all data used there, so that no distant memory is
-/// read.
+/// A triangle of the boundary at one of its corners, with all data used there, so that no distant memory is read.
 struct Corner {
   std::uint32_t triangle;
   std::uint32_t head;         // its next corner

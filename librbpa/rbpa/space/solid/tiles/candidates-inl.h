@@ -1,5 +1,4 @@
-// What: finds candidates for the fourth corner of a tetrahedron at a point v: the points within reach whose stars are
-//       not finished.
+// What: finds candidates for the fourth corner of a tetrahedron at v: points within reach whose stars are unfinished.
 // How:  a block has the points in the cells around a cell, once for all points of the cell. Points of the block in a
 //       ball around v are candidates. Their offsets from v are in double precision to decide and in single precision to
 //       choose. The centers of balls through v, p and q are x/2 + t n; of the points above the plane the one with the

@@ -2,8 +2,7 @@
 //       cells that fit its density.
 // Law:  equal points are one site, represented by the lowest index. The order of sites may depend on the order of the
 //       points; results computed from them do not.
-// Cost: a few comparisons for each point to build the tree, whose planes come from a sample; a counting sort for the
-//       cells.
+// Cost: a few comparisons a point to build the tree, whose planes come from a sample; a counting sort for the cells.
 #pragma once
 
 #include <array>
@@ -20,8 +19,7 @@
 
 namespace rbpa::space {
 
-/// A position among the points in the order of leaves and cells. A place is a site unless its point repeats an earlier
-/// one.
+/// A position among the points in the order of leaves and cells: a site, unless its point repeats an earlier one.
 using Place = std::uint32_t;
 
 /// Assigns points to cubic cells. The cell is a monotone function of each coordinate, so that any value between two

@@ -1,5 +1,5 @@
-// What: keeps the faces of a tile's tetrahedra that wait for the tetrahedron on their other side, each face at one of
-//       its corners.
+// What: keeps faces of a tile's tetrahedra that wait for the tetrahedron on their other side, each at one of its
+//       corners.
 // How:  each corner has room for fifteen faces in a line of keys, which are compared at once; further faces are in one
 //       list for all corners.
 //

@@ -1,5 +1,4 @@
-// What: finds the apex: the fourth corner of the tetrahedron outside of a face at a point of a tile, and the sphere of
-//       the tetrahedron.
+// What: finds the apex, the fourth corner of the tetrahedron outside of a face at a point of a tile, and its sphere.
 // Law:  exact: no other point of the tile is in the sphere. No apex is found if the ball may contain points beyond the
 //       tile, or the face is on the hull.
 // How:  chooses the most probable candidate; if a point may be in its sphere, searches exactly from this candidate on.
@@ -88,8 +87,7 @@ class ApexSearch {
             1.5 * weight};
   }
 
-  /// Returns whether the center is off by less than a hundredth of the radius (docs/explanation/space.md, sections 11
-  /// to 15).
+  /// Returns whether the center is off by less than 1 % of the radius (docs/explanation/space.md, sections 11 to 15).
   HWY_INLINE static bool is_certain(const Sphere& sphere) { return -sphere.minor[3] > 0x1p10 * sphere.slope; }
 
   /// Returns a box that contains the ball. Requires: is_certain().

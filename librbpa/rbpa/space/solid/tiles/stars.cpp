@@ -179,8 +179,8 @@ class StarSearch : public StarFinder, private ApexSearch {
     is_reached_[apex] = 1;
     close_or_add(open, {first, apex, 4 * t});
     close_or_add(open, {apex, second, 4 * t + 1});
-    // The face (second, apex, first), starting at its corner of least rank. The corner cannot be predicted, so the code
-    // does not branch.
+    // The face (second, apex, first), starting at its corner of least rank; without a branch, as none could be
+    // predicted.
     const std::uint32_t r0 = rank_[second], r1 = rank_[apex], r2 = rank_[first], rank = std::min({r0, r1, r2});
     const bool is_second = rank == r0, is_apex = rank == r1;
     if (rank == waits_for_nothing) return t;
@@ -273,8 +273,7 @@ bool StarSearch::add_first(OpenFaces::AtCorner& open) {
       Local first = around_[nearest], second = around_[triangles[k].second];
       if (is_turned) std::swap(first, second);
       if (!find_apex(first, second)) continue;
-      // The face may not belong to the triangulation: the sphere is tested once more, against points on any side,
-      // finished or not.
+      // The face may not belong to the triangulation: tests the sphere again, against all points on both sides.
       std::array<Tile::Range, 3> ranges;
       if (!tile_.ranges(box_of(sphere_), ranges)) continue;
       bool is_empty = true;

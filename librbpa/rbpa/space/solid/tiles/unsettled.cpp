@@ -10,8 +10,7 @@ namespace {
 
 constexpr std::uint32_t none = Solid::none;
 
-/// Faces with a tetrahedron on one side only, in buckets by their first corner. Corners are numbers of unsettled
-/// points.
+/// Faces with one tetrahedron only, in buckets by their first corner. Corners are numbers of unsettled points.
 class OpenSides {
  public:
   /// Takes the border faces whose corners are all unsettled. Other border faces are at the hull.

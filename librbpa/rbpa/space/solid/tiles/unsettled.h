@@ -23,8 +23,8 @@ struct FoundRows {
   meshops::FreshVector<BorderFace> border;       ///< faces whose neighbor was unknown when they were found
 };
 
-/// Appends the missing tetrahedra. Requires: `found` has all tetrahedra with a settled corner, linked; `spread` of the
-/// leaves' points.
+/// Appends the missing tetrahedra. Requires: `found` has all with a settled corner, linked; `spread` of the leaves'
+/// points.
 void add_remainder(const Leaves& leaves, const Spread& spread, double alpha, const std::vector<Place>& unsettled,
                    FoundRows& found);
 

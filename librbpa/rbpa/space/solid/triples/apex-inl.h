@@ -79,8 +79,7 @@ class ApexSearch {
       const auto is_near_plane = hn::And(others, hn::Le(hn::Abs(b), hn::Set(d, least_b_)));
       const auto weak_a = hn::Add(a, e), strong_a = hn::Sub(a, e);
       if (!hn::AllFalse(d, is_near_plane)) {
-        // A point in the plane, or nearly: it is inside every ball of the triangle, outside of all, or the result is
-        // uncertain.
+        // A point in or near the plane is inside all balls of the triangle, outside of all, or the result is uncertain.
         const auto is_inside = hn::And(is_near_plane, hn::Lt(weak_a, hn::Neg(e)));
         const auto is_outside = hn::And(is_near_plane, hn::Gt(strong_a, e));
         if (!hn::AllFalse(d, is_inside)) is_violated_ = true;
@@ -105,8 +104,8 @@ class ApexSearch {
     size_ = size;
   }
 
-  /// Decides the side of positive or of negative t. If the result is `found`, apex() is the position of the apex among
-  /// the near points.
+  /// Decides the side of positive or of negative t. If it is `found`, apex() is the apex's position among the near
+  /// points.
   HWY_INLINE Side look(bool is_positive) {
     if (!is_bounded_) return Side::open;
     if (is_violated_) return Side::none;

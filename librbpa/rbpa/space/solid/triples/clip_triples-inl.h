@@ -1,7 +1,6 @@
 // What: finds, for a register of triangles (v, q, r), the sides of each on which there may be a tetrahedron whose
 //       fourth corner comes after r.
-// Law:  conservative: a side that is left out has no tetrahedron. docs/explanation/space.md, sections 8 to 10, derives
-//       the bounds.
+// Law:  conservative: a side that is left out has no tetrahedron. Bounds: docs/explanation/space.md, sections 8 to 10.
 // How:  in units of alpha, with v at the origin: centers of balls through the triangle are x/2 + t n, with n = q × r
 //       and x = (|q|² r − |r|² q) × n / n². Such a ball contains p unless t b ≤ a, for a = p² − p · x and b = 2 p · n.
 //       Where the center is within one alpha, |t| |n| ≤ 1, so that a − t b is off by at most E = 300 u κ, κ = |q| |r| /

@@ -28,8 +28,7 @@ using Doubles = hn::CappedTag<double, 8>;
 using DoubleNumbers = hn::RebindToSigned<Doubles>;
 inline constexpr std::size_t single_lanes = hn::MaxLanes(Singles()), double_lanes = hn::MaxLanes(Doubles());
 
-/// The sites in the cells around a cell, in the order of sites. Arrays are readable up to one register beyond their
-/// ends.
+/// The sites in the cells around a cell, in their order. Arrays are readable up to one register beyond their ends.
 class Block {
  public:
   explicit Block(double alpha) : inverse_(1 / alpha) {}

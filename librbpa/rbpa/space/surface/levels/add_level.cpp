@@ -77,8 +77,7 @@ class Level {
     return sides;
   }
 
-  /// Returns the position of a triangle of the surface among the triangles of this radius; none where it is not among
-  /// them.
+  /// Returns the position of a triangle of the surface among the triangles of this radius, or none.
   std::size_t present(std::uint32_t t) const {
     const auto& all = present_.triangles;
     const auto found = std::lower_bound(all.begin(), all.end(), surface_.triangles[t]);

@@ -28,8 +28,7 @@ class LocalSurfaces {
   /// Keeps the spans and the surface. Requires: triangles and normals of the points.
   LocalSurfaces(std::span<const Point3> points, std::span<const Point3> normals, const Surface& surface);
 
-  /// Returns the part around `points`: these points, the triangles with a corner among them, and the corners of these
-  /// triangles.
+  /// Returns the part around `points`: these, the triangles with a corner among them, and the corners of the triangles.
   /// Requires: ascending indices; of equal points, all or none.
   LocalSurface at(std::span<const std::uint32_t> points) const;
 

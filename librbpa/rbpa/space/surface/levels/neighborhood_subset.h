@@ -1,6 +1,5 @@
 // What: selects the points near some wanted points, as a point set of its own.
-// Law:  a ball that touches a wanted point rests on, touches and contains the same points in the subset as in the whole
-//       set.
+// Law:  a ball that touches a wanted point touches and contains the same points in the subset as in the whole set.
 // Cost: a sort of the points, once for any number of subsets with one radius.
 #pragma once
 

@@ -124,8 +124,7 @@ constexpr double first_ball = 8;  // spacings
 
 constexpr double most_variation = 0.33;  // of a sheet's thickness: 0.17 to 0.30 on sheets, at least 0.38 on noise
 
-/// Returns whether a ball that sees only the chosen points, with a radius of `factor` of their spacings, contradicts
-/// their normals.
+/// Returns whether a ball on the chosen points alone, with a radius of `factor` spacings, contradicts their normals.
 bool some_contradict(const Neighborhoods& near, std::span<const Point3> normals, std::vector<Number> chosen,
                      double factor, double variation, const SurfaceOptions& options) {
   std::sort(chosen.begin(), chosen.end(), [&](Number i, Number j) { return near.points[i] < near.points[j]; });

@@ -26,8 +26,7 @@ namespace rbpa::space {
 struct OuterSides {
   /// For each point, 1: its normal points outward; −1: inward; 0: not known, or the normals of the component are right.
   std::vector<std::int8_t> side;
-  /// For each point, the absolute sum of the triangles' normals along its normal, divided by their area; 0 if the side
-  /// is 0.
+  /// For each point, |sum of the triangles' normals along its normal| / their area; 0 if the side is 0.
   std::vector<double> vote;
 
   bool empty() const { return side.empty(); }  ///< whether all sides are 0

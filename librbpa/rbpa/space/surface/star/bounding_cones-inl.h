@@ -1,7 +1,5 @@
-// What: bounds the parts of a free region by cones from v. A point whose cap misses all cones does not change the
-//       region.
-// Law:  conservative: a rejected point changes the region neither now nor later. docs/explanation/surfaces.md, section
-//       13.
+// What: bounds the parts of a free region by cones from v. A point whose cap misses all cones changes nothing.
+// Law:  conservative: a rejected point never changes the region. docs/explanation/surfaces.md, section 13.
 // How:  a part on one side of a plane through v is in the cone of its corners. The corners are lengthened to C until
 //       their hull is outside the sphere. Then p's cap meets the part only if C · p > p²/2 for one of them.
 //

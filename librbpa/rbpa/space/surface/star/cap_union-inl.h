@@ -30,7 +30,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 class CapUnion {
  public:
   using Vector = Vector3<double>;
-  /// Maximum number of caps; a region bounded by more is lost. A smooth surface needs about ten, a dense cluster some
+  /// Maximum number of caps; a region bounded by more is lost. Smooth surfaces need about ten, dense clusters some
   /// thousand.
   static constexpr std::size_t most = 32767;
 

@@ -123,8 +123,7 @@ class RegionSearch {
   BoundingCones bound_;
 };
 
-/// Appends the rings of one site by rolling about each edge. Requires: `others` are all sites within two radii, by
-/// distance.
+/// Appends the rings of v by rolling about each edge. Requires: `others` are all sites within two radii, by distance.
 template <typename Real>
 void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Rings& found, meshops::Steps& step) {
   const std::span<const Point3> sites = cells.sites();

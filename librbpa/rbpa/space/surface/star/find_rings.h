@@ -4,8 +4,7 @@
 //       2. find the free region of the ball at each site, by caps (free_region-inl.h), and read the rings off its
 //          corners;
 //       3. where the region is lost, roll about every edge at the site (pivot/roll_about_edge.h).
-// Cost: for each site, two passes over the points in the cells around it, and some hundred operations for each of its
-//       triangles.
+// Cost: for each site, two passes over the points in the cells around it, and some hundred operations a triangle.
 #pragma once
 
 #include <cstddef>

@@ -264,8 +264,8 @@ class FreeRegion {
     return Outcome::circle_is_free;
   }
 
-  /// Step 4: cuts the arcs. Returns false where a crossing is not certain, there is no room, or entries and exits do
-  /// not match.
+  /// Step 4: cuts the arcs. Returns false if a crossing is uncertain, there is no room, or entries and exits do not
+  /// match.
   bool cut_arcs(const Neighbor& p, int cap, const Cut& cut, OwnArcs& own) {
     // Most circles are crossed twice.
     constexpr std::size_t known_size = 4;

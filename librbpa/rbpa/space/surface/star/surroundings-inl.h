@@ -137,8 +137,7 @@ class Surroundings {
     const auto inverse = hn::Set(d, inverse_);
     while (begin < end) {
       const std::size_t at_once = std::min<std::size_t>(hn::Lanes(d), end - begin);
-      // Whole vectors are read and stored: reserve() left room, but the last sites of the array have nothing after
-      // them.
+      // Whole vectors are read and stored: reserve() left room, but after the last sites there is nothing to read.
       if (begin + hn::Lanes(d) <= sites.size()) {
         hn::Vec<decltype(d)> x, y, z;
         hn::LoadInterleaved3(d, &sites[begin].x, x, y, z);
