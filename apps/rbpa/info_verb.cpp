@@ -90,7 +90,7 @@ std::string as_json(const Info& info) {
   return report.dump(2) + "\n";
 }
 
-/// Writes a line for each group.
+/// Writes a line for each group of points, or with `json` an object in a list.
 void write_groups(OutputFile& out, const NamedGroups& named, bool json) {
   char line[160];
   const auto row = [&](const std::string& points, const std::string& distinct, const std::string& spacing,

@@ -39,10 +39,10 @@ std::string unexpected(const std::string& word, const CLI::App& app) {
          " --help)";
 }
 
-/// Returns the command, last word first, as CLI takes it. "help VERB" becomes "VERB --help".
+/// Returns the words of the command line in reverse order, as CLI11 parses them. "help VERB" becomes "VERB --help".
 std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
-  // Spelled so up to version 0.1.
+  // Version 0.1 had --suggest-repairs under the name --remedies.
   std::replace(words.begin(), words.end(), std::string("--remedies"), std::string("--suggest-repairs"));
   if (!words.empty() && words[0] == "help") {
     words.erase(words.begin());
@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   int code = 0;
-  // Declare options within run(), as memory may run out there.
+  // Options are declared within run(), which reports that memory has run out.
   const int failed = rbpa::app::run(rbpa::app::program, [&] { code = rbpa::app::main(argc, argv); });
   return failed != 0 ? failed : code;
 }

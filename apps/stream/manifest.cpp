@@ -120,8 +120,8 @@ void require_same(const Json& before, const RunKey& run_key, const std::string& 
   for (const auto& [key, value] : now.items()) {
     if (before.at(key) == value) continue;
     if (value.is_array())
-      throw WrongUsage("--resume: found " + counted(value.size(), key == "inputs" ? "input" : "target") +
-                       ", or others, expected the " + std::to_string(before.at(key).size()) + run);
+      throw WrongUsage("--resume: found other " + key + " (" + std::to_string(value.size()) + "), expected the " +
+                       std::to_string(before.at(key).size()) + run);
     throw WrongUsage("--resume: found " + key + " " + shown(value.dump()) + ", expected " +
                      shown(before.at(key).dump()) + run);
   }

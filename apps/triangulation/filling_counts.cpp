@@ -56,9 +56,9 @@ void count_refined(std::span<const Point3> points, std::span<const std::array<st
 std::string filled_text(const FillingCounts& counts) {
   return counted(counts.filled(), "hole") + " filled by " + counted(counts.triangles, "triangle") + " of area " +
          rounded(counts.area, 6) +
-         (counts.points == 0
-              ? ""
-              : ", with " + counted(counts.points, "point") + " added, " + std::to_string(counts.smooth) + " smooth");
+         (counts.points == 0 ? ""
+                             : ", with " + counted(counts.points, "point") + " added, " +
+                                   counted(counts.smooth, "filling") + " made smooth");
 }
 
 std::string left_text(const FillingCounts& counts) {

@@ -21,9 +21,9 @@ struct FillingCounts {
   std::array<std::size_t, outcome_names.size()> holes = {};  ///< number of holes, by HoleOutcome
   std::size_t triangles = 0;                                 ///< new triangles
   double area = 0;                                           ///< of the new triangles
-  std::size_t given_up = 0;  ///< triangles around holes removed so that these can be filled
-  std::size_t points = 0;    ///< added by refining
-  std::size_t smooth = 0;    ///< refined fillings whose points are also moved
+  std::size_t given_up = 0;  ///< triangles around holes, removed so that the holes can be filled
+  std::size_t points = 0;    ///< points that refining added
+  std::size_t smooth = 0;    ///< fillings whose added points were moved to continue the surface
 
   std::size_t filled() const { return holes[static_cast<std::size_t>(HoleOutcome::filled)]; }
   std::size_t left() const { return std::accumulate(holes.begin() + 1, holes.end(), std::size_t{0}); }
@@ -36,7 +36,7 @@ FillingCounts count(std::span<const HoleFill> holes);
 void count_refined(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
                    const std::vector<bool>& is_new, const AddedPoints& added, FillingCounts& counts);
 
-/// Returns "3 holes filled by 12 triangles of area 0.5", "…, with 5 points added, 2 of them smooth".
+/// Returns "3 holes filled by 12 triangles of area 0.5", "…, with 5 points added, 2 fillings made smooth".
 std::string filled_text(const FillingCounts& counts);
 /// Returns "2 holes not filled: 1 where any filling crosses the surface, 1 …". Requires: some holes are left.
 std::string left_text(const FillingCounts& counts);

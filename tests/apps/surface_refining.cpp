@@ -51,7 +51,8 @@ TEST_SUITE("surface") {
     CHECK(report["filled"]["triangles"].get<std::size_t>() ==
           coarse["filled"]["triangles"].get<std::size_t>() + 2 * added);
     CHECK(report["filled"]["area"].get<double>() > coarse["filled"]["area"].get<double>());
-    CHECK(outcome.err.find(", with " + std::to_string(added) + " points added, 1 smooth\n") != std::string::npos);
+    CHECK(outcome.err.find(", with " + std::to_string(added) + " points added, 1 filling made smooth\n") !=
+          std::string::npos);
     for (const std::string file : {"m.ply", "m.off", "m.obj", "m.stl"}) {
       CAPTURE(file);
       CHECK(folder.meshtopo(file + " --check closed,manifold,genus=0,components=1").code == 0);

@@ -71,11 +71,11 @@ FillRequest parse(const FillArguments& arguments) {
   return request;
 }
 
-/// Memory of a run for each triangle of its estimate, with a margin. A run of a million triangles takes 228 bytes for
-/// each of them at its peak: docs/explanation/plane.md, Triangles of a given size.
+/// Bytes of memory that a run needs for each estimated triangle, with a margin: a run of a million triangles takes 228
+/// bytes for each of them at its peak (docs/explanation/plane.md, Triangles of a given size).
 constexpr double bytes_a_triangle = 320;
 
-/// Throws BadInput if so many triangles would take more memory than is available.
+/// Throws BadInput that names both amounts if `triangles` triangles take more memory than is available.
 void require_memory(const std::string& name, double triangles) {
   const std::optional<double> there = available_memory();
   const double wanted = bytes_a_triangle * triangles;
@@ -121,7 +121,7 @@ Filling make(const Run& run, const FillRequest& request, const PolygonFile& file
   }
 }
 
-/// Returns the feature of each triangle, with its numeric properties.
+/// Returns the number of the feature of each triangle, and the numeric properties of all features.
 TriangleFeatures features_of(const Filling& filling, const ValidFeatures& valid, const PolygonFile& file) {
   TriangleFeatures features;
   for (const std::size_t group : filling.groups) features.of_triangle.push_back(valid.feature[group]);

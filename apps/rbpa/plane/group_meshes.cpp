@@ -28,7 +28,7 @@ void require_of_groups(const MeshArguments& arguments, const ComplexRequest& req
                        ", expected a mesh or an array (rbpa shape --group-by draws its polygons)");
 }
 
-/// The group of each triangle, and the properties of groups.
+/// The group of each triangle, and the properties of each group: its points, alpha, area and, if a number, its name.
 struct GroupNumbers {
   explicit GroupNumbers(const GroupRun& run) {
     const GroupShapes& shapes = run.shapes;

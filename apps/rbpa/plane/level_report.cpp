@@ -35,7 +35,7 @@ std::array<Item, 13> items_of(const Level& level, const ComplexCounts& counts, s
            {"seconds", level.seconds}}};
 }
 
-/// Calls line(items) for each level.
+/// Calls line(items) for each level, with the names and values of its columns.
 template <typename Line>
 void for_each_level(const Hierarchy& hierarchy, Line line) {
   const std::vector<ComplexCounts> counts = level_topology(hierarchy);

@@ -52,7 +52,7 @@ void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Bu
       if (!compact) compact.emplace(whole);
       add_triangles(run, target, compact->mesh(), run.file);
     } else {
-      // An .npy file has no vertices: its indices are those of input points in any case.
+      // An .npy file has no vertices, and indices of input points also with --compact.
       add_triangles(run, target, whole, run.file);
     }
   }

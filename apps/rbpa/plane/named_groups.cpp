@@ -126,7 +126,7 @@ class Gatherer {
 
   void add_labels(const PointFile& file, const std::string& path, std::size_t count) {
     if (sources_.by_file) {
-      labels_.resize(labels_.size() + count, table_.number_of(path));  // without points there is a group as well
+      labels_.resize(labels_.size() + count, table_.number_of(path));  // a file without points is a group, too
     } else if (count > 0 && !file.texts.empty() && file.texts[0]) {
       are_texts_ = are_texts_ || file.keys_are_texts;
       constexpr std::uint32_t not_yet = no_group - 1;

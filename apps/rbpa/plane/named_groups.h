@@ -19,7 +19,7 @@ namespace rbpa::app {
 struct GroupSources {
   std::vector<PointSource> files;
   bool by_file = false;
-  std::optional<std::string> radius = std::nullopt;  ///< the column that has it
+  std::optional<std::string> radius = std::nullopt;  ///< the column with the radius of each group
 };
 
 /// Parses where points and their groups are read from. Requires: groups.ask_for_groups(). Throws WrongUsage that names
@@ -33,9 +33,9 @@ void require_different(const std::vector<std::string>& outputs, const GroupSourc
 struct NamedGroups {
   PointFile file = {};  ///< the points of all files, one after the other
   std::vector<std::string> names = {};
-  bool are_numbers = false;  ///< all names are numbers, and JSON reads them as different ones
+  bool are_numbers = false;  ///< all names are numbers of JSON with different values
   Groups groups = {};
-  /// With a column of radii: the radius of each group, NaN if it has none; and the reason for that, "" otherwise.
+  /// Filled in only with a column of radii: the radius of each group, NaN if it has none; why it has none, else "".
   std::vector<double> radii = {};
   std::vector<std::string> radius_problems = {};
 };

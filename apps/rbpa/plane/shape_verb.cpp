@@ -34,7 +34,7 @@ struct Files {
     if (first != targets.end()) return &*first;
     return isolated && is_one(*isolated) ? &*isolated : nullptr;
   }
-  /// Returns whether any file contains which points are in which polygon.
+  /// Returns whether any of the files lists the points in each polygon, or those in none.
   bool have_points() const {
     return isolated || std::any_of(targets.begin(), targets.end(), [](const Target& target) {
              return !is_text_geometry(target.format) && !is_picture(target.format);
@@ -118,7 +118,7 @@ void run_shape(const ShapeArguments& arguments) {
   require_srid(files, run.file.crs);
   AlphaComplex complex =
       build(run.points(), run.alpha, request.method, ComplexKind::solid, Links::none, run.options()).complex;
-  // Computing neighbors here takes less memory than a run with neighbors.
+  // Linking the finished triangles takes less memory than build() with Links::neighbors.
   complex.neighbors = link_triangles(complex.triangles, run.points().size(), until_interrupted());
   stop_if_interrupted();
   std::vector<Polygon> made;

@@ -43,7 +43,7 @@ ComplexRun::ComplexRun(const ComplexRequest& wanted, const OutputArguments& argu
   caution_about_memory(*this, request.bytes_a_point, points().size());
   stats.alpha = choose_alpha(choice, points(), options());
   if (choice.rule != AlphaRule::given) stats.choose_seconds = lap();
-  // If there is no such radius, the points have no triangle at any radius.
+  // A rule finds no radius only if the points have no triangle at any radius.
   alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
 }
 

@@ -37,7 +37,7 @@ struct ComplexRequest {
 /// names the value.
 ComplexRequest parse_request(const ComplexArguments& arguments, ChosenFor chosen_for = ChosenFor::all_points);
 
-/// A run of such a verb, with its points and its radius; the constructor reads the whole file.
+/// A run of a verb that makes a complex, with its points and its radius.
 struct ComplexRun : Run {
   /// Reads all points of the file, and chooses the radius if a rule is given. Throws BadInput, Failure, Cancelled.
   ComplexRun(const ComplexRequest& wanted, const OutputArguments& arguments);

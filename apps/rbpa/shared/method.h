@@ -39,7 +39,7 @@ enum class Links { none, boundary, neighbors };
 /// A complex as a method makes it.
 struct Built {
   AlphaComplex complex;
-  std::vector<std::uint16_t> level;  ///< of each triangle; empty if the method has no levels
+  std::vector<std::uint16_t> level;  ///< number of the level of each triangle; empty without levels
   std::optional<Hierarchy> mesh = std::nullopt;
 };
 

@@ -65,11 +65,12 @@ struct SpacePointSource {
   CloudRequest choice = {};
 };
 
-/// Does the same for points in space. `columns` are read as well; those that are required are so by `option`.
+/// Returns where points in space are read from, as parse_source() does. `columns` are read as well; `option` is the
+/// option that requires them, for messages.
 SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::vector<WantedColumn> columns = {},
                                     const std::string& option = "");
 
-/// Throws WrongUsage as require_format() unless the points of the format are atoms.
+/// Throws WrongUsage as require_format() does unless the points of the format are atoms.
 void require_molecule(Format format, const std::string& option, const std::string& found);
 
 /// Returns the columns that name a point: those of atoms, which tables may have as well.

@@ -34,7 +34,7 @@ std::optional<RepresentativeRequest> parse_representatives(const RepresentativeA
 
 /// Writes GeoJSON. Each hole has two Features, Polygons with the properties "pair" (from 1), "dimension", "birth",
 /// "death" (null if it never ends), "when" ("birth" or "death"), "area" and "points" (the input indices of the points
-/// on its rings). Each component that ends has one, a LineString with the same properties but "when" and "area".
+/// on its rings). Each component that ends has one Feature, a LineString with these properties but "when" and "area".
 void write_representatives(OutputFile& file, std::span<const Point> points, const std::optional<Crs>& crs, bool degrees,
                            std::span<const Representative> representatives, std::span<const std::uint32_t> index);
 
@@ -43,7 +43,7 @@ struct SpaceRepresentatives {
   const SolidFiltration& filtration;
   std::span<const SolidPair> pairs;
   std::span<const SolidRepresentative> of_pairs;
-  std::span<const std::uint32_t> index;  ///< of each point in the input; empty: its own number
+  std::span<const std::uint32_t> index;  ///< input index of each point; empty: the number of the point
 };
 
 /// Writes OBJ, JSON or VTU. OBJ has a group component_1, tunnel_1, void_1 … for each pair, with vertices of its own:

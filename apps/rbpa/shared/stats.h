@@ -15,8 +15,8 @@ namespace rbpa::app {
 struct FillStats {
   std::size_t on_boundary = 0;  ///< points that were put on edges
   std::size_t inside = 0;       ///< points that were put inside
-  std::size_t retreats = 0;     ///< of the front
-  std::size_t features = 0;     ///< of the file
+  std::size_t retreats = 0;     ///< times that the front removed a triangle again
+  std::size_t features = 0;     ///< features in the file
   std::size_t left_out = 0;     ///< features that are not valid
 };
 
@@ -24,7 +24,7 @@ struct FillStats {
 struct GroupStats {
   std::size_t groups = 0;
   std::size_t without_polygon = 0;
-  std::size_t triangles = 0;  ///< of all groups
+  std::size_t triangles = 0;  ///< in all groups together
 };
 
 struct Stats {
@@ -48,7 +48,7 @@ struct Stats {
   /// Seconds of counting the result and of cutting the tiles. In `rbpa stream`, they are the two passes over the input.
   /// Keys only if present.
   std::optional<double> count_seconds = std::nullopt, cut_seconds = std::nullopt;
-  std::optional<double> choose_seconds = std::nullopt;  ///< of choosing alpha by a rule
+  std::optional<double> choose_seconds = std::nullopt;  ///< seconds of choosing alpha by a rule; absent if it was given
   std::optional<double> build_seconds = std::nullopt;
   std::optional<double> write_seconds = std::nullopt;
 };

@@ -91,7 +91,7 @@ void PeriodicRun::warning_range() const {
 
 void PeriodicRun::build() {
   const AlphaChoice& alpha = request_.alpha;
-  // Voids consist of the tetrahedra above alpha.
+  // Rules and counts need all tetrahedra: voids consist of those above alpha.
   const bool needs_all = is_counted() || alpha.rule != AlphaRule::given;
   TriangleProgress progress(!options().quiet, "tetrahedra", text_of_progress);
   try {

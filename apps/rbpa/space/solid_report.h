@@ -11,7 +11,7 @@
 
 namespace rbpa::app {
 
-/// A solid, and what the run knows of it.
+/// A measured solid, with counts of its points and the settings and seconds of the run.
 struct SolidFacts : MeasuredSolid {
   std::size_t points = 0, distinct = 0, isolated = 0;
   std::string alpha_rule = "given";
@@ -21,10 +21,11 @@ struct SolidFacts : MeasuredSolid {
   double read_seconds = 0, build_seconds = 0, count_seconds = 0, write_seconds = 0;
 };
 
-/// Returns "12 tetrahedra, 2 solid components, 1 tunnel, 0 voids, volume 2.5".
+/// Returns "12 tetrahedra, 2 solid components, 1 tunnel, 0 voids, volume 2.5, area 8", and counts of the full complex
+/// and of the union of balls if these were computed.
 std::string text_of_solid(const SolidFacts& facts);
 
-/// Write one JSON object each; the second has every component and every void.
+/// Write one JSON object: of the counts, or of the counts, every component and every void.
 void write_solid_stats(OutputFile& file, const SolidFacts& facts);
 void write_solid_json(OutputFile& file, const SolidFacts& facts, const PointNames& names);
 

@@ -21,7 +21,7 @@ namespace rbpa::app {
 struct SolidRequest {
   SpacePointSource source;
   AlphaChoice alpha;
-  std::optional<Point3> box;  ///< sides of the periodic box; all 0: those of the input's cell
+  std::optional<Point3> box;  ///< sides of the periodic box; all 0: --box auto, the cell of the input
   std::vector<Target> targets;
   std::optional<Target> boundary, voids, pockets;
   std::optional<Shift> shift = std::nullopt;  ///< of a boundary in single precision
@@ -29,7 +29,7 @@ struct SolidRequest {
   std::size_t top =
       std::numeric_limits<std::size_t>::max();  ///< the most voids, and the most pockets, that are written
   ComplexKind
-      walls;  ///< kind of the complex whose voids are meant: as --complex says, else full if voids are requested
+      walls;  ///< complex whose voids are counted: that of --complex, else full if voids are requested, else solid
   int width;
   RunOptions run;
 };

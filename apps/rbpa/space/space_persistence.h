@@ -15,7 +15,7 @@
 
 namespace rbpa::app {
 
-/// Parses --dimension: false for 2, true for 3. Throws WrongUsage.
+/// Parses --dimension: returns true for 3, false for 2. Throws WrongUsage for other values.
 bool is_in_space(const std::string& dimension);
 
 /// Parses the options about the points. Throws WrongUsage that names an option without meaning in space, or a wrong
@@ -27,7 +27,7 @@ struct SpacePersistence : Run {
   SpacePersistence(const SpacePointSource& source, const std::vector<std::string>& outputs,
                    const RadiiArguments& arguments);
 
-  /// Returns the plateaus, the best first. The time counts as building.
+  /// Returns the plateaus, the best first. The seconds that it takes are added to those of building.
   std::vector<SolidPlateau> find_plateaus();
   /// Writes the statistics.
   void write_stats(OutputFile& file);

@@ -18,14 +18,14 @@ namespace rbpa::app {
 
 /// A view of the data to write; owns nothing.
 struct SurfaceFiles {
-  const SurfaceFacts& facts;                            ///< its reconstruction, and whether vertices are fans
-  const SplitFans& fans;                                ///< of the surface
-  std::span<const std::uint32_t> order;                 ///< of triangles in mesh files; empty: that of the surface
-  std::span<const Point3> seen;                         ///< places of the points in pictures
+  const SurfaceFacts& facts;                            ///< the reconstruction; facts.manifold: a vertex for each fan
+  const SplitFans& fans;                                ///< the fans of the surface
+  std::span<const std::uint32_t> order;                 ///< of the triangles in mesh files; empty: as in the surface
+  std::span<const Point3> seen;                         ///< positions of the points in pictures
   std::span<const std::array<std::uint8_t, 3>> colors;  ///< empty, or one for each point
   bool compact;
-  std::optional<Shift> shift = std::nullopt;  ///< of STL and GLB
-  std::span<const std::uint32_t> index = {};  ///< of each point in the input; empty: its own number
+  std::optional<Shift> shift = std::nullopt;  ///< subtracted from coordinates of STL and GLB
+  std::span<const std::uint32_t> index = {};  ///< input index of each point; empty: the number of the point
 
   /// Writes a mesh or a picture; `width` is that of the picture in pixels.
   void write(OutputFile& file, Format format, int width) const;

@@ -26,7 +26,7 @@ constexpr std::array rim_names{"nothing_within_reach", "normals_disagree", "bloc
 constexpr std::array rim_texts{"with nothing within reach", "where normals disagree",
                                "blocked by triangles of smaller radii", "cut apart where sheets touch"};
 
-/// Returns the index of the cause in rim_names. An edge that the ball left open has a next triangle with three corners.
+/// Returns the index of the cause in rim_names. The `next` of an edge that was cut apart has equal corners.
 std::size_t cause_of(const RimEdge& edge) {
   return edge.next[0] == edge.next[1] ? 3 : static_cast<std::size_t>(edge.cause);
 }
@@ -136,8 +136,8 @@ Json base(const SurfaceFacts& facts) {
                                             : Json(nullptr)}};
 }
 
-/// Returns "2 components lie inside others: 1 that faces inward, the wall of a cavity, 1 that faces outward, a body in
-/// a body"; nothing if none does.
+/// Returns "2 components lie inside others: 1 facing inward, as the wall of a cavity does, 1 facing outward, ...";
+/// nothing if no component lies inside another.
 std::optional<std::string> inside_text(const SurfaceFacts& facts) {
   std::array<std::size_t, 2> counts{};
   for (std::size_t i = 0; i < facts.inside.size(); ++i)
@@ -150,7 +150,7 @@ std::optional<std::string> inside_text(const SurfaceFacts& facts) {
          list_of_causes(counts, texts);
 }
 
-/// Returns the corners at which the cause is, of the three corners that the ball reaches.
+/// Returns the points at which the cause lies, of the corners of the next triangle that the ball reaches.
 Json corners_of(const RimEdge& edge) {
   Json corners = Json::array();
   for (std::size_t k = 0; k < 3; ++k)
@@ -223,7 +223,7 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
 }
 
 std::string why_empty(const SurfaceFacts& facts) {
-  std::string why = "none of the tried radii gives one";
+  std::string why = "the ball rests on no three points at any of the tried radii";
   if (facts.dropped.components > 0)
     why = counted(facts.dropped.components, "component") + " dropped, and none kept";
   else if (facts.distinct < 3)

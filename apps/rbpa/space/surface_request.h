@@ -15,7 +15,7 @@ namespace rbpa::app {
 
 struct SurfaceRequest {
   SpacePointSource source;
-  ReconstructionOptions how = {};  ///< without normals; columns of the file may have viewpoints for each point
+  ReconstructionOptions how = {};  ///< still without what the file gives: normals, and a viewpoint for each point
   bool colors_normals = false;     ///< colors show the confidence of normals
   std::vector<Target> targets = {};
   std::optional<Shift> shift = {};  ///< of targets in single precision

@@ -25,7 +25,7 @@
 namespace rbpa::app {
 namespace {
 
-// By ReconstructionStep; no line is shown while it counts.
+// Texts of the progress line, by ReconstructionStep; null: no line is shown.
 constexpr std::array<const char*, 12> step_texts{"looking for outliers",
                                                  "scale space",
                                                  "estimating normals",
@@ -119,7 +119,7 @@ void SurfaceRun::require_watertight(const SurfaceFacts& facts) const {
   }
 }
 
-/// Fills in what the options say, and the counts.
+/// Fills in the settings that the options give, and the counts.
 void SurfaceRun::count(SurfaceFacts& facts, const SplitFans& fans) const {
   facts.outlier_factor = request_.how.outlier_factor;
   facts.has_repairs = arguments_.repairs;
@@ -131,13 +131,14 @@ void SurfaceRun::count(SurfaceFacts& facts, const SplitFans& fans) const {
     const auto end = facts.confidence.begin() + static_cast<std::ptrdiff_t>(facts.input_points);
     const auto in_doubt =
         std::count_if(facts.confidence.begin(), end, [](double confidence) { return confidence < least_confidence; });
-    facts.in_doubt = static_cast<std::size_t>(in_doubt) - facts.outliers.points.size();  // outliers have 0
+    facts.in_doubt =
+        static_cast<std::size_t>(in_doubt) - facts.outliers.points.size();  // outliers have the confidence 0
   }
   facts.counts = app::count(fans, facts.components);
   facts.non_manifold_edges = non_manifold_edges(facts.manifold ? fans.triangles : facts.surface.triangles);
 }
 
-/// Returns the places for pictures: outliers are on the first of the other points, so that they do not show.
+/// Returns the positions for pictures. Outliers have that of the first other point, so that they are not seen.
 std::vector<Point3> seen_points(const SurfaceFacts& facts) {
   std::vector<Point3> seen = facts.points;
   const std::vector<std::uint32_t>& outliers = facts.outliers.points;
@@ -147,7 +148,7 @@ std::vector<Point3> seen_points(const SurfaceFacts& facts) {
   return seen;
 }
 
-/// Adds the colors of added points, means of those around them. Does nothing if there are no colors.
+/// Appends a color for each added point, the mean of the three points around it. Does nothing if there are no colors.
 void add_colors(std::vector<std::array<std::uint8_t, 3>>& colors, const AddedPoints& added) {
   if (colors.empty()) return;
   for (const auto& [a, b, c] : added.between) {

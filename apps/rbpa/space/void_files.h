@@ -21,7 +21,7 @@ namespace rbpa::app {
 /// Parses a file of voids by its ending. Throws WrongUsage that names the ending.
 Target parse_voids(const std::string& path);
 
-/// Returns volume between the points and (if known) outside of the balls, area, islands, box, and points with names.
+/// Returns an object: the volume between the points and, if known, outside of the balls; area, islands, box, points.
 nlohmann::ordered_json json_of(const SolidVoid& hollow, const PointNames& names);
 
 /// Writes the voids, the largest first.
@@ -36,8 +36,8 @@ void write_voids(OutputFile& file, Format format, const PointNames& names, const
                  std::span<const SolidVoid> voids, ComplexKind walls,
                  const std::optional<std::vector<VoidLife>>& lives = {});
 
-/// Return or write number and volumes, the first columns of a table of voids: the header, one void, and one void as
-/// JSON.
+/// Return or write the first columns of a table of voids, number and volumes: as the header, as a row, and as JSON
+/// (without the number).
 std::string volume_columns(ComplexKind walls);
 void write_volumes(OutputFile& file, std::uint64_t number, double between_points, std::optional<double> outside_balls);
 nlohmann::ordered_json json_of_volumes(double between_points, std::optional<double> outside_balls);

@@ -16,14 +16,14 @@
 namespace rbpa::app {
 
 struct VoidLife {
-  double closes = 0, filled = 0;  ///< it is a void for closes ≤ alpha < filled
-  std::size_t depth = 0;          ///< number of larger voids that it was split from, one after the other
+  double closes = 0, filled = 0;  ///< the void exists for closes ≤ alpha < filled
+  std::size_t depth = 0;          ///< number of splits of larger voids that led to this void
 };
 
 struct Pocket {
   VoidLife life = {};
-  double volume = 0;    ///< at the radius at which it closes
-  Triangle mouth = {};  ///< the triangle that closes it, as point numbers
+  double volume = 0;    ///< of the void at the radius at which it closes
+  Triangle mouth = {};  ///< point numbers of the triangle that closes the pocket
 };
 
 class VoidLives {

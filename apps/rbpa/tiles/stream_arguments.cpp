@@ -41,17 +41,17 @@ std::string some_of(std::vector<std::string> names) {
 
 std::string name_in_folder(const std::string& path) { return fs::path(path).filename().string(); }
 
-/// Returns whether a file in a folder of LAS files describes them: an index, a footprint, a picture. Other
-/// formats are points.
+/// Returns whether a file beside LAS files has a format in which these are described, as by an index, a footprint or a
+/// picture. Files of all other formats count as points.
 bool is_about_tiles(const std::string& path, Format format) {
   constexpr Format about[] = {Format::text, Format::geojson, Format::wkt, Format::png, Format::pgm, Format::ogr};
   return std::find(std::begin(about), std::end(about), format) != std::end(about) && input_ending(path) != "xyz";
 }
 
-/// The contents of a folder: paths of files of points, names of everything else.
+/// The contents of a folder: paths of files of points by format, names of all else, paths of unreadable point clouds.
 struct FolderContent {
   std::map<Format, std::vector<std::string>> points = {};
-  std::vector<std::string> left_out = {}, clouds = {};  ///< clouds: paths of point clouds in formats that are not read
+  std::vector<std::string> left_out = {}, clouds = {};
 };
 
 FolderContent content_of(const std::string& folder) {
