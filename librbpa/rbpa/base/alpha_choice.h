@@ -14,7 +14,7 @@
 namespace rbpa {
 
 enum class AlphaRule {
-  given,      ///< a radius
+  given,      ///< the radius AlphaChoice::radius
   automatic,  ///< "auto": least radius at which max_components solid components hold a share `cover` of the points
   least,      ///< "min": least radius at which a share `cover` of the points is in the complex
   plateau     ///< "plateau", "plateau:K": a radius around which the shape hardly changes

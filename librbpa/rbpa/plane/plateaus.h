@@ -26,7 +26,7 @@ enum class PlateauKind {
   one_piece    ///< one part holds nearly all covered points, and holes are small
 };
 
-/// The range from ≤ alpha < to.
+/// A plateau: the radii alpha with from ≤ alpha < to, in units of the points.
 struct Plateau {
   double from = 0;
   std::optional<double> to = std::nullopt;  ///< absent for the last plateau, which has no end

@@ -174,7 +174,7 @@ std::vector<Representative> representatives_of(const Delaunay& delaunay, const F
   Steps pulse(go_on);
   const DistinctPoints distinct = distinct_points(delaunay);
   FilteredCells cells = filtered_cells(delaunay, distinct, filtration, kind, pulse);
-  HoleSearch holes(delaunay, filtration, cells);  // created while edges near each other are still in sequence
+  HoleSearch holes(delaunay, filtration, cells);  // before edges are sorted by alpha: neighbors are near in memory
   std::vector<Placed> pairs = placed_pairs(cells, pulse);
   if (levels) pairs = at_levels(pairs, *levels);
   drop_short(pairs, choice);

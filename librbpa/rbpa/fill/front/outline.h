@@ -41,7 +41,7 @@ Outline outline_of(std::span<const Point> points, std::span<const Ring> rings, s
 /// Cost:   n log n in the pieces.
 void cut(Outline& outline, const SizeField& field, const GoOn& go_on);
 
-/// One group of an outline.
+/// The part of an outline that belongs to one group, as an outline of its own.
 struct OutlinePart {
   Outline outline;
   std::vector<meshops::Site> site;  ///< for each of its sites, the site of the whole outline; ascending

@@ -136,7 +136,7 @@ class Unfilled {
   std::vector<Side> across_;           // the same edge as a side of the triangle beyond, or none if it is of the front
   std::vector<std::uint32_t> unused_;  // numbers of removed triangles, to be used again
   std::unordered_map<std::uint64_t, Side> border_;  // edges of the front as sides
-  Site next_ = 0;                                   // sites from here on are new
+  Site next_ = 0;                                   // sites from this number on are new
   // used while a triangle is filled:
   std::vector<Rim> left_, right_;
   std::vector<std::uint32_t> crossed_;

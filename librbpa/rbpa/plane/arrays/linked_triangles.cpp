@@ -56,7 +56,7 @@ void LinkedTriangles::fill(const Patch& patch, const Place& place) {
   for (std::size_t t = 0; t < patch.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       const int across = patch.across[t][i];
-      if (across == Patch::open) continue;  // place() has written it
+      if (across == Patch::open) continue;  // place() has written this neighbor
       neighbors_[place.first + t][across_from(i, place.turns[t])] =
           across == Patch::nothing ? none
                                    : static_cast<std::uint32_t>(place.first + static_cast<std::size_t>(across) / 3);

@@ -28,7 +28,7 @@ class CurveSplitter {
   /// Makes a ring of the points walked from `first` on.
   Ring take(std::size_t first);
 
-  std::vector<std::uint32_t> walked_;  // no point twice
+  std::vector<std::uint32_t> walked_;  // the points passed since the last ring was cut off; no point twice
   std::vector<std::uint32_t> place_;   // for each point, its position in walked_
 };
 

@@ -24,8 +24,8 @@ struct Tile {
   std::vector<std::uint32_t> site;   ///< for each point, its site
   std::vector<std::uint8_t> owned;   ///< For each point: 1 if the tile owns it, 0 if it is a ghost in the halo around.
   std::vector<std::uint16_t> start;  ///< for each cell its first point; and the end
-  /// For each cell, the number of cells before it that have points missing here; at the end, that of all. Empty if
-  /// every point is here.
+  /// For each cell, the number of cells before it that lack points in this tile; at the end, the number of all such
+  /// cells. Empty if no point is missing.
   std::vector<std::uint16_t> unknown;
 
   double x1() const { return x0 + columns * cell; }

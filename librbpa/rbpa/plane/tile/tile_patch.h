@@ -26,8 +26,8 @@ struct TilePatch {
   std::vector<SharedStar> shared;              ///< other stars seen, and how many of their triangles other tiles own
   std::vector<std::uint32_t> ghost_corners;    ///< corners of the patch that are ghosts, once for each triangle
   std::vector<std::uint32_t> loose_triangles;  ///< triangles of the patch none of whose corners is settled
-  /// Pairs of a site whose star is seen and a Delaunay neighbor of it whose star is not settled. Of a tile whose
-  /// triangles were found by enumeration: also pairs with any other such site nearer than 2 alpha.
+  /// Pairs of a site whose star is seen and a Delaunay neighbor of it whose star is not settled. If the triangles were
+  /// found by enumeration, also pairs with any other such site nearer than 2 alpha.
   using Neighbors = std::array<std::uint32_t, 2>;
   std::vector<Neighbors> unsettled_neighbors;
 
