@@ -43,7 +43,7 @@ def between(bits: np.ndarray, shift: int, first: Any, last: Any) -> np.ndarray:
 
 
 def is_ground(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """Returns whether places, in hundredths, are neither in a gap such as houses leave nor in a lake without an island."""
+    """Returns whether places, in hundredths, are in no gap such as houses leave and in no lake without an island."""
 
     def middle(number: np.ndarray, side: int) -> np.ndarray:
         return (number * side + side // 2) * HUNDREDTHS
@@ -54,7 +54,8 @@ def is_ground(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     column, row = x // (32 * HUNDREDTHS), y // (32 * HUNDREDTHS)
     gap, lake = hashed(1, column, row), hashed(2, column // 32, row // 32)
     moved = [between(gap, shift, -4 * HUNDREDTHS, 4 * HUNDREDTHS) for shift in (16, 32)]
-    in_gap = within(middle(column, 32) + moved[0], middle(row, 32) + moved[1], between(gap, 48, 3 * HUNDREDTHS, 11 * HUNDREDTHS))
+    house = between(gap, 48, 3 * HUNDREDTHS, 11 * HUNDREDTHS)
+    in_gap = within(middle(column, 32) + moved[0], middle(row, 32) + moved[1], house)
     radius = between(lake, 16, 150 * HUNDREDTHS, 450 * HUNDREDTHS)
     at = middle(column // 32, 1024), middle(row // 32, 1024)
     in_lake = within(*at, radius) & ~within(*at, between(lake, 32, 20 * HUNDREDTHS, radius // 2))
@@ -188,7 +189,8 @@ def write_trace(run: Watched, name: str, head: str, memory: float) -> None:
             begin = rest[0][0]
             now, rest = [m for m in rest if m[0] < begin + step], [m for m in rest if m[0] >= begin + step]
             resident, files = max(m[1] for m in now), max(max(m[2] for m in now), 1)
-            print(f"{max(begin, 1e-3):.3f},{resident},{files},{1 + int(np.searchsorted(ends, begin, 'right'))},{memory:.0f}", file=file)
+            at, number = max(begin, 1e-3), 1 + int(np.searchsorted(ends, begin, "right"))
+            print(f"{at:.3f},{resident},{files},{number},{memory:.0f}", file=file)
 
 
 def measure(given: Any, folder: pathlib.Path) -> None:
@@ -213,44 +215,51 @@ def measure(given: Any, folder: pathlib.Path) -> None:
 
     head = f"rbpa stream, {given.points} points, --memory {given.memory}, {given.threads} threads"
     model = next(line for line in open("/proc/cpuinfo") if line.startswith("model name")).split(": ")[1].strip()
-    machine = f"{time.strftime('%F')}; {model}, {os.cpu_count()} cores; {os.sysconf('SC_PHYS_PAGES') * os.sysconf('SC_PAGESIZE') / 2**30:.0f} GiB"
+    memory = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGESIZE") / 2**30
+    machine = f"{time.strftime('%F')}; {model}, {os.cpu_count()} cores; {memory:.0f} GiB"
     print(f"{machine}; {head}, α = {given.alpha:g}, {len(paths)} files of jittered points, to GeoJSON.\n")
     print("| pass | seconds | ns a point |\n|---|--:|--:|")
     parts = {"1 count": "count", "2 cut": "cut", "3 compute": "build", "4 write": "write"}
     passes = {name: run.stats["seconds"][part] for name, part in parts.items()}
-    for name, seconds in {**passes, "all, with start and end": run.seconds, "all, by the processor": run.processor}.items():
+    passes |= {"all, with start and end": run.seconds, "all, by the processor": run.processor}
+    for name, seconds in passes.items():
         print(f"| {name} | {seconds:.1f} | {1e9 * seconds / given.points:.1f} |")
     print("\n| | bytes | a point |\n|---|--:|--:|")
     scratch = max((moment[2] for moment in run.moments), default=0)
-    sizes = {"input": 16 * given.points, "scratch, at most": scratch, "output": run.output, "resident, at most": run.peak}
-    for name, size in sizes.items():
+    sizes = {"input": 16 * given.points, "scratch, at most": scratch, "output": run.output}
+    for name, size in {**sizes, "resident, at most": run.peak}.items():
         print(f"| {name} | {size} | {size / given.points:.2f} |")
-    computed, computed_warm = (given.points * sum(two) / 2 for two in ([r.stats["seconds"]["build"] / few for r in cold], warm))
+    each = [r.stats["seconds"]["build"] / few for r in cold]
+    computed, computed_warm = (given.points * sum(two) / 2 for two in (each, warm))
     other = sum(reads) + written
-    print(f"\n{run.stats['tiles']} tiles, {run.stats['triangles']} triangles.\n\n| what it would take | seconds |\n|---|--:|")
+    print(f"\n{run.stats['tiles']} tiles, {run.stats['triangles']} triangles.\n")
+    print("| what it would take | seconds |\n|---|--:|")
     print(f"| reading the input twice: {reads[0]:.1f} s before, {reads[1]:.1f} s after | {sum(reads):.1f} |")
     print(f"| writing the output, with waiting for the disk | {written:.1f} |")
     print(f"| computing as `rbpa shape`, {cold[0].peak / few:.0f} bytes a point | {computed:.1f} |")
     print(f"| or in warm memory, as `alpha_shape()` with its polygons, third run | {computed_warm:.1f} |")
-    print(f"| together; with warm memory | {other + computed:.1f}; {other + computed_warm:.1f} |\n| `rbpa stream` | {run.seconds:.1f} |\n")
-    print(f"`rbpa stream` / together: {run.seconds / (other + computed):.2f}; with warm memory: {run.seconds / (other + computed_warm):.2f}")
-    print(f"(at most 1.6 is wanted). Resident, at most / --memory: {run.peak / bytes_of(given.memory):.2f} (at most 1).")
+    cold_sum, warm_sum = other + computed, other + computed_warm
+    print(f"| together; with warm memory | {cold_sum:.1f}; {warm_sum:.1f} |\n| `rbpa stream` | {run.seconds:.1f} |\n")
+    print(f"`rbpa stream` / together: {run.seconds / cold_sum:.2f}; with warm memory: {run.seconds / warm_sum:.2f}")
+    allowed = bytes_of(given.memory)
+    print(f"(at most 1.6 is wanted). Resident, at most / --memory: {run.peak / allowed:.2f} (at most 1).")
     if given.trace:
-        write_trace(run, given.trace, f"{machine}\n# {head}", bytes_of(given.memory))
+        write_trace(run, given.trace, f"{machine}\n# {head}", allowed)
 
 
 def main() -> None:
     if sys.argv[1:2] == ["--warm"]:
         return compute_warm(*sys.argv[2:])
-    arguments = argparse.ArgumentParser()
-    arguments.add_argument("--points", type=count_of, default="10M", help="K, M and G are thousands, millions and billions")
-    arguments.add_argument("--in-memory", type=count_of, default="20M", help="most points of the run in memory, 170 bytes each")
-    arguments.add_argument("--memory", default="1G", help="memory of rbpa stream")
-    arguments.add_argument("--alpha", type=float, default=2.0, help="in spacings")
-    arguments.add_argument("--threads", type=int, default=2)
-    arguments.add_argument("--scratch", default=".", help="folder for input, tiles and output, about 43 bytes a point")
-    arguments.add_argument("--trace", help="file for memory and disk over time, .csv")
-    given = arguments.parse_args()
+    parser = argparse.ArgumentParser()
+    add = parser.add_argument
+    add("--points", type=count_of, default="10M", help="K, M and G are thousands, millions and billions")
+    add("--in-memory", type=count_of, default="20M", help="most points of the run in memory, 170 bytes each")
+    add("--memory", default="1G", help="memory of rbpa stream")
+    add("--alpha", type=float, default=2.0, help="in spacings")
+    add("--threads", type=int, default=2)
+    add("--scratch", default=".", help="folder for input, tiles and output, about 43 bytes a point")
+    add("--trace", help="file for memory and disk over time, .csv")
+    given = parser.parse_args()
     with tempfile.TemporaryDirectory(dir=given.scratch) as folder:
         measure(given, pathlib.Path(folder))
 
