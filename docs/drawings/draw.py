@@ -1,6 +1,8 @@
 """Draws figures of the pages with the Python package, and with the programs rbpa and meshtopo of the same build.
 
-usage: PYTHONPATH=build/release/python python3 docs/drawings/draw.py [FIGURE...]     all figures, or those named
+usage: PYTHONPATH=build/release/python python3 docs/drawings/draw.py [--to FOLDER] [FIGURE...]
+
+Draws all figures, or those named, into docs/figures or FOLDER.
 """
 
 from __future__ import annotations
@@ -24,7 +26,7 @@ from matplotlib.path import Path
 from matplotlib.ticker import EngFormatter, LogLocator
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FIGURES = ROOT / "docs" / "figures"
+FIGURES = drawn = ROOT / "docs" / "figures"  # drawn: the folder of new figures
 PROGRAMS = pathlib.Path(rbpa.__file__).parents[2] / "bin"
 
 # The colors of canvas.h: distinct for every kind of color vision, and in gray.
@@ -445,11 +447,11 @@ def filtration_plot() -> None:
         points.append(ring + middle)
     with tempfile.TemporaryDirectory() as folder:
         np.savetxt(f"{folder}/rings.xy", np.vstack(points), fmt="%.17g")
-        run("rbpa", "alpha", f"{folder}/rings.xy", "-o", FIGURES / "filtration_plot.svg")
+        run("rbpa", "alpha", f"{folder}/rings.xy", "-o", drawn / "filtration_plot.svg")
 
 
 def persistence_torus() -> None:
-    run("rbpa", "alpha", ROOT / "tests/data/m3_torus.off", "--dimension", 3, "-o", FIGURES / "persistence_torus.svg")
+    run("rbpa", "alpha", ROOT / "tests/data/m3_torus.off", "--dimension", 3, "-o", drawn / "persistence_torus.svg")
 
 
 ALL: tuple[Callable[[], None], ...] = (
@@ -461,7 +463,10 @@ ALL: tuple[Callable[[], None], ...] = (
 def main() -> None:
     parser = argparse.ArgumentParser(usage=(__doc__ or "").split("usage: ")[1].strip())
     parser.add_argument("figures", nargs="*", metavar="FIGURE")
-    named = parser.parse_args().figures
+    parser.add_argument("--to", type=pathlib.Path, default=FIGURES, metavar="FOLDER")
+    given = parser.parse_args()
+    global drawn
+    drawn, named = given.to, given.figures
     if unknown := set(named) - {draw.__name__ for draw in ALL}:
         parser.error(f"there is no figure {unknown.pop()}")
     for draw in ALL:
@@ -469,7 +474,7 @@ def main() -> None:
             continue
         draw()
         if plt.get_fignums():  # otherwise a program has written the file
-            plt.savefig(FIGURES / f"{draw.__name__}.svg", metadata={"Date": None}, bbox_inches="tight")
+            plt.savefig(drawn / f"{draw.__name__}.svg", metadata={"Date": None}, bbox_inches="tight")
             plt.close("all")
 
 
