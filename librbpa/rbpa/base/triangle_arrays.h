@@ -18,8 +18,8 @@ struct TriangleArrays {
   static constexpr std::uint32_t none = no_index;
 
   std::span<const Triangle> triangles;  ///< counter-clockwise
-  std::span<const Triangle>
-      neighbors;  ///< for each triangle, entry k is the triangle across from its corner k, or none
+  /// For each triangle, entry k is the triangle across from its corner k, or none.
+  std::span<const Triangle> neighbors;
 };
 
 /// Triangles and their neighbors, which convert to a view.

@@ -170,7 +170,7 @@ HWY_EXPORT(advance_on);
 /// neighbors that are not empty.
 bool is_along_curves(const Tile& tile) {
   constexpr double max_per_cell = 4;     // evenly scattered points have 2.3 per cell that is not empty
-  constexpr double min_neighbors = 1.3;  // mean per filled cell: 1 along a curve, 1.7 where points are scattered
+  constexpr double min_neighbors = 1.3;  // filled cells right or above: 1 along a curve, 1.7 if scattered
   // occupancy seen by a point, as a multiple of the mean over cells; higher in clusters
   constexpr double max_occupancy = 2.5;
   const auto columns = static_cast<std::size_t>(tile.columns), cells = tile.cells();
