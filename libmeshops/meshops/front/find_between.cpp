@@ -46,7 +46,7 @@ Halfedge Fitting::edge_between(Site from, Site to) const {
 }
 
 std::vector<Halfedge> Fitting::edges_between(Site from, Site to) const {
-  // The walk alternates here, too. The one that completes its turn first has met all edges.
+  // The walk alternates here, too. The site whose turn ends first has met all edges between the two.
   Leaving out_of(mesh_, vertices_, from), back_from(mesh_, vertices_, to);
   std::vector<Halfedge> met_out, met_back;
   for (;;) {

@@ -68,7 +68,7 @@ GlueEffect glue_links(Connectivity& mesh, Halfedge first, Halfedge second, GlueC
                           {mesh.from_vertex_handle(second), mesh.to_vertex_handle(second)}};
   const Halfedge before_first = mesh.prev_halfedge_handle(first), after_first = mesh.next_halfedge_handle(first);
   const Halfedge before_second = mesh.prev_halfedge_handle(second), after_second = mesh.next_halfedge_handle(second);
-  const Halfedge inner = mesh.opposite_halfedge_handle(second);  // which `first` replaces
+  const Halfedge inner = mesh.opposite_halfedge_handle(second);  // the halfedge that `first` replaces
   const Halfedge inner_before = mesh.prev_halfedge_handle(inner), inner_after = mesh.next_halfedge_handle(inner);
   const Face face = mesh.face_handle(inner);
 

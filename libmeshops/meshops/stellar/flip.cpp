@@ -84,7 +84,8 @@ void undo(Connectivity& mesh, const FlipEffect& effect) {
   const Face left = mesh.face_handle(h), right = mesh.face_handle(o);
   const Vertex a = mesh.to_vertex_handle(ca), b = mesh.to_vertex_handle(db);
   const Vertex c = mesh.to_vertex_handle(h), d = mesh.to_vertex_handle(o);
-  if (mesh.halfedge_handle(c) == o) mesh.set_halfedge_handle(c, ca);  // not so after flip(), which sets others
+  // flip() itself never makes o and h the halfedges of c and d, but later operators may have.
+  if (mesh.halfedge_handle(c) == o) mesh.set_halfedge_handle(c, ca);
   if (mesh.halfedge_handle(d) == h) mesh.set_halfedge_handle(d, db);
   if (mesh.halfedge_handle(left) == ad) mesh.set_halfedge_handle(left, bc);
   if (mesh.halfedge_handle(right) == bc) mesh.set_halfedge_handle(right, ad);

@@ -185,7 +185,7 @@ bool parts_gaps(const Connectivity& mesh, Vertex w, std::optional<Halfedge> left
   return within > 1 || (within == 1 && !full_turn && gaps_between(*right, *left) > 0);
 }
 
-/// Returns why the new vertex cannot be joined to its neighbors: it would be joined to one of them twice. Else nullptr.
+/// Returns a reason if two edges would join the new vertex to one of its neighbors; nullptr otherwise.
 const char* double_edge_refusal(const Connectivity& mesh, Vertex w, Halfedge left, Halfedge right) {
   const char* const reason = "two edges would join the new vertex and the same other";
   const Vertex c = left.is_valid() ? mesh.to_vertex_handle(left) : Vertex();

@@ -12,8 +12,8 @@
 
 namespace meshops {
 
-/// Fills an empty mesh. Vertex i has the position of point i, and the first fan there; it is isolated if no face has
-/// the point. Vertices of further fans follow. Face i is face i of the soup; its halfedge is its first side. Edges
+/// Fills an empty mesh. Vertex i stands on point i and has the first fan there; it is isolated if no face has the
+/// point. Vertices of further fans follow. Face i is face i of the soup; its halfedge is its first side. Edges
 /// ascend by the lesser point at their ends, then by the greater.
 /// Returns:  the point of each vertex.
 /// Requires: the mesh is empty; the only defects of the soup are pinches (find_defects()).

@@ -1,7 +1,6 @@
 // What:   cuts a surface open along edges, so that it can be laid out flat, and glues it together again.
-// Law:    cut along the cut graph of homology(), every component becomes a disc: χ = 1, one boundary curve. glue_back()
-//         of the result of cut_open() restores every live record, except that an inner vertex may refer to another of
-//         its halfedges.
+// Law:    cut_open(mesh, homology(mesh)) makes every component a disc: χ = 1, one boundary curve. glue_back() of the
+//         result restores every live record, except that an inner vertex may refer to another of its halfedges.
 // Source: Erickson and Har-Peled, Optimally cutting a surface into a disk (2004).
 #pragma once
 
@@ -33,12 +32,14 @@ MESHOPS_API std::vector<UnglueEffect> cut_open(Connectivity& mesh, std::span<con
 
 /// Cuts every component to one disc: along the cut graph, or, for a sphere, where the cut graph is empty, along its
 /// least edge.
+/// Returns:  the effects, in the order of the cuts.
 /// Requires: `homology` is the result of homology() for this mesh, which has not changed since. Throws
 ///           ContractViolation when its edges cannot be cut; the mesh is then unchanged.
 MESHOPS_API std::vector<UnglueEffect> cut_open(Connectivity& mesh, const Homology& homology);
 
 /// Glues together the edges that cut_open() cut, the last edge first.
-/// Requires: the mesh has status of every kind, and is as cut_open() left it. Throws ContractViolation.
+/// Requires: the mesh has status of every kind, and is as cut_open() left it. Throws ContractViolation at the first
+///           edge that cannot be glued; edges that were glued before it stay glued.
 MESHOPS_API void glue_back(Connectivity& mesh, std::span<const UnglueEffect> cuts);
 
 }  // namespace meshops

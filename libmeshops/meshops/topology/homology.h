@@ -40,7 +40,7 @@ MESHOPS_API Homology homology(const Connectivity& mesh, const GoOn& go_on = {});
 /// Throws:   ContractViolation; Cancelled.
 MESHOPS_API Homology homology(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on = {});
 
-/// Returns only the generators of homology(), in about half the time.
+/// Returns only the generators of homology(), in about half the time. Requires and throws the same.
 MESHOPS_API std::vector<Loop> homology_generators(const Connectivity& mesh, std::span<const double> lengths,
                                                   const GoOn& go_on = {});
 

@@ -36,8 +36,8 @@ enum class LoopKind : std::uint8_t {
 /// loops of a single component get the kinds that they have without the others.
 /// Requires: validate(mesh) is empty; positions are finite; the surface does not cross itself; the loops include a
 ///           basis for each component that has loops, such as homology() finds.
-/// Throws:   ContractViolation if `positions` does not have one entry per vertex, or a loop is empty, has a halfedge
-///           that does not exist, or does not close; Cancelled.
+/// Throws:   ContractViolation if `positions` has fewer entries than the mesh has vertices, or a loop is empty, has a
+///           halfedge that does not exist, or does not close; Cancelled.
 MESHOPS_API std::vector<LoopKind> loop_kinds(const Connectivity& mesh, std::span<const std::array<double, 3>> positions,
                                              std::span<const Loop> loops, const GoOn& go_on = {});
 

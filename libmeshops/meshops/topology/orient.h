@@ -29,7 +29,7 @@ struct Orientation {
   /// For each face, its piece; `none` if it is degenerate, a duplicate, or has a corner out of range.
   std::vector<std::uint32_t> piece;
   /// For each face, whether to reverse it. No face of a piece that is not orientable is reversed; in a tie the first
-  /// face of a piece is not.
+  /// face of the piece stays as it is.
   std::vector<bool> reversed;
 };
 
@@ -38,8 +38,8 @@ struct Orientation {
 MESHOPS_API Orientation orient(const PolygonSoup& soup, const GoOn& go_on = {});
 
 /// Reverses faces of a soup. The first corner of a face stays the first.
-/// Requires: a value for each face.
-/// Throws:   ContractViolation when there is not, and as require_parted(); the soup is then unchanged.
+/// Requires: `reversed` has a value for each face.
+/// Throws:   ContractViolation otherwise, and as require_parted(); the soup is then unchanged.
 MESHOPS_API void reverse_faces(PolygonSoup& soup, const std::vector<bool>& reversed);
 
 }  // namespace meshops

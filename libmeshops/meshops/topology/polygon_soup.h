@@ -14,7 +14,7 @@ namespace meshops {
 /// length, with corners out of range, repeated. `begin` must split `corners` into faces, which every function that
 /// reads a soup checks (require_parted()).
 struct PolygonSoup {
-  std::size_t points = 0;
+  std::size_t points = 0;                ///< number of points, with or without a face
   std::vector<std::uint32_t> corners;    ///< corners of all faces, one face after the other
   std::vector<std::size_t> begin = {0};  ///< face f has the corners begin[f] to begin[f + 1]; 0 first, ascending
 

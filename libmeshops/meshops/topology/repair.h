@@ -26,8 +26,8 @@ enum class RepairKind {
 /// Step of a repair. All numbers refer to the given soup.
 struct RepairStep {
   RepairKind kind;
-  std::vector<std::uint32_t> points;  ///< the corner; the corners of the face; the ends of the edge; the point
-  std::vector<std::size_t> faces;     ///< the face, or the faces at the edge
+  std::vector<std::uint32_t> points;  ///< by kind: the corner; the corners of the face; the ends of the edge; the point
+  std::vector<std::size_t> faces;     ///< the face, or the faces at the edge; none for a point that was split
   friend bool operator==(const RepairStep&, const RepairStep&) = default;
 };
 
@@ -45,8 +45,8 @@ MESHOPS_API std::string describe(const RepairStep& step);
 
 /// Repairs a soup. Faces that are degenerate, duplicate or out of range are removed. Among faces connected through
 /// edges of two faces, as few as possible are reversed; in a tie, the first face is not. An edge is cut if more than
-/// two faces meet there, or two that cannot agree on a direction. Of these faces, only two stay joined that are
-/// connected around both ends in some other way.
+/// two faces meet there, or two that cannot agree on a direction. Two faces at a cut edge stay joined only if other
+/// edges connect them around both ends of the cut edge.
 /// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API Repair repair(const PolygonSoup& soup, const GoOn& go_on = {});
 

@@ -12,7 +12,7 @@
 
 namespace meshops::detail {
 
-/// Keeps a reference to the soup, which must outlive it.
+/// Faults, sides, pieces and fans of a soup. Keeps a reference to the soup, which must outlive this object.
 struct SoupAnatomy {
   /// Throws as find_face_faults().
   SoupAnatomy(const PolygonSoup& given, const GoOn& go_on);
@@ -21,7 +21,7 @@ struct SoupAnatomy {
   FaceFaults faults;
   SoupSides sides;
   bool has_non_manifold_edge = false;                    ///< more than two faces meet at some edge
-  std::vector<std::span<const SoupSide>> disagreeing{};  ///< edges at which no choice of directions agrees
+  std::vector<std::span<const SoupSide>> disagreeing{};  ///< edges at which no reversal of faces makes two agree
   DisjointSets pieces;                                   ///< sets of faces
   DisjointSets fans;                                     ///< sets of corners, joined at every edge
   std::vector<std::uint32_t> fans_at;                    ///< for each point: the number of fans

@@ -31,8 +31,8 @@ struct SoupDefect {
   /// The corners of a face, the ends of an edge in ascending order, or the point of a pinch. For a component that is
   /// not orientable: the ends of an edge at which faces disagree although they agree at all edges before it.
   std::vector<std::uint32_t> points;
-  /// In ascending order: the face; the repeated face, then its duplicate; all faces at the edge; the first face of
-  /// each fan of a pinch; the first face of a component.
+  /// By kind, ascending: the face; the repeated face, then its duplicate; all faces at the edge; the first face of each
+  /// fan of a pinch; the first face of a component that is not orientable.
   std::vector<std::size_t> faces;
   friend bool operator==(const SoupDefect&, const SoupDefect&) = default;
 };
@@ -42,8 +42,8 @@ MESHOPS_API std::string_view name(SoupDefectKind kind);
 /// Returns a text for people: "non-manifold edge: points 3 4, faces 0 7 9".
 MESHOPS_API std::string describe(const SoupDefect& defect);
 
-/// Returns every defect, in the order of the kinds, and within a kind in the order of the faces, of duplicates of
-/// the later one; of the edges or points; of components by their first faces.
+/// Returns every defect, in the order of the kinds. Within a kind, defects are in the order of their faces (the later
+/// one of a duplicate), edges or points; components that are not orientable, in the order of their first faces.
 /// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API std::vector<SoupDefect> find_defects(const PolygonSoup& soup, const GoOn& go_on = {});
 

@@ -117,7 +117,7 @@ void find_duplicates(const PolygonSoup& soup, FaceFaults& faults, const GoOn& go
 /// Sorts sides with the same lower end by their higher end and then by face, which is the order in which they come.
 template <typename Iterator>
 void sort_by_high(Iterator first, Iterator last, Steps& step) {
-  constexpr auto few = 16;  // the case at nearly all points: insertion sort
+  constexpr auto few = 16;  // nearly all points have no more sides: these are sorted by insertion
   if (last - first > few)
     return std::stable_sort(first, last, [&](const SoupSide& a, const SoupSide& b) {
       step();

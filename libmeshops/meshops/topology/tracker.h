@@ -1,7 +1,7 @@
 // What: keeps the counts of a mesh and the components of its vertices up to date while operators change it.
 // Law:  after every operator that was recorded, counts() equals count_topology(mesh).
-// Cost: union–find time for operators that only join; the smaller of the two parts for operators that split a
-//       component.
+// Cost: union–find time for operators that only join; for operators that split a component, the size of the smaller
+//       of its two parts.
 #pragma once
 
 #include <cstdint>
@@ -20,23 +20,24 @@
 namespace meshops {
 
 /// Tracker of the counts of a mesh. Report each operator with note() and the effect that it returned, before the next
-/// operator. Operators that depend on components are also members: these use the tracker's components instead of a
-/// search. A flip changes nothing that is tracked. Do a remove_triangle() as its unglue() and destroy_triangle().
-/// An effect that names elements which do not exist, or which come from an operator that was not recorded, is a
-/// ContractViolation, and nothing is changed.
+/// operator. glue() and zip_curves(), which depend on components, are also members: these use the tracker's components
+/// instead of a search. A flip changes nothing that is tracked. In place of remove_triangle(), call unglue() for each
+/// glued side and then destroy_triangle().
+/// Throws: ContractViolation when an effect names elements that do not exist, or vertices that the tracker does not
+///         know because an operator was not reported; the counts are then unchanged.
 class MESHOPS_API TopologyTracker {
  public:
-  /// Counts the mesh once. Keeps a reference. Requires: validate(mesh) is empty.
+  /// Counts the mesh once. Keeps a reference to the mesh. Requires: validate(mesh) is empty; not checked.
   explicit TopologyTracker(Connectivity& mesh);
 
   const TopologyCounts& counts() const { return counts_; }
   /// Returns whether two live vertices are in one component. Cost: union–find time.
   bool in_same_component(Vertex a, Vertex b);
 
-  /// Does glue() and notes it. Cost: union–find time when the edges are on two components or adjacent; otherwise the
-  /// shorter of two ways along a curve, or the shorter of two curves.
+  /// Glues as glue() does (handle/glue.h), and notes the effect. Cost: union–find time when the edges are on two
+  /// components or adjacent; otherwise the shorter of two ways along a curve, or the shorter of two curves.
   GlueEffect glue(Halfedge first, Halfedge second);
-  /// Does zip_curves() and notes it.
+  /// Sews as zip_curves() does (handle/zip_curves.h), and notes the effect.
   ZipCurvesEffect zip_curves(Halfedge first, Halfedge second);
 
   void note_created(Halfedge first_side);  ///< takes the result of create_triangle()
