@@ -33,7 +33,7 @@ enum class SolidStep : std::uint8_t { tetrahedra, choosing, boundary, counting, 
 
 struct MeasureSolidOptions {
   AlphaChoice alpha = {};      ///< a radius, by default infinity, or a rule
-  bool boundary = true;        ///< finds the boundary
+  bool boundary = true;        ///< finds the boundary triangles
   bool counts = true;          ///< measures, counts and finds voids of the solid; implies `boundary`
   bool full = false;           ///< counts the full complex, and finds its voids in place of those of the solid
   bool balls = false;          ///< measures the union of balls of radius alpha, unless alpha is infinity
@@ -56,9 +56,9 @@ struct MeasuredSolid {
   Solid triangulation = {};                 ///< all tetrahedra of the points, if they were needed
   std::vector<double> radii = {};           ///< circumradii of the tetrahedra of `triangulation`
   SolidBoundary boundary = {};
-  BoundaryMeasures measures = {};       ///< with `counts`
-  SolidCounts counts = {};              ///< with `counts`
-  std::optional<FullCounts> full = {};  ///< with `full`
+  BoundaryMeasures measures = {};       ///< with `counts`: volume and area of the solid
+  SolidCounts counts = {};              ///< with `counts`: simplices and Betti numbers of the solid
+  std::optional<FullCounts> full = {};  ///< with `full`: the same of the full complex
   /// The voids, the largest volume first: with `full` those of the full complex, else with `counts` those of the solid.
   /// Their triangles are numbered in around_voids().
   std::vector<SolidVoid> voids = {};

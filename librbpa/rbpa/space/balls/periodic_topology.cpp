@@ -103,7 +103,7 @@ std::vector<std::uint32_t> points_of(const PeriodicSolid& solid, std::span<const
 struct Complex {
   const PeriodicSolid& delaunay;
   std::vector<bool> is_inside;
-  std::optional<space::FacesWithin> faces = {};  // of the full complex
+  std::optional<space::FacesWithin> faces = {};  // the faces of the full complex; absent for the solid one
 
   bool has_triangle(std::uint32_t t, std::size_t k) const {
     return faces ? faces->has_triangle(t, k) : is_inside[t] || is_inside[delaunay.neighbors[t][k]];
@@ -189,7 +189,7 @@ PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<cons
   const auto is_bounding = [&](std::uint32_t t, std::size_t k) { return of.is_bounding(t, k); };
   const space::Parts parts(delaunay, of.is_inside, of.faces ? &*of.faces : nullptr);
   Hull hull(delaunay);
-  std::vector<std::uint32_t> tetrahedra;  // all inside
+  std::vector<std::uint32_t> tetrahedra;  // all tetrahedra inside the complex
   for (std::uint32_t t = 0; t < all; ++t)
     if (of.is_inside[t]) tetrahedra.push_back(t);
   hull.enclose(tetrahedra, is_bounding);

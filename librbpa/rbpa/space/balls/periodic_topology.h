@@ -38,9 +38,9 @@ struct PeriodicPart {
 struct PeriodicTopology {
   std::size_t points = 0, edges = 0, triangles = 0, tetrahedra = 0;  ///< simplices of the complex in one box
   std::size_t boundary_triangles = 0;                                ///< triangles of exactly one tetrahedron
-  std::array<std::size_t, 4> betti = {0, 0, 0, 0};                   ///< b₀ to b₃
-  double volume = 0, area = 0;                        ///< of the tetrahedra, and of the boundary triangles
-  std::vector<PeriodicPart> solid_components, voids;  ///< the largest volume first
+  std::array<std::size_t, 4> betti = {0, 0, 0, 0};                   ///< Betti numbers b₀ to b₃
+  double volume = 0, area = 0;                                       ///< volume of the tetrahedra, area of the boundary
+  std::vector<PeriodicPart> solid_components, voids;                 ///< the largest volume first
 };
 
 /// Computes the topology of the solid complex or of the full one, whose voids no ball of radius alpha can leave.

@@ -42,7 +42,7 @@ class BoxTree {
   /// A node of the tree. The first half of an inner node is the next node in `nodes_`.
   struct Node {
     Box box;
-    std::uint32_t first, last;  // range in boxes_
+    std::uint32_t first, last;  // its boxes are boxes_[first] … boxes_[last − 1]
     std::uint32_t second = 0;   // node of the second half; 0 for a leaf
   };
 
@@ -50,7 +50,7 @@ class BoxTree {
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> numbers_;
-  std::vector<Box> boxes_;  // in the order of numbers_
+  std::vector<Box> boxes_;  // the boxes, in the order of numbers_
 };
 
 }  // namespace rbpa::space

@@ -23,7 +23,7 @@ class Cells {
  public:
   struct Equal {
     Site site;
-    std::uint32_t index;  // of another input point there
+    std::uint32_t index;  // index of another input point at the site
   };
 
   /// Requires: finite points, fewer than 2^32 − 1; a finite radius above 0.
@@ -73,7 +73,7 @@ class Cells {
    private:
     const Cells& cells_;
     std::size_t last_query_ = static_cast<std::size_t>(-1);
-    std::array<std::size_t, 25> first_{};  // of each row of cells: the end of the last search
+    std::array<std::size_t, 25> first_{};  // for each row of cells, where the last search ended
   };
 
  private:

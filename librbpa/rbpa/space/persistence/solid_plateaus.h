@@ -24,7 +24,7 @@ struct SolidPlateau {
   double ratio = 1;  ///< to / from; for the last plateau, half the diagonal of the points' box / from, at least 1
   double alpha = 0;  ///< the recommended alpha: √(from · to), but at most twice `from`
   // At `alpha`:
-  std::size_t tetrahedra = 0;  ///< number of tetrahedra
+  std::size_t tetrahedra = 0;  ///< number of tetrahedra in the complex
   std::size_t components = 0;  ///< components of the tetrahedra, connected through points
   std::size_t covered = 0;     ///< number of distinct points in tetrahedra
   double volume = 0;           ///< of all tetrahedra, in cubed units

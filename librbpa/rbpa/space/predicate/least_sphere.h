@@ -27,7 +27,7 @@ struct PowerByLeastSphere {
 
   Vector3<Number> axis;
   Number square;                                     ///< n²
-  Number product_of_squares, lengths, least_square;  ///< of the two edges from the first point
+  Number product_of_squares, lengths, least_square;  ///< of the two edges from the first point: for the error bound
 };
 
 /// The least sphere through three points that are on no line. Keeps references to them.

@@ -23,7 +23,7 @@ Surface part_of(std::span<const Point3> points, const Surface& whole, std::vecto
     const SurfaceComponents components = surface_components(points, part, go_on);
     const std::vector<bool> is_island = islands(components);
     if (count_of(is_island) == 0) return part;
-    std::size_t next = 0;  // triangle of the part
+    std::size_t next = 0;  // number of a triangle in the part
     for (std::size_t t = 0; t < kept.size(); ++t)
       if (kept[t]) kept[t] = !is_island[components.number[next++]];
   }

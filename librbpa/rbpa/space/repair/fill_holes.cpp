@@ -99,7 +99,7 @@ class Closing {
   void close(std::uint32_t i, std::optional<space::RimFilling> filling, std::vector<Chord> taken) {
     const space::Rim& rim = rims_[i];
     HoleFill& fill = result_.loops[loops_[i].loop];
-    if (rim.size() < 3) return merge(loops_[i]);  // two edges on top of each other
+    if (rim.size() < 3) return merge(loops_[i]);  // two edges between the same points
     std::vector<Chord> candidates, chords = taken;
     std::vector<RimTriangle> triangles;
     bool has_crossed = false;
@@ -153,7 +153,7 @@ class Closing {
 
   std::span<const Point3> points_;
   std::mutex one_call_;
-  std::size_t made_ = 0;  // triangles
+  std::size_t made_ = 0;  // number of new triangles so far
   GoOn go_on_;
   space::Work work_;
   std::vector<SimpleLoop> loops_;
@@ -335,7 +335,7 @@ class Joining {
     double sum = 0;
     for (const Triangle& t : triangles) {
       const space::Corners corners = corners_of(t);
-      const space::Rim rim(corners, corners);  // scaled
+      const space::Rim rim(corners, corners);  // with places scaled to a box of side 1
       const auto n = cross(rim.places[1] - rim.places[0], rim.places[2] - rim.places[0]);
       sum += std::ldexp(std::sqrt(dot(n, n)) / 2, 2 * rim.exponent);
     }
@@ -350,7 +350,7 @@ class Joining {
   space::Work work_;
   std::vector<space::Corners> triangles_;
   space::BoxTree tree_;
-  int left_ = 16;  // attempts
+  int left_ = 16;  // attempts that are left
 };
 
 }  // namespace

@@ -70,7 +70,7 @@ RBPA_API HoleFilling fill_holes(std::span<const Point3> points, std::span<const 
                                 std::span<const std::vector<std::uint32_t>> loops, const SurfaceOptions& options = {});
 
 struct FilledSurface {
-  Surface surface;              ///< without levels
+  Surface surface;              ///< the surface with the new triangles; without levels
   std::vector<bool> is_new;     ///< for each triangle, whether it is new; the others keep their order
   std::vector<HoleFill> holes;  ///< the outcome for each given curve
 

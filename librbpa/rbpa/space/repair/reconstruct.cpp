@@ -304,7 +304,7 @@ class Reconstructing {
     AddedPoints added;
     if (is_refined) added = refine_filling(cloud_.places(), filled, begin(Step::refining));
     take(filled, std::move(added));
-    Numbers number;  // of each triangle that was there before
+    Numbers number;  // for each old triangle, its new number
     for (std::uint32_t t = 0; t < made_.filled.size(); ++t)
       if (!made_.filled[t]) number.push_back(t);
     for (Hole& curve : made_.holes)
@@ -349,9 +349,9 @@ class Reconstructing {
   ReconstructionOptions options_;
   SurfaceOptions run_;
   Cloud cloud_;
-  std::optional<WholeCloud> whole_ = {};  // if points are left out
+  std::optional<WholeCloud> whole_ = {};  // the whole input; only if points are left out
   Outliers outliers_ = {};
-  std::vector<double> radii_ = {};  // of the balls that make the surface
+  std::vector<double> radii_ = {};  // radii of the balls that make the surface
   RepairsOfCurves repairs_ = {};
   Reconstruction made_ = {};
 };

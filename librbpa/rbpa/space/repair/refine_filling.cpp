@@ -42,8 +42,8 @@ struct Refined {
 };
 
 struct Patch {
-  Indices triangles;  // numbers in the surface
-  Indices rim;        // vertices, sorted by place
+  Indices triangles;  // numbers of the patch's triangles in the surface
+  Indices rim;        // vertices of the patch, sorted by place
   std::optional<Refined> smooth, flat;
   Stage stage = Stage::coarse;
 
@@ -274,7 +274,7 @@ class Refining {
   }
 
   void refine(Patch& patch, meshops::Steps& step) const {
-    constexpr std::size_t most = std::size_t{1} << 20U;  // points that are added
+    constexpr std::size_t most = std::size_t{1} << 20U;  // maximum number of points added to a patch
     // A filling with two vertices at one place is not a disk with distinct corners.
     const auto is_same = [&](std::uint32_t v, std::uint32_t w) { return fans_.place(v) == fans_.place(w); };
     if (std::adjacent_find(patch.rim.begin(), patch.rim.end(), is_same) != patch.rim.end()) return;
@@ -365,7 +365,7 @@ class Refining {
   GoOn go_on_;
   Fans fans_;
   std::vector<Patch> patches_;
-  Indices patch_of_;  // for each assembled triangle
+  Indices patch_of_;  // for each assembled triangle, its patch or no_patch
 };
 
 }  // namespace

@@ -32,7 +32,7 @@ struct AddedPoints {
 };
 
 struct RefinedSurface : AddedPoints {
-  Surface surface;           ///< without levels
+  Surface surface;           ///< the refined surface; without levels
   std::vector<bool> is_new;  ///< for each triangle, whether it fills a hole
   std::size_t flat = 0;      ///< number of fillings whose added points were not moved
   std::size_t coarse = 0;    ///< number of fillings without added points

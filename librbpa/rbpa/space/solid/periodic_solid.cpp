@@ -134,7 +134,7 @@ PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& t
     number[t] = static_cast<std::uint32_t>(kept.size());
     kept.push_back(t);
   }
-  std::vector<std::uint32_t> at_sides;  // faces
+  std::vector<std::uint32_t> at_sides;  // faces without a neighbor here: it is an image, or there is none
   found.simplices.reserve(kept.size());
   found.neighbors.reserve(kept.size());
   for (const std::uint32_t t : kept) {

@@ -64,7 +64,7 @@ space::SolidRows rows_of(const space::Insertion& triangulation, double alpha, do
 /// Returns false, and fills in nothing, if it would cost more than `most_cost` a point, in units of triples_cost().
 bool find_near(std::span<const Point3> points, double alpha, double most_cost, const SolidOptions& options,
                Solid& solid) {
-  constexpr double most_exact = 1.0 / 64;  // fraction of the points
+  constexpr double most_exact = 1.0 / 64;  // exact decisions a point, at most
   constexpr std::size_t sites_in_part = 1u << 12, fewest = 64;
   if (std::isinf(alpha) || points.size() < fewest) return false;
   Threads threads = threads_for(points.size(), options.threads);

@@ -122,7 +122,7 @@ double min_alpha(const Solid& delaunay, std::span<const double> radii, double sh
   require_radii(delaunay, radii);
   require_share(share);
   if (delaunay.simplices.empty()) return infinity;
-  constexpr double never = -1;  // no corner
+  constexpr double never = -1;  // mark of a point that is no corner
   std::vector<double> least(corner_bound<4>(delaunay.simplices), never);
   Steps step(go_on);
   for (std::size_t t = 0; t < radii.size(); ++t) {

@@ -24,7 +24,7 @@ struct SolidCounts {
   std::size_t boundary_triangles = 0;  ///< triangles of one tetrahedron only
   std::size_t solid_components = 0;    ///< components connected through triangles
   std::size_t components = 0;          ///< components connected through points: b₀
-  std::size_t tunnels = 0;             ///< b₁
+  std::size_t tunnels = 0;             ///< number of independent tunnels: b₁
   std::size_t voids = 0;               ///< bounded components of the complement: b₂
   friend bool operator==(const SolidCounts&, const SolidCounts&) = default;
 };

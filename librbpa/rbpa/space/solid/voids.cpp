@@ -104,7 +104,7 @@ class Nesting {
       return std::lower_bound(components.begin(), components.end(), y,
                               [&](std::uint32_t c, double value) { return start(c)[0].y < value; });
     };
-    std::vector<std::uint32_t> inside_box;  // sorted by y
+    std::vector<std::uint32_t> inside_box;  // the components that begin in the box, sorted by y
     for (auto c = first_from(by_y, low.y); c != by_y.end() && start(*c)[0].y <= high.y; ++c) {
       const Point3 p = start(*c)[0];
       if (*c != component_[surface] && p.x >= low.x && p.x <= high.x && p.z >= low.z && p.z <= high.z)
@@ -128,7 +128,7 @@ class Nesting {
   const Solid& solid_;
   const SolidBoundary& boundary_;
   space::Grouped surfaces_;
-  std::vector<std::uint32_t> component_;  // for each surface
+  std::vector<std::uint32_t> component_;  // for each surface: the component that it bounds
   std::vector<std::uint32_t> outer_;      // for each component: the surface around it
   std::vector<std::uint32_t> around_;
 };

@@ -24,7 +24,7 @@ namespace rbpa {
 /// A void with its measures, in units of the points.
 struct SolidVoid {
   std::vector<std::uint32_t> triangles;  ///< numbers of the boundary triangles that face the void; ascending
-  std::vector<std::uint32_t> points;     ///< their corners; ascending
+  std::vector<std::uint32_t> points;     ///< corners of these triangles; ascending
   std::size_t islands = 0;               ///< components of the solid that lie in the void
   double volume = 0;  ///< volume within its triangles, islands excluded; as accurate as measure() of a boundary
   /// Volume of the part of the void that is at least alpha from every input point: the possible centers of a ball of

@@ -26,7 +26,7 @@ constexpr double margin = 1.25;       // because surfaces are not flat, and not 
 constexpr double ladder = 2;          // ratio of radii: a ball this many times larger than needed loses detail
 constexpr double some_of_all = 0.05;  // fraction of the points that gets a smaller radius of its own
 constexpr std::size_t most_radii = 4;
-constexpr double least_flatness = 0.5;  // of neighbors that are on a surface
+constexpr double least_flatness = 0.5;  // least flatness of the neighbors of a point on a surface
 // Fraction of a point's neighbors that are at least as near to it as to their own neighbors
 constexpr double least_returned = 0.5;
 // Greatest fraction of points on no surface that are left out; if there are more, none is

@@ -23,7 +23,7 @@ enum class CurveKind : std::uint8_t {
   /// hole.
   rim,
   hole,    ///< any other curve of a component that is not an island
-  island,  ///< a curve of an island
+  island,  ///< any boundary curve of an island
 };
 
 /// Returns for each component whether it is an island: open, with less than 1 % of the area of the largest component.

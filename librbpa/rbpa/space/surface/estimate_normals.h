@@ -54,7 +54,7 @@ RBPA_API std::vector<Point3> estimate_normals(std::span<const Point3> points, co
 
 struct EstimatedNormals {
   std::vector<Point3> normals;     ///< of unit length, one for each point
-  std::vector<double> confidence;  ///< for each normal, in [0, 1]
+  std::vector<double> confidence;  ///< confidence in each normal, from 0 to 1
 };
 
 /// The confidence below which a normal counts as doubtful.

@@ -26,7 +26,7 @@ enum class RimCause : std::uint8_t {
 /// A boundary side of a triangle, and the triangle to which the ball rolls over it.
 struct RimEdge {
   std::uint32_t from = 0, to = 0;  ///< input indices, with the triangle to the right
-  std::uint32_t triangle = 0;      ///< its number in the surface
+  std::uint32_t triangle = 0;      ///< number of the triangle in the surface
   std::uint32_t level = 0;         ///< number of the largest radius whose ball rests on the triangle
   RimCause cause = RimCause::nothing_within_reach;
   std::array<std::uint32_t, 3> next = {};  ///< the exposed triangle to which that ball rolls, least index first

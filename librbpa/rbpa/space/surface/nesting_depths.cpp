@@ -115,7 +115,7 @@ std::vector<std::size_t> nesting_depths(std::span<const Point3> points, std::spa
                                         const GoOn& go_on) {
   Steps step(go_on);
   std::vector<std::size_t> result(surfaces.size(), 0);
-  std::vector<std::vector<std::uint32_t>> corners(surfaces.size());  // those not queried yet; the next one is last
+  std::vector<std::vector<std::uint32_t>> corners(surfaces.size());  // corners not tried yet; the next is last
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     for (const Triangle& triangle : surfaces[s]) {
       step();

@@ -24,7 +24,7 @@ Outliers outliers_of(const std::vector<Point3>& points, int exponent, const Outl
   Threads threads(sites.points.size() < 1000 ? 1 : options.threads);
   const space::Neighborhoods near =
       space::find_nearest<Real>(std::move(sites.points), options.neighbors, threads, go_on);
-  std::vector<Real> squares;  // of distances
+  std::vector<Real> squares;  // squared distances to the last neighbor
   for (std::size_t i = 0; i < near.points.size(); ++i) {
     const Point3 &p = near.points[i], &q = near.points[near.around(i).back()];
     const Real x = Real(q.x) - p.x, y = Real(q.y) - p.y, z = Real(q.z) - p.z;

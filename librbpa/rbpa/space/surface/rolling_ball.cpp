@@ -94,7 +94,7 @@ class RollingBall::Inside {
   template <typename Real>
   Near near_to(std::uint32_t index) const {
     struct Distance {
-      Real square;  // rounded
+      Real square;  // squared distance, rounded
       space::Site site;
     };
     const space::Site at = site(index);
@@ -138,7 +138,7 @@ class RollingBall::Inside {
   std::vector<Point3> points_, normals_;
   Cells cells_;
   bool fits_double_;
-  std::vector<space::Site> site_;  // for each input index
+  std::vector<space::Site> site_;  // the site of each input point, or no_site
   space::Agreement agreement_;
 };
 

@@ -64,7 +64,7 @@ ScaleSpace scale_space(std::span<const Point3> points, const ScaleSpaceOptions& 
   const Checkpoint go_on = checkpoint_of(options.progress, points.size());
   const std::optional<int> exponent = space::fit_double(result.points);
   constexpr std::size_t most = 8;
-  constexpr double little = 0.1;  // spacings
+  constexpr double little = 0.1;  // noise at which to stop, in spacings
   while (result.steps < (options.steps == 0 ? most : options.steps)) {
     const double noise =
         exponent ? step<double>(result.points, options, go_on) : step<long double>(result.points, options, go_on);

@@ -15,7 +15,7 @@ namespace {
 
 /// A side of a triangle, across from a corner, and the vertices at its ends.
 struct Side {
-  std::uint32_t low, high;  // vertices
+  std::uint32_t low, high;  // the vertices at its ends
   std::uint32_t triangle;
   std::uint32_t across;
 };

@@ -180,7 +180,7 @@ DroppedComponents dropped_components(std::span<const Point3> points, const std::
     dropped.area += component.area;
     dropped.genus += genus[c];
   }
-  std::vector<char> use(points.size(), 0);  // of each point, 1: only by dropped triangles, 2: by kept ones
+  std::vector<char> use(points.size(), 0);  // by dropped triangles only: 1; by kept ones: 2
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const char by = kept[components.number[t]] ? 2 : 1;
     for (const std::uint32_t corner : surface.triangles[t]) use[corner] = std::max(use[corner], by);

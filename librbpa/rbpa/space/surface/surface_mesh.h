@@ -21,7 +21,7 @@ namespace rbpa {
 
 struct SurfaceMesh {
   Mesh mesh;                               ///< face i is triangle i of the surface, with the same orientation
-  std::vector<std::uint32_t> input_index;  ///< the input point of each vertex; ascending
+  std::vector<std::uint32_t> input_index;  ///< input index of the point of each vertex; ascending
 };
 
 /// Builds the halfedge mesh of a surface.

@@ -27,7 +27,7 @@ double dihedral_angle(const Vector& edge, const Vector& a, const Vector& b) {
 }
 
 Measure two_balls(double distance) {
-  const double height = std::max(2 - distance, 0.0);  // of both caps together
+  const double height = std::max(2 - distance, 0.0);  // sum of the heights of both caps
   return {pi / 12 * (4 + distance) * height * height, 2 * pi * height};
 }
 
@@ -37,7 +37,7 @@ Measure three_balls(const Vector& u, const Vector& v) {
   const double lu = norm(u), lv = norm(v);
   const Vector eu = unit(u), ev = unit(v), n = cross(eu, ev), ew = unit(v - u);
   const double nn = dot(n, n);
-  if (!(nn > 0)) return two_balls(std::max(lu, lv));  // two of the three are at one point
+  if (!(nn > 0)) return two_balls(std::max(lu, lv));  // two of the three balls have the same center
   const Vector center = 1 / (2 * nn) * (lu * cross(ev, n) + lv * cross(n, eu));
   const double height = std::sqrt(std::max(1 - dot(center, center), 0.0));
   const Vector apex = center + height / std::sqrt(nn) * n;

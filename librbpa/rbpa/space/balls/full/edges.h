@@ -57,7 +57,7 @@ class PointStars {
   std::size_t bound() const { return bound_; }
 
  private:
-  std::vector<std::array<std::uint32_t, 4>> by_points_;  // in a periodic box
+  std::vector<std::array<std::uint32_t, 4>> by_points_;  // corners as points, in a periodic box only
   std::size_t bound_ = 0;
   TetrahedraAt at_;
 };
@@ -65,7 +65,7 @@ class PointStars {
 /// An edge at a given point, in one of its tetrahedra: the point at its other end, and the offset of that end.
 struct EdgeEnd {
   std::uint32_t point;
-  std::array<std::int8_t, 3> apart;  // in boxes
+  std::array<std::int8_t, 3> apart;  // offset of the point from the given one, in boxes
   EdgeAt at;
 
   bool is_same(const EdgeEnd& other) const { return point == other.point && apart == other.apart; }
@@ -137,7 +137,7 @@ void for_each_edge(const Triangulated& delaunay, const PointStars& stars, Thread
 
 struct EdgeCounts {
   std::size_t edges = 0;
-  std::size_t points = 0;  ///< ends of at least one edge
+  std::size_t points = 0;  ///< number of points that are ends of an edge
   std::size_t joined = 0;  ///< edges of a spanning forest: points − joined = components
 };
 

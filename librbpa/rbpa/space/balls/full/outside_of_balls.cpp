@@ -49,7 +49,7 @@ std::vector<double> outside_of_balls(const Triangulated& space, std::span<const 
                                      std::size_t voids, double alpha, Threads& threads, const GoOn& go_on) {
   const auto count = static_cast<std::uint32_t>(space.simplices.size());
   const auto is_wall = [&](std::uint32_t t, std::size_t k) { return space.neighbors[t][k] == Solid::none; };
-  std::vector<std::uint8_t> has_edge(6 * std::size_t{count}, 0);  // by its lesser corner: 01 02 03 12 13 23
+  std::vector<std::uint8_t> has_edge(6 * std::size_t{count}, 0);  // for edges 01 02 03 12 13 23 of each
   const auto slot = [](std::uint32_t t, std::size_t i, std::size_t j) {
     return 6 * std::size_t{t} + (std::min(i, j) == 0 ? 0 : 1) + i + j - 1;
   };

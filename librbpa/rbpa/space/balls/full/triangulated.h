@@ -13,7 +13,7 @@ namespace rbpa::space {
 
 /// The tetrahedra of a triangulation; corners are vertices. Refers to the arrays of its argument.
 struct Triangulated {
-  std::span<const Point3> positions;  ///< of the vertices
+  std::span<const Point3> positions;  ///< position of each vertex
   std::span<const std::array<std::uint32_t, 4>> simplices, neighbors;
   /// In a periodic box, the point and offset of each vertex; otherwise empty: vertices are points.
   std::span<const PeriodicVertex> vertices = {};

@@ -19,7 +19,7 @@ struct EndedComponent {
 };
 
 struct PersistentComponents {
-  std::vector<EndedComponent> all;  ///< in the order of the filtration
+  std::vector<EndedComponent> all;  ///< the ended components, in the order of the filtration
   std::vector<bool> joins;          ///< for each edge: whether it ends a component; the others make a tunnel
 };
 

@@ -136,7 +136,7 @@ Cycles::Edges Cycles::with_joining_edges(const Edges& others) const {
 }
 
 Cycles::Loops Cycles::loops(const Edges& edges, std::uint32_t first) const {
-  std::unordered_map<std::uint32_t, Edges> at;  // for each point: the edges that are left
+  std::unordered_map<std::uint32_t, Edges> at;  // for each point: its edges that are in no loop yet
   for (const std::uint32_t edge : edges)
     for (const std::uint32_t point : filtration_.edges[edge]) at[point].push_back(edge);
   std::unordered_set<std::uint32_t> used;

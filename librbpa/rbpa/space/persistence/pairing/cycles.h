@@ -60,9 +60,9 @@ class Cycles {
   const SolidFiltration& filtration_;
   Pairing& pairing_;
   Steps& step_;
-  std::vector<std::size_t> begin_;  // for each point: the beginning of its arcs
+  std::vector<std::size_t> begin_;  // for each point: the position in arcs_ of its first arc
   std::vector<Arc> arcs_;
-  std::vector<std::uint32_t> parent_edge_, depth_;  // for each point, in the tree of the edges that end components
+  std::vector<std::uint32_t> parent_edge_, depth_;  // of each point in the tree of edges that end components
 };
 
 }  // namespace rbpa::space

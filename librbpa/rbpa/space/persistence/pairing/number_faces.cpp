@@ -43,7 +43,7 @@ class EdgeTable {
   }
 
  private:
-  std::vector<std::size_t> begin_;  // by lesser corner of the edge
+  std::vector<std::size_t> begin_;  // for each point: where the slots of the edges up from it begin
   std::vector<std::uint32_t> slots_;
 };
 

@@ -24,7 +24,7 @@
 namespace rbpa::space {
 
 struct NumberedTriangles {
-  std::vector<Triangle> corners;                 ///< ascending
+  std::vector<Triangle> corners;                 ///< corners of each triangle, ascending
   std::vector<std::array<std::uint32_t, 4>> of;  ///< for each tetrahedron: the triangle across from each corner
 };
 
@@ -32,7 +32,7 @@ struct NumberedTriangles {
 NumberedTriangles number_triangles(const Solid& delaunay, Steps& step);
 
 struct NumberedEdges {
-  std::vector<std::array<std::uint32_t, 2>> ends;  ///< ascending
+  std::vector<std::array<std::uint32_t, 2>> ends;  ///< ends of each edge, ascending
   std::vector<std::array<std::uint32_t, 3>> of;    ///< for each triangle: the edge across from each corner
 };
 

@@ -29,7 +29,7 @@ struct Pairing {
                          filtration.triangle_alpha, step)),
         tunnels(filtration, edges, components.joins, voids.makes_one, step) {}
 
-  meshops::FreshVector<std::uint32_t> edges;  ///< sorted by alpha
+  meshops::FreshVector<std::uint32_t> edges;  ///< numbers of all edges, sorted by alpha
   PersistentComponents components;
   PersistentVoids voids;
   Tunnels tunnels;

@@ -14,7 +14,7 @@ constexpr std::uint32_t none = Solid::none;
 }  // namespace
 
 struct Tunnels::Boundary {
-  std::array<ColumnEntry, 3> entries;  ///< ascending; a zero is no entry
+  std::array<ColumnEntry, 3> entries;  ///< entries of the column, ascending; 0 is no entry
   std::span<const ColumnEntry> span() const {
     return std::span(entries).subspan(
         static_cast<std::size_t>(std::count(entries.begin(), entries.end(), ColumnEntry{0})));

@@ -56,9 +56,9 @@ class Tunnels {
   std::vector<ColumnEntry> released(std::uint32_t edge);
 
   const SolidFiltration& filtration_;
-  std::vector<std::uint32_t> rank_;   // for each edge: from 1
+  std::vector<std::uint32_t> rank_;   // for each edge: its rank in the filtration, from 1
   std::vector<bool> joins_;           // for each edge: whether it ends a component
-  std::vector<std::uint32_t> owner_;  // for each edge that is a pivot: the triangle
+  std::vector<std::uint32_t> owner_;  // for each edge that is a pivot: the triangle of its column
   // For each such edge: the number of its column, or none where the column is the triangle's boundary
   std::vector<std::uint32_t> kept_;
   std::vector<std::vector<ColumnEntry>> columns_;

@@ -20,7 +20,7 @@ class Basins {
   /// Returns the last tetrahedron of a set, or none: the outside.
   std::uint32_t last(std::uint32_t set) const { return last_[set] == outside() ? Solid::none : last_[set]; }
   struct Joined {
-    std::uint32_t ended, stays;  ///< the last tetrahedra of both sets
+    std::uint32_t ended, stays;  ///< the last tetrahedron of the set that ends, and of the other
   };
   /// Joins two sets.
   Joined join(std::uint32_t a, std::uint32_t b) {

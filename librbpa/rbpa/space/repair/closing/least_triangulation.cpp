@@ -55,7 +55,7 @@ class Search {
   /// The best triangulation behind a chord.
   struct Part {
     Vector unit{};                   // normal of the triangle at the chord
-    std::uint32_t apex = no_corner;  // none where the chord is a side
+    std::uint32_t apex = no_corner;  // third corner of that triangle; none for a side of the rim
     float least = 0;                 // lower bound of the turn of any triangulation of the part
   };
   /// Weights of the parts, by the number or by the place of their chords.
@@ -68,7 +68,7 @@ class Search {
   struct Best {
     FillingWeight weight{.turn = impossible, .area = 0};
     Part part{};
-    double enough = -1;  // lower bound of the area
+    double enough = -1;  // lower bound of the area; the search ends there if the turn is least, too
 
     bool is_final() const { return weight.area <= enough && weight.turn <= part.least; }
   };
@@ -185,9 +185,9 @@ class Search {
   const Chords& chords_;
   std::span<const RimTriangle> forbidden_;
   meshops::Steps& step_;
-  std::uint32_t last_;       // corner
-  std::vector<Part> parts_;  // by number
-  Weights from_, to_;        // by number, and by place
+  std::uint32_t last_;       // the last corner of the rim
+  std::vector<Part> parts_;  // the parts, by the number of their chords
+  Weights from_, to_;        // weights of the parts, by number and by place of their chords
   std::vector<Vector> around_;
   std::vector<float> least_turns_;
 };

@@ -82,7 +82,7 @@ MeshAround::MeshAround(std::span<const Point3> points, std::span<const std::arra
   for (std::size_t l = 0; l < loops.size(); ++l)
     for (const LoopCorner& corner : loops[l].corners) corners_at_[l].push_back(*place_of(points[corner.in]));
 
-  std::vector<std::uint32_t> place(points.size(), 0);  // for each vertex, counted from 1; 0: none
+  std::vector<std::uint32_t> place(points.size(), 0);  // for each vertex, its place counted from 1; 0: none
   for (std::size_t v = 0; v < points.size(); ++v) {
     step(2);
     if (const auto found = place_of(points[v])) place[v] = *found + 1;
@@ -107,7 +107,7 @@ std::optional<std::uint32_t> MeshAround::place_of(const Point3& p) const {
 
 std::vector<Chord> MeshAround::taken_chords(const SimpleLoop& loop) const {
   const std::vector<std::uint32_t>& corners = corners_at_[static_cast<std::size_t>(&loop - loops_.data())];
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> at;  // places, and the corners at each
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> at;  // pairs of a place and a corner of the loop there
   for (std::uint32_t i = 0; i < corners.size(); ++i) at.emplace_back(corners[i], i);
   std::sort(at.begin(), at.end());
   std::vector<Chord> taken;

@@ -49,7 +49,7 @@ class MeshAround {
   std::vector<Corners> triangles_;                  // triangles of the mesh near the loops
   std::vector<std::vector<std::uint32_t>> corners_at_;  // for each loop: the places of its corners
   BoxTree loop_tree_, triangle_tree_;
-  std::vector<std::vector<Corners>> added_;  // for each loop
+  std::vector<std::vector<Corners>> added_;  // for each loop: the triangles of its filling
 };
 
 }  // namespace rbpa::space

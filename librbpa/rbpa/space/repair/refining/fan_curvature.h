@@ -18,7 +18,7 @@ inline double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 /// The weights of a triangle v a b at its corner v.
 struct CornerWeights {
   double to_a = 0, to_b = 0;  ///< half cotangents of the angles at b and at a
-  double area = 0;            ///< of the part of the triangle that is nearest to v
+  double area = 0;            ///< area of the part of the triangle that is nearest to v
   Vector normal{};            ///< its length is twice the triangle's area
 
   CornerWeights(const Vector& v, const Vector& a, const Vector& b) : normal(cross(minus(a, v), minus(b, v))) {
@@ -40,7 +40,7 @@ struct CornerWeights {
 /// Sums of area and curvature over the triangles around a vertex.
 struct FanCurvature {
   Vector sum{};     ///< sum of weights times edges: the area times the curvature, along the normal
-  Vector normal{};  ///< of any length
+  Vector normal{};  ///< sum of the triangles' normals, of any length
   double area = 0;
 
   void add(const Vector& v, const Vector& a, const Vector& b) {

@@ -149,7 +149,7 @@ std::optional<std::vector<double>> FillingPatch::bends() const {
   const std::optional<double> most = most_bend();
   if (!most || std::none_of(rim_.bend.begin(), rim_.bend.end(), [](const auto& bend) { return bend.has_value(); }))
     return bends;
-  std::vector<std::uint32_t> number(bends.size(), Surface::none);  // of the unknowns
+  std::vector<std::uint32_t> number(bends.size(), Surface::none);  // for each name, the number of its unknown
   std::uint32_t count = 0;
   for (std::size_t name = 0; name < bends.size(); ++name) {
     if (name < rim_.bend.size() && rim_.bend[name])

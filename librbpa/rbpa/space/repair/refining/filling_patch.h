@@ -20,7 +20,7 @@ namespace rbpa::space {
 
 /// The input of a patch. Its vertices, the rim, are numbered from 0.
 struct FillingRim {
-  std::vector<Vector> places;         ///< of the vertices; all different
+  std::vector<Vector> places;         ///< places of the vertices, all different
   std::vector<double> scales;         ///< for each vertex: the mean length of its edges outside of the patch
   std::vector<FanCurvature> outside;  ///< for each vertex: sum over its triangles outside of the patch
   /// For each vertex: twice the mean curvature over those vertices of the two rings outside that triangles surround,
@@ -69,7 +69,7 @@ class FillingPatch {
   Mesh mesh_;
   // For each mesh vertex, its number: in the rim (shared by several vertices if fans meet), or that of an added vertex
   std::vector<std::uint32_t> names_;
-  std::vector<double> scales_;  // by number
+  std::vector<double> scales_;  // the wanted length of edges at each vertex, by number
   std::vector<std::array<std::uint32_t, 3>> between_;
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;  // between numbers: all edges that exist, also outside
 };

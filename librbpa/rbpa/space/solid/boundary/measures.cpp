@@ -153,7 +153,7 @@ ClosedMeasures Measures::of(std::span<const Triangle> triangles, std::span<const
   result.high = box.high;
   // The triangles need a scale of their own if other points are much farther out.
   const Point3 size = size_of(std::array{result.low, result.high});
-  constexpr int too_small = -200;  // a power of two
+  constexpr int too_small = -200;  // an exponent of 2
   const auto is_small = [&](double of_triangles, const PowerOfTwo& scale) {
     return of_triangles != 0 && std::ilogb(of_triangles) + scale.exponent() < double_bits + too_small;
   };

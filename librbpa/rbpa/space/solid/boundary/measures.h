@@ -51,7 +51,7 @@ class Measures {
   Measures(std::span<const Point3> points, const Point3& size);
 
   std::span<const Point3> points_;
-  std::array<PowerOfTwo, 3> to_integers_, to_doubles_;  // by axis
+  std::array<PowerOfTwo, 3> to_integers_, to_doubles_;  // factors by axis
   PowerOfTwo to_unit_;
 };
 

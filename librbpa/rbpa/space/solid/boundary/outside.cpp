@@ -17,8 +17,8 @@ namespace {
 /// A triangle of the boundary at one of its corners, with all data used there, so that no distant memory is read.
 struct Corner {
   std::uint32_t triangle;
-  std::uint32_t head;         // its next corner
-  std::uint32_t tetrahedron;  // behind it
+  std::uint32_t head;         // the next corner of the triangle
+  std::uint32_t tetrahedron;  // the tetrahedron behind the triangle
   std::uint32_t inside,
       outside;  // the next triangle around the corner, as glued through the solid and through the outside
 };
@@ -228,8 +228,8 @@ class AtPoints {
   std::span<const Point3> points_;
   const Solid& solid_;
   const std::vector<Triangle>& triangles_;
-  const std::vector<Triangle>&glued_inside_, &glued_outside_;  // neighbors
-  const std::vector<std::uint32_t>& behind_;                   // tetrahedra
+  const std::vector<Triangle>&glued_inside_, &glued_outside_;  // neighbors of triangles
+  const std::vector<std::uint32_t>& behind_;                   // tetrahedra behind the triangles
   Outside& outside_;
   std::vector<std::uint32_t> seen_;  // for each tetrahedron: the last region that contained it
   std::uint32_t next_region_ = 1;

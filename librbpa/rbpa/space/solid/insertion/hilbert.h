@@ -22,7 +22,7 @@ struct HilbertStep {
   std::uint8_t position, next_state;
 };
 
-inline constexpr std::size_t hilbert_states = 24;  // 8 · axis + entry
+inline constexpr std::size_t hilbert_states = 24;  // state = 8 · axis + entry
 
 /// Returns the steps, by state and by octant.
 constexpr std::array<std::array<HilbertStep, 8>, hilbert_states> hilbert_steps() {

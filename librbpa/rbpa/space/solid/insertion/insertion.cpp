@@ -119,7 +119,7 @@ bool Insertion::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
   const int side = orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v));
   if (side != 0) return side < 0;
   const std::uint32_t behind = ghost.neighbor[k] / 4;
-  if (error_[behind].is_deleted()) return true;  // it is in the cavity
+  if (error_[behind].is_deleted()) return true;  // the tetrahedron behind the face is in the cavity
   return is_inside(behind, v, estimate(behind, vertex_[v]));
 }
 

@@ -81,7 +81,7 @@ class Insertion {
   std::span<const Point3> original_, points_;
   Spread spread_;
   BeyondFilter beyond_filter_;
-  std::vector<std::uint32_t> index_;  // for each vertex
+  std::vector<std::uint32_t> index_;  // for each vertex, its input index
   meshops::FreshVector<InsertedPoint> vertex_;
   meshops::FreshVector<Tetrahedron> tetrahedra_;
   meshops::FreshVector<ErrorBound> error_;
@@ -94,8 +94,8 @@ class Insertion {
   Stack<Face> level_, next_level_;
   Stack<Estimate> estimates_;
   Stack<Vertex> rim_;     // the vertices of the boundary
-  Stack<Spoke> spokes_;   // from the new point to each of them
-  Stack<Locals> locals_;  // for each face of the boundary
+  Stack<Spoke> spokes_;   // from the new point to each vertex of rim_
+  Stack<Locals> locals_;  // for each face of boundary_: its corners in rim_
   CavityEdges edges_;
 };
 

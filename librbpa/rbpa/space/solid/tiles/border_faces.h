@@ -15,7 +15,7 @@
 namespace rbpa::space {
 
 struct BorderFace {
-  std::array<std::uint32_t, 3> corners;  ///< ascending
+  std::array<std::uint32_t, 3> corners;  ///< the three corners, ascending
   std::uint32_t face;                    ///< 4 · (tetrahedron) + (the corner across)
 };
 

@@ -74,14 +74,14 @@ class Collected {
   }
 
   FoundRows found;
-  std::vector<Place> unsettled;  ///< ascending
+  std::vector<Place> unsettled;  ///< places that no tile has settled, ascending
 
  private:
   const Leaves& leaves_;
   bool has_radii_;
   meshops::FreshVector<Row> shared_;
   std::vector<std::uint8_t> shared_is_within_;
-  std::vector<std::pair<std::size_t, std::size_t>> shared_end_;  // for each leaf
+  std::vector<std::pair<std::size_t, std::size_t>> shared_end_;  // for each leaf, the end of its tetrahedra in shared_
 };
 
 /// Removes the tetrahedra beyond alpha.

@@ -20,8 +20,8 @@
 namespace rbpa::space {
 
 struct TiledSolid {
-  SolidRows rows;                             ///< corners are places
-  meshops::FreshVector<std::uint32_t> index;  ///< of each place, the input index
+  SolidRows rows;                             ///< the tetrahedra; corners are places
+  meshops::FreshVector<std::uint32_t> index;  ///< input index of each place
   std::vector<Duplicate> duplicates;
   std::size_t distinct = 0;
 };
@@ -32,7 +32,7 @@ struct TileLimits {
   double most_triangles_at_an_edge = 5;  ///< greatest Leaves::crowding(); beyond it, points are spread too unevenly
   // Limits of the fraction of unsettled points; the second for the first quarter of leaves, which may be at the hull.
   double most_unsettled = 0.25, most_unsettled_at_first = 0.5;
-  double most_exact = 8;  ///< exact decisions a point
+  double most_exact = 8;  ///< maximum number of exact decisions a point
 };
 
 /// Fills in `solid`. `alpha` and points are scaled by the spread, which is exact. `step(done, all)` is called for each

@@ -45,11 +45,11 @@ struct CellGrid {
 };
 
 struct Leaf {
-  Box box;        ///< of its points
+  Box box;        ///< bounding box of the leaf's points
   CellGrid grid;  ///< its lower corner is that of a box around most of the points
   /// Number of cells along each axis. Points beyond are in the outermost cells.
   std::array<int, 3> cells{};
-  Place first = 0, end = 0;  ///< its sites
+  Place first = 0, end = 0;  ///< the leaf's sites are first … end − 1
   std::size_t start = 0;     ///< start of the leaf's table of cells
   double pairs = 0;          ///< number of ordered pairs of points in one cell, including each point with itself
 };
@@ -102,7 +102,7 @@ class Leaves {
   meshops::FreshVector<Place> starts_;
   std::size_t distinct_ = 0;
   double crowding_ = 0;
-  std::vector<std::vector<Duplicate>> repeated_;  // for each leaf
+  std::vector<std::vector<Duplicate>> repeated_;  // for each leaf, its points that repeat others
 };
 
 }  // namespace rbpa::space

@@ -53,7 +53,7 @@ class ApexSearch {
   Point3 point(Local i) const { return {tile_.x(i), tile_.y(i), tile_.z(i)}; }
   HWY_INLINE Spoke spoke(Local i) const {
     const double x = tile_.x(i) - v_.x, y = tile_.y(i) - v_.y, z = tile_.z(i) - v_.z;
-    return {x, y, z, x * x + y * y + z * z, 0};  // no length
+    return {x, y, z, x * x + y * y + z * z, 0};  // the length is not needed
   }
 
   /// Calls visit(first, end) for the range of points of each row of cells.
@@ -72,7 +72,7 @@ class ApexSearch {
           product(p.square * q.square) {}
 
     Vector3<double> normal, turned;  ///< p × q, and p² q − q² p
-    double sum, product;             ///< of the squares p² and q²
+    double sum, product;             ///< p² + q², and p² q²
   };
 
   /// Returns the sphere through a face (v, p, q) and r, as sphere_minors() computes it for (q, p, r).
@@ -113,7 +113,7 @@ class ApexSearch {
                     second_at != Candidates::none ? candidates_.spoke(second_at) : spoke(second));
     const std::size_t apex_at = choose(face);
     if (apex_at == Candidates::none) [[unlikely]]
-      return false;  // mostly at the hull
+      return false;  // no candidate: mostly at the hull
     sphere_ = sphere_of(face, candidates_.spoke(apex_at));
     apex_ = candidates_.id(apex_at);
     if (is_certain(sphere_) && candidates_.are_outside(sphere_, {first_at, second_at, apex_at})) [[likely]] {

@@ -227,7 +227,7 @@ class StarSearch : public StarFinder, private ApexSearch {
   OpenFaces open_;
   std::vector<std::uint32_t> rank_;
   std::vector<std::uint8_t> is_reached_, is_finished_;
-  std::vector<std::uint8_t> is_settled_;  // for each point of the leaf, in order
+  std::vector<std::uint8_t> is_settled_;  // for each point of the leaf: whether it is settled
   // For the tetrahedra found, from 1 on:
   std::vector<Corners> corners_;
   std::vector<std::uint32_t> across_;  // for each face: the same face as its neighbor has it, or nobody

@@ -24,9 +24,9 @@ struct Stars {
   static constexpr std::uint32_t none = 0xffffffff;
 
   std::vector<Row> tetrahedra;  ///< positively oriented; corners are places, the least one a settled place of the leaf
-  std::vector<std::uint8_t> is_within;  ///< for each: whether its circumradius is at most alpha
-  std::vector<Row> neighbors;           ///< numbers of tetrahedra, or none
-  std::vector<BorderFace> border;       ///< faces without a neighbor
+  std::vector<std::uint8_t> is_within;  ///< for each tetrahedron, whether its circumradius is at most alpha
+  std::vector<Row> neighbors;           ///< for each tetrahedron, its neighbors in `tetrahedra`, or none
+  std::vector<BorderFace> border;       ///< faces of `tetrahedra` without a neighbor
   std::vector<Place> unsettled;         ///< the unsettled places of the leaf
   /// Tetrahedra with a corner in the leaf whose least corner is no settled place of the leaf. If some corner is
   /// unsettled, the leaf of the least settled corner contributes the tetrahedron.

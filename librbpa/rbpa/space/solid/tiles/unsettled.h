@@ -19,7 +19,7 @@ namespace rbpa::space {
 /// Tetrahedra found, with places as corners, each once.
 struct FoundRows {
   SolidRows rows;
-  meshops::FreshVector<std::uint8_t> is_within;  ///< for each: whether its circumradius is at most alpha
+  meshops::FreshVector<std::uint8_t> is_within;  ///< for each tetrahedron, whether its circumradius is at most alpha
   meshops::FreshVector<BorderFace> border;       ///< faces whose neighbor was unknown when they were found
 };
 

@@ -32,7 +32,7 @@ using rbpa::HWY_NAMESPACE::mask_of;
 enum class Side {
   none,   ///< no tetrahedron of circumradius at most alpha has its apex after r
   found,  ///< exactly one tetrahedron, found
-  open,   ///< uncertain
+  open,   ///< the filter cannot decide
 };
 
 class ApexSearch {
@@ -146,7 +146,7 @@ class ApexSearch {
   bool is_violated_ = false;  // a point in the plane is inside every ball
   bool is_flat_ = false;      // a point in the plane may touch every ball
   double least_b_ = 0;
-  double farthest_ = 0, nearest_ = 0;  // T, at most and at least
+  double farthest_ = 0, nearest_ = 0;  // upper and lower bound of T, the greatest |t| within alpha
   // For points of positive and of negative b: the least, and the greatest, (a + E) / b and (a − E) / b.
   double upper_ = 0, lower_ = 0, upper_strong_ = 0, lower_strong_ = 0;
   std::vector<double> above_, below_;  // (a − E) / b for each near point, or infinity

@@ -154,7 +154,7 @@ class Triangles {
   }
 
   hn::Vec<SingleNumbers> r_number;  ///< position of r among the near points
-  Single farthest, least_b;         ///< T; the greatest error of b
+  Single farthest, least_b;         ///< T, the greatest |t|; the greatest error of b
   hn::Mask<Singles> is_small;       ///< the circumradius of the triangle may be at most alpha
   hn::Mask<Singles> is_bounded;     ///< the bounds hold; false also for nearly degenerate triangles and NaN
 

@@ -93,7 +93,7 @@ class TripleSearch {
       case Side::found:
         return add({v_, b, c, site(apex_.apex())}, is_positive);
       case Side::open:
-        if (++found_.exact > most_exact_) return;  // it gives up
+        if (++found_.exact > most_exact_) return;  // run() then gives up
         if (!is_listed_) {
           is_listed_ = true;
           around_.assign(near_.sites.begin(), near_.sites.begin() + static_cast<std::ptrdiff_t>(near_.size()));

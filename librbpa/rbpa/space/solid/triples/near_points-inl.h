@@ -116,8 +116,8 @@ class NearPoints {
   std::size_t size() const { return count_; }
   std::size_t after() const { return after_; }
 
-  std::vector<double> dx, dy, dz;      ///< each difference is rounded once
-  std::vector<float> x, y, z, square;  ///< in units of alpha, and the square of the length
+  std::vector<double> dx, dy, dz;      ///< offsets from v, each rounded once
+  std::vector<float> x, y, z, square;  ///< the same in units of alpha, and squared lengths
   std::vector<Site> sites;
 
  private:

@@ -17,7 +17,7 @@ namespace rbpa::space {
 struct LocalSurface {
   std::vector<std::uint32_t> input;  ///< input index of each point, ascending
   std::vector<Point3> points, normals;
-  Surface surface;  ///< of these points; with levels
+  Surface surface;  ///< the part; corners are positions in `points`; with levels
 
   /// Returns the number in the part of an input point. Requires: the point is in the part.
   std::uint32_t number_of(std::uint32_t input_index) const;

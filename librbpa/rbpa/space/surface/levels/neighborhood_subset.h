@@ -23,7 +23,7 @@ class NeighborhoodFinder {
 
  private:
   Cells cells_;
-  std::vector<Site> site_;  // for each point
+  std::vector<Site> site_;  // for each point, its site
 };
 
 struct NeighborhoodSubset {

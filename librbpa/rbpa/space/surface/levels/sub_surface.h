@@ -18,7 +18,7 @@ inline TriangleArrays arrays_of(const Surface& surface) { return {surface.triang
 template <typename Keep>
 Surface part_of(const Surface& surface, const Keep& keep) {
   Surface part;
-  std::vector<std::uint32_t> number(surface.triangles.size(), Surface::none);  // in the part
+  std::vector<std::uint32_t> number(surface.triangles.size(), Surface::none);  // new number of each triangle
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     if (!keep(t)) continue;
     number[t] = static_cast<std::uint32_t>(part.triangles.size());

@@ -65,7 +65,7 @@ class Nearest {
     size_ = 0;
   }
   std::uint32_t operator[](std::size_t i) const { return found_[i].point; }
-  Real square(std::size_t i) const { return found_[i].distance; }  ///< of the distance
+  Real square(std::size_t i) const { return found_[i].distance; }  ///< squared distance
   std::size_t size() const { return size_; }
 
   bool full() const { return size_ == found_.size(); }

@@ -57,7 +57,7 @@ Plane fit_plane(const Neighborhoods& points, std::size_t i) {
   });
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
   const Eigen::Vector3d& spread = solver.eigenvalues();  // ascending
-  constexpr double rounding = 0x1p-48;                   // of the covariance, a sum over a few points
+  constexpr double rounding = 0x1p-48;                   // relative error of the covariance, a sum over a few points
   if (spread[1] <= rounding * spread[2])
     return {.normal = point(across(solver.eigenvectors().col(2))), .roundness = 0, .flatness = 0};
   return {.normal = point(solver.eigenvectors().col(0)),

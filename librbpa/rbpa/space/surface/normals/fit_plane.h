@@ -31,8 +31,8 @@ Plane fit_plane(const Neighborhoods& points, std::size_t i);
 
 struct PlanesOfPoints {
   Neighborhoods near;
-  std::vector<Point3> normals;   ///< of fit_plane(), by positions in `near`
-  std::vector<double> flatness;  ///< of each point, by positions in `near`
+  std::vector<Point3> normals;   ///< normal of each plane, by position in `near`
+  std::vector<double> flatness;  ///< Plane::flatness, by position in `near`
 };
 
 /// Fits planes to the points and their `count` nearest others. If these are nearly on a line and at least 8, wider

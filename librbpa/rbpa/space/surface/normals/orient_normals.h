@@ -20,7 +20,7 @@ namespace rbpa::space {
 /// root are the points at which the tree begins.
 struct OrientationTree {
   std::vector<std::uint32_t> order;   ///< the root and all points; each comes after its parent
-  std::vector<std::uint32_t> parent;  ///< of each point, and of the root itself
+  std::vector<std::uint32_t> parent;  ///< parent of each point; the root is its own parent
 };
 
 /// Turns the normals, one for each point of the neighborhoods, to one side, as estimate_normals() describes, and

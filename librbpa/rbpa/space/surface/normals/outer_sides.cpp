@@ -21,10 +21,10 @@ using Number = std::uint32_t;
 // 19).
 // Least ratio of a point's projected sum to its area for which its side is known
 constexpr double one_sided = 0.35;
-constexpr double least_one_sided = 0.5;     // on average over a component
-constexpr double most_contradicted = 0.05;  // of pairs of neighbors
-constexpr double nearly_all = 0.7;          // of points
-constexpr double most_opposed = 0.02;       // of the points of a component: then the normals given are kept
+constexpr double least_one_sided = 0.5;     // least average of the ratio over a component
+constexpr double most_contradicted = 0.05;  // greatest fraction of pairs of neighbors that contradict
+constexpr double nearly_all = 0.7;          // fraction of the points that counts as nearly all
+constexpr double most_opposed = 0.02;       // up to this fraction of opposed points, given normals are kept
 
 /// Returns, for each point, the lowest index of the points connected with it through nearest ones.
 std::vector<Number> components_of(const Neighborhoods& near) {
@@ -89,7 +89,7 @@ struct Verdict {
 
 std::vector<Verdict> judge(const Neighborhoods& near, std::span<const Point3> normals,
                            const std::vector<Number>& component, const Seen& seen) {
-  std::vector<Verdict> verdicts(near.points.size());  // of a component, at the lowest index of its points
+  std::vector<Verdict> verdicts(near.points.size());  // at the lowest index of a component
   for (Number i = 0; i < near.points.size(); ++i) {
     Verdict& verdict = verdicts[component[i]];
     ++verdict.points;
@@ -120,7 +120,7 @@ std::vector<Verdict> judge(const Neighborhoods& near, std::span<const Point3> no
   return verdicts;
 }
 
-constexpr double first_ball = 8;  // spacings
+constexpr double first_ball = 8;  // radius of the first ball, in spacings
 
 constexpr double most_variation = 0.33;  // of a sheet's thickness: 0.17 to 0.30 on sheets, at least 0.38 on noise
 

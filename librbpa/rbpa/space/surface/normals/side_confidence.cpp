@@ -56,7 +56,7 @@ class TreePaths {
 
 /// Votes as integers, so that a vote that is added and subtracted leaves exactly 0.
 struct Votes {
-  std::int64_t sum = 0, all = 0;  ///< with signs and without
+  std::int64_t sum = 0, all = 0;  ///< sums of the votes with signs, and without
   void add(std::int64_t vote, std::int64_t times) {
     sum += times * vote;
     all += times * std::abs(vote);

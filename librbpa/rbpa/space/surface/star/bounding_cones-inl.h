@@ -136,7 +136,7 @@ class BoundingCones {
   alignas(64) std::array<double, most_corners> x_{}, y_{}, z_{};  // lengthened; zeros where there is no corner
   std::size_t count_ = 0, cone_count_ = 0;
   std::array<Cone, most_cones> cones_;
-  double error_ = 0;  // of a lengthened corner
+  double error_ = 0;  // greatest error of a lengthened corner
   bool is_bounded_ = false;
 };
 

@@ -153,7 +153,7 @@ class CapUnion {
   double radius_ = 0;
   std::size_t count_ = 0;
   std::vector<Neighbor> points_;
-  std::vector<double> x_, y_, z_, power_, length_;  // of the points, for vectors
+  std::vector<double> x_, y_, z_, power_, length_;  // the numbers of points_, in arrays for vectors
 };
 
 }  // namespace

@@ -151,7 +151,7 @@ class FreeRegion {
 
   /// The effect of a cap on the boundary: sets of corners, and of arcs by their first corners.
   struct Cut {
-    std::uint64_t covered;  // corners in the cap
+    std::uint64_t covered;  // corners that are in the cap
     std::uint64_t crossed;  // arcs with one end in the cap
     std::uint64_t bitten;   // arcs with no end in the cap, but part of the interior
     std::uint64_t spared;   // arcs with both ends in the cap, but not all of the interior
@@ -386,7 +386,7 @@ class FreeRegion {
   }
 
   double radius_ = 0;
-  bool has_begun_ = false;  // corners have existed
+  bool has_begun_ = false;  // whether the region has had corners
   bool is_parted_ = false;  // the caps cover a great circle, so that each part is on one side of a plane through v
   InitialRegion initial_;
   CapUnion caps_;

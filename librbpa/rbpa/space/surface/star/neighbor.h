@@ -14,9 +14,9 @@ inline Vector3<double> scaled(const Vector3<double>& u, double s) { return {u.x 
 /// A point other than v. A ball that touches v, with its center at c relative to v, contains the point if and only if c
 /// · at > power.
 struct Neighbor {
-  Vector3<double> at;  // relative to v
+  Vector3<double> at;  // the point relative to v
   double power;        // half the square of its distance from v
-  double length;       // its distance
+  double length;       // its distance from v
   std::size_t site;
 
   static Neighbor seen_from(const Point3& v, const Point3& p, std::size_t site) {

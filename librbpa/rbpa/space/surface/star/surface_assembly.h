@@ -20,7 +20,7 @@ namespace rbpa::space {
 class SurfaceAssembly {
  public:
   using Triple = std::array<std::uint32_t, 3>;
-  static constexpr std::uint32_t none = 0xffffffff;  // no neighbor
+  static constexpr std::uint32_t none = 0xffffffff;  // the value for no neighbor
   static constexpr std::size_t part_size = 256;      // number of sites; few, so that a run is cancelled soon
 
   /// A triangle (v, x, y) that v owns: the ball rolls about x to (v, after, x), and about y to (v, y, before).

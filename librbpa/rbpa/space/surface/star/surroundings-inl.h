@@ -82,7 +82,7 @@ class Surroundings {
       const Seen p = seen(i);
       auto wanted = hn::And(p.square > hn::Set(f, from), p.square <= hn::Set(f, to));
       if (bound.is_bounded()) {
-        auto meets = p.square < hn::Zero(f);  // none yet
+        auto meets = p.square < hn::Zero(f);  // no lane meets a cone yet
         const auto quarter = hn::Mul(p.square, hn::Set(f, 0.25F));
         for (const BoundingCones::Cone& cone : bound.cones()) {
           const auto along = hn::MulAdd(p.x, hn::Set(f, cone.x),
