@@ -144,7 +144,7 @@ Samples of_file(const std::string& path, const std::string& radii) {
   return samples;
 }
 
-/// Runs ball pivoting. Returns: whether the mesh equals that of rbpa::surface().
+/// Runs ball pivoting, and returns whether the mesh equals that of rbpa::surface().
 bool run(const Samples& samples) {
   OpenMesh::TriMesh_ArrayKernelT<> mesh;
   Front front(mesh, samples.points.size(), 4096);

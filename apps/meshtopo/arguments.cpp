@@ -84,7 +84,7 @@ std::string change_option(const TopologyArguments& arguments) {
                                   : "--close-tunnels-below";
 }
 
-/// Whether -o names the mesh and not the report: with --repair without OUT, or if the mesh is changed and not repaired.
+/// Returns whether -o names the mesh, not the report: --repair has no OUT, or the mesh is changed and not repaired.
 bool writes_mesh(const TopologyArguments& arguments) {
   if (arguments.repair) return arguments.repaired.empty();
   const bool changes = arguments.weld || arguments.keep_largest || arguments.drop_small || arguments.orient ||
@@ -92,7 +92,7 @@ bool writes_mesh(const TopologyArguments& arguments) {
   return changes && (arguments.output_format || find_format(Use::mesh, ending(*arguments.output)));
 }
 
-/// Throws WrongUsage if an option would write a mesh or generators: for several meshes only reports are written.
+/// Throws WrongUsage if an option would write a mesh or generators, which is possible for a single input only.
 void require_reports_alone(const TopologyArguments& arguments) {
   const auto refuse = [&](const char* option) {
     throw WrongUsage(std::string(option) + ": found " + std::to_string(arguments.meshes.size()) +

@@ -54,13 +54,14 @@ struct TopologyPlan {
   std::optional<double> tunnels_below = std::nullopt;
   std::optional<TopologyTarget> report = std::nullopt;
   std::optional<TopologyTarget> written = std::nullopt;  ///< the mesh, edited and repaired as requested
-  std::optional<Shift> shift = std::nullopt;             ///< of that mesh, for STL
+  std::optional<Shift> shift = std::nullopt;             ///< subtracted from the mesh, for STL
   std::optional<TopologyTarget> generators = std::nullopt;
   bool shortest = false;  ///< write shortest generators
 
-  /// Whether an option other than --repair changes the mesh.
+  /// Returns whether an option other than --repair changes the mesh.
   bool changes() const { return edits.any() || fill || tunnels_below; }
-  std::vector<std::string> outputs() const;  ///< paths of the three targets, in the order of writing
+  /// Returns the paths of mesh, generators and report, those that are written, in this order.
+  std::vector<std::string> outputs() const;
 };
 
 /// Parses and checks the arguments. Throws WrongUsage naming the value.

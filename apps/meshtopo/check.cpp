@@ -46,7 +46,7 @@ Check parse_check(const std::string& text) {
 
 long value_of(std::size_t number) { return static_cast<long>(number); }
 
-/// Returns a number of the report; nothing if the mesh has no genus.
+/// Returns the number of the report that the check `name` compares; nothing for the genus of a mesh without one.
 std::optional<long> count_of(std::string_view name, const Examined& mesh) {
   const meshops::TopologyReport& t = mesh.topology;
   if (name == "euler") return t.euler();

@@ -52,12 +52,12 @@ void weld(EditedMesh& edited, double distance) {
 }
 
 struct KeptComponents {
-  std::vector<bool> faces;  ///< whether each face is kept; degenerate and repeated faces are not
+  std::vector<bool> faces;  ///< for each face whether it is kept; degenerate and repeated faces are not
   std::size_t dropped = 0;  ///< number of dropped components
 };
 
-/// Returns the faces of the chosen components, which are connected through edges. Their size is that of `rbpa surface`:
-/// a face of n corners counts as the n − 2 triangles of a fan. The choice does not depend on the order of vertices and
+/// Returns the faces of the chosen components, which are connected through edges. Sizes are as in `rbpa surface`: a
+/// face of n corners counts as the n − 2 triangles of a fan. The choice does not depend on the order of vertices and
 /// faces. Requires: `choice` is not restricted to outer shells. Cost: that of a repair, plus n log n.
 KeptComponents kept_components(const MeshFile& mesh, const ComponentChoice& choice) {
   // The repair makes the faces of each component agree, and splits no component.
@@ -85,7 +85,7 @@ void drop(EditedMesh& edited, const ComponentChoice& choice) {
   renumber(edited, part);
 }
 
-/// Returns the faces of each component as triangles.
+/// Returns the faces of each closed orientable component as triangles that agree in direction; none for the others.
 std::vector<std::vector<Triangle>> triangles_by_piece(const MeshFile& mesh, const meshops::Orientation& orientation) {
   std::vector<std::vector<Triangle>> triangles(orientation.pieces.size());
   for (std::size_t f = 0; f < mesh.soup.faces(); ++f) {

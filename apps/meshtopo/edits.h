@@ -24,12 +24,12 @@ struct Edits {
 
 struct Dropped {
   std::size_t components = 0;
-  std::size_t faces = 0;     ///< faces of dropped components, and degenerate and repeated faces
-  std::size_t vertices = 0;  ///< vertices without a face, now or before
+  std::size_t faces = 0;     ///< dropped faces: those of dropped components, and degenerate and repeated ones
+  std::size_t vertices = 0;  ///< dropped vertices: all that are corners of no kept face
 };
 
 struct Oriented {
-  std::size_t faces = 0;                         ///< reversed faces
+  std::size_t faces = 0;                         ///< number of reversed faces
   std::size_t outward = 0;                       ///< closed components that enclose a volume, and face outward
   std::size_t inward = 0;                        ///< closed components in an odd number of others: walls of cavities
   std::size_t nested = 0;                        ///< closed components within one or more others

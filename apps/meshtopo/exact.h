@@ -16,7 +16,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// they face inward, 0 if the volume is 0. Cost: linear. Throws Cancelled.
 int volume_sign(std::span<const Position> positions, std::span<const Triangle> triangles);
 
-/// Whether two positions are at most `distance` apart. Requires: 0 ≤ distance < ∞.
+/// Returns whether two positions are at most `distance` apart. Requires: 0 ≤ distance < ∞.
 bool are_within(const Position& a, const Position& b, double distance);
 
 }  // namespace rbpa::app

@@ -26,7 +26,7 @@ struct Check {
 struct CheckResult {
   Check check;
   bool holds;
-  std::string found, expected;  ///< in words
+  std::string found, expected;  ///< texts for the message
   std::optional<long> number;   ///< the found number; absent if there is none, such as a genus that is undefined
 };
 

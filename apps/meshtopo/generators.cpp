@@ -43,8 +43,8 @@ std::vector<double> edge_lengths(const Connectivity& mesh, std::span<const std::
 /// The surface as a mesh with lengths of edges.
 struct Measured {
   OpenMesh::PolyConnectivity mesh;
-  std::vector<std::uint32_t> point_of;  // point of each vertex
-  int exponent;                         // of the scale of the lengths
+  std::vector<std::uint32_t> point_of;  // number of the point of each vertex
+  int exponent;                         // lengths are multiplied by 2 to this power
   std::vector<double> lengths;
 
   Measured(const meshops::PolygonSoup& soup, std::span<const std::array<double, 3>> positions)

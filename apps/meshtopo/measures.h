@@ -10,11 +10,12 @@
 namespace rbpa::app {
 
 struct Measures {
-  double area = 0;  ///< of all faces, as the triangles of for_each_fan_triangle()
+  double area = 0;  ///< sum over all faces, split as by for_each_fan_triangle()
   /// The sum of the volumes of the closed and oriented components, negative for one that faces inward; absent if there
   /// is no such component.
   std::optional<double> volume = std::nullopt;
-  std::optional<std::array<std::array<double, 3>, 2>> box = std::nullopt;  ///< of all vertices; absent without vertices
+  std::optional<std::array<std::array<double, 3>, 2>> box =
+      std::nullopt;  ///< least and greatest corner; absent without vertices
 };
 
 /// Measures a mesh. Cost: that of meshops::orient(). Throws Cancelled.

@@ -168,7 +168,7 @@ std::string checks(const std::vector<CheckResult>& results) {
 
 }  // namespace
 
-/// Without a genus, some component is not orientable, or else an edge has more than two faces.
+// If there is no genus and all components are orientable, an edge has more than two faces.
 std::string genus_text(const meshops::TopologyReport& topology) {
   if (topology.genus) return std::to_string(*topology.genus);
   const bool orientable = std::all_of(topology.per_component.begin(), topology.per_component.end(),

@@ -20,7 +20,7 @@ namespace {
 
 std::string name_of(const MeshSource& source) { return source.path == "-" ? "standard input" : source.path; }
 
-/// Replaces the numbers of an edited mesh by those of the file.
+/// Replaces the numbers that vertices and faces have in the edited mesh by those that they have in the file.
 template <typename Item>
 void number_as_in_file(Item& item, const EditedMesh& edited) {
   for (std::uint32_t& p : item.points) p = edited.point_was[p];

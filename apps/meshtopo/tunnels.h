@@ -17,8 +17,8 @@
 namespace rbpa::app {
 
 struct ClosedTunnels {
-  std::size_t closed = 0, left = 0;    ///< loops shorter than the bound
-  std::size_t removed = 0, added = 0;  ///< faces
+  std::size_t closed = 0, left = 0;    ///< numbers of loops shorter than `below`: closed, and not
+  std::size_t removed = 0, added = 0;  ///< numbers of faces
 };
 
 struct SimplerMesh {

@@ -37,7 +37,7 @@ void AreaCoverage::add_row(float* row, double rise, double x_from, double x_to) 
   const auto add = [row](std::size_t i, double value) { row[i] += static_cast<float>(value); };
   const auto first = static_cast<std::size_t>(left);
   const auto last = static_cast<std::size_t>(right);
-  if (first == last) {  // within one pixel: a trapezoid right of the piece, and all pixels after it
+  if (first == last) {  // within one pixel: it is covered in part, and all pixels right of it fully
     const double inside = static_cast<double>(first) + 1 - (left + right) / 2;
     add(first, rise * inside);
     add(first + 1, rise * (1 - inside));

@@ -19,7 +19,7 @@ struct Drawing {
   std::span<const Point> points;
   std::vector<Edge> inner_edges;  ///< edges between two triangles; lower index first, sorted
   std::vector<std::vector<std::uint32_t>>
-      curves;  ///< around the solid, each from its least edge, sorted; or the rings of polygons
+      curves;  ///< boundary curves of the solid, each from its least edge, sorted; or the rings of polygons
   std::span<const std::uint32_t> isolated;
   std::span<const Edge> dangling = {};  ///< edges in no triangle
   /// For named groups, the first curve of each group, and the end of the last. Empty: no groups, and one color.

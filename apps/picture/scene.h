@@ -17,7 +17,7 @@ struct Pixel {
 struct Scene {
   int width;
   int height;
-  std::vector<Pixel> at;  ///< of each point of the drawing
+  std::vector<Pixel> at;  ///< position of each point of the drawing
   Strokes strokes;
   const Drawing* drawing;
 };

@@ -29,7 +29,7 @@ constexpr std::size_t group_color_count = 24;
 constexpr GroupColors group_colors(std::size_t k) {
   constexpr Color hues[] = {{0x00, 0x72, 0xB2}, {0xE6, 0x9F, 0x00}, {0x00, 0x9E, 0x73}, {0xCC, 0x79, 0xA7},
                             {0xD5, 0x5E, 0x00}, {0x56, 0xB4, 0xE9}, {0xB8, 0xAE, 0x00}, {0x77, 0x77, 0x77}};
-  constexpr int shades[] = {60, 35, 85};  // percent of the hue in white
+  constexpr int shades[] = {60, 35, 85};  // percent of the hue, the rest is white
   const Color hue = hues[k % 8];
   const int shade = shades[k / 8 % 3];
   const auto lit = [shade](std::uint8_t value) { return static_cast<std::uint8_t>(255 - (255 - value) * shade / 100); };

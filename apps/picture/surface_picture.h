@@ -19,8 +19,9 @@ struct SurfacePicture {
   std::span<const std::array<std::uint32_t, 3>> triangles;
   std::span<const std::array<std::uint32_t, 2>> rims, holes, islands;  ///< boundary sides by kind
   std::span<const std::uint32_t> unused;
-  std::span<const std::array<std::uint8_t, 3>> colors;  ///< of each point, or empty: for triangles seen from the front
-  const std::vector<bool>& filled;                      ///< for each triangle whether it fills a hole; or empty
+  std::span<const std::array<std::uint8_t, 3>>
+      colors;                       ///< one for each point, or empty; shown on the front of triangles
+  const std::vector<bool>& filled;  ///< for each triangle whether it fills a hole; empty: none does
 };
 
 /// Writes the picture. Requires: a width within the bounds of scene.h. Throws as OutputFile does, Cancelled.

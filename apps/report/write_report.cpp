@@ -103,7 +103,7 @@ void write_counts(OutputFile& file, const std::vector<FiltrationStep>& steps) {
   blob.end();
 }
 
-/// Returns the first step at `alpha` or above, at which elements that appear at `alpha` are visible.
+/// Returns the first step whose radius is at least `alpha`: from it on, elements that appear at `alpha` are visible.
 std::size_t step_at(const std::vector<FiltrationStep>& steps, double alpha) {
   const auto step = std::lower_bound(steps.begin(), steps.end(), alpha,
                                      [](const FiltrationStep& s, double a) { return s.alpha < a; });

@@ -78,10 +78,10 @@ std::uint64_t step_at(const std::vector<double>& steps, double alpha) {
 
 struct Wall {
   Triangle corners;
-  std::array<std::uint64_t, 3> steps;  ///< at which it appears, bounds a tetrahedron, and is between two
+  std::array<std::uint64_t, 3> steps;  ///< at which it appears, gets a tetrahedron on one side, and on both
 };
 
-/// Returns the triangles that are visible at some step.
+/// Returns the triangles that are visible at some step: they appear before both sides have a tetrahedron.
 std::vector<Wall> walls_of(const SpaceReport& report, const Numbering& number, const std::vector<double>& steps) {
   const SolidFiltration& filtration = report.filtration;
   std::vector<std::array<double, 2>> sides(filtration.triangles.size(), {infinity, infinity});

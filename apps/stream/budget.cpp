@@ -36,7 +36,7 @@ void require_room(const std::string& folder, double needed, const std::string& w
 
 Budget divide(std::uint64_t memory, unsigned threads) {
   const std::uint64_t left = memory - std::min(memory, reserve_of(memory));
-  // Tiles that are too small have more points around them than in them.
+  // Fewer workers are better than smaller tiles, which have more points around them than in them.
   constexpr std::uint64_t points_worth_a_worker = 50'000;
   const std::uint64_t most = std::max<std::uint64_t>(left / (points_worth_a_worker * bytes_of_tile_point), 1);
   Budget budget{};
@@ -74,7 +74,7 @@ std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads) {
 
 void PackedSample::add(std::span<const Point> points, std::uint64_t first) {
   if (points.empty()) return;
-  // Samples the first blocks, and then fewer and fewer.
+  // Samples the first nine blocks, and from the 19th on every second one.
   if (blocks_++ < 2 * taken_ && taken_ > 8) return;
   ++taken_;
   const std::span<const Point> some = points.first(std::min(points.size(), most_in_packed_block));
@@ -92,8 +92,8 @@ double PackedSample::bytes_per_point() const {
 }
 
 void require_room_for_tiles(const std::string& folder, double points, const PackedSample& sample) {
-  // In a tile, indices are farther apart and coordinates closer together than in the sample: at least this share
-  // remains.
+  // In a tile, indices are farther apart and coordinates closer together than in the sample: a point takes at least
+  // 0.8 times as many bytes.
   require_room(folder, points * sample.bytes_per_point() * 0.8, folder, "the files of tiles");
 }
 

@@ -21,13 +21,13 @@ struct Cell {
 
 class CellCounts {
  public:
-  /// Uses at most `most` cells.
+  /// Uses at most `most` cells: doubles their side when there would be more.
   explicit CellCounts(std::size_t most);
 
-  /// Requires finite points.
+  /// Counts the points. Requires: finite coordinates.
   void add(std::span<const Point> points);
 
-  std::vector<Cell> cells() const;  ///< by column, then by row
+  std::vector<Cell> cells() const;  ///< the cells with points, sorted by column, then by row
   double side() const;
   std::uint64_t points() const { return points_; }
   const Point& least() const { return least_; }        ///< least coordinates of all points; (0, 0) without points

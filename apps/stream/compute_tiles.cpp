@@ -57,7 +57,7 @@ std::vector<Partial> read_partials(const std::string& path, std::size_t count) {
 /// names the file with the open parts, which is complete before.
 struct ComputeState {
   std::uint64_t generation = 0;
-  std::size_t tiles_done = 0;  ///< in the order of the tree
+  std::size_t tiles_done = 0;  ///< number of tiles that are done, in the order of the tree
   std::uint64_t points_done = 0;
   std::vector<Partial> open = {};  ///< finished parts of the tree, not yet merged with others
   RowsState rows = {};
@@ -98,7 +98,7 @@ std::optional<ComputeState> load_state(const Scratch& scratch) {
   }
 }
 
-/// Returns for each tile, in their order, how many parts of the tree are complete with it.
+/// Returns for each tile, in the order of the tree, how many parts of the tree are complete when this tile is done.
 std::vector<unsigned> parts_that_end(const TileTree& tree) {
   std::vector<unsigned> ends;
   const auto visit = [&](const auto& self, std::uint32_t at, unsigned above) -> void {
@@ -192,7 +192,8 @@ class Computation {
     return made;
   }
 
-  /// Merges the result of a tile. Called in the order of tiles, one at a time.
+  /// Adds the result of a tile, and merges the parts that are complete with it. Called in the order of tiles, one at a
+  /// time.
   void commit(std::size_t position, PartialAndItems made) {
     if (request_.wants(StreamFormat::npy)) rows_.add(made.owned.triangles);
     made.owned = {};

@@ -18,7 +18,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Returns the part of a tile in which points do not matter for other tiles.
+/// Returns the part of a tile's box farther than `reach` from its border: other tiles do not need the points there.
 Region inside_of(const Region& box, double reach) {
   const auto low = [&](double at) { return std::isinf(at) ? at : above(above(at, reach), 0); };
   const auto high = [&](double at) { return std::isinf(at) ? at : below(below(at, reach), 0); };
@@ -190,7 +190,7 @@ class SmallerCutter {
   bool cut_or_repair(std::uint32_t tile) {
     try {
       return cut(tile);
-    } catch (const Damaged&) {  // a run was killed between two files
+    } catch (const Damaged&) {  // a killed run has left the files of two parts in different states
       cut_again(request_, budget_, scratch_, manifest_, tile);
       return cut(tile);
     }
@@ -202,7 +202,7 @@ class SmallerCutter {
     std::vector<Point> sample = sample_of(tile, extent);
     const TileSummary& summary = manifest_.tiles[tile];
     const std::optional<Line> line = middle_of(sample);
-    // The points around any part of so small a box are around all of it.
+    // If the extent is this small, the points around any part of it are around all of it, and a cut does not help.
     const double size = std::max(extent.x1 - extent.x0, extent.y1 - extent.y0);
     const bool hopeless = !line || size < reach_of(request_.alpha) / 8;
     if (hopeless && summary.points > budget_.tile_points) {

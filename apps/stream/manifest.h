@@ -27,7 +27,7 @@ struct InputFile {
 /// The request of a run, which must be the same when the run is resumed.
 struct RunKey {
   std::vector<InputFile> inputs = {};
-  std::string options = {};  ///< how they are read
+  std::string options = {};  ///< how the inputs are read, as text
   double alpha = 0;
   std::uint64_t memory = 0, tile_size = 0;
   bool keep_tiles = false;
@@ -63,11 +63,11 @@ struct Manifest {
   PointsFacts facts = {};
   TileTree tree = {};
 
-  // While tiles are cut: the number of files that are done, and the index after their points. `tiles` then describe the
-  // files so far.
+  // While tiles are cut: the number of input files that are done, and the index after their points. `tiles` are then
+  // the summaries of the files of tiles as written so far.
   std::size_t files_done = 0;
   std::uint64_t next_index = 0;
-  std::vector<TileSummary> tiles = {};  ///< by number
+  std::vector<TileSummary> tiles = {};  ///< by the number of the tile
 };
 
 void save(const Manifest& manifest, const Scratch& scratch);

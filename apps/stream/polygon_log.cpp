@@ -23,8 +23,8 @@ struct RingKey {
 
 /// The head of a polygon's record. The rings that are with it follow: each is its number of points and the points.
 struct PolygonHead {
-  std::uint64_t size;   // bytes of the rings with their numbers
-  std::uint64_t taken;  // number of holes that are in the other file
+  std::uint64_t size;   // bytes of the rings that follow, with their numbers of points
+  std::uint64_t taken;  // number of its holes that are in the file of holes
   PolygonFacts facts;
 };
 static_assert(sizeof(PolygonHead) == 48 && std::is_trivially_copyable_v<PolygonHead>);
@@ -122,7 +122,7 @@ class HolesInOrder {
     sink.ring(ring_);
   }
 
-  /// Returns the checksum of the file.
+  /// Reads the file into `names` and `holes`, both by component name, and returns its checksum.
   std::uint32_t read(SortedRecords<ComponentName>& names, SortedRecords<ComponentName>& holes) const {
     RecordReader reader = file_.reader(0, read_ahead);
     std::string record;
@@ -173,7 +173,7 @@ class PolygonsInOrder {
   }
 
  private:
-  /// Returns the checksum of the file.
+  /// Reads the file into sorted_, and returns its checksum.
   std::uint32_t read() {
     RecordReader reader = file_.reader(0, read_ahead);
     std::string record;

@@ -33,8 +33,8 @@ class Run {
     write();
     result_.write_seconds = lap();
     before_names(result_);
-    // In this order a kill in between leaves no temporary folder, and a run in a folder of the user can be resumed
-    // until all outputs are there.
+    // A process that is killed here leaves no temporary folder; a run in the folder of --scratch can be resumed until
+    // all outputs have their names.
     if (!request_.scratch) scratch_.clear(request_.keep_tiles);
     outputs_.publish();
     if (request_.scratch) scratch_.clear(request_.keep_tiles);
@@ -49,7 +49,7 @@ class Run {
     result_.count_seconds = lap();
     if (manifest_.pass == Pass::cut) cut();
     cut_smaller(request_, budget_, scratch_, manifest_);
-    return_free_pages();  // memory of the points that waited for their tiles
+    return_free_pages();  // returns the memory of the points that waited for their tiles
     result_.cut_seconds = lap();
   }
 
@@ -64,7 +64,7 @@ class Run {
     manifest_.workers = budget_.workers;
     if (!scratch_.has_run()) return save(manifest_, scratch_);
     manifest_ = load_manifest(scratch_, run_key_);
-    // The size of tiles was chosen for so many workers at a time.
+    // The run that made the tiles chose their size for this number of workers.
     budget_ = divide(request_.memory, manifest_.workers);
     budget_.workers = std::min(budget_.workers, std::max(request_.threads, 1U));
   }

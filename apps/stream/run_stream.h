@@ -18,7 +18,7 @@ namespace rbpa::app {
 struct StreamResult {
   PartialCounts counts = {};
   std::size_t tiles = 0;
-  // If polygons are requested:
+  /// Totals of the polygons; 0 unless polygons are requested.
   std::uint64_t polygons = 0, holes = 0;
   double area = 0, perimeter = 0;
   std::optional<std::string> caution =

@@ -19,7 +19,7 @@
 
 namespace rbpa::app {
 
-/// Returns names for files of runs, each once.
+/// Names files for sorted runs of records; next() returns no name twice.
 class RunFiles {
  public:
   explicit RunFiles(const Scratch& scratch) : scratch_(scratch) {}
@@ -30,7 +30,8 @@ class RunFiles {
   std::size_t number_ = 0;
 };
 
-/// Add records, then call begin(). The records are current in order, each until next().
+/// Sorts records: add all, then call begin(). key() and record() are those of the current record, the least at first;
+/// next() goes to the next one.
 template <typename Key>
 class SortedRecords {
  public:
@@ -43,13 +44,13 @@ class SortedRecords {
     entries_.push_back({key, bytes_.size(), record.size()});
     bytes_ += record;
   }
-  /// Adds a record that stays at its place in a file.
+  /// Adds a record that stays in a file of the caller, at byte `place`.
   void add_place(const Key& key, std::uint64_t place) {
     make_room();
     entries_.push_back({key, place, 0});
   }
 
-  /// Ends the adding. Throws Failure, Cancelled, as all members do.
+  /// Sorts the added records. Throws Failure, Cancelled, as all members do.
   void begin() {
     if (levels_.empty()) {
       sort();
@@ -61,12 +62,12 @@ class SortedRecords {
     merge_ = std::make_unique<Merge>(paths, memory_);
   }
   bool at_end() const { return merge_ ? merge_->at_end() : current_ == entries_.size(); }
-  // Requires: not at the end.
+  /// Returns the key of the current record. Requires: not at_end().
   const Key& key() const { return entry().key; }
-  /// Whether the record is elsewhere, and where.
+  /// Returns whether the current record was added by add_place(); place() returns its place.
   bool is_elsewhere() const { return entry().size == 0; }
   std::uint64_t place() const { return entry().begin; }
-  /// Until next().
+  /// Returns the bytes of the current record, valid until next().
   std::string_view record() const {
     return merge_ ? merge_->record() : std::string_view(bytes_).substr(entry().begin, entry().size);
   }
@@ -74,15 +75,15 @@ class SortedRecords {
 
  private:
   static_assert(std::is_trivially_copyable_v<Key>);
-  static constexpr std::size_t most_merged = 64;  // files that are open at a time, of a level
+  static constexpr std::size_t most_merged = 64;  // most files of a level; all are open while they are merged
 
   struct Entry {
     Key key;
-    std::uint64_t begin;  // in the bytes, or elsewhere
-    std::uint64_t size;   // 0: it is elsewhere
+    std::uint64_t begin;  // position in bytes_, or place in the file of the caller
+    std::uint64_t size;   // 0: the record was added by add_place()
   };
 
-  /// A run in a file, which goes with this.
+  /// A sorted run in a file; the destructor removes the file.
   struct StoredRun {
     StoredRun(const std::string& at, std::size_t ahead)
         : path(at), file(at, ScratchFile::Mode::read), reader(file, path, 0, ahead) {}
@@ -180,7 +181,7 @@ class SortedRecords {
   std::vector<Entry> entries_ = {};
   std::string bytes_ = {};
   std::size_t current_ = 0;
-  std::vector<std::vector<std::string>> levels_ = {};  // files of runs
+  std::vector<std::vector<std::string>> levels_ = {};  // paths of the files of each level
   std::unique_ptr<Merge> merge_ = nullptr;
 };
 

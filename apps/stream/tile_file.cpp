@@ -71,7 +71,7 @@ void TileWriter::resume(const TileSummary& summary) {
 void TileWriter::flush() {
   if (begun_ && waiting_.size() == 0) return;
   std::string bytes;
-  if (!begun_) bytes.assign(sizeof(Header), '\0');  // no file until it is whole
+  if (!begun_) bytes.assign(sizeof(Header), '\0');  // zeros until finish() writes the header
   for (std::size_t first = 0; first < waiting_.size(); first += most_in_packed_block) {
     const std::size_t count = std::min(most_in_packed_block, waiting_.size() - first);
     const std::size_t at = bytes.size();

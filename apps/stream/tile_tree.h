@@ -39,7 +39,7 @@ class TileTree {
     std::uint32_t second = 0;
   };
 
-  /// One tile, number 0.
+  /// Makes a tree of one tile, number 0: the whole plane.
   TileTree() : parts_{Part{}}, boxes_{Region{}} {}
   /// Makes a tree of parts. Requires: they have the form that parts() returns.
   explicit TileTree(std::vector<Part> parts);

@@ -127,8 +127,8 @@ std::uint64_t RowsState::total() const { return std::accumulate(rows.begin(), ro
 
 TriangleRows::TriangleRows(const Scratch& scratch, std::uint64_t points, std::uint64_t file_bytes)
     : scratch_(scratch), short_(points <= std::numeric_limits<std::uint32_t>::max()) {
-  // There are at most two triangles per point. For points in random order three times the average have a small least
-  // index.
+  // There are at most two triangles per point. If points are in random order, files of small least indices get three
+  // times the average.
   const std::uint64_t bytes = 2 * points * row_bytes();
   constexpr std::uint64_t most_files = 4096, least_waiting = 24 * 64;
   const std::uint64_t all_waiting = file_bytes / 4;
@@ -196,7 +196,7 @@ void TriangleRows::sorted(std::uint64_t memory, const std::function<void(std::st
       begin_anew(scratch_.rows(i), "other triangles than were written", scratch_.folder());
     };
     std::uint64_t sum = 0;
-    // Sort the rows if few indices are the first of a triangle: a counter for each index would be a waste.
+    // If few indices are the least of a triangle, sorting the rows is cheaper than a counter for each index.
     if (4 * buckets_[i].rows < width_ && buckets_[i].rows * row_bytes() < std::max(memory / 2, few_bytes)) {
       const auto rows = sorted_rows<Index>(scratch_.rows(i), sum);
       require_same(rows.size(), sum);

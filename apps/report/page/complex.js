@@ -1,5 +1,5 @@
-// What: the complex at every step: the triangles below a number. The neighbors of triangles, and connected components.
-// Law:  triangles are in the order in which they come, so that `count` of them, from the first, are a step's.
+// What: the complex at every step, with the neighbors of triangles and the connected components.
+// Law:  triangles are in the order in which they appear, so that the first `count` of them are the complex of a step.
 "use strict";
 
 /** Return the triangle of a side, and the side after it. */
@@ -18,7 +18,7 @@ class Complex {
     this.findFirstTriangles();
   }
 
-  /** sides[begin[p] … begin[p + 1]) begin at point p. */
+  /** Fills `begin` and `sides`: the sides that begin at point p are sides[begin[p]] to sides[begin[p + 1] - 1]. */
   listSidesAtPoints() {
     const { triangles, pointCount } = this;
     const begin = new Uint32Array(pointCount + 1);
@@ -31,7 +31,7 @@ class Complex {
     this.sides = sides;
   }
 
-  /** twin[side]: the same side of the triangle beyond it, or −1. */
+  /** Fills `twin`: for each side the same side of the triangle across it, or −1. */
   findTwins() {
     const { triangles, begin, sides } = this;
     const twin = new Int32Array(triangles.length).fill(-1);
@@ -48,13 +48,13 @@ class Complex {
     this.twin = twin;
   }
 
-  /** firstAt[p]: the first triangle at point p; `size` if there is none. */
+  /** Fills `firstAt`: for each point its first triangle; `size` if there is none. */
   findFirstTriangles() {
     this.firstAt = new Uint32Array(this.pointCount).fill(this.size);
     for (let side = this.triangles.length - 1; side >= 0; --side) this.firstAt[this.triangles[side]] = triangleOf(side);
   }
 
-  /** The diagonal of the points' box: on balls of this radius no part of the set looks curved. */
+  /** Returns the diagonal of the points' box: a circle of this radius looks straight along any part of the set. */
   reach() {
     const { points } = this.data;
     let left = Infinity, right = -Infinity, bottom = Infinity, top = -Infinity;
@@ -99,7 +99,7 @@ class Complex {
     };
   }
 
-  /** Returns whether the side is at the boundary: its triangle is there, and the one beyond it is not. */
+  /** Returns whether a side is at the boundary: its triangle is among the first `count`, the one across is not. */
   isBoundary(side, count) {
     const twin = this.twin[side];
     return side < 3 * count && (twin < 0 || twin >= 3 * count);
@@ -153,7 +153,7 @@ class Complex {
     return region;
   }
 
-  /** Returns missing triangles that are connected through their sides. */
+  /** Returns the missing triangles that are connected to this one through sides; null if more than `limit`. */
   gapAt(triangle, count, limit = Infinity) {
     const seen = new Uint8Array(this.size - count);
     const region = [triangle];

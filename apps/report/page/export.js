@@ -20,16 +20,16 @@ function geojsonOf(polygons, points) {
   return `{"type":"FeatureCollection","features":[${features.map((text) => "\n" + text).join(",")}\n]}\n`;
 }
 
-/** Rounds to a hundredth of a pixel. */
+/** Returns a length as text, rounded to a hundredth of a pixel. */
 const pixelText = (value) => String(Math.round(100 * value) / 100);
 
 function pathOf(points, x, y) {
   return points.map((p, i) => `${i === 0 ? "M" : "L"}${pixelText(x[p])} ${pixelText(y[p])}`).join("");
 }
 
-/** `view`: width, height, and of each point x and y in pixels; `regions`: triangles to light up, with their color;
- *  `lines`: pairs of points to join, `dots`: points; `bar`: that of the scale, or null. Rings wholly outside the view are
- *  left out. */
+/** Returns the picture as SVG, without rings wholly outside of it. `width`, `height`, and `x` and `y` of each point are
+ *  pixels; `regions` are triangles to light up, with their color; `lines` pairs of points to join; `dots` points to
+ *  draw; `bar` is the scale bar, or null. */
 function svgOf({ width, height, x, y, polygons, regions, lines, dots, colors, bar, unit, title }) {
   const touches = (points) =>
     points.some((p) => x[p] >= 0) && points.some((p) => x[p] <= width) &&

@@ -12,8 +12,8 @@ function pixelOf(text) {
   return new Uint32Array(bytes.buffer)[0];
 }
 
-const maxPlateaus = 4; // plateaus to choose from
-const snapDistance = 8; // thousandths of the slider
+const maxPlateaus = 4; // the most plateaus among the choices
+const snapDistance = 8; // in thousandths of the slider
 
 class Page {
   constructor() {
@@ -41,7 +41,7 @@ class Page {
     listen(this);
     this.resize();
     const { plateaus, facts } = this.complex.data;
-    // No single point far from the others decides the best plateau.
+    // The best plateau does not depend on single points far from the others.
     if (plateaus.length > 0) this.goToAlpha(plateaus[0].alpha);
     else if (facts.recommended !== null) this.goToAlpha(radiusOf(facts.recommended.alpha));
     else this.goTo(this.complex.steps - 1);
@@ -63,7 +63,7 @@ class Page {
     const { facts, radii } = this.complex.data;
     const repeated = facts.points - facts.distinct;
     element("source").textContent = facts.source;
-    element("radius-unit").textContent = facts.unit === null ? "" : ` in ${{ metre: "metres", foot: "feet", "US survey foot": "US survey feet", degree: "degrees" }[facts.unit]}`;
+    element("radius-unit").textContent = facts.unit === null ? "" : ` in ${{ metre: "meters", foot: "feet", "US survey foot": "US survey feet", degree: "degrees" }[facts.unit]}`;
     const radiiText = radii.length === 0 ? "no triangle at any radius" : `${radii.length.toLocaleString("en")} critical radii, from ${short(radii[0])} to ${short(radii[radii.length - 1])}`;
     element("size").textContent =
       `${facts.points.toLocaleString("en")} points${repeated > 0 ? ` (${repeated.toLocaleString("en")} repeated)` : ""}, ${radiiText}`;

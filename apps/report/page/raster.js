@@ -10,11 +10,12 @@ class Raster {
     this.width = width;
     this.height = height;
     this.triangle = new Uint32Array(width * height);
-    // 1 + the last of the first triangles of the points whose dots cover the pixel; 0 if no dot does.
+    // The largest 1 + firstAt[p] of the points p whose dots cover the pixel, 0 if none. It exceeds the number of
+    // triangles of a step if one of these points is isolated.
     this.dot = new Uint32Array(width * height);
   }
 
-  /** `x` and `y`: of each point, in pixels. */
+  /** Finds the triangles and dots under the pixels. `x` and `y` are the positions of all points, in pixels. */
   lay(complex, x, y, dotRadius) {
     this.triangle.fill(noTriangle);
     this.dot.fill(0);
@@ -30,7 +31,7 @@ class Raster {
     const top = Math.max(0, Math.ceil(Math.min(ay, by, cy) - 0.5));
     const bottom = Math.min(this.height, Math.ceil(Math.max(ay, by, cy) - 0.5));
     if (!(top < bottom)) return;
-    // The triangle covers no center of a column.
+    // Triangles between the centers of two columns cover no pixel.
     const left = Math.min(ax, bx, cx), right = Math.max(ax, bx, cx);
     if (!(Math.ceil(left - 0.5) < Math.ceil(right - 0.5)) || right < 0 || left > this.width) return;
     for (let row = top; row < bottom; ++row) {
@@ -94,7 +95,7 @@ class Raster {
   }
 }
 
-/** Returns the x of a side at height y; the same from either end. */
+/** Returns the x of a side at height y, with the same bits in either direction of the side. */
 function crossing(ax, ay, bx, by, y) {
   return ay < by ? ax + (y - ay) * ((bx - ax) / (by - ay)) : bx + (y - by) * ((ax - bx) / (ay - by));
 }

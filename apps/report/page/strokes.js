@@ -48,7 +48,7 @@ function isolatedInView(complex, view, count) {
   return dots;
 }
 
-/** Strokes sides; pauses after every thousand. */
+/** Draws sides as lines; pauses after every thousand. */
 function* strokeSides(context, complex, view, sides, color, width) {
   const { x, y } = view;
   context.strokeStyle = color;

@@ -400,7 +400,7 @@ await test("the bar of the scale is as long as it says, and follows the zoom; wi
   }
   const tab = await opened({}, file);
   assert.match(await text(tab, "area"), /^[\d.,]+ m²$/);
-  assert.equal(await tab.value(`document.querySelector("label[for=radius]").textContent`), "alpha, a radius in metres");
+  assert.equal(await tab.value(`document.querySelector("label[for=radius]").textContent`), "alpha, a radius in meters");
 });
 
 await test("points without a triangle have a page too", async () => {
