@@ -1,11 +1,10 @@
-#include "io/cloud/off.h"
-
-#include <algorithm>
+// What: reads points and meshes of ASCII OFF files.
 #include <utility>
 
 #include "io/bytes/number.h"
 #include "io/cloud/element_cloud.h"
 #include "io/failure.h"
+#include "io/mesh/read_mesh.h"
 #include "io/text/vertex_lines.h"
 
 namespace rbpa::app {
@@ -28,8 +27,26 @@ struct Keyword {
   std::string_view glued;  // after the word
 };
 
-}  // namespace
+struct OffHeader {
+  bool normals;  ///< N is among the prefixes: three numbers after the coordinates of a vertex
+  bool colors;   ///< C is among the prefixes: red, green, blue and mostly opacity after the normal
+  std::size_t vertices, faces;
+  std::size_t line;  ///< with these counts
+  Lines lines;       ///< the vertices are next
 
+  /// Returns vertices of `numbers` numbers, and faces, as elements of PLY.
+  PlyHeader elements(std::size_t numbers) const {
+    PlyElement vertex{.name = "vertex", .noun = "vertex line", .count = vertices, .line = line};
+    vertex.properties.resize(numbers, {.name = "", .type = Scalar::float64});
+    PlyElement face{.name = "face", .noun = "face line", .count = faces, .line = line};
+    face.properties.push_back({.name = "", .type = Scalar::uint32, .count_type = Scalar::uint32});
+    return {.elements = {std::move(vertex), std::move(face)}, .lines = lines.number(), .data = lines.rest()};
+  }
+};
+
+/// Reads a header: OFF with any of the prefixes ST, C, N, or none; then the counts, in the same line or in the next.
+/// The vertices may follow the counts in their line. Throws BadInput naming the line, also if the file is too short for
+/// so many vertices of at least two coordinates.
 OffHeader read_off_header(std::string_view text, const std::string& name) {
   Lines lines(text);
   if (!lines.next_with_content()) bad_input(name, "no OFF header", "an ASCII .off file");
@@ -67,16 +84,6 @@ OffHeader read_off_header(std::string_view text, const std::string& name) {
   return header;
 }
 
-PlyHeader OffHeader::elements(std::size_t numbers) const {
-  PlyElement vertex{.name = "vertex", .noun = "vertex line", .count = vertices, .line = line};
-  vertex.properties.resize(numbers, {.name = "", .type = Scalar::float64});
-  PlyElement face{.name = "face", .noun = "face line", .count = faces, .line = line};
-  face.properties.push_back({.name = "", .type = Scalar::uint32, .count_type = Scalar::uint32});
-  return {.elements = {std::move(vertex), std::move(face)}, .lines = lines.number(), .data = lines.rest()};
-}
-
-namespace {
-
 /// Returns the number of coordinates of a vertex, by the first: 3, or in the plane also 2.
 std::size_t numbers_of_vertex(const OffHeader& off, bool in_space) {
   if (off.normals) return in_space ? 6 : 3;
@@ -105,5 +112,33 @@ std::unique_ptr<Cloud> open_off(Content content, const CloudRequest& request) {
 
 /// Reads the vertices of OFF, with the normals of NOFF and the colors of COFF. Does not read the faces.
 const CloudFormat off_reader = {.open = open_off};
+
+MeshFile read_off_mesh(std::string_view text, const std::string& name) {
+  const OffHeader off = read_off_header(text, name);
+  const PlyHeader header = off.elements(off.normals ? 6 : 3);
+  const PlyElement &vertex = header.elements.front(), &face = header.elements.back();
+  PlyText data(header, name);
+  MeshFile mesh;
+  mesh.positions.reserve(vertex.count);
+  mesh.point_lines.reserve(vertex.count);
+  data.pass(vertex, 0, vertex.count, [&](std::size_t, std::string_view& rest) {
+    mesh.positions.push_back(take_position(rest, data.lines(), name));
+    for (std::size_t k = 3; k < vertex.properties.size(); ++k) take_word(rest);
+    mesh.point_lines.push_back(data.lines().number());
+  });
+  data.require_room(face);
+  mesh.reserve_faces(face.count);
+  mesh.face_lines.reserve(face.count);
+  std::vector<std::uint32_t> corners;
+  data.pass(face, 0, face.count, [&](std::size_t, std::string_view& rest) {
+    take_corner_list(rest, data.lines(), name, mesh.positions.size(), corners);
+    mesh.soup.add_face(corners);
+    mesh.face_lines.push_back(data.lines().number());
+  });
+  if (data.has_more())
+    bad_input(at_line(name, data.lines().number()), in_quotes(data.lines().line()),
+              "the end of the file after " + announced(face));
+  return mesh;
+}
 
 }  // namespace rbpa::app
