@@ -1,6 +1,6 @@
-// What:   the alpha complex of points in space at every radius: all simplices of the Delaunay triangulation, their
-//         faces, and the radius at which each appears. For points in a plane or on a line, the triangles and edges are
-//         those of the Delaunay triangulation there.
+// What:   computes the alpha complex of points in space at every radius: all simplices of the Delaunay triangulation,
+//         and the radius at which each appears. For points in a plane or on a line, the triangles and edges are those
+//         of the Delaunay triangulation there.
 // Law:    a simplex is in the full alpha complex of alpha exactly if its radius is at most alpha, for every double
 //         alpha: the radius is rounded up from the exact one. No face of a simplex has a greater radius than the
 //         simplex. A function of the set of points, and of their numbering.

@@ -1,4 +1,4 @@
-// What: the bounding box of points in space.
+// What: computes bounding boxes of points in space, and whether they meet.
 #pragma once
 
 #include <algorithm>

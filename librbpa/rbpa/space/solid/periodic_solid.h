@@ -1,5 +1,5 @@
-// What:   the solid alpha complex of points in a periodic box, as in a simulation under periodic boundary conditions:
-//         tetrahedra whose corners are points of the box or images of them.
+// What:   computes the solid alpha complex of points in a periodic box, as in a simulation under periodic boundary
+//         conditions: tetrahedra whose corners are points of the box or images of them.
 // Law:    a function of the set of points, the box and alpha. Along each axis, the side and the coordinates modulo the
 //         side are rounded to multiples of 2⁻⁵¹ of the power of two above the side, so that all images are doubles. For
 //         these points everything is exact, ties as in solid(). Moving all points by such multiples changes nothing.

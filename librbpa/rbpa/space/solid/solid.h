@@ -1,5 +1,5 @@
-// What:   the solid alpha complex of points in space: their Delaunay tetrahedra of circumradius at most alpha, as
-//         arrays of indices in canonical order. At infinity, the Delaunay triangulation.
+// What:   computes the solid alpha complex of points in space: their Delaunay tetrahedra of circumradius at most alpha,
+//         as arrays of indices in canonical order. At infinity, the Delaunay triangulation.
 // Law:    a function of the set of points and alpha, not of any order or thread. Every decision is exact, on any finite
 //         input. Ties are decided by the symbolic perturbation that CGAL uses, so its Delaunay_triangulation_3 has the
 //         same tetrahedra. docs/explanation/space.md.

@@ -1,4 +1,4 @@
-// What: the components of a solid with their sizes.
+// What: finds the components of a solid, with their sizes, volumes and areas.
 // Law:  all numbers are functions of the set of points: the same to the last bit in any order of them.
 // Cost: union–find over the tetrahedra, and the measures of their boundary.
 #pragma once

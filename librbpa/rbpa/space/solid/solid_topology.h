@@ -1,4 +1,4 @@
-// What: counts of a solid as a topological space: its simplices, components, tunnels and voids.
+// What: counts the simplices, components, tunnels and voids of a solid.
 // Law:  components − tunnels + voids = points − edges + triangles − tetrahedra, the Euler characteristic. Exact; a
 //       function of the set of points and alpha. docs/explanation/space.md, section 18.
 // Cost: union–find over the tetrahedra; the rest is linear in the boundary triangles, and in the tetrahedra around

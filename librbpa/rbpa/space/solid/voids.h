@@ -1,4 +1,4 @@
-// What: the voids of a solid: the bounded components of the complement, each with its volume and its walls.
+// What: finds the voids of a solid: the bounded components of its complement, each with its volume and its walls.
 // Law:  which regions are voids, and their boundary, are exact; a function of the set of points and alpha, down to the
 //       last bit of the measures. The volume of a void is that within its boundary, minus the islands in it;
 //       no tetrahedra of a larger radius are needed. docs/explanation/space.md, section 18.

@@ -29,7 +29,7 @@ constexpr std::size_t most_radii = 4;
 constexpr double least_flatness = 0.5;  // least flatness of the neighbors of a point on a surface
 // Fraction of a point's neighbors that are at least as near to it as to their own neighbors
 constexpr double least_returned = 0.5;
-// Greatest fraction of points on no surface that are left out; if there are more, none is
+// Points on no surface are left out if they are at most this fraction of all
 constexpr double most_strangers = 0.3;
 constexpr double none = -1;
 

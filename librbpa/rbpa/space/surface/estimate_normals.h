@@ -30,9 +30,9 @@ struct NormalOptions {
 };
 
 /// Returns for each point the unit normal of the plane that fits the point and its nearest others with the least sum of
-/// squared distances. Points at equal distances are ordered by their coordinates. If eight or more of them are nearly
-/// on a line, as on a scanner's lines that are farther apart than eight points along them, the plane is fitted to the
-/// same number of points, chosen far from each other among the nearest 16 times `neighbors`.
+/// squared distances. Points at equal distances are ordered by their coordinates. If the nearest others are eight or
+/// more and nearly on a line, as on the lines of a scanner that are farther apart than eight points along them, the
+/// plane is fitted to the same number of points, chosen far from each other among the nearest 16 times `neighbors`.
 ///
 /// Points that are connected through nearest others have normals on one side: the normals are turned along a minimum
 /// spanning tree, whose weights measure how uncertain the side is across an edge. The first normal points outward at an

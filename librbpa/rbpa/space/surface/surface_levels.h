@@ -1,4 +1,5 @@
-// What:   the surface of points in space by several radii: a larger radius closes gaps that the smaller ones left open.
+// What:   computes the surface of points in space by several radii: a larger radius closes gaps that smaller ones left
+//         open.
 // Law:    a function of the set of points, their normals and the radii, not of any order or thread. An oriented
 //         2-manifold with boundary, each fan with a vertex of its own; its triangles never cross. A radius adds
 //         triangles and removes none, and changes no gluing between earlier ones. docs/explanation/surfaces.md, section

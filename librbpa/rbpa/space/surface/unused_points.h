@@ -1,4 +1,4 @@
-// What: the points that are in no triangle of a surface, and the reason for each.
+// What: finds the points that are in no triangle of a surface, and the reason for each.
 // Law:  a function of the set of points, their normals and the radii; exact. docs/explanation/surfaces.md, section 6.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What: the number of linearly independent vectors among integer vectors.
+// What: counts the linearly independent ones among integer vectors, exactly.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What:   the Delaunay triangulation of points in space, built point by point. docs/explanation/space.md, section 6,
+// What:   builds the Delaunay triangulation of points in space point by point. docs/explanation/space.md, section 6,
 //         has a drawing.
 // How:    for each point
 //           1. walk from a recently made tetrahedron to one whose sphere contains the point;
