@@ -1,13 +1,13 @@
 #include "rbpa/filling_values.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <set>
 #include <string>
 
 #include "rbpa/base/error.h"
+#include "rbpa/base/exact/hypotenuse.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/fill.h"
 #include "rbpa/fill/rings/plane_predicates.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t none = TriangleArrays::none;
 
-double distance(const Point& p, const Point& q) { return std::hypot(p.x - q.x, p.y - q.y); }
+double distance(const Point& p, const Point& q) { return hypotenuse(p.x - q.x, p.y - q.y); }
 
 /// Sets the values of points that were inserted on the edges of a ring, between two given points.
 void interpolate_edges(std::span<const Point> points, const Ring& ring, std::size_t given, std::vector<double>& value) {

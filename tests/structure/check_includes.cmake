@@ -12,8 +12,8 @@ set(allowed
   "meshops/stellar: meshops/core"
   "meshops/topology: meshops/core meshops/graph meshops/handle meshops/stellar"
 
-  "rbpa: meshops/core meshops/front meshops/topology rbpa/base rbpa/base/parallel rbpa/base/run rbpa/base/sort
-    rbpa/fill rbpa/fill/front rbpa/fill/rings rbpa/paper rbpa/plane rbpa/plane/hierarchy rbpa/plane/mesh
+  "rbpa: meshops/core meshops/front meshops/topology rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/run
+    rbpa/base/sort rbpa/fill rbpa/fill/front rbpa/fill/rings rbpa/paper rbpa/plane rbpa/plane/hierarchy rbpa/plane/mesh
     rbpa/plane/patches rbpa/plane/shape rbpa/space/balls rbpa/space/persistence rbpa/space/repair rbpa/space/solid
     rbpa/space/surface"
   "rbpa/base: meshops/core"

@@ -9,6 +9,7 @@
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/exact/double_double.h"
+#include "rbpa/base/exact/hypotenuse.h"
 #include "rbpa/base/progress.h"
 #include "rbpa/base/run/checkpoint_of_threads.h"
 #include "rbpa/base/run/input.h"
@@ -95,7 +96,7 @@ std::array<double, 3> shares(const std::array<Point, 3>& corners, const Point& q
   double longest = -1;
   for (std::size_t k = 0; k < 3; ++k) {
     const Point &a = seen.at[(k + 1) % 3], &b = seen.at[(k + 2) % 3];
-    const double length = std::hypot(b.x / 2 - a.x / 2, b.y / 2 - a.y / 2);
+    const double length = hypotenuse(b.x / 2 - a.x / 2, b.y / 2 - a.y / 2);
     if (length <= longest) continue;
     longest = length;
     third = k;

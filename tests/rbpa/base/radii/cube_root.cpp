@@ -12,6 +12,8 @@
 using namespace rbpa_test;
 using rbpa::cube_root;
 
+TEST_SUITE_BEGIN("predicates");
+
 namespace {
 
 Rational exactly(long double value) {
@@ -51,3 +53,5 @@ TEST_CASE("cube roots are near in double and long double, exact of cubes, and sc
   check_roots<double>();
   check_roots<long double>();
 }
+
+TEST_SUITE_END();
