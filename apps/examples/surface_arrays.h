@@ -19,7 +19,7 @@ inline rbpa::Surface arrays(const meshops::Front& front, const std::vector<mesho
   const meshops::Connectivity& mesh = front.mesh();
   const auto site_at = [&](Halfedge h) { return site[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())]; };
   std::vector<std::pair<std::array<meshops::Site, 3>, Halfedge>>
-      found;  // each with the halfedge that leads to the first corner
+      found;  // corners, and the halfedge that leads to the first
   for (const meshops::Face f : mesh.faces()) {
     Halfedge h = mesh.halfedge_handle(f);
     while (site_at(h) > site_at(mesh.next_halfedge_handle(h)) || site_at(h) > site_at(mesh.prev_halfedge_handle(h)))

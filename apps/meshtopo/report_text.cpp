@@ -126,7 +126,8 @@ std::string changes(const Findings& findings) {
     const auto& [rims, holes, islands] = findings.fill->not_chosen;
     text += "  fill: " + filled_text(findings.fill->counts) + "\n";
     if (findings.fill->counts.left() > 0) text += "  fill: " + left_text(findings.fill->counts) + "\n";
-    if (holes > 0) text += "  fill: " + counted(holes, "hole", "holes") + " left open, larger than --fill-holes says\n";
+    if (holes > 0)
+      text += "  fill: " + counted(holes, "hole", "holes") + " left open, larger than --fill-holes allows\n";
     if (rims > 0)
       text += "  fill: " + counted(rims, "rim of a sheet", "rims of sheets") +
               " left open (--fill-holes rims fills them)\n";
@@ -141,7 +142,7 @@ std::string changes(const Findings& findings) {
             std::to_string(findings.tunnels->added) + " added\n";
     if (findings.tunnels->left > 0)
       text += "  tunnels: " + counted(findings.tunnels->left, "loop", "loops") +
-              " shorter than --close-tunnels-below left\n";
+              " shorter than --close-tunnels-below left as they are\n";
   }
   return text;
 }

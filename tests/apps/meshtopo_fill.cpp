@@ -94,7 +94,7 @@ TEST_SUITE("meshtopo --fill-holes") {
           std::string::npos);
     CHECK(folder.meshtopo("m.off --fill-holes 3 -o w.off")
               .out.find("\nchanges\n  fill: 0 holes filled by 0 triangles of area 0\n  fill: 1 hole left open, larger "
-                        "than --fill-holes says\n"
+                        "than --fill-holes allows\n"
                         "  fill: 1 rim of a sheet left open (--fill-holes rims fills them)\n\nresult\n") !=
           std::string::npos);
     for (const std::string wrong : {"2", "0", "-1", "x", "length=0", "length="})

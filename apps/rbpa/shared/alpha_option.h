@@ -40,7 +40,7 @@ enum class ChosenFor { all_points, groups };
 /// this choice. Requires: exactly one of the first three arguments is present.
 AlphaOption parse_alpha(const RadiusArguments& arguments, ChosenFor chosen_for = ChosenFor::all_points);
 
-/// Returns the name of the choice, or "column:r".
+/// Returns the choice as --alpha takes it, such as "auto" or "column:NAME"; "given" for a radius.
 std::string name_of(const AlphaOption& option);
 
 /// Returns the radius that the rule chooses, or nothing if the points have no triangle at any radius. Every rule

@@ -33,7 +33,8 @@ struct Method {
 /// Parses the options. Throws WrongUsage that names an unknown value, or one that belongs to another method.
 Method parse_method(const MethodArguments& arguments);
 
-/// Links that are wanted in addition to the triangles; each value includes the one before.
+/// The links that build() fills in besides the triangles: none, AlphaComplex::boundary, or AlphaComplex::neighbors
+/// (from which the boundary follows).
 enum class Links { none, boundary, neighbors };
 
 /// A complex as a method makes it.

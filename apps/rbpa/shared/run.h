@@ -27,13 +27,13 @@ struct RunOptions {
   bool quiet = false;
 
   unsigned threads_or_all() const;
-  /// Shows on a terminal what is being done, unless quiet or `in_the_way`.
+  /// Returns a line that shows on a terminal what is being done; it is hidden if quiet or `in_the_way`.
   ProgressLine line(const std::string& doing, bool in_the_way = false) const {
     return {"rbpa", !quiet && !in_the_way, doing};
   }
 };
 
-/// The largest --threads that is accepted. It exceeds the processors of a machine, so that one command line serves any.
+/// The largest --threads that is accepted. It may exceed the processors, so that one command line serves any machine.
 constexpr unsigned max_threads = 1024;
 
 /// Parses the options; --threads is a whole number from 1 to max_threads. Throws WrongUsage that names the value.

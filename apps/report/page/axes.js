@@ -54,7 +54,8 @@ function powerOfTenText(power) {
   return whole >= -3 && whole <= 5 ? short(Number((digits * 10 ** whole).toPrecision(3))) : `${digits}e${whole}`;
 }
 
-/** Fits a canvas to its place. Returns its context, in CSS pixels, and its size in these. */
+/** Fits a canvas to its element, and fills it with the background. Returns its context, width and height, all in CSS
+ *  pixels. */
 function prepared(canvas, background) {
   const ratio = Math.min(2, devicePixelRatio || 1);
   const width = canvas.clientWidth, height = canvas.clientHeight;

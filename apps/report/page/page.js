@@ -229,7 +229,7 @@ class Page {
 
   // ---- drawing
 
-  /** Requests a drawing before the next frame; "view" if the triangles under the pixels have changed as well. */
+  /** Requests a drawing before the next frame: "view" if the triangles under the pixels change, "step" otherwise. */
   ask(what) {
     this.fine = null;
     this.canvas.dataset.state = "drawing";
@@ -263,7 +263,7 @@ class Page {
     this.finely = setTimeout(() => this.beginFine(), 150);
   }
 
-  /** At most 140 pixels of the style sheet, and a third of the picture. */
+  /** Returns the scale bar: at most 140 CSS pixels long, and at most a third of the picture. */
   scaleBar() {
     return scaleBar(this.view, Math.min(140 * this.ratio, this.canvas.width / 3));
   }
@@ -284,7 +284,7 @@ class Page {
     this.laid = { scale: view.scale, left: view.left, top: view.top };
   }
 
-  /** Marks the region of the chosen pair; one larger than `limit` only when there is time. */
+  /** Marks the triangles of the chosen pair; none if they are more than `limit`. */
   light(limit) {
     for (const t of this.region) this.marked[t] = 0;
     this.region = (this.pair >= 0 && this.complex.regionOf(this.pair, this.step, limit)) || [];

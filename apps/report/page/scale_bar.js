@@ -1,7 +1,7 @@
 // What: lengths and areas in the unit of the coordinates, and the scale bar of the picture.
 "use strict";
 
-/** The text after a number, by the name of the unit in the page's facts. */
+/** The texts after a length and an area, by the name of the unit in the data of the page. */
 const unitSigns = {
   metre: { length: " m", area: " m²" },
   foot: { length: " ft", area: " ft²" },
@@ -21,7 +21,7 @@ function fourDigits(number) {
   return number.toLocaleString("en", { maximumSignificantDigits: 4, minimumSignificantDigits: isExact ? 1 : 4 });
 }
 
-/** In meters or in kilometers, whichever is shorter to read; in feet, degrees, or unknown units. */
+/** Returns a length with its unit; meters from 1000 on are kilometers, and an unknown unit is "units". */
 function lengthText(length, unit) {
   if (unit === "metre" && Number(length.toPrecision(4)) >= 1000) return `${fourDigits(length / 1000)} km`;
   if (unit === null && length === 1) return "1 unit";
@@ -44,8 +44,8 @@ function roundLength(most) {
   return 0;
 }
 
-/** Returns the bar of a view, at most `most` pixels long: its length, and its length in pixels; null if no such length is
- *  a finite double. */
+/** Returns the scale bar of a view, at most `most` pixels long: its length in units of the coordinates and in pixels;
+ *  null if no such length is a finite double. */
 function scaleBar(view, most) {
   const length = roundLength(view.lengthOf(most));
   const pixels = view.pixelsOf(length);

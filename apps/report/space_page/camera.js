@@ -53,8 +53,8 @@ class OrbitCamera {
 }
 OrbitCamera.halfAngle = (20 * Math.PI) / 180;
 
-/** Lets drags turn the camera, or move it with another button or shift; wheels and two fingers zoom and move. Calls
- *  `changed`. */
+/** Lets drags turn the camera, or with another button or shift move it; wheels zoom, two fingers zoom and move. Calls
+ *  `changed` after each change. */
 function steerByPointers(canvas, camera, changed) {
   const pointers = new Map();
   const spread = () => {
