@@ -92,8 +92,7 @@ double PackedSample::bytes_per_point() const {
 }
 
 void require_room_for_tiles(const std::string& folder, double points, const PackedSample& sample) {
-  // In a tile, indices are farther apart and coordinates closer together than in the sample: a point takes at least
-  // 0.8 times as many bytes.
+  // Indices are farther apart and coordinates closer in a tile: a point takes at least 0.8 times the sample's bytes.
   require_room(folder, points * sample.bytes_per_point() * 0.8, folder, "the files of tiles");
 }
 

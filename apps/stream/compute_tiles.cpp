@@ -192,8 +192,7 @@ class Computation {
     return made;
   }
 
-  /// Adds the result of a tile, and merges the parts that are complete with it. Called in the order of tiles, one at a
-  /// time.
+  /// Merges the result of a tile into the open parts. Called in the order of tiles, one at a time.
   void commit(std::size_t position, PartialAndItems made) {
     if (request_.wants(StreamFormat::npy)) rows_.add(made.owned.triangles);
     made.owned = {};

@@ -34,7 +34,6 @@ double parse_positive(const std::string& option, const std::string& text, const 
   return number.value;
 }
 
-/// The command line, parsed.
 struct FillRequest {
   std::string path;
   Format format;

@@ -22,7 +22,6 @@ namespace {
 
 bool is_text_geometry(Format format) { return format == Format::wkt || format == Format::ewkt; }
 
-/// The files to write.
 struct Files {
   std::vector<Target> targets;
   std::optional<Target> isolated = std::nullopt;  ///< file for the points in no polygon

@@ -29,8 +29,7 @@ struct PeriodicFacts {
 /// Requires: facts.topology is present.
 std::string text_of_periodic(const PeriodicFacts& facts);
 
-/// Write one JSON object: of the counts, or of the counts, every component and every void.
-/// Require: facts.topology is present.
+/// Write one JSON object: the counts, or also every component and void. Require: facts.topology is present.
 void write_periodic_stats(OutputFile& file, const PeriodicFacts& facts);
 void write_periodic_json(OutputFile& file, const PeriodicFacts& facts, const PointNames& names);
 

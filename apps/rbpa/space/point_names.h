@@ -17,7 +17,6 @@ class PointNames {
   /// Keeps a reference to the file. Requires: its texts are those of columns_of_names(), or none.
   explicit PointNames(const SpacePoints& file) : file_(file) {}
 
-  /// Returns the points of the file.
   std::span<const Point3> points() const { return file_.points; }
   /// Returns the input index of a point.
   std::uint32_t index(std::uint32_t point) const { return renumbered(point, file_.index); }

@@ -25,7 +25,7 @@ struct SolidFacts : MeasuredSolid {
 /// and of the union of balls if these were computed.
 std::string text_of_solid(const SolidFacts& facts);
 
-/// Write one JSON object: of the counts, or of the counts, every component and every void.
+/// Write one JSON object: the counts, or also every component and every void.
 void write_solid_stats(OutputFile& file, const SolidFacts& facts);
 void write_solid_json(OutputFile& file, const SolidFacts& facts, const PointNames& names);
 

@@ -29,7 +29,6 @@ struct SpacePersistence : Run {
 
   /// Returns the plateaus, the best first. The seconds that it takes are added to those of building.
   std::vector<SolidPlateau> find_plateaus();
-  /// Writes the statistics.
   void write_stats(OutputFile& file);
 
   SpacePoints file;

@@ -54,7 +54,7 @@ std::string openings(const SurfaceFacts& facts);
 /// Returns "there is no triangle: " and the reason. Requires: no triangle.
 std::string why_empty(const SurfaceFacts& facts);
 
-/// Write one JSON object: of the counts, or of the counts and each hole, component and unused point.
+/// Write one JSON object: the counts, or also every hole, component and unused point.
 void write_surface_stats(OutputFile& file, const SurfaceFacts& facts);
 void write_surface_json(OutputFile& file, const SurfaceFacts& facts);
 
