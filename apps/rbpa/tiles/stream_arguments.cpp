@@ -41,8 +41,8 @@ std::string some_of(std::vector<std::string> names) {
 
 std::string name_in_folder(const std::string& path) { return fs::path(path).filename().string(); }
 
-/// Returns whether a file beside LAS files may describe these, as an index or a picture does: by its format. Other files
-/// are points.
+/// Returns whether a file beside LAS files has a format that may describe them, as an index or a picture does. Other
+/// files are points.
 bool is_about_tiles(const std::string& path, Format format) {
   constexpr Format about[] = {Format::text, Format::geojson, Format::wkt, Format::png, Format::pgm, Format::ogr};
   return std::find(std::begin(about), std::end(about), format) != std::end(about) && input_ending(path) != "xyz";
