@@ -24,7 +24,7 @@ double side(const Point& a, const Point& b, const Point& p) {
 
 }  // namespace
 
-TEST_SUITE("filling values") {
+TEST_SUITE("fill") {
   TEST_CASE("a linear function is reproduced, and given points keep their values to the last bit") {
     std::vector<double> values;
     for (const Point& p : comb) values.push_back(3 * p.x - 2 * p.y + 0.1);

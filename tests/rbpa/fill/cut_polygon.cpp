@@ -49,7 +49,7 @@ std::vector<Point> lattice(std::mt19937& random, int side) {
 
 }  // namespace
 
-TEST_SUITE("cut polygon") {
+TEST_SUITE("fill") {
   TEST_CASE("parts are valid, lie on their sides, and cover the same area as the polygon") {
     std::mt19937 random(7);
     std::size_t cut_polygons = 0, with_holes = 0, several = 0;

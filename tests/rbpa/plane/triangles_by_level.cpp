@@ -20,7 +20,7 @@
 
 using namespace rbpa_test;
 
-TEST_SUITE_BEGIN("hierarchy arrays");
+TEST_SUITE_BEGIN("hierarchy");
 
 namespace {
 

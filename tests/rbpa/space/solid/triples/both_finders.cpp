@@ -16,6 +16,8 @@ using rbpa::Point3;
 using rbpa::Solid;
 using namespace rbpa_test;
 
+TEST_SUITE_BEGIN("space");
+
 namespace {
 
 /// Returns the tetrahedra of the triangulation within alpha.
@@ -110,3 +112,5 @@ TEST_CASE("triples give the same on a large set, with any number of threads") {
   options.progress = {};
   CHECK(rbpa::solid(points, alpha, options).neighbors.empty());
 }
+
+TEST_SUITE_END();

@@ -25,6 +25,8 @@ using rbpa::space::Site;
 using rbpa::space::Triples;
 using namespace rbpa_test;
 
+TEST_SUITE_BEGIN("space");
+
 namespace {
 
 using Corners = std::array<Site, 4>;
@@ -177,3 +179,5 @@ TEST_CASE("the cost of triples depends on the number of near points, in a volume
     }
   }
 }
+
+TEST_SUITE_END();

@@ -13,6 +13,8 @@
 
 using namespace rbpa_test;
 
+TEST_SUITE_BEGIN("space");
+
 namespace {
 
 using Row = std::array<std::uint32_t, 4>;
@@ -63,3 +65,5 @@ TEST_CASE("rows are neighbors across each common face, and across no other") {
   }
   CHECK(linked > 500);
 }
+
+TEST_SUITE_END();
