@@ -47,25 +47,25 @@ struct Known {
 };
 constexpr Scalar u8 = Scalar::uint8, u16 = Scalar::uint16, f64 = Scalar::float64;
 constexpr LasField none{};
-constexpr Known fields[] = {{"intensity", {12, u16}, {12, u16}},
-                            {"return_number", {14, u8, 0, 3}, {14, u8, 0, 4}},
-                            {"number_of_returns", {14, u8, 3, 3}, {14, u8, 4, 4}},
-                            {"scan_direction_flag", {14, u8, 6, 1}, {15, u8, 6, 1}},
-                            {"edge_of_flight_line", {14, u8, 7, 1}, {15, u8, 7, 1}},
-                            {"classification", {15, u8, 0, 5}, {16, u8}},
-                            {"synthetic", {15, u8, 5, 1}, {15, u8, 0, 1}, Since::version_1_1},
-                            {"key_point", {15, u8, 6, 1}, {15, u8, 1, 1}, Since::version_1_1},
-                            {"withheld", {15, u8, 7, 1}, {15, u8, 2, 1}, Since::version_1_1},
-                            {"overlap", none, {15, u8, 3, 1}, Since::new_family},
-                            {"scanner_channel", none, {15, u8, 4, 2}, Since::new_family},
-                            {"scan_angle", {16, Scalar::int8}, {18, Scalar::int16, 0, 0, 0.006}},  // degrees
-                            {"user_data", {17, u8}, {17, u8}},
-                            {"point_source_id", {18, u16}, {20, u16}},
-                            {"gps_time", {0, f64}, {0, f64}, Since::any, &FieldLayout::time},
-                            {"red", {0, u16}, {0, u16}, Since::any, &FieldLayout::color},
-                            {"green", {2, u16}, {2, u16}, Since::any, &FieldLayout::color},
-                            {"blue", {4, u16}, {4, u16}, Since::any, &FieldLayout::color},
-                            {"infrared", {0, u16}, {0, u16}, Since::any, &FieldLayout::infrared}};
+constexpr Known known_fields[] = {{"intensity", {12, u16}, {12, u16}},
+                                  {"return_number", {14, u8, 0, 3}, {14, u8, 0, 4}},
+                                  {"number_of_returns", {14, u8, 3, 3}, {14, u8, 4, 4}},
+                                  {"scan_direction_flag", {14, u8, 6, 1}, {15, u8, 6, 1}},
+                                  {"edge_of_flight_line", {14, u8, 7, 1}, {15, u8, 7, 1}},
+                                  {"classification", {15, u8, 0, 5}, {16, u8}},
+                                  {"synthetic", {15, u8, 5, 1}, {15, u8, 0, 1}, Since::version_1_1},
+                                  {"key_point", {15, u8, 6, 1}, {15, u8, 1, 1}, Since::version_1_1},
+                                  {"withheld", {15, u8, 7, 1}, {15, u8, 2, 1}, Since::version_1_1},
+                                  {"overlap", none, {15, u8, 3, 1}, Since::new_family},
+                                  {"scanner_channel", none, {15, u8, 4, 2}, Since::new_family},
+                                  {"scan_angle", {16, Scalar::int8}, {18, Scalar::int16, 0, 0, 0.006}},  // degrees
+                                  {"user_data", {17, u8}, {17, u8}},
+                                  {"point_source_id", {18, u16}, {20, u16}},
+                                  {"gps_time", {0, f64}, {0, f64}, Since::any, &FieldLayout::time},
+                                  {"red", {0, u16}, {0, u16}, Since::any, &FieldLayout::color},
+                                  {"green", {2, u16}, {2, u16}, Since::any, &FieldLayout::color},
+                                  {"blue", {4, u16}, {4, u16}, Since::any, &FieldLayout::color},
+                                  {"infrared", {0, u16}, {0, u16}, Since::any, &FieldLayout::infrared}};
 constexpr std::string_view axes[] = {"x", "y", "z"};
 
 std::string folded(std::string_view name) {
@@ -97,7 +97,7 @@ double LasField::value(const char* record) const {
 std::optional<LasField> find_las_field(std::string_view name, unsigned format, unsigned minor) {
   const FieldLayout& layout = layouts[format];
   const bool is_new = format >= first_of_new_family;
-  for (const Known& field : fields) {
+  for (const Known& field : known_fields) {
     if (!is(name, field.name)) continue;
     if (field.since == Since::new_family && !is_new) return std::nullopt;
     // Version 1.0 has no flags in this byte: the class is the whole byte.
@@ -175,8 +175,8 @@ std::optional<std::size_t> las_axis(std::string_view name) {
 }
 
 bool is_las_field(std::string_view name) {
-  return las_axis(name) ||
-         std::any_of(std::begin(fields), std::end(fields), [&](const Known& field) { return is(name, field.name); });
+  return las_axis(name) || std::any_of(std::begin(known_fields), std::end(known_fields),
+                                       [&](const Known& field) { return is(name, field.name); });
 }
 
 /// Returns the formats that have a field, for a message.
@@ -191,7 +191,7 @@ std::string formats_with(std::string_view field, unsigned minor) {
 
 FieldNames names_of_las_fields() {
   std::string names = "x, y, z";
-  for (const Known& field : fields) names += ", " + std::string(field.name);
+  for (const Known& field : known_fields) names += ", " + std::string(field.name);
   return {is_las_field, "a field of LAS: " + names, false};
 }
 

@@ -13,7 +13,6 @@
 #include "io/text/fields.h"
 #include "io/text/line_selection.h"
 #include "io/text/lines.h"
-#include "io/text/text_numbers.h"
 
 namespace rbpa::app {
 namespace {

@@ -17,18 +17,12 @@ namespace {
 
 /// Reads points by their format; geometries and pixels, which are not columns, have their own readers.
 PointFile parse(std::string_view bytes, const std::string& name, const PointSource& source) {
-  switch (source.format) {
-    case Format::png:
-      return {.points = read_png_points(bytes, name, source.pixels)};
-    case Format::pgm:
-      return {.points = read_pgm_points(bytes, name, source.pixels)};
-    case Format::geojson:
-      return read_geojson_points(bytes, name, source.vertices, source.properties);
-    case Format::wkt:
-      return read_wkt_points(bytes, name, source.vertices);
-    default:
-      return read_plane_points(*open_plane_cloud(Content(bytes, name), source));
-  }
+  const Format format = source.format;
+  if (format == Format::png) return {.points = read_png_points(bytes, name, source.pixels)};
+  if (format == Format::pgm) return {.points = read_pgm_points(bytes, name, source.pixels)};
+  if (format == Format::geojson) return read_geojson_points(bytes, name, source.vertices, source.properties);
+  if (format == Format::wkt) return read_wkt_points(bytes, name, source.vertices);
+  return read_plane_points(*open_plane_cloud(Content(bytes, name), source));
 }
 
 PointFile settled(PointFile file, const std::string& name, const PointSource& source) {

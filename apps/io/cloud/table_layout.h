@@ -56,9 +56,6 @@ struct TableBeginning {
 TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const CloudRequest& request,
                           std::vector<std::string>& warnings);
 
-/// Returns the names of the columns of a table of a kind other than any. Throws BadInput if the kind has not so many.
-std::vector<std::string_view> names_of_kind(TableKind kind, const TableBeginning& table);
-
 /// Opens a table, for CloudFormat::open.
 std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request, TableKind kind);
 

@@ -12,16 +12,9 @@ namespace rbpa::app {
 namespace {
 
 MeshFile parse(Format format, std::string_view bytes, const std::string& name) {
-  switch (format) {
-    case Format::off:
-      return read_off_mesh(bytes, name);
-    case Format::ply:
-      return read_ply_mesh(bytes, name);
-    case Format::obj:
-      return read_obj_mesh(bytes, name);
-    default:
-      break;
-  }
+  if (format == Format::off) return read_off_mesh(bytes, name);
+  if (format == Format::ply) return read_ply_mesh(bytes, name);
+  if (format == Format::obj) return read_obj_mesh(bytes, name);
   return read_stl_mesh(bytes, name);
 }
 

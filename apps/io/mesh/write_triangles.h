@@ -11,7 +11,7 @@
 
 #include "io/bytes/output_file.h"
 #include "io/formats.h"
-#include "io/polygon/triangle_features.h"
+#include "io/polygon/shape_files.h"
 #include "rbpa/base/point.h"
 
 namespace rbpa::app {

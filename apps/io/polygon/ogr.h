@@ -11,7 +11,6 @@
 #include "io/formats.h"
 #include "io/point_file.h"
 #include "io/polygon/shape_files.h"
-#include "io/polygon/triangle_features.h"
 
 namespace rbpa::app {
 

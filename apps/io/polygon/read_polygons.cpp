@@ -17,14 +17,8 @@ namespace rbpa::app {
 namespace {
 
 PolygonFile parse(std::string_view bytes, const std::string& name, Format format) {
-  switch (format) {
-    case Format::geojson:
-      return read_geojson_polygons(bytes, name);
-    case Format::wkt:
-      return read_wkt_polygons(bytes, name);
-    default:
-      break;
-  }
+  if (format == Format::geojson) return read_geojson_polygons(bytes, name);
+  if (format == Format::wkt) return read_wkt_polygons(bytes, name);
   return read_poly_polygons(bytes, name);
 }
 

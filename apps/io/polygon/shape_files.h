@@ -1,10 +1,13 @@
-// What: writes a shape, or the shapes of groups, for geographic information systems: polygons, the points that are in
-//       none, and the polygon of each point.
+// What: writes files for geographic information systems: a shape, which is polygons, the points that are in none, and
+//       the polygon of each point; shapes of groups; triangles with heights and attributes. ogr.h writes formats of GDAL.
 // Law:  the bytes are a function of the arguments alone. Coordinates read back to the same doubles, except where
 //       GeoJSON is cut at the antimeridian. Points are in the order of the input.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +19,7 @@
 #include "io/formats.h"
 #include "io/polygon/antimeridian.h"
 #include "rbpa/base/point.h"
+#include "rbpa/base/point3.h"
 #include "rbpa/plane/groups.h"
 #include "rbpa/plane/outline_polygons.h"
 
@@ -135,5 +139,26 @@ void write_points_csv(OutputFile& file, const Shape& shape);
 void write_isolated_csv(OutputFile& file, const Shape& shape);
 void write_isolated_geojson(OutputFile& file, const Shape& shape);
 void write_isolated_wkt(OutputFile& file, const Shape& shape);
+
+/// A number or a text for each triangle.
+struct TriangleAttribute {
+  std::string name;
+  std::function<double(std::size_t)> number = {};     ///< NaN for a triangle without
+  std::function<std::string(std::size_t)> text = {};  ///< set if the attribute is a text
+};
+
+struct TriangleList {
+  std::size_t count = 0;
+  std::function<std::array<Point3, 3>(std::size_t)> corners = {};  ///< counter-clockwise
+  bool has_z = false;                                              ///< positions have three numbers, not two
+  std::vector<TriangleAttribute> attributes = {};
+  std::span<const Point> points = {};  ///< all points of which corners are taken
+  std::optional<Crs> crs = std::nullopt;
+  bool degrees = false;  ///< x is a longitude and y a latitude
+};
+
+/// Writes a FeatureCollection with a Polygon for each triangle, whose properties are "number", from 1, and the
+/// attributes.
+void write_triangles_geojson(OutputFile& file, const TriangleList& triangles);
 
 }  // namespace rbpa::app

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -15,9 +16,25 @@
 #include "io/failure.h"
 #include "io/text/condition.h"
 #include "io/text/fields.h"
-#include "io/text/text_numbers.h"
 
 namespace rbpa::app {
+
+/// Numbers distinct texts in the order of their first occurrence, so that a column of texts becomes a column of numbers
+/// and a list of texts.
+class TextNumbers {
+ public:
+  double number_of(std::string_view text) {
+    const auto [place, is_new] = numbers_.try_emplace(std::string(text), texts_.size());
+    if (is_new) texts_.emplace_back(text);
+    return static_cast<double>(place->second);
+  }
+  /// Returns the distinct texts in the order of their numbers. Call once.
+  std::vector<std::string> take_texts() { return std::move(texts_); }
+
+ private:
+  std::vector<std::string> texts_ = {};
+  std::unordered_map<std::string, std::size_t> numbers_ = {};
+};
 
 /// The end of a message about a word that is not a number.
 constexpr std::string_view of_where =
