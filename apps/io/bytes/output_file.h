@@ -3,6 +3,7 @@
 //       (temporary_file.h).
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -50,6 +51,13 @@ class OutputFile {
     for (std::size_t i = 0; i < values.size(); ++i, at += sizeof(T))
       for (std::size_t byte = sizeof(T); byte > 0; --byte) write({at + byte - 1, 1});
   }
+  template <typename T, std::size_t count>
+  void write_binary(const std::array<T, count>& values) {
+    write_binary(std::span<const T>(values));
+  }
+  template <typename T>
+  requires std::is_arithmetic_v<T>
+  void write_binary(T value) { write_binary(std::span<const T>(&value, 1)); }
 
   /// Returns where to put the next bytes, with room for `size` of them, at most max_room; written(end) then takes those
   /// before `end`. Saves calls for data that consist of very small pieces.

@@ -8,10 +8,13 @@
 #include <span>
 
 #include "meshops/core/fresh_vector.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa::app {
 
 using Position = std::array<double, 3>;
+
+inline Position position_of(const Point3& p) { return {p.x, p.y, p.z}; }
 
 /// A hash table of the first point at each position.
 class EqualPositions {

@@ -87,19 +87,15 @@ void write_ply(OutputFile& file, const Mesh& mesh) {
   if constexpr (requires { mesh.face_properties(); }) file.write(mesh.face_properties());
   file.write("end_header\n");
   for (std::size_t i = 0; i < mesh.points(); ++i) {
-    const std::array<double, 3> p = mesh.point(i);
-    file.write_binary(std::span<const double>(p));
+    file.write_binary(mesh.point(i));
     if constexpr (requires { mesh.properties(); }) mesh.write_properties(file, i);
   }
   for (std::size_t f = 0; f < mesh.faces(); ++f) {
     const std::span<const std::uint32_t> corners = mesh.face(f);
-    const std::uint32_t length[] = {static_cast<std::uint32_t>(corners.size())};
-    const std::uint8_t short_length[] = {static_cast<std::uint8_t>(corners.size())};
-    if (long_faces) {
-      file.write_binary(std::span<const std::uint32_t>(length));
-    } else {
-      file.write_binary(std::span<const std::uint8_t>(short_length));
-    }
+    if (long_faces)
+      file.write_binary(static_cast<std::uint32_t>(corners.size()));
+    else
+      file.write_binary(static_cast<std::uint8_t>(corners.size()));
     file.write_binary(corners);
     if constexpr (requires { mesh.face_properties(); }) mesh.write_face_properties(file, f);
   }

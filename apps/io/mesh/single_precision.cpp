@@ -15,8 +15,6 @@ namespace {
 
 using Triangles = std::span<const std::array<std::uint32_t, 3>>;
 
-Position position_of(const Point3& p) { return {p.x, p.y, p.z}; }
-
 /// The bounding box of the vertices that triangles use.
 struct BoxOfUsed {
   Position least, greatest;

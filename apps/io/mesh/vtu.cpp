@@ -30,8 +30,6 @@ class Declarations {
   std::uint64_t offset_ = 0;
 };
 
-void write_size(OutputFile& file, std::uint64_t bytes) { file.write_binary(std::span<const std::uint64_t>(&bytes, 1)); }
-
 /// Cells of one kind.
 struct Cells {
   std::uint8_t type;
@@ -39,21 +37,12 @@ struct Cells {
   std::uint64_t count;
 };
 
-void write_arrays(OutputFile& file, const std::vector<VtuArray>& arrays) {
-  for (const VtuArray& array : arrays) {
-    write_size(file, array.bytes);
-    array.write(file);
-  }
+void write_array(OutputFile& file, const VtuArray& array) {
+  file.write_binary(array.bytes);
+  array.write(file);
 }
 
 }  // namespace
-
-void write_coordinates(OutputFile& file, std::span<const Point3> points) {
-  for (const Point3& p : points) {
-    const std::array<double, 3> coordinates = {p.x, p.y, p.z};
-    file.write_binary(std::span<const double>(coordinates));
-  }
-}
 
 void write_vtu(OutputFile& file, const VtuGrid& grid) {
   const Cells kinds[] = {{vtk_tetrahedron, 4, grid.tetrahedra.size()},
@@ -62,14 +51,13 @@ void write_vtu(OutputFile& file, const VtuGrid& grid) {
                          {vtk_vertex, 1, grid.vertices.size()}};
   std::uint64_t cells = 0, corners = 0;
   for (const Cells& kind : kinds) cells += kind.count, corners += kind.count * kind.corners;
-  const std::uint64_t of_positions = grid.points * 3 * sizeof(double), of_corners = corners * sizeof(std::uint32_t),
-                      of_ends = cells * sizeof(std::uint64_t);
+  const std::uint64_t of_corners = corners * sizeof(std::uint32_t), of_ends = cells * sizeof(std::uint64_t);
   file.write_all(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
       "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"",
-      grid.points, "\" NumberOfCells=\"", cells, "\">\n<Points>\n");
+      grid.positions.rows, "\" NumberOfCells=\"", cells, "\">\n<Points>\n");
   Declarations all(file);
-  all.declare("Float64", "NumberOfComponents=\"3\"", of_positions);
+  all.declare("Float64", "NumberOfComponents=\"3\"", grid.positions.bytes);
   file.write("</Points>\n<Cells>\n");
   all.declare("UInt32", "Name=\"connectivity\"", of_corners);
   // The order matters to meshio, which looks arrays up by offsets that it changes: in another order it confuses the
@@ -81,22 +69,21 @@ void write_vtu(OutputFile& file, const VtuGrid& grid) {
   all.declare("CellData", grid.shown_of_cells, grid.of_cells);
   file.write("</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_");
 
-  write_size(file, of_positions);
-  grid.write_positions(file);
-  write_size(file, of_corners);
-  for (const auto& tetrahedron : grid.tetrahedra) file.write_binary(std::span<const std::uint32_t>(tetrahedron));
-  for (const auto& triangle : grid.triangles) file.write_binary(std::span<const std::uint32_t>(triangle));
-  for (const auto& edge : grid.edges) file.write_binary(std::span<const std::uint32_t>(edge));
+  write_array(file, grid.positions);
+  file.write_binary(of_corners);
+  for (const auto& tetrahedron : grid.tetrahedra) file.write_binary(tetrahedron);
+  for (const auto& triangle : grid.triangles) file.write_binary(triangle);
+  for (const auto& edge : grid.edges) file.write_binary(edge);
   file.write_binary(grid.vertices);
-  write_size(file, cells);
+  file.write_binary(cells);
   for (const Cells& kind : kinds)
-    for (std::uint64_t i = 0; i < kind.count; ++i) file.write_binary(std::span<const std::uint8_t>(&kind.type, 1));
-  write_size(file, of_ends);
+    for (std::uint64_t i = 0; i < kind.count; ++i) file.write_binary(kind.type);
+  file.write_binary(of_ends);
   std::uint64_t end = 0;  // of a cell among the corners of all cells
   for (const Cells& kind : kinds)
-    for (std::uint64_t i = 0; i < kind.count; ++i) write_size(file, end += kind.corners);
-  write_arrays(file, grid.of_points);
-  write_arrays(file, grid.of_cells);
+    for (std::uint64_t i = 0; i < kind.count; ++i) file.write_binary(end += kind.corners);
+  for (const std::vector<VtuArray>* arrays : {&grid.of_points, &grid.of_cells})
+    for (const VtuArray& array : *arrays) write_array(file, array);
   file.write("\n</AppendedData>\n</VTKFile>\n");
 }
 

@@ -8,26 +8,48 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "io/bytes/output_file.h"
-#include "rbpa/base/point3.h"
+#include "io/mesh/equal_positions.h"
 
 namespace rbpa::app {
 
 /// An array with numbers for each point, or for each cell.
 struct VtuArray {
-  std::string_view type;  ///< of VTK: "Float64", "UInt32", "UInt8"
-  std::string name;       ///< as XML
+  std::string_view type = {};  ///< of VTK: "Float64", "UInt32", "UInt16", "UInt8"
+  std::string name = {};       ///< as XML
   std::size_t components = 1;
-  std::uint64_t bytes = 0;
+  std::uint64_t rows = 0, bytes = 0;
   std::function<void(OutputFile&)> write = {};  ///< writes exactly `bytes` bytes
 };
 
+/// Returns the array of value(row) for each of `rows`, which view data that outlive the array. A value is a number or
+/// an std::array of numbers: doubles, or unsigned integers of 1, 2 or 4 bytes.
+template <typename Rows, typename Value = std::identity>
+VtuArray vtu_array(std::string name, Rows rows, Value value = {}) {
+  using Row = std::remove_cvref_t<decltype(value(*rows.begin()))>;
+  std::size_t components = 1;
+  if constexpr (requires { std::tuple_size<Row>::value; }) components = std::tuple_size_v<Row>;
+  const std::size_t size = sizeof(Row) / components;
+  return {.type = size == 8   ? "Float64"
+                  : size == 4 ? "UInt32"
+                  : size == 2 ? "UInt16"
+                              : "UInt8",
+          .name = std::move(name),
+          .components = components,
+          .rows = rows.size(),
+          .bytes = rows.size() * sizeof(Row),
+          .write = [rows, value](OutputFile& file) {
+            for (const auto& row : rows) file.write_binary(value(row));
+          }};
+}
+
 /// A grid whose cells are the tetrahedra, then the triangles, the edges and the vertices, all as indices of points.
 struct VtuGrid {
-  std::uint64_t points = 0;
-  std::function<void(OutputFile&)> write_positions = {};  ///< writes three doubles for each point
+  VtuArray positions;  ///< three doubles for each point; its name is not used
   std::span<const std::array<std::uint32_t, 4>> tetrahedra = {};
   std::span<const std::array<std::uint32_t, 3>> triangles = {};
   std::span<const std::array<std::uint32_t, 2>> edges = {};
@@ -37,8 +59,8 @@ struct VtuGrid {
   std::string shown_of_points = {}, shown_of_cells = {};
 };
 
-/// Writes three doubles for each point.
-void write_coordinates(OutputFile& file, std::span<const Point3> points);
+/// Returns the positions of a grid.
+inline VtuArray vtu_positions(std::span<const Point3> points) { return vtu_array("", points, position_of); }
 
 void write_vtu(OutputFile& file, const VtuGrid& grid);
 

@@ -65,7 +65,7 @@ class Numbers {
     accessors_.push_back(accessor);
     size_ += bytes.size();  // the size of every row is a multiple of four bytes
     write_.push_back([rows](OutputFile& file) {
-      for (const Row& row : rows) write_row(file, row);
+      for (const Row& row : rows) file.write_binary(row);
     });
     return accessors_.size() - 1;
   }
@@ -78,20 +78,12 @@ class Numbers {
   }
 
  private:
-  template <typename Value, std::size_t n>
-  static void write_row(OutputFile& file, const std::array<Value, n>& row) {
-    file.write_binary(std::span<const Value>(row));
-  }
-
   std::uint64_t size_ = 0;
   Json views_ = Json::array(), accessors_ = Json::array();
   std::vector<std::function<void(OutputFile&)>> write_;
 };
 
-void write_word(OutputFile& file, std::uint64_t word) {
-  const std::uint32_t words[] = {static_cast<std::uint32_t>(word)};
-  file.write_binary(std::span<const std::uint32_t>(words));
-}
+void write_word(OutputFile& file, std::uint64_t word) { file.write_binary(static_cast<std::uint32_t>(word)); }
 
 void write_container(OutputFile& file, const Json& json, const Numbers& numbers) {
   std::string text = json.dump();

@@ -31,9 +31,7 @@ struct SurfacePolygons {
 
   std::size_t points() const { return mesh.vertices.size(); }
   std::size_t faces() const { return mesh.triangles.size(); }
-  std::array<double, 3> point(std::size_t i) const {
-    return {mesh.vertices[i].x, mesh.vertices[i].y, mesh.vertices[i].z};
-  }
+  Position point(std::size_t i) const { return position_of(mesh.vertices[i]); }
   std::span<const std::uint32_t> face(std::size_t f) const { return mesh.triangles[f]; }
 
   std::string properties() const {
@@ -45,13 +43,10 @@ struct SurfacePolygons {
     return lines;
   }
   void write_properties(OutputFile& file, std::size_t i) const {
-    if (!mesh.normals.empty()) {
-      const double normal[] = {mesh.normals[i].x, mesh.normals[i].y, mesh.normals[i].z};
-      file.write_binary(std::span<const double>(normal));
-    }
-    if (!mesh.colors.empty()) file.write_binary(std::span<const std::uint8_t>(mesh.colors[i]));
-    if (!mesh.points.empty()) file.write_binary(mesh.points.subspan(i, 1));
-    if (!mesh.confidence.empty()) file.write_binary(mesh.confidence.subspan(i, 1));
+    if (!mesh.normals.empty()) file.write_binary(position_of(mesh.normals[i]));
+    if (!mesh.colors.empty()) file.write_binary(mesh.colors[i]);
+    if (!mesh.points.empty()) file.write_binary(mesh.points[i]);
+    if (!mesh.confidence.empty()) file.write_binary(mesh.confidence[i]);
   }
 };
 
@@ -78,13 +73,11 @@ void write_stl(OutputFile& file, const SpaceMesh& mesh) {
     bad_input(file.name(), counted(mesh.triangles.size(), "triangle"), "fewer than 2^32 in an STL file");
   const SinglePositions positions = kept_positions(file, Format::stl, mesh);
   file.write(stl_header(positions.shift));
-  const std::uint32_t count[] = {static_cast<std::uint32_t>(mesh.triangles.size())};
-  file.write_binary(std::span<const std::uint32_t>(count));
+  file.write_binary(static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const auto& triangle : mesh.triangles) {
     const Point3 &a = mesh.vertices[triangle[0]], &b = mesh.vertices[triangle[1]], &c = mesh.vertices[triangle[2]];
-    const std::array<float, 3> normal = unit_normal(a, b, c);
-    file.write_binary(std::span<const float>(normal));
-    for (const std::uint32_t corner : triangle) file.write_binary(std::span<const float>(positions.at[corner]));
+    file.write_binary(unit_normal(a, b, c));
+    for (const std::uint32_t corner : triangle) file.write_binary(positions.at[corner]);
     file.write({"\0\0", 2});
   }
 }

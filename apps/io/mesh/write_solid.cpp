@@ -9,14 +9,6 @@
 namespace rbpa::app {
 namespace {
 
-std::array<double, 3> coordinates(const Point3& p) { return {p.x, p.y, p.z}; }
-
-void write_vtu(OutputFile& file, const SolidMesh& mesh) {
-  write_vtu(file, {.points = mesh.vertices.size(),
-                   .write_positions = [&](OutputFile& out) { write_coordinates(out, mesh.vertices); },
-                   .tetrahedra = mesh.tetrahedra});
-}
-
 /// Writes a line of Medit's format: the values, and 0, the number of their part.
 template <typename Values>
 void write_medit_line(OutputFile& file, const Values& values) {
@@ -32,7 +24,7 @@ void write_medit_line(OutputFile& file, const Values& values) {
 
 void write_medit(OutputFile& file, const SolidMesh& mesh) {
   file.write_all("MeshVersionFormatted 2\nDimension 3\nVertices\n", mesh.vertices.size(), "\n");
-  for (const Point3& p : mesh.vertices) write_medit_line(file, coordinates(p));
+  for (const Point3& p : mesh.vertices) write_medit_line(file, position_of(p));
   file.write_all("Tetrahedra\n", mesh.tetrahedra.size(), "\n");
   for (const auto& tetrahedron : mesh.tetrahedra) {
     std::array<std::uint64_t, 4> corners{};
@@ -47,7 +39,7 @@ void write_gmsh(OutputFile& file, const SolidMesh& mesh) {
   file.write_all("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n", mesh.vertices.size(), "\n");
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     file.write_all(i + 1, " ");
-    write_position(file, "", coordinates(mesh.vertices[i]));
+    write_position(file, "", position_of(mesh.vertices[i]));
   }
   file.write_all("$EndNodes\n$Elements\n", mesh.tetrahedra.size(), "\n");
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
@@ -63,7 +55,7 @@ void write_solid(OutputFile& file, Format format, const SolidMesh& mesh) {
   if (format == Format::npy) return write_npy_rows(file, mesh.tetrahedra, mesh.index);
   if (format == Format::medit) return write_medit(file, mesh);
   if (format == Format::gmsh) return write_gmsh(file, mesh);
-  write_vtu(file, mesh);
+  write_vtu(file, {.positions = vtu_positions(mesh.vertices), .tetrahedra = mesh.tetrahedra});
 }
 
 }  // namespace rbpa::app

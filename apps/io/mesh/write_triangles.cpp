@@ -53,8 +53,7 @@ struct WithHeights {
     return mesh.features == nullptr ? "" : "property uint " + mesh.features->name + "\n";
   }
   void write_face_properties(OutputFile& file, std::size_t f) const {
-    if (mesh.features != nullptr)
-      file.write_binary(std::span<const std::uint32_t>(mesh.features->of_triangle).subspan(f, 1));
+    if (mesh.features != nullptr) file.write_binary(mesh.features->of_triangle[f]);
   }
 };
 
@@ -112,21 +111,13 @@ TriangleList list_of_triangles(const TriangleMesh& mesh, const std::optional<Crs
 }
 
 void write_triangles(OutputFile& file, Format format, const TriangleMesh& mesh) {
-  switch (format) {
-    case Format::obj:
-      return write_obj_with_all(file, mesh);
-    case Format::npy:
-      return write_npy_rows(file, mesh.triangles, mesh.index);
-    case Format::npy_edges:
-      return write_npy_rows(file, mesh.edges, mesh.index);
-    case Format::npy_points:
-      file.write(npy_header("<u4", mesh.points.size(), ","));
-      return file.write_binary(std::span<const std::uint32_t>(renumbered(mesh.points, mesh.index)));
-    case Format::vtu:
-      return write_vtu(file, mesh);
-    default:
-      return write_polygons(file, format, WithHeights{mesh});
-  }
+  if (format == Format::obj) return write_obj_with_all(file, mesh);
+  if (format == Format::npy) return write_npy_rows(file, mesh.triangles, mesh.index);
+  if (format == Format::npy_edges) return write_npy_rows(file, mesh.edges, mesh.index);
+  if (format == Format::vtu) return write_vtu(file, mesh);
+  if (format != Format::npy_points) return write_polygons(file, format, WithHeights{mesh});
+  file.write(npy_header("<u4", mesh.points.size(), ","));
+  file.write_binary(std::span<const std::uint32_t>(renumbered(mesh.points, mesh.index)));
 }
 
 }  // namespace rbpa::app

@@ -208,37 +208,16 @@ void write_vtu(OutputFile& file, const SpaceRepresentatives& all) {
     }
   }
   pairs.insert(pairs.end(), pairs_of_edges.begin(), pairs_of_edges.end());
-  const auto radii = [&](const char* name, auto radius) {
-    return VtuArray{.type = "Float64",
-                    .name = name,
-                    .bytes = pairs.size() * sizeof(double),
-                    .write = [&pairs, radius](OutputFile& out) {
-                      for (const std::size_t i : pairs) {
-                        const double value = radius(i);
-                        out.write_binary(std::span<const double>(&value, 1));
-                      }
-                    }};
+  const std::span<const std::size_t> rows = pairs;
+  const auto number = [](auto of_pair) {
+    return [of_pair](std::size_t i) { return static_cast<std::uint32_t>(of_pair(i)); };
   };
-  const auto numbers = [&](const char* name, auto number) {
-    return VtuArray{.type = "UInt32",
-                    .name = name,
-                    .bytes = pairs.size() * sizeof(std::uint32_t),
-                    .write = [&pairs, number](OutputFile& out) {
-                      for (const std::size_t i : pairs) {
-                        const auto value = static_cast<std::uint32_t>(number(i));
-                        out.write_binary(std::span<const std::uint32_t>(&value, 1));
-                      }
-                    }};
-  };
-  VtuGrid grid{.points = all.points.size(),
-               .write_positions = [&](OutputFile& out) { write_coordinates(out, all.points); },
-               .triangles = triangles,
-               .edges = edges};
-  grid.of_cells.push_back(numbers("pair", [](std::size_t i) { return i + 1; }));
-  grid.of_cells.push_back(numbers("dimension", [&](std::size_t i) { return all.pairs[i].dimension; }));
-  grid.of_cells.push_back(radii("birth", [&](std::size_t i) { return all.pairs[i].birth; }));
-  grid.of_cells.push_back(
-      radii("death", [&](std::size_t i) { return *all.pairs[i].death; }));  // pairs with cells have a death
+  VtuGrid grid{.positions = vtu_positions(all.points), .triangles = triangles, .edges = edges};
+  grid.of_cells = {vtu_array("pair", rows, number([](std::size_t i) { return i + 1; })),
+                   vtu_array("dimension", rows, number([&](std::size_t i) { return all.pairs[i].dimension; })),
+                   vtu_array("birth", rows, [&](std::size_t i) { return all.pairs[i].birth; }),
+                   // pairs with cells have a death
+                   vtu_array("death", rows, [&](std::size_t i) { return *all.pairs[i].death; })};
   write_vtu(file, grid);
 }
 
