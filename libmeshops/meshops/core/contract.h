@@ -21,6 +21,9 @@ namespace detail {
 
 /// Throws ContractViolation. Out of line, so that a check costs only a comparison.
 [[noreturn, gnu::cold, gnu::noinline]] inline void violate(const char* what) { throw ContractViolation(what); }
+[[noreturn, gnu::cold, gnu::noinline]] inline void violate(const char* before, long long number, const char* after) {
+  throw ContractViolation(before + std::to_string(number) + after);
+}
 
 }  // namespace detail
 
@@ -28,6 +31,11 @@ namespace detail {
 inline void require(bool holds, const char* what) {
   if (!holds) [[unlikely]]
     detail::violate(what);
+}
+/// Throws ContractViolation with a message that names a number, unless `holds`: "level: face 7 does not exist".
+inline void require(bool holds, const char* before, long long number, const char* after) {
+  if (!holds) [[unlikely]]
+    detail::violate(before, number, after);
 }
 
 /// Throws ContractViolation unless there are as many values as items: "report: found 3 points for 5 vertices, expected

@@ -11,7 +11,8 @@ namespace meshops {
 
 bool on_same_curve(const Connectivity& mesh, Halfedge a, Halfedge b) {
   for (const Halfedge h : {a, b})
-    require(is_live(mesh, h) && mesh.is_boundary(h), "on_same_curve: not a boundary halfedge");
+    require(is_live(mesh, h) && mesh.is_boundary(h), "on_same_curve: halfedge ", h.idx(),
+            " is not a boundary halfedge");
   if (a == b) return true;
   for (Halfedge from_a = a, from_b = b;;) {
     from_a = mesh.next_halfedge_handle(from_a);
@@ -28,7 +29,8 @@ bool in_same_component(const Connectivity& mesh, Face a, Face b, Edge without) {
 }
 
 std::optional<std::vector<Face>> smaller_part(const Connectivity& mesh, Face a, Face b, Edge without) {
-  require(is_live(mesh, a) && is_live(mesh, b), "smaller_part: a face does not exist or is deleted");
+  for (const Face f : {a, b})
+    require(is_live(mesh, f), "smaller_part: face ", f.idx(), " does not exist or is deleted");
   if (a == b) return std::nullopt;
   struct Search {
     std::unordered_set<int> seen;

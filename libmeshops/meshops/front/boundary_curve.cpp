@@ -7,7 +7,8 @@
 namespace meshops {
 
 BoundaryCurve::BoundaryCurve(const Connectivity& mesh, Halfedge through) : mesh_(&mesh), through_(through) {
-  require(is_live(mesh, through) && mesh.is_boundary(through), "BoundaryCurve: not a boundary halfedge");
+  require(is_live(mesh, through) && mesh.is_boundary(through), "BoundaryCurve: halfedge ", through.idx(),
+          " is not a boundary halfedge");
 }
 
 std::size_t BoundaryCurve::length() const {
@@ -19,7 +20,7 @@ std::size_t BoundaryCurve::length() const {
 bool BoundaryCurve::contains(Halfedge h) const { return on_same_curve(*mesh_, through_, h); }
 
 std::optional<BoundaryCurve> boundary_curve_at(const Connectivity& mesh, Vertex v) {
-  require(is_live(mesh, v), "boundary_curve_at: the vertex does not exist or is deleted");
+  require(is_live(mesh, v), "boundary_curve_at: vertex ", v.idx(), " does not exist or is deleted");
   if (mesh.is_isolated(v) || !mesh.is_boundary(v)) return std::nullopt;
   return BoundaryCurve(mesh, mesh.halfedge_handle(v));
 }

@@ -20,8 +20,9 @@ SiteVertices vertices_on(Connectivity& mesh, std::span<const Site> site_of_verte
 
 Front::Front(Connectivity& mesh, std::size_t sites, std::size_t supply)
     : mesh_(mesh), guard_(mesh), vertices_(mesh, sites), supply_(supply), waiting_(mesh) {
-  require(mesh.n_vertices() == 0, "Front: the mesh is not empty");
-  require(supply > 0, "Front: supply is 0");
+  require(mesh.n_vertices() == 0, "Front: the mesh has ", static_cast<long long>(mesh.n_vertices()),
+          " vertices, expected none");
+  require(supply > 0, "Front: supply is 0, expected 1 or more");
   mesh.resize(sites, 0, 0);
   guard_.count_elements();
 }
@@ -59,7 +60,7 @@ Front::Front(AssembledPatches&& assembled, std::size_t supply)
       edges_(mesh_.n_edges()),
       faces_(mesh_.n_faces()),
       waiting_(mesh_) {
-  require(supply > 0, "Front: supply is 0");
+  require(supply > 0, "Front: supply is 0, expected 1 or more");
   guard_.count_elements();
   waiting_.queue_all(std::move(assembled.open_));
   for (const auto& [first, end] : assembled.holes_)
@@ -83,7 +84,7 @@ bool Front::is_boundary(Halfedge h) const {
 }
 
 std::size_t Front::level(Face f) const {
-  require(f.idx() >= 0 && static_cast<std::size_t>(f.idx()) < faces_, "level: the face does not exist");
+  require(f.idx() >= 0 && static_cast<std::size_t>(f.idx()) < faces_, "level: face ", f.idx(), " does not exist");
   return levels_.level(f);
 }
 
@@ -228,13 +229,13 @@ void Front::requeue(Halfedge in_hand, std::span<const Halfedge> next) {
 
 void Front::activate(Halfedge h) {
   guard_.require_states_changeable();
-  require(is_boundary(h), "activate: not a boundary halfedge");
+  require(is_boundary(h), "activate: halfedge ", h.idx(), " is not a boundary halfedge");
   if (!is_active(h) || waiting_.is_deferred(h)) waiting_.queue(h);
 }
 
 void Front::freeze(Halfedge h) {
   guard_.require_states_changeable();
-  require(is_boundary(h), "freeze: not a boundary halfedge");
+  require(is_boundary(h), "freeze: halfedge ", h.idx(), " is not a boundary halfedge");
   if (!is_frozen(h)) waiting_.freeze(h);
 }
 

@@ -260,7 +260,8 @@ class MESHOPS_API Front {
   }
   Halfedge checked(Halfedge h) const {
     guard_.require_intact();
-    require(h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < 2 * edges_, "Front: the halfedge does not exist");
+    require(h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < 2 * edges_, "Front: halfedge ", h.idx(),
+            " does not exist");
     return h;
   }
   friend class detail::EngineSide;

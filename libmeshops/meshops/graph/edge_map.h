@@ -25,8 +25,8 @@ auto edge_map(OfEdge of_edge) {
 template <typename Mesh>
 auto length_map(const Mesh& mesh) {
   return edge_map([&mesh](Edge e) {
-    require(e.idx() >= 0 && static_cast<std::size_t>(e.idx()) < mesh.Connectivity::n_edges(),
-            "length_map: the edge does not exist or is deleted");
+    require(e.idx() >= 0 && static_cast<std::size_t>(e.idx()) < mesh.Connectivity::n_edges(), "length_map: edge ",
+            e.idx(), " does not exist");
     const Halfedge h = mesh.halfedge_handle(e, 0);
     const auto along = mesh.point(mesh.to_vertex_handle(h)) - mesh.point(mesh.from_vertex_handle(h));
     return static_cast<double>(along.norm());

@@ -112,7 +112,7 @@ class GraphView {
  private:
   Halfedge in_range(Halfedge h) const {
     require(h.idx() >= 0 && static_cast<std::size_t>(h.idx()) < mesh_->Connectivity::n_halfedges(),
-            "graph view: the edge does not exist or is deleted");
+            "graph view: halfedge ", h.idx(), " does not exist");
     return h;
   }
 

@@ -7,7 +7,7 @@
 namespace meshops {
 
 TriangleRim rim_of(const Connectivity& mesh, Face f) {
-  require(is_live(mesh, f), "rim_of: the face does not exist or is deleted");
+  require(is_live(mesh, f), "rim_of: face ", f.idx(), " does not exist or is deleted");
   TriangleRim rim;
   Halfedge side = mesh.halfedge_handle(f);
   for (unsigned i = 0; i < 3; ++i, side = mesh.next_halfedge_handle(side)) {
@@ -15,7 +15,7 @@ TriangleRim rim_of(const Connectivity& mesh, Face f) {
     rim.corner[i] = mesh.from_vertex_handle(side);
     rim.is_glued[i] = !mesh.is_boundary(mesh.opposite_halfedge_handle(side));
   }
-  require(side == rim.side[0], "rim_of: the face is not a triangle");
+  require(side == rim.side[0], "rim_of: face ", f.idx(), " is not a triangle");
   for (unsigned i = 0; i < 3; ++i)
     rim.is_passage[i] = rim.is_glued[i] && rim.is_glued[(i + 2) % 3] && mesh.is_boundary(rim.corner[i]);
   return rim;

@@ -213,7 +213,8 @@ void History::redo() {
 }
 
 void History::undo_to(std::size_t steps) {
-  require(steps <= done_.size(), "History: there are fewer steps than are to be left");
+  require(steps <= done_.size(), "History: there are fewer than the ", static_cast<long long>(steps),
+          " steps to be left");
   while (done_.size() > steps) undo();
 }
 

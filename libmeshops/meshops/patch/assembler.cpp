@@ -8,7 +8,7 @@
 namespace meshops {
 namespace {
 
-constexpr std::size_t edges_at_a_time = 16;  // at the rim
+constexpr std::size_t edges_at_a_time = 16;  // by how many edges the mesh grows at the rim
 constexpr std::size_t ahead = 8;             // memory is prefetched this many sides ahead
 
 std::size_t index(int side) { return static_cast<std::size_t>(side); }
@@ -24,7 +24,8 @@ int either(int a, int b, bool is_a) { return b ^ ((a ^ b) & -static_cast<int>(is
 }  // namespace
 
 PatchAssembler::PatchAssembler(Connectivity& mesh, std::size_t sites) : mesh_(mesh), vertices_(mesh, sites) {
-  require(mesh.n_vertices() == 0, "PatchAssembler: the mesh is not empty");
+  require(mesh.n_vertices() == 0, "PatchAssembler: the mesh has ", static_cast<long long>(mesh.n_vertices()),
+          " vertices, expected none");
   mesh.resize(sites, 0, 0);
   rims_.begin(sites);
   holes_.has_vertex.assign(sites, false);
@@ -39,7 +40,7 @@ void PatchAssembler::place(const Patch& patch, const Outline& outline, Placement
                     holes = outline.holes.size();
   require(patch.across.size() == triangles && rim + holes <= sides && (sides - rim - holes) % 2 == 0 &&
               outline.next_hole.size() == holes,
-          "lay: the outline is of another patch");
+          "lay: the outline is of another patch (survey() computes that of this one)");
   const std::size_t inner_edges = (sides - rim - holes) / 2;
   mesh_.resize(mesh_.n_vertices(), std::max(mesh_.n_edges(), edges_ + inner_edges + holes),
                std::max(mesh_.n_faces(), faces_ + triangles));

@@ -25,7 +25,8 @@ class Surveyor {
     for (int s = 0; s < sides_; ++s) {
       const int other = across(s);
       require(Patch::nothing <= other && other < sides_ && other != s && (other < 0 || across(other) == s),
-              "survey: across is not symmetric: a side lies across another, but not the reverse");
+              "survey: the entry of across for side ", s,
+              " is neither open, nor nothing, nor a side whose entry leads back");
     }
     for (int s = 0; s < sides_; ++s)
       if (across(s) == Patch::nothing)
@@ -40,8 +41,8 @@ class Surveyor {
   int across(int side) const { return across_[side]; }
   bool comes_first(int side) const { return side < across(side); }
 
-  /// If the triangles around the start of the side close, returns the last of the sides that leave it and come first in
-  /// their pair. Each side is passed once: when the walk meets a side that was seen before, the triangles do not close.
+  /// Returns, if the triangles around the start of `side` close, the greatest of the sides that leave this start and
+  /// are less than the side across. Each side is passed once: a walk that meets a side seen before does not close.
   std::optional<int> last_inside(int side) {
     int found = -1;
     for (int out = side; out >= 0 && !seen_[static_cast<std::size_t>(out)];) {
@@ -64,7 +65,7 @@ class Surveyor {
 }  // namespace
 
 void survey(const Patch& patch, Outline& outline) {
-  require(patch.across.size() == patch.triangles.size(), "survey: across needs an entry for each triangle");
+  require_one_each("survey", patch.across.size(), "entries of across", patch.triangles.size(), "triangles");
   outline.clear();
   Surveyor(patch).survey(outline);
   for (const int hole : outline.holes) outline.next_hole.push_back(next_hole(patch, hole));

@@ -28,7 +28,8 @@ SiteVertices::SiteVertices(Connectivity& mesh, std::span<const Site> site_of) : 
 }
 
 Site SiteVertices::add_site() {
-  require(sites() < static_cast<std::size_t>(std::numeric_limits<int>::max()), "Front: too many sites");
+  require(sites() < static_cast<std::size_t>(std::numeric_limits<int>::max()),
+          "Front: there are 2^31 - 1 sites already, and no more can be added");
   listed_.push_back(none);
   return static_cast<Site>(sites() - 1);
 }

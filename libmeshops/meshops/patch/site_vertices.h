@@ -47,14 +47,14 @@ class MESHOPS_API SiteVertices {
   Site site(Vertex v) const {
     const auto i = static_cast<std::size_t>(v.idx());
     if (i < first_) return static_cast<Site>(i);
-    require(i - first_ < further_.size(), "Front: the vertex does not exist");
+    require(i - first_ < further_.size(), "Front: vertex ", v.idx(), " does not exist");
     return further_[i - first_].site;
   }
 
   /// Returns whether no fan is on this site. Throws ContractViolation when the site does not exist.
   bool is_free(Site s) const {
     if (is_first(s)) return !has_own_fan(s) && first_listed(s) < 0;
-    require(s < sites(), "Front: the site does not exist");
+    require(s < sites(), "Front: site ", s, " does not exist");
     return first_listed(s) < 0;
   }
 
@@ -67,7 +67,7 @@ class MESHOPS_API SiteVertices {
   /// for_each() visits, then an invalid handle. Both throw ContractViolation also when a listed vertex has lost its
   /// faces to a change by other code.
   Vertex first(Site s) const {
-    require(s < sites(), "Front: the site does not exist");
+    require(s < sites(), "Front: site ", s, " does not exist");
     return is_first(s) && has_own_fan(s) ? Vertex(static_cast<int>(s)) : listed(first_listed(s));
   }
   Vertex next(Vertex v) const {

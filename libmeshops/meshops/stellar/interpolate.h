@@ -129,7 +129,8 @@ class Interpolate {
   template <typename Mesh>
   void set_means(Mesh& mesh, Vertex v, std::span<const Vertex> of) const {
     const auto set = [&]<typename T>(OpenMesh::VPropHandleT<T> property) {
-      require(detail::has_property(mesh, property), "Interpolate: the vertex property does not exist in the mesh");
+      require(detail::has_property(mesh, property),
+              "Interpolate: a vertex property is not one of the mesh that is split");
       T values[3] = {mesh.property(property, of[0]), mesh.property(property, of[1]),
                      mesh.property(property, of.back())};
       mesh.property(property, v) = detail::mean(std::span<const T>(values, of.size()));

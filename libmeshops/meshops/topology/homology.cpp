@@ -235,7 +235,7 @@ void check(const Connectivity& mesh, std::span<const double> lengths) {
   require_one_each("homology", lengths.size(), "lengths", mesh.n_edges(), "edges");
   double sum = 0;
   for_each_edge(mesh, [&](Edge e) {
-    require(lengths[at(e)] >= 0, "homology: the length of an edge is negative or not a number");
+    require(lengths[at(e)] >= 0, "homology: the length of edge ", e.idx(), " is negative or not a number");
     sum += lengths[at(e)];
   });
   require(std::isfinite(sum), "homology: the sum of the lengths is not finite");

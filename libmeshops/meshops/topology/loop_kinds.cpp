@@ -104,8 +104,8 @@ class Lifting {
       if (!add(above_corner(next))) return std::nullopt;
       while (next != out) {
         const Halfedge beyond = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(next));
-        require(beyond != mesh_.opposite_halfedge_handle(in),
-                "loop_kinds: a loop passes from one fan of a vertex to another");
+        require(beyond != mesh_.opposite_halfedge_handle(in), "loop_kinds: at the end of halfedge ", in.idx(),
+                " a loop passes from one fan to another");
         if (!add(above_edge(next)) || !add(above_corner(beyond))) return std::nullopt;
         next = beyond;
       }
@@ -201,23 +201,25 @@ struct Sides {
 /// Returns the face of a halfedge, or the face beyond it if there is none.
 Face face_at(const Connectivity& mesh, Halfedge h) {
   const Face f = mesh.face_handle(mesh.is_boundary(h) ? mesh.opposite_halfedge_handle(h) : h);
-  require(is_live(mesh, f), "loop_kinds: a loop has an edge without a face");
+  require(is_live(mesh, f), "loop_kinds: halfedge ", h.idx(), " of a loop has no face on either side");
   return f;
 }
 
 void require_closed(const Connectivity& mesh, const Loop& loop) {
   require(!loop.empty(), "loop_kinds: a loop is empty");
-  for (const Halfedge h : loop) require(is_live(mesh, h), "loop_kinds: a loop has a halfedge that does not exist");
+  for (const Halfedge h : loop)
+    require(is_live(mesh, h), "loop_kinds: halfedge ", h.idx(), " of a loop does not exist or is deleted");
   for (std::size_t i = 0; i < loop.size(); ++i)
     require(mesh.to_vertex_handle(loop[i]) == mesh.from_vertex_handle(loop[i + 1 == loop.size() ? 0 : i + 1]),
-            "loop_kinds: a loop has a halfedge that does not start where the one before ends");
+            "loop_kinds: halfedge ", loop[i].idx(), " of a loop does not end where the next one starts");
 }
 
 }  // namespace
 
 std::vector<LoopKind> loop_kinds(const Connectivity& mesh, std::span<const Vector> positions,
                                  std::span<const Loop> loops, const GoOn& go_on) {
-  require(positions.size() >= mesh.n_vertices(), "loop_kinds: positions needs a value for each vertex");
+  if (positions.size() < mesh.n_vertices())
+    require_one_each("loop_kinds", positions.size(), "positions", mesh.n_vertices(), "vertices");
   for (const Loop& loop : loops) require_closed(mesh, loop);
   Steps step(go_on);
   const Sides sides(mesh, positions);

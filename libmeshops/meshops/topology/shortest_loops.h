@@ -30,8 +30,8 @@ struct HomologySignature {
 
   /// Returns the words of an edge. Throws ContractViolation when the edge does not exist.
   std::span<const std::uint64_t> of(Edge e) const {
-    require(e.idx() >= 0 && (static_cast<std::size_t>(e.idx()) + 1) * words <= edges.size(),
-            "HomologySignature: the edge does not exist or is deleted");
+    require(e.idx() >= 0 && (static_cast<std::size_t>(e.idx()) + 1) * words <= edges.size(), "HomologySignature: edge ",
+            e.idx(), " does not exist");
     return std::span(edges).subspan(static_cast<std::size_t>(e.idx()) * words, words);
   }
 };
@@ -49,7 +49,7 @@ MESHOPS_API HomologySignature homology_signature(const Connectivity& mesh, const
 MESHOPS_API std::vector<Loop> shortest_homology_basis(const Connectivity& mesh, std::span<const double> lengths,
                                                       const GoOn& go_on = {});
 
-/// Returns the loops of that basis that are shorter than `below`. Requires and throws the same.
+/// Returns the loops of shortest_homology_basis() that are shorter than `below`. Requires and throws the same.
 /// Cost: the searches end at half of `below`, which makes short loops of large meshes cheap.
 MESHOPS_API std::vector<Loop> shortest_homology_loops(const Connectivity& mesh, std::span<const double> lengths,
                                                       double below, const GoOn& go_on = {});

@@ -27,7 +27,8 @@ TopologyTracker::TopologyTracker(Connectivity& mesh)
 }
 
 bool TopologyTracker::in_same_component(Vertex a, Vertex b) {
-  for (const Vertex v : {a, b}) require(is_live(mesh_, v), "TopologyTracker: the vertex does not exist or is deleted");
+  for (const Vertex v : {a, b})
+    require(is_live(mesh_, v), "TopologyTracker: vertex ", v.idx(), " does not exist or is deleted");
   return nodes_.find(node(a)) == nodes_.find(node(b));
 }
 
@@ -49,7 +50,7 @@ GlueCase TopologyTracker::case_of(Halfedge first, Halfedge second) {
 }
 
 void TopologyTracker::note_created(Halfedge first_side) {
-  require(is_live(mesh_, first_side), "TopologyTracker: the halfedge does not exist or is deleted");
+  require(is_live(mesh_, first_side), "TopologyTracker: halfedge ", first_side.idx(), " does not exist or is deleted");
   change(delta_of_create());
   const std::uint32_t fresh = new_node();
   Halfedge h = first_side;
@@ -69,7 +70,8 @@ void TopologyTracker::note(const GlueEffect& effect) {
 
 void TopologyTracker::note(const UnglueEffect& effect) {
   for (const Halfedge h : {effect.first, effect.second})
-    require(is_live(mesh_, h) && mesh_.is_boundary(h), "TopologyTracker: not a boundary halfedge");
+    require(is_live(mesh_, h) && mesh_.is_boundary(h), "TopologyTracker: halfedge ", h.idx(),
+            " is not a boundary halfedge");
   // At least one of the two halfedges has an end that is an old vertex.
   const Vertex ends[] = {mesh_.from_vertex_handle(effect.first), mesh_.to_vertex_handle(effect.first),
                          mesh_.from_vertex_handle(effect.second), mesh_.to_vertex_handle(effect.second)};
@@ -81,10 +83,11 @@ void TopologyTracker::note(const UnglueEffect& effect) {
   if (effect.what == GlueCase::join) {
     const auto face_at = [&](Halfedge h) { return mesh_.face_handle(mesh_.opposite_halfedge_handle(h)); };
     parted = smaller_part(mesh_, face_at(effect.first), face_at(effect.second));
-    require(parted.has_value(), "TopologyTracker: the component was not split");
+    require(parted.has_value(),
+            "TopologyTracker: unglue() split no component, contrary to its effect (pass the effect unchanged)");
   }
   for (const Vertex v : {effect.new_start, effect.new_end})
-    require(!v.is_valid() || is_live(mesh_, v), "TopologyTracker: the vertex does not exist or is deleted");
+    require(!v.is_valid() || is_live(mesh_, v), "TopologyTracker: vertex ", v.idx(), " does not exist or is deleted");
 
   change(effect.delta());
   for (const Vertex v : {effect.new_start, effect.new_end})
@@ -102,12 +105,13 @@ void TopologyTracker::note(const UnglueEffect& effect) {
 }
 
 void TopologyTracker::note(const CloseCurveEffect& effect) {
-  require(is_live(mesh_, effect.face), "TopologyTracker: the face does not exist or is deleted");
+  require(is_live(mesh_, effect.face), "TopologyTracker: face ", effect.face.idx(), " does not exist or is deleted");
   change(effect.delta());
 }
 
 void TopologyTracker::note(const OpenCurveEffect& effect) {
-  require(is_live(mesh_, effect.curve) && mesh_.is_boundary(effect.curve), "TopologyTracker: not a boundary halfedge");
+  require(is_live(mesh_, effect.curve) && mesh_.is_boundary(effect.curve), "TopologyTracker: halfedge ",
+          effect.curve.idx(), " is not a boundary halfedge");
   change(effect.delta());
 }
 
@@ -158,8 +162,8 @@ void TopologyTracker::put(Vertex v, std::uint32_t node) {
 }
 
 std::uint32_t TopologyTracker::node(Vertex v) const {
-  require(v.is_valid() && static_cast<std::size_t>(v.idx()) < node_of_.size(),
-          "TopologyTracker: found a vertex that is invalid or unknown (call note() after each operator)");
+  require(v.is_valid() && static_cast<std::size_t>(v.idx()) < node_of_.size(), "TopologyTracker: vertex ", v.idx(),
+          " is invalid or unknown (call note() after each operator)");
   return node_of_[static_cast<std::size_t>(v.idx())];
 }
 

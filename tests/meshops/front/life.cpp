@@ -252,7 +252,7 @@ TEST_SUITE("life of a front") {
       Front front(std::move(patches));
       CHECK(refusal([&] { Front another(std::move(patches)); }) == gone);
       CHECK(refusal([&] { std::move(patches).finish(); }) == gone);
-      CHECK(refusal([&] { (void)patches.is_free(3); }) == "Front: the site does not exist");
+      CHECK(refusal([&] { (void)patches.is_free(3); }) == "Front: site 3 does not exist");
       front.create(1, 0, 3);
       check_sound(mesh);
     }
