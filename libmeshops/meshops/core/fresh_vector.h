@@ -1,7 +1,6 @@
-// What: a vector for large arrays whose elements are written before they are read.
+// What: a vector for large arrays of trivially copyable elements that are written before they are read.
 // Law:  elements that resize() adds have no value until one is written: no time is spent on zeros, and threads can
-//       share the first touch of the memory. Arrays of 2 MiB or more request large pages. Elements must be trivially
-//       copyable.
+//       share the first touch of the memory. Arrays of 2 MiB or more request large pages.
 #pragma once
 
 #include <cstddef>

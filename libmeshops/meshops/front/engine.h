@@ -20,8 +20,7 @@ namespace meshops {
 /// Advances the active front until no active halfedge is left, then inserts a seed and continues, until there is no
 /// further seed or the same seed is refused twice in a row. After Front::next_level() the engine begins with the
 /// halfedges that were frozen. Deferred edges get their turn whenever no other edge is active and a triangle was
-/// inserted or detached since, before the next seed; when there is no seed, they are frozen, and seed() is called once
-/// more.
+/// inserted or detached since, before the next seed; without a seed they are frozen, and seed() is called once more.
 /// Throws: whatever the policy or the visitor throws, including the comparisons and moves of keys. The mesh is then
 ///         sound, the edges that were active or being processed are active, and another advance() continues with them
 ///         in the same order. ContractViolation when the mesh or the front is changed during a call: by the policy in

@@ -237,8 +237,7 @@ class MESHOPS_API Front {
   /// removes the vertices without triangles and renumbers the others, keeping their order. A front that began with a
   /// mesh of the user leaves every handle as it is. Detached elements stay marked deleted.
   /// Returns:     the site of each vertex of the mesh.
-  /// Invalidates: vertex handles, unless the front began with a mesh of the user; and this front, which has no sites
-  ///              any more.
+  /// Invalidates: this front, which has no sites then; vertex handles, unless the front began with a mesh of the user.
   std::vector<Site> finish();
 
  private:

@@ -90,8 +90,7 @@ concept GluingFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& fr
 ///                      equal keys the oldest halfedge. It is called once each time that a halfedge becomes active, and
 ///                      must not change the front.
 /// Without key() the order is first in, first out. A member named `key` or `glues` of another form is an error at
-/// compile time, and so is one that a `requires` clause disables: put such a member into a class derived from the
-/// policy.
+/// compile time, and so is one that a `requires` clause disables: declare that one in a class derived from the policy.
 template <typename P>
 concept OrderedFrontPolicy = FrontPolicy<P> && requires(P policy, const Front& front, Halfedge h) {
   { policy.key(front, h) } -> std::totally_ordered;

@@ -52,8 +52,7 @@ class MESHOPS_API WaitingEdges {
 
   /// Defers a boundary halfedge until the revision of the front, which only grows, has changed.
   void defer(Halfedge h, std::size_t revision);
-  /// Queues the halfedges that were deferred at other revisions, the one deferred first first. Returns: whether there
-  /// were any.
+  /// Queues the halfedges that were deferred at other revisions, in order of deferral. Returns: whether there were any.
   bool wake_deferred(std::size_t revision);
   /// Removes and returns the halfedge that was deferred first, which stays active; an invalid handle when there is
   /// none.

@@ -37,8 +37,7 @@ struct Dual {
 
 }  // namespace detail
 
-/// Graph of the faces. Two faces that share several edges are joined by as many. edges() names an edge by its first
-/// halfedge.
+/// Graph of the faces. Two faces that share several edges are joined by as many. edges() lists their first halfedges.
 /// Cost of a step around a face: constant; boundary edges of the face are skipped.
 using DualGraph = GraphView<detail::Dual, boost::undirected_tag>;
 

@@ -20,8 +20,7 @@ struct TriangleRim {
   std::array<bool, 3> is_passage;  ///< without the triangle, the fan at the corner would be two
 };
 
-/// Returns the rim of a triangle. Requires: a sound mesh. Throws ContractViolation unless `f` is a live triangle.
-/// Cost: constant.
+/// Returns the rim of a live triangle of a sound mesh. Throws ContractViolation if `f` is none. Cost: constant.
 MESHOPS_API TriangleRim rim_of(const Connectivity& mesh, Face f);
 
 /// Marks the triangle as deleted, together with its edges that have no other face. Its other sides become boundary

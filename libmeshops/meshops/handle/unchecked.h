@@ -9,8 +9,7 @@
 
 namespace meshops::detail {
 
-/// Returns why the operator is refused, or nullptr when it is not. (A reason is a literal, so that it allocates no
-/// memory.)
+/// Returns why the operator is refused, or nullptr when it is not. Reasons are literals, which allocate no memory.
 const char* glue_refusal(const Connectivity& mesh, Halfedge first, Halfedge second);
 const char* unglue_refusal(const Connectivity& mesh, Halfedge h);
 /// Returns why two vertices cannot be merged, or nullptr when they can. Each is given by the boundary halfedge that

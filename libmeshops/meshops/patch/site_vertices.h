@@ -75,9 +75,8 @@ class MESHOPS_API SiteVertices {
     return listed(i < first_ ? first_listed(static_cast<Site>(i)) : further_[i - first_].next);
   }
 
-  /// Returns an isolated vertex for a further fan on the site, and lists the vertex there. It gets the properties of
-  /// the first vertex with faces on the site, if there is one. Throws ContractViolation if other code marked the
-  /// vertex deleted.
+  /// Returns an isolated vertex for a further fan on the site, listed there, with the properties of the first vertex
+  /// that has faces there, if any. Throws ContractViolation if other code marked the returned vertex deleted.
   Vertex take(Site s);
   /// Releases a vertex that is isolated again. The last vertex on its site waits for the next triangle there; others
   /// can serve any site, and are marked deleted meanwhile if the mesh has status.
