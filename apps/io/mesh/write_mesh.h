@@ -1,5 +1,6 @@
-// What: writes meshes in space: polygons; surfaces with normals and colors; closed polylines on them.
-// Law:  read_mesh() reads the same points back, to the last bit (but for STL), and the same faces.
+// What: writes meshes in space: polygons; surfaces with normals and colors; closed polylines on them; tetrahedra.
+// Law:  read_mesh() reads the same points back, to the last bit (but for STL), and the same faces. The bytes depend on
+//       the mesh alone. Coordinates in double precision read back to the same doubles.
 #pragma once
 
 #include <array>
@@ -72,5 +73,16 @@ using Polyline = std::vector<std::uint32_t>;
 /// JSON: a list of {"kind": the group, if there are any, "vertices": [numbers from 0], "positions": [[x, y, z], …]}.
 void write_polylines(OutputFile& file, Format format, std::span<const std::array<double, 3>> positions,
                      std::span<const Polyline> loops, std::span<const std::string_view> groups = {});
+
+/// Tetrahedra, whose vertices are all points, in input order.
+struct SolidMesh {
+  std::span<const Point3> vertices;
+  std::span<const std::array<std::uint32_t, 4>> tetrahedra;
+  std::span<const std::uint32_t> index = {};  ///< input index of each vertex; empty if vertex i has index i
+};
+
+/// Writes VTU with appended raw data; Medit's .mesh or Gmsh's .msh, version 2.2, both text with vertices numbered from
+/// 1; or the tetrahedra as an .npy array of uint32 with shape (n, 4). Requires: a format of Use::solid, no picture.
+void write_solid(OutputFile& file, Format format, const SolidMesh& mesh);
 
 }  // namespace rbpa::app

@@ -14,7 +14,6 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/mesh/write_mesh.h"
-#include "io/mesh/write_solid.h"
 #include "picture/picture.h"
 #include "picture/surface_picture.h"
 #include "rbpa/base/error.h"

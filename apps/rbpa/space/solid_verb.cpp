@@ -13,7 +13,6 @@
 #include "io/interrupt.h"
 #include "io/mesh/vertices_of_points.h"
 #include "io/mesh/write_mesh.h"
-#include "io/mesh/write_solid.h"
 #include "picture/picture.h"
 #include "picture/surface_picture.h"
 #include "rbpa/base/error.h"
