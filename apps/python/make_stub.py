@@ -51,7 +51,7 @@ def typed(signature: str, classes: dict[str, type]) -> str:
 
 
 def body(text: str, indent: str) -> str:
-    """What is behind a signature: the documentation, or nothing."""
+    """Returns the text behind a signature: the documentation, or an ellipsis."""
     text = text.strip().replace("\\", "\\\\")
     return f'\n{indent}    """{text}"""' if text else " ..."
 

@@ -6,15 +6,14 @@ import math
 from functools import cached_property
 from typing import Any, Optional
 
-import numpy as np
 import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._input import PLATEAU, Alpha, Floats, Indices, Progress
-from rbpa._input import as_area, as_choice, as_count, as_points, as_share, as_threads, or_auto
+from rbpa._input import as_choice, as_count, as_number, as_points, as_share, as_threads, or_auto
 from rbpa._plot import draw_dots, median_side, page_scale, side_style
 from rbpa._polygons import Outlined, Polygons
-from rbpa._result import Triangles
+from rbpa._result import Simplices
 
 
 def alpha_shape(
@@ -51,10 +50,6 @@ def alpha_shape(
     progress : callable, optional
         Called as progress(triangles, points) every 0.1 s, in the calling thread. Returning False ends the run with
         `Cancelled`; an exception ends it, too.
-
-    Returns
-    -------
-    AlphaShape
 
     Raises
     ------
@@ -126,7 +121,7 @@ def concave_hull(
     return shape.filtered(min_hole_area=0.0 if allow_holes else math.inf)
 
 
-class AlphaShape(Outlined, Triangles):
+class AlphaShape(Outlined, Simplices):
     """The solid alpha complex of points, as returned by `alpha_shape`. Arrays are read-only.
 
     Attributes
@@ -166,7 +161,8 @@ class AlphaShape(Outlined, Triangles):
         below `min_part_area` are dropped.
         """
         self._require_unchanged()
-        areas = as_area(min_hole_area, "min_hole_area"), as_area(min_part_area, "min_part_area")
+        given = {"min_hole_area": min_hole_area, "min_part_area": min_part_area}
+        areas = [as_number(area, name, "an area, 0 or more") for name, area in given.items()]
         flat = _core.polygons(self.points, self.simplices, self.neighbors, *areas)
         return Polygons(self.points, flat)
 
@@ -178,8 +174,8 @@ class AlphaShape(Outlined, Triangles):
         ax : matplotlib axes, optional
             The axes to draw into; the current axes by default.
         triangles : bool
-            Draw the sides of the triangles, too: paler if they are short on the page, and not at all if they would be a
-            blot. To zoom, set the limits of `ax` before.
+            Draw the sides of the triangles, too: paler if they are short on the page, and none if they are too short to
+            be distinguished. To zoom, set the limits of `ax` before.
         points : bool
             Draw the points, isolated ones in red; smaller and paler if they are dense.
         style

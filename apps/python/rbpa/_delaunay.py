@@ -11,10 +11,10 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._input import Floats, Indices, Progress, aligned, as_array, as_points, as_threads, index_of, shown
-from rbpa._result import Triangles, freeze
+from rbpa._result import Simplices, freeze
 
 
-class Delaunay(Triangles):
+class Delaunay(Simplices):
     """The Delaunay triangulation of points in the plane or in space, with the attributes of scipy.spatial.Delaunay.
 
     Differences from SciPy: points without a triangle (fewer than three, or on one line) give an empty triangulation
@@ -281,7 +281,7 @@ class Delaunay(Triangles):
 
     @cached_property
     def vertex_to_simplex(self) -> Indices:
-        """Some simplex that has each point as a corner, or -1; int32 of shape (n,)."""
+        """For each point a simplex that has it as a corner, or -1: int32 array of shape (n,)."""
         of = np.full(len(self.points), -1, dtype=np.int32)
         for corner in range(self.ndim + 1):
             of[self.simplices[:, corner]] = np.arange(len(self.simplices), dtype=np.int32)
@@ -290,11 +290,8 @@ class Delaunay(Triangles):
 
     @cached_property
     def coplanar(self) -> Indices:
-        """Points that are not vertices, here the duplicates: rows of the point, a triangle that contains it, and the
-        equal vertex.
-
-        Int32 of shape (d, 3).
-        """
+        """Points that are not vertices, here the duplicates: int32 array of shape (d, 3), with rows of the point, a
+        triangle that contains it, and the equal vertex."""
         point, vertex = self.duplicates.T
         of: Indices = np.column_stack((point, self.vertex_to_simplex[vertex], vertex)).astype(np.int32)
         freeze(of)
@@ -349,13 +346,7 @@ class DelaunayInSpace(Delaunay):
         behind, across = np.nonzero(made["neighbors"] < 0)
         faces = np.array([[1, 2, 3], [0, 3, 2], [0, 1, 3], [0, 2, 1]])  # counter-clockwise seen from outside
         made["convex_hull"] = made["simplices"][behind[:, None], faces[across]]
-        Triangles.__init__(self, made, points=array)
-
-    def to_meshio(self) -> Any:
-        """Returns a meshio.Mesh of all points and the tetrahedra. Needs the package meshio."""
-        import meshio
-
-        return meshio.Mesh(self.points, [("tetra", self.simplices)])
+        Simplices.__init__(self, made, points=array)
 
     @cached_property
     def _locator(self) -> Any:
@@ -411,8 +402,7 @@ def _in_space(points: Floats) -> Floats:
 
 
 def _weighted(weights: Floats, values: Floats) -> Floats:
-    """Returns the weighted sums of the corners' values. A value of weight zero does not count, even if it is
-    infinite."""
+    """Returns the weighted sums of the corners' values. A value of weight zero is left out, even if it is infinite."""
     terms = np.zeros(values.shape)
     np.multiply(weights[:, :, None], values, out=terms, where=weights[:, :, None] != 0)
     mean: Floats = terms.sum(axis=1)

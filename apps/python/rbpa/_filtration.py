@@ -9,8 +9,8 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._input import Floats, Indices, Integers, Progress
-from rbpa._input import as_choice, as_count, as_numbers, as_pair_choice, as_points, as_share, as_threads, shown
-from rbpa._plot import axes_or_current, label_axes
+from rbpa._input import as_choice, as_count, as_numbers, as_pair_choice, as_points, as_radii, as_share, as_threads, require_one_of, shown
+from rbpa._plot import axes_or_current, draw_diagram, label_axes
 from rbpa._result import Result, short_repr
 
 
@@ -69,10 +69,6 @@ def filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress
     ----------
     points, threads, progress
         As for `alpha_shape`.
-
-    Returns
-    -------
-    Filtration
 
     Raises
     ------
@@ -134,8 +130,8 @@ class Filtration(Result):
     def smallest_covering(self, components: Optional[int] = None, *, cover: float = 1.0) -> Optional[float]:
         """Returns the least radius at which a share `cover` of the points is in triangles.
 
-        With `components`, only the triangles of that many pieces, the largest ones, count. None if there is no such
-        radius, as the points are on one line or fewer than three.
+        With `components`, only the triangles of that many pieces, the largest ones, count. Returns None if there is no
+        such radius, as the points are on one line or fewer than three.
         """
         share = as_share(cover, "cover")
         pieces = None if components is None else as_count(components, "components", 1)
@@ -168,10 +164,7 @@ class Filtration(Result):
 
     def betti(self, alpha: npt.ArrayLike) -> tuple[Any, Any]:
         """Returns (components, holes), the Betti numbers b0 and b1, at a radius or at each of an array of radii."""
-        radii = as_numbers(alpha, "alpha", "radii")
-        if np.isnan(radii).any():
-            raise _core.InvalidInput("alpha: found nan, expected radii")
-        step = np.searchsorted(self.alpha, radii, side="right")
+        step = np.searchsorted(self.alpha, as_radii(alpha), side="right")
         components, holes = (np.insert(of, 0, 0)[step] for of in (self.components, self.holes))
         return (int(components), int(holes)) if step.ndim == 0 else (components, holes)
 
@@ -198,8 +191,7 @@ class Filtration(Result):
         """
         if dimension not in (0, 1):
             raise _core.InvalidInput(f"dimension: found {shown(dimension)}, expected 0 for components or 1 for holes")
-        if complex not in ("solid", "full"):
-            raise _core.InvalidInput(f"complex: found {shown(complex)}, expected 'solid' or 'full'")
+        require_one_of(complex, "complex", ("solid", "full"))
         self._require_unchanged()
         return _core.persistence(self.points, complex == "full", as_threads(None), None)[dimension]
 
@@ -222,8 +214,7 @@ class Filtration(Result):
         as it is at the first and at the last level that has it. A pair that exists at the last level has a death of
         infinity.
         """
-        if complex not in ("solid", "full"):
-            raise _core.InvalidInput(f"complex: found {shown(complex)}, expected 'solid' or 'full'")
+        require_one_of(complex, "complex", ("solid", "full"))
         least, most = as_pair_choice(min_persistence, top)
         radii: Optional[list[float]] = None
         capacity: Optional[int] = None
@@ -261,26 +252,8 @@ class Filtration(Result):
         longer it lives. Those that never die are on the line at the top, those that exist from radius 0 on at the left
         edge. `complex` as in `persistence`.
         """
-        ax = axes_or_current(ax)
         pairs = [self.persistence(dimension, complex=complex) for dimension in (0, 1)]
-        radii = np.concatenate([np.ravel(of) for of in pairs])
-        radii = radii[np.isfinite(radii) & (radii > 0)]
-        low, last = (radii.min() / 1.5, radii.max()) if len(radii) else (0.1, 1.0)
-        never = 2 * last
-        ax.plot([low, never], [low, never], color="#999999", linewidth=0.8)
-        ax.axhline(never, color="#999999", linewidth=0.8, linestyle="--")
-        note: dict[str, Any] = {"textcoords": "offset points", "color": "#666666", "fontsize": 8}
-        ax.annotate("never", (never, never), xytext=(-4, 4), ha="right", **note)
-        if any((of[:, 0] == 0).any() for of in pairs):
-            ax.axvline(low, color="#999999", linewidth=0.8, linestyle="--")
-            ax.annotate("from 0 on", (low, never), xytext=(4, -10), **note)
-        for of, name in zip(pairs, ("components", "holes")):
-            shown = np.clip(of, low, never)
-            ax.plot(*shown.T, ".", label=name, markersize=3, markeredgewidth=0, alpha=0.5)
-        ax.set(xscale="log", yscale="log", xlim=(low / 1.3, 1.5 * never), ylim=(low / 1.3, 1.5 * never))
-        label_axes(ax, "born at alpha (a radius, in the units of the points)", "dies at alpha")
-        ax.legend(loc="lower right", markerscale=3)
-        return ax
+        return draw_diagram(ax, pairs, ("components", "holes"), marks_ends=True)
 
     def __repr__(self) -> str:
         radii = f", from {self.alpha[0]} to {self.alpha[-1]}" if len(self.alpha) else ""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import Any, Dict, List, Sequence
 
 import numpy as np
@@ -13,6 +14,7 @@ from rbpa._polygons import Outlined, Polygons
 Flat = Dict[str, Any]
 
 
+@dataclass(eq=False, repr=False)
 class Footprint(Outlined):
     """The solid alpha complex of points that are not in memory, as returned by `rbpa.dask.alpha_shape`.
 
@@ -47,12 +49,6 @@ class Footprint(Outlined):
     holes: int
     boundary_curves: int
     triangle_files: List[str]
-
-    def __init__(self, alpha: float, counts: Dict[str, int], polygons: Polygons, triangle_files: List[str]) -> None:
-        self.alpha = alpha
-        self.polygons = polygons
-        self.triangle_files = triangle_files
-        self.__dict__.update(counts)
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
         """Draws the polygons with matplotlib, as `Polygons.plot`, and returns the axes."""

@@ -91,14 +91,7 @@ def concave_hulls(
 
 
 def _shapes(
-    points: npt.ArrayLike,
-    groups: Union[npt.ArrayLike, str],
-    alpha: GroupAlphas,
-    min_hole_area: float,
-    cover: float,
-    components: int,
-    threads: Optional[int],
-    progress: Progress,
+    points: Any, groups: Any, alpha: Any, min_hole_area: float, cover: float, components: int, threads: Optional[int], progress: Progress
 ) -> AlphaShapes:
     array = as_points(points)
     keys, names, labels = _labels(points, groups, len(array))
@@ -164,7 +157,7 @@ def _as_given(names: npt.NDArray[Any], groups: Any, first: npt.NDArray[np.intp])
 
 
 def _is_value(value: Any) -> bool:
-    """Whether a value is neither None nor NaN, nor a missing value of pandas."""
+    """Returns whether a value is neither None nor NaN, nor a missing value of pandas."""
     try:
         return value is not None and bool(value == value)
     except TypeError:  # pandas.NA == pandas.NA is neither true nor false

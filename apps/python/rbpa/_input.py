@@ -5,6 +5,7 @@ from __future__ import annotations
 import decimal
 import numbers
 import os
+from collections.abc import Sequence
 from typing import Any, Callable, Optional, Union
 
 import numpy as np
@@ -138,7 +139,7 @@ def as_scalar(value: Any) -> Any:
 
 
 def is_number(value: Any) -> bool:
-    """Whether a value is a real number, also Fraction, Decimal or NumPy's, but not bool or str."""
+    """Returns whether a value is a real number, also Fraction, Decimal or NumPy's, but not bool or str."""
     kinds = (numbers.Real, decimal.Decimal, np.floating, np.integer)
     return isinstance(value, kinds) and not isinstance(value, (bool, np.bool_))
 
@@ -197,11 +198,6 @@ def as_choice(alpha: Any, cover: float = 1.0, components: int = 1) -> AlphaChoic
     return choice
 
 
-def as_area(area: float, name: str) -> float:
-    """Converts a number; the library checks whether it is an area."""
-    return as_number(area, name, "an area, 0 or more")
-
-
 def as_count(value: int, name: str, least: int) -> int:
     value = as_scalar(value)
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Integral, np.integer)) or value < least:
@@ -214,6 +210,20 @@ def as_share(value: float, name: str) -> float:
     if not 0 < share <= 1:
         raise InvalidInput(f"{name}: found {shown(value)}, expected a share of the points, > 0 and <= 1")
     return share
+
+
+def require_one_of(value: Any, name: str, words: Sequence[str]) -> None:
+    """Raises InvalidInput unless a value is one of two words."""
+    if not isinstance(value, str) or value not in words:
+        raise InvalidInput(f"{name}: found {shown(value)}, expected {' or '.join(map(repr, words))}")
+
+
+def as_radii(alpha: Any) -> Floats:
+    """Converts radii at which something is looked up: any numbers but NaN."""
+    radii = as_numbers(alpha, "alpha", "radii")
+    if np.isnan(radii).any():
+        raise InvalidInput("alpha: found nan, expected radii")
+    return radii
 
 
 def as_pair_choice(min_persistence: float, top: int | None) -> tuple[float, int | None]:

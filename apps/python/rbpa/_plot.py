@@ -7,6 +7,7 @@ paler; sides of triangles are finally left out.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -32,6 +33,32 @@ def label_axes(ax: Any, x: str, y: str) -> None:
         ax.set_xlabel(x)
     if not ax.get_ylabel():
         ax.set_ylabel(y)
+
+
+def draw_diagram(ax: Any, pairs: Sequence[Floats], names: Sequence[str], *, marks_ends: bool) -> Any:
+    """Draws (birth, death) of the pairs of each dimension, on logarithmic scales, and returns the axes. With
+    `marks_ends`, lines mark births at radius 0 and pairs that never die."""
+    ax = axes_or_current(ax)
+    radii = np.concatenate([np.ravel(of) for of in pairs])
+    radii = radii[np.isfinite(radii) & (radii > 0)]
+    low, last = (radii.min() / 1.5, radii.max()) if len(radii) else (0.1, 1.0)
+    never = (2 if marks_ends else 1.5) * last
+    ax.plot([low, never], [low, never], color="#999999", linewidth=0.8)
+    note: dict[str, Any] = {"textcoords": "offset points", "color": "#666666", "fontsize": 8}
+    if marks_ends:
+        ax.axhline(never, color="#999999", linewidth=0.8, linestyle="--")
+        ax.annotate("never", (never, never), xytext=(-4, 4), ha="right", **note)
+    if marks_ends and any((of[:, 0] == 0).any() for of in pairs):
+        ax.axvline(low, color="#999999", linewidth=0.8, linestyle="--")
+        ax.annotate("from 0 on", (low, never), xytext=(4, -10), **note)
+    for of, name in zip(pairs, names):
+        dots = np.clip(of, low, never)
+        ax.plot(*dots.T, ".", label=name, markersize=3, markeredgewidth=0, alpha=0.5)
+    right, top = (1.5 * never, 1.5 * never) if marks_ends else (never, 1.2 * never)
+    ax.set(xscale="log", yscale="log", xlim=(low / 1.3, right), ylim=(low / 1.3, top))
+    label_axes(ax, "born at alpha (a radius, in the units of the points)", "dies at alpha")
+    ax.legend(loc="lower right", markerscale=3)
+    return ax
 
 
 def page_scale(ax: Any) -> float:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Dict, Iterator, Optional, overload
 
 import numpy as np
 
 from rbpa._plot import axes_or_current, label_axes, outline_width, page_scale
-from rbpa._result import freeze
+from rbpa._result import entry, freeze
 
 if TYPE_CHECKING:
     from rbpa._input import Floats, Indices
@@ -42,6 +43,7 @@ def number_or_none(value: float) -> Optional[float]:
     return float(value) if np.isfinite(value) else None
 
 
+@dataclass(eq=False, repr=False)
 class Polygon:
     """A polygon with holes, valid under OGC Simple Features: rings touch each other in single points, if at all.
 
@@ -57,12 +59,11 @@ class Polygon:
         Length of all rings, in units of the points.
     """
 
-    def __init__(self, points: Floats, shell: Indices, holes: list[Indices], area: float, perimeter: float) -> None:
-        self._points = points
-        self.shell = shell
-        self.holes = holes
-        self.area = area
-        self.perimeter = perimeter
+    _points: Floats
+    shell: Indices
+    holes: list[Indices]
+    area: float
+    perimeter: float
 
     @property
     def exterior(self) -> Floats:
@@ -92,21 +93,70 @@ class Polygon:
         return f"<rbpa.Polygon of {len(self.shell)} points, {len(self.holes)} holes, area {self.area:.6g}>"
 
 
-class Polygons(Sequence[Polygon]):
-    """The polygons of a shape, one for each solid component, and their totals: a sequence of `Polygon`.
+class Outlined:
+    """Base of `Polygons` and of results with polygons, which other packages accept in place of polygons."""
 
-    Attributes
-    ----------
-    area, perimeter : float
-        The exact sums of the polygons' areas and perimeters, rounded once.
-    """
+    polygons: Any  # Polygons
+
+    def __iter__(self) -> Iterator[Polygon]:
+        """Iterates over the polygons: geopandas.GeoDataFrame.from_features() makes a row of each, with area, perimeter
+        and number of holes."""
+        return iter(self.polygons)
+
+    @property
+    def area(self) -> float:
+        """The area of all triangles, in squared units of the points: the exact sum of the polygons' areas, rounded
+        once."""
+        return float(self.polygons.area)
+
+    @property
+    def perimeter(self) -> float:
+        """The length of the boundary, in units of the points."""
+        return float(self.polygons.perimeter)
+
+    @property
+    def __geo_interface__(self) -> Geometry:
+        """A MultiPolygon for GeoPandas, Shapely and others."""
+        coordinates = [p.__geo_interface__["coordinates"] for p in self]
+        properties = {"area": number_or_none(self.area), "perimeter": number_or_none(self.perimeter), "polygons": len(coordinates)}
+        return Geometry("MultiPolygon", coordinates, properties)
+
+    def to_geojson(self) -> str:
+        """Returns the text of a GeoJSON FeatureCollection: a feature for each polygon, with area, perimeter and number
+        of holes.
+
+        Every coordinate reads back to the same double.
+        """
+        of = [p.__geo_interface__ for p in self]
+        features = [{"type": "Feature", "properties": geometry["properties"], "geometry": geometry} for geometry in of]
+        return json.dumps({"type": "FeatureCollection", "features": features})
+
+    def to_wkt(self) -> str:
+        """Returns the text of an OGC MULTIPOLYGON. Every coordinate reads back to the same double."""
+
+        def ring(coordinates: Floats) -> str:
+            return "(" + ", ".join(f"{x!r} {y!r}" for x, y in coordinates.tolist()) + ")"
+
+        polygons = ["(" + ", ".join(map(ring, p._rings())) + ")" for p in self]
+        return f"MULTIPOLYGON ({', '.join(polygons)})" if polygons else "MULTIPOLYGON EMPTY"
+
+    def to_shapely(self) -> Any:
+        """Returns a shapely.geometry.MultiPolygon. Needs the package shapely."""
+        from shapely.geometry import MultiPolygon
+
+        return MultiPolygon([(p.exterior, p.interiors) for p in self])
+
+
+class Polygons(Outlined, Sequence[Polygon]):
+    """The polygons of a shape, one for each solid component, and their totals: a sequence of `Polygon`."""
 
     def __init__(self, points: Floats, flat: dict[str, Any]) -> None:
         self._points = points
         self._flat = flat
         freeze(*(array for array in flat.values() if isinstance(array, np.ndarray)))
-        self.area: float = flat["area"]
-        self.perimeter: float = flat["perimeter"]
+
+    area: float = entry("_flat", "area", "The exact sum of the polygons' areas, rounded once, in squared units of the points.")
+    perimeter: float = entry("_flat", "perimeter", "The exact sum of the polygons' perimeters, rounded once, in units of the points.")
 
     def __len__(self) -> int:
         return len(self._flat["areas"])
@@ -136,39 +186,6 @@ class Polygons(Sequence[Polygon]):
     def __iter__(self) -> Iterator[Polygon]:
         return (self[i] for i in range(len(self)))
 
-    @property
-    def __geo_interface__(self) -> Geometry:
-        """A MultiPolygon for GeoPandas, Shapely and others."""
-        properties = {"area": number_or_none(self.area), "perimeter": number_or_none(self.perimeter), "polygons": len(self)}
-        return Geometry("MultiPolygon", [p.__geo_interface__["coordinates"] for p in self], properties)
-
-    def to_geojson(self) -> str:
-        """Returns the text of a GeoJSON FeatureCollection: a feature for each polygon, with area, perimeter and number
-        of holes.
-
-        Every coordinate reads back to the same double.
-        """
-        of = [p.__geo_interface__ for p in self]
-        features = [{"type": "Feature", "properties": geometry["properties"], "geometry": geometry} for geometry in of]
-        return json.dumps({"type": "FeatureCollection", "features": features})
-
-    def to_wkt(self) -> str:
-        """Returns the text of an OGC MULTIPOLYGON. Every coordinate reads back to the same double."""
-
-        def ring(coordinates: Floats) -> str:
-            return "(" + ", ".join(f"{x!r} {y!r}" for x, y in coordinates.tolist()) + ")"
-
-        def polygon(p: Polygon) -> str:
-            return "(" + ", ".join(ring(r) for r in p._rings()) + ")"
-
-        return "MULTIPOLYGON (" + ", ".join(polygon(p) for p in self) + ")" if len(self) else "MULTIPOLYGON EMPTY"
-
-    def to_shapely(self) -> Any:
-        """Returns a shapely.geometry.MultiPolygon. Needs the package shapely."""
-        from shapely.geometry import MultiPolygon
-
-        return MultiPolygon([(p.exterior, p.interiors) for p in self])
-
     def plot(self, ax: Any = None, **style: Any) -> Any:
         """Draws the polygons with matplotlib, and returns the axes. `style` are arguments of
         matplotlib.patches.PathPatch; by default outlines are thinner the longer they are in total."""
@@ -194,44 +211,3 @@ class Polygons(Sequence[Polygon]):
         rings = self._flat["polygon_begin"]
         holes = rings[-1] - rings[0] - len(self)
         return f"<rbpa.Polygons: {len(self)} polygons, {holes} holes, area {self.area:.6g}>"
-
-
-class Outlined:
-    """Base of results with polygons, which other packages accept in place of polygons."""
-
-    polygons: Any  # Polygons
-
-    def __iter__(self) -> Iterator[Polygon]:
-        """Iterates over the polygons: geopandas.GeoDataFrame.from_features() makes a row of each, with area, perimeter
-        and number of holes."""
-        return iter(self.polygons)
-
-    @property
-    def area(self) -> float:
-        """The area of all triangles, in squared units of the points: the exact sum of the polygons' areas, rounded
-        once."""
-        return float(self.polygons.area)
-
-    @property
-    def perimeter(self) -> float:
-        """The length of the boundary, in units of the points."""
-        return float(self.polygons.perimeter)
-
-    @property
-    def __geo_interface__(self) -> Geometry:
-        """A MultiPolygon."""
-        interface: Geometry = self.polygons.__geo_interface__
-        return interface
-
-    def to_geojson(self) -> str:
-        """Returns the text of a GeoJSON FeatureCollection: a feature for each polygon, with area, perimeter and number
-        of holes."""
-        return str(self.polygons.to_geojson())
-
-    def to_wkt(self) -> str:
-        """Returns the text of an OGC MULTIPOLYGON."""
-        return str(self.polygons.to_wkt())
-
-    def to_shapely(self) -> Any:
-        """Returns a shapely.geometry.MultiPolygon. Needs the package shapely."""
-        return self.polygons.to_shapely()

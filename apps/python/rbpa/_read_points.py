@@ -50,10 +50,6 @@ def read_points(
     vertices : bool
         Take the vertices of lines and polygons as points.
 
-    Returns
-    -------
-    PointFile
-
     Raises
     ------
     InvalidInput

@@ -29,6 +29,11 @@ def short_repr(row: Any) -> str:
     return f"{type(row).__name__}({', '.join(f'{name}={short(value)}' for name, value in row._asdict().items())})"
 
 
+def entry(source: str, key: str, doc: str) -> Any:
+    """Makes a property: an entry of a dict, the attribute `source` of the result."""
+    return property(lambda result: getattr(result, source)[key], doc=doc)
+
+
 class Result:
     """A result computed from arrays. Pickles leave out attributes that are computed at the first access."""
 
@@ -57,8 +62,8 @@ class Result:
         self._freeze()  # pickles do not keep the read-only flag
 
 
-class Triangles(Result):
-    """Triangles between points in the plane."""
+class Simplices(Result):
+    """Triangles between points in the plane, or tetrahedra between points in space."""
 
     points: Floats
     simplices: Indices
@@ -66,7 +71,7 @@ class Triangles(Result):
     duplicates: Indices
 
     def to_meshio(self) -> Any:
-        """Returns a meshio.Mesh of all points and the triangles. Needs the package meshio."""
+        """Returns a meshio.Mesh of all points and the simplices, triangles or tetrahedra. Needs the package meshio."""
         import meshio
 
-        return meshio.Mesh(self.points, [("triangle", self.simplices)])
+        return meshio.Mesh(self.points, [("triangle" if self.simplices.shape[1] == 3 else "tetra", self.simplices)])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple, Optional
 
@@ -13,7 +14,7 @@ from rbpa import _core, meshops
 from rbpa._core import InvalidInput
 from rbpa._input import Alpha, Floats, Indices, Progress, as_choice, as_number, as_points, as_share, as_threads
 from rbpa._plot import draw_triangles
-from rbpa._result import Result, freeze, short_repr
+from rbpa._result import Simplices, entry, freeze, short_repr
 
 
 def solid(
@@ -42,10 +43,6 @@ def solid(
         decide.
     threads, progress
         As for `alpha_shape`; `progress` is called with the number of finished points in place of triangles.
-
-    Returns
-    -------
-    Solid
 
     Raises
     ------
@@ -127,6 +124,7 @@ class DanglingFaces(NamedTuple):
         return short_repr(self)
 
 
+@dataclass(eq=False, repr=False)
 class SolidVoid:
     """A void of a solid: one of `Solid.voids`. Arrays are read-only.
 
@@ -147,24 +145,16 @@ class SolidVoid:
         The points of its boundary, ascending.
     """
 
-    def __init__(
-        self,
-        volume: float,
-        area: float,
-        box: Floats,
-        islands: int,
-        triangles: Indices,
-        points: Indices,
-        outside_balls: Optional[float] = None,
-    ) -> None:
-        self.volume = volume
-        self.outside_balls = outside_balls
-        self.area = area
-        self.box = box
-        self.islands = islands
-        self.triangles = triangles
-        self.points = points
-        freeze(box, triangles, points)
+    volume: float
+    area: float
+    box: Floats
+    islands: int
+    triangles: Indices
+    points: Indices
+    outside_balls: Optional[float] = None
+
+    def __post_init__(self) -> None:
+        freeze(self.box, self.triangles, self.points)
 
     def __repr__(self) -> str:
         return f"<rbpa.SolidVoid of volume {self.volume}, area {self.area}, {len(self.points)} points around it>"
@@ -212,7 +202,7 @@ class FullComplex(NamedTuple):
         return short_repr(self)
 
 
-class Solid(Result):
+class Solid(Simplices):
     """The solid alpha complex of points in space, as returned by `solid`. Arrays are read-only.
 
     Attributes
@@ -232,11 +222,7 @@ class Solid(Result):
         Distinct points in no tetrahedron.
     """
 
-    points: Floats
     alpha: float
-    simplices: Indices
-    neighbors: Indices
-    duplicates: Indices
     isolated: Indices
 
     def __init__(self, points: Floats, alpha: float, made: dict[str, Any]) -> None:
@@ -244,8 +230,8 @@ class Solid(Result):
 
     @cached_property
     def radii(self) -> Floats:
-        """The circumradius of each tetrahedron, rounded up: the tetrahedron is in the solid of alpha exactly if it is
-        at most alpha."""
+        """The circumradius of each tetrahedron, rounded up: float64 array of shape (m,). The tetrahedron is in the solid
+        of a radius exactly if its circumradius is at most that radius."""
         self._require_unchanged()
         found: Floats = _core.circumradii(self.points, self.simplices, 0)
         freeze(found)
@@ -296,43 +282,28 @@ class Solid(Result):
         freeze(made["triangles"], made["neighbors"], made["tetrahedra"])
         return made
 
-    @property
-    def boundary(self) -> Indices:
+    boundary: Indices = entry(
+        "_voids",
+        "triangles",
         """The triangles with a tetrahedron on one side only: int32 array of shape (b, 3), counter-clockwise seen from
-        outside. The first access to this or one of the attributes below computes all of them."""
-        return self._voids["triangles"]  # type: ignore[no-any-return]
-
-    @property
-    def boundary_neighbors(self) -> Indices:
-        """The boundary triangle opposite to each corner, an array of shape (b, 3). It always exists; if several wedges
-        of the solid meet at an edge, it is on the same wedge."""
-        return self._voids["neighbors"]  # type: ignore[no-any-return]
-
-    @property
-    def boundary_simplices(self) -> Indices:
-        """The tetrahedron of each boundary triangle, an array of shape (b,)."""
-        return self._voids["tetrahedra"]  # type: ignore[no-any-return]
-
-    @property
-    def betti(self) -> tuple[int, int, int]:
+        outside. The first access to this or one of the attributes below computes all of them.""",
+    )
+    boundary_neighbors: Indices = entry(
+        "_voids",
+        "neighbors",
+        """The boundary triangle opposite to each corner: int32 array of shape (b, 3). It always exists; if several
+        wedges of the solid meet at an edge, it is on the same wedge.""",
+    )
+    boundary_simplices: Indices = entry("_voids", "tetrahedra", "The tetrahedron of each boundary triangle: int32 array of shape (b,).")
+    betti: tuple[int, int, int] = entry(
+        "_voids",
+        "betti",
         """The numbers of components, tunnels and voids of the solid as a space, in which pieces that touch in a point
-        are one."""
-        return self._voids["betti"]  # type: ignore[no-any-return]
-
-    @property
-    def solid_components(self) -> int:
-        """The number of pieces connected through triangles."""
-        return int(self._voids["solid_components"])
-
-    @property
-    def volume(self) -> float:
-        """The volume of all tetrahedra."""
-        return float(self._voids["volume"])
-
-    @property
-    def area(self) -> float:
-        """The area of the boundary."""
-        return float(self._voids["area"])
+        are one.""",
+    )
+    solid_components: int = entry("_voids", "solid_components", "The number of pieces connected through triangles.")
+    volume: float = entry("_voids", "volume", "The volume of all tetrahedra, in cubed units of the points.")
+    area: float = entry("_voids", "area", "The area of the boundary, in squared units of the points.")
 
     @cached_property
     def voids(self) -> list[SolidVoid]:
@@ -346,12 +317,6 @@ class Solid(Result):
         made = meshops.Mesh()
         _core.surface_mesh(made, self.points, self.boundary, self.boundary_neighbors)
         return made
-
-    def to_meshio(self) -> Any:
-        """Returns a meshio.Mesh of all points and the tetrahedra. Needs the package meshio."""
-        import meshio
-
-        return meshio.Mesh(self.points, [("tetra", self.simplices)])
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
         """Draws the boundary with matplotlib in three dimensions, lit from above, as `Surface.plot`, and returns the

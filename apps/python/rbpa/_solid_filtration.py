@@ -9,9 +9,11 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, as_numbers, as_pair_choice, as_points, as_threads, shown
-from rbpa._plot import axes_or_current, label_axes
+from rbpa._input import Floats, Indices, Progress, as_pair_choice, as_points, as_radii, as_threads, require_one_of, shown
+from rbpa._plot import draw_diagram
 from rbpa._result import Result, freeze, short_repr
+
+_NAMES = ("components", "tunnels", "voids")  # of the dimensions
 
 
 def solid_filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> SolidFiltration:
@@ -22,10 +24,6 @@ def solid_filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, pr
     ----------
     points, threads, progress
         As for `solid`.
-
-    Returns
-    -------
-    SolidFiltration
 
     Raises
     ------
@@ -221,8 +219,7 @@ class SolidFiltration(Result):
         a radius, voids are those with closes <= radius < filled, and pockets those with radius < closes. Every call
         computes them again.
         """
-        if walls not in ("solid", "full"):
-            raise InvalidInput(f"walls: found {shown(walls)}, expected 'solid' or 'full'")
+        require_one_of(walls, "walls", ("solid", "full"))
         self._require_unchanged()
         made = _core.void_tree(self.points, self.simplices, self.neighbors, self.simplex_alpha, walls == "full", as_threads(None))
         freeze(*made.values())
@@ -231,9 +228,7 @@ class SolidFiltration(Result):
     def betti(self, alpha: npt.ArrayLike) -> tuple[Any, Any, Any]:
         """Returns (components, tunnels, voids), the Betti numbers b0, b1 and b2 of the full complex, at a radius or at
         each of an array of radii."""
-        radii = as_numbers(alpha, "alpha", "radii")
-        if np.isnan(radii).any():
-            raise InvalidInput("alpha: found nan, expected radii")
+        radii = as_radii(alpha)
         numbers = [
             np.searchsorted(np.sort(of[:, 0]), radii, side="right") - np.searchsorted(np.sort(of[:, 1]), radii, side="right")
             for of in self._persistence
@@ -248,21 +243,10 @@ class SolidFiltration(Result):
         Each tunnel and void is a dot at (birth, death), on logarithmic scales; the farther from the diagonal, the
         longer it lives. Components, which all exist from radius 0 on, are at the left edge.
         """
-        ax = axes_or_current(ax)
-        radii = np.concatenate([np.ravel(of) for of in self._persistence])
-        radii = radii[np.isfinite(radii) & (radii > 0)]
-        low, high = (radii.min() / 1.5, 1.5 * radii.max()) if len(radii) else (0.1, 1.0)
-        ax.plot([low, high], [low, high], color="#999999", linewidth=0.8)
-        for of, name in zip(self._persistence, ("components", "tunnels", "voids")):
-            shown = np.clip(of, low, high)
-            ax.plot(*shown.T, ".", label=name, markersize=3, markeredgewidth=0, alpha=0.5)
-        ax.set(xscale="log", yscale="log", xlim=(low / 1.3, high), ylim=(low / 1.3, high * 1.2))
-        label_axes(ax, "born at alpha (a radius, in the units of the points)", "dies at alpha")
-        ax.legend(loc="lower right", markerscale=3)
-        return ax
+        return draw_diagram(ax, self._persistence, _NAMES, marks_ends=False)
 
     def __repr__(self) -> str:
-        counts = ", ".join(f"{len(of)} {name}" for of, name in zip(self._persistence, ("components", "tunnels", "voids")))
+        counts = ", ".join(f"{len(of)} {name}" for of, name in zip(self._persistence, _NAMES))
         return f"<rbpa.SolidFiltration of {len(self.points)} points: {counts}>"
 
 

@@ -14,26 +14,16 @@ from rbpa._input import Floats, Indices, Progress, aligned, as_count, as_points,
 
 @overload
 def estimate_normals(
-    points: npt.ArrayLike,
-    neighbors: int = 16,
-    *,
-    viewpoint: Optional[npt.ArrayLike] = None,
-    confidence: Literal[False] = False,
-    threads: Optional[int] = None,
-    progress: Progress = None,
-) -> Floats: ...
+    points: npt.ArrayLike, neighbors: int = 16, *, viewpoint: Optional[npt.ArrayLike] = None, confidence: Literal[False] = False,
+    threads: Optional[int] = None, progress: Progress = None,
+) -> Floats: ...  # fmt: skip
 
 
 @overload
 def estimate_normals(
-    points: npt.ArrayLike,
-    neighbors: int = 16,
-    *,
-    viewpoint: Optional[npt.ArrayLike] = None,
-    confidence: Literal[True],
-    threads: Optional[int] = None,
-    progress: Progress = None,
-) -> tuple[Floats, Floats]: ...
+    points: npt.ArrayLike, neighbors: int = 16, *, viewpoint: Optional[npt.ArrayLike] = None, confidence: Literal[True],
+    threads: Optional[int] = None, progress: Progress = None,
+) -> tuple[Floats, Floats]: ...  # fmt: skip
 
 
 def estimate_normals(
@@ -75,10 +65,8 @@ def estimate_normals(
 
     Raises
     ------
-    InvalidInput
-        A ValueError: points of another shape or not finite, fewer than 2 neighbors.
-    Cancelled
-        `progress` returned False.
+    InvalidInput, Cancelled
+        As `surface`; also for fewer than 2 neighbors.
 
     Examples
     --------
@@ -127,10 +115,8 @@ def scale_space(
 
     Raises
     ------
-    InvalidInput
-        A ValueError: points of another shape or not finite, an invalid number of steps.
-    Cancelled
-        `progress` returned False.
+    InvalidInput, Cancelled
+        As `surface`; also for an invalid number of steps.
 
     Examples
     --------
@@ -176,10 +162,8 @@ def outliers(
 
     Raises
     ------
-    InvalidInput
-        A ValueError: points of another shape or not finite, a factor below 1, no neighbors.
-    Cancelled
-        `progress` returned False.
+    InvalidInput, Cancelled
+        As `surface`; also for a factor below 1 or no neighbors.
 
     Examples
     --------

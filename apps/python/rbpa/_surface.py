@@ -54,10 +54,6 @@ def surface(
     threads, progress
         As for `alpha_shape`.
 
-    Returns
-    -------
-    Surface
-
     Raises
     ------
     InvalidInput
@@ -362,7 +358,8 @@ class Surface(Result):
 
     def outer_shells(self) -> Surface:
         """Returns the closed shells of a surface with normals="none" that the ball touches from the outside of
-        everything: for a scan of a closed object, its watertight surface without anything inside."""
+        everything: for a scan of a closed object, its watertight surface without anything inside. Raises InvalidInput
+        for any other surface."""
         if self.normals is not None or self.given is not None:
             raise InvalidInput("outer_shells: found a surface with normals or given triangles, expected one with normals='none'")
         if self._kept_from is not None or self._filled_from is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+from dataclasses import dataclass
 from typing import Any, Optional
 
 import numpy as np
@@ -32,10 +33,10 @@ class SurfaceHole:
         "rim": the end of a sheet; "island": around a component with less than a hundredth of the largest one's area;
         "hole": any other curve.
     causes : list of str
-        Of each edge, what is where the ball rolls over it. "nothing within reach": it goes around to the back. "normals
-        disagree": it comes to a triangle with which they agree at some corners only. "blocked": to one that would touch
-        the inside of what smaller radii have made. None of a surface of given triangles; neither `levels`, `next`,
-        `corners`.
+        The cause of each edge: what the ball reaches when it rolls over the edge. "nothing within reach": no triangle;
+        it rolls around to the back. "normals disagree": a triangle with which the normals agree at some corners only.
+        "blocked": a triangle that would touch the inside of what smaller radii have made. Empty for a surface of given
+        triangles, as are `levels`, `next` and `corners`.
     triangles : int32 array of shape (k,)
         The triangle of the surface at each edge.
     levels : int32 array of shape (k,)
@@ -70,6 +71,7 @@ class SurfaceHole:
         return f"<rbpa.SurfaceHole of {len(self.edges)} edges, length {self.length}: {counts}>"
 
 
+@dataclass(eq=False, repr=False)
 class SurfaceComponent:
     """A component of a surface, connected through glued sides: one of `Surface.components`. Arrays are read-only.
 
@@ -87,13 +89,15 @@ class SurfaceComponent:
         The number of boundary curves; 0 if it is closed.
     """
 
-    def __init__(self, triangles: Indices, area: float, volume: float, box: Floats, boundary_curves: int) -> None:
-        self.triangles = triangles
-        self.area = area
-        self.volume: Optional[float] = None if boundary_curves else volume
-        self.box = box
-        self.boundary_curves = boundary_curves
-        freeze(triangles, box)
+    triangles: Indices
+    area: float
+    volume: Optional[float]
+    box: Floats
+    boundary_curves: int
+
+    def __post_init__(self) -> None:
+        self.volume = None if self.boundary_curves else self.volume
+        freeze(self.triangles, self.box)
 
     def __repr__(self) -> str:
         end = f"{self.boundary_curves} boundary curves" if self.boundary_curves else f"closed, volume {self.volume}"
@@ -106,9 +110,9 @@ class SurfaceRepair:
     Attributes
     ----------
     kind : str
-        "turn normals": with the normals at `points` turned around the surface of the same radii is closed there.
-        "larger ball": with `radius` as one more radius it is. "filling": `Surface.fill_holes` closes it. "none":
-        nothing that was tried does.
+        "turn normals": the same radii close the hole if the normals at `points` are turned around. "larger ball":
+        `radius` as one more radius closes it. "filling": `Surface.fill_holes` closes it. "none": nothing that was tried
+        closes it.
     radius : float, or None
         The radius of a larger ball, in the units of the points.
     points : int32 array of shape (k,)

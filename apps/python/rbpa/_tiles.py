@@ -83,11 +83,10 @@ class Tile:
     around: Bounds
     halves: Optional[Tuple[Tile, Tile]] = None
 
-    def parted(self, points: Floats) -> Iterator[Tuple[int, Integers]]:
-        """Yields for each undivided tile with points in it or in its halo its number and these points."""
-        return self._parted(points, np.arange(len(points)))
-
-    def _parted(self, points: Floats, some: Integers) -> Iterator[Tuple[int, Integers]]:
+    def parted(self, points: Floats, some: Optional[Integers] = None) -> Iterator[Tuple[int, Integers]]:
+        """Yields for each undivided tile with points in it or in its halo its number and these points, of all points or
+        of some."""
+        some = np.arange(len(points)) if some is None else some
         x, y = points[some].T
         x0, y0, x1, y1 = self.around
         inside = some[(x0 <= x) & (x <= x1) & (y0 <= y) & (y <= y1)]
@@ -97,7 +96,7 @@ class Tile:
             yield self.number, inside
             return
         for half in self.halves:
-            yield from half._parted(points, inside)
+            yield from half.parted(points, inside)
 
     def __len__(self) -> int:
         """The number of undivided tiles."""

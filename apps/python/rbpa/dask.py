@@ -86,10 +86,6 @@ def alpha_shape(
     threads : int
         The number of threads of each task.
 
-    Returns
-    -------
-    Footprint
-
     Raises
     ------
     InvalidInput
@@ -117,7 +113,7 @@ def alpha_shape(
         merged = _merged(run, tree, pieces, radius, workers, str(folder), triangles)
         open_rim, files, triangle_files = run.compute([merged])[0]
         numbers, rest = _core.finish_partial(open_rim)
-        footprint = Footprint(radius, numbers, gathered(files, rest), triangle_files)
+        footprint = Footprint(alpha=radius, polygons=gathered(files, rest), triangle_files=triangle_files, **numbers)
     except BaseException:
         shutil.rmtree(folder, ignore_errors=True)
         raise
