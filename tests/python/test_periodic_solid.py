@@ -19,7 +19,8 @@ def test_a_grid_fills_its_box():
     assert solid.betti == (1, 3, 3, 1)
     assert (solid.neighbors >= 0).all()
     assert len(solid.boundary) == 0 and len(solid.isolated) == 0 and solid.voids == []
-    (whole,) = solid.solid_components
+    (whole,) = solid.pieces
+    assert solid.solid_components == 1
     assert whole.dimension == 3 and whole.volume == 120 and len(whole.points) == 0
     assert rbpa.periodic_solid(grid, [4, 5, 6], "min").alpha == rbpa.periodic_solid(grid, [4, 5, 6], "auto").alpha
     assert rbpa.periodic_solid(grid, [4, 5, 6], "min").alpha == pytest.approx(math.sqrt(3) / 2, rel=1e-15)

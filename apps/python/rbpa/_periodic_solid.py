@@ -11,9 +11,9 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, as_choice, as_points, as_threads, shown
+from rbpa._input import Floats, Indices, Progress, as_choice, as_points, as_threads, require_one_of, shown
 from rbpa._plot import draw_triangles
-from rbpa._result import Result, freeze, short_repr
+from rbpa._result import Result, entry, freeze, short_repr
 
 
 def periodic_solid(
@@ -44,10 +44,6 @@ def periodic_solid(
     threads, progress
         As for `solid`.
 
-    Returns
-    -------
-    PeriodicSolid
-
     Raises
     ------
     InvalidInput, Cancelled
@@ -64,8 +60,7 @@ def periodic_solid(
     choice = as_choice(alpha)
     if choice.is_plateau:
         raise InvalidInput(f"alpha: found {shown(alpha)}, expected a radius, auto or min for points in a box")
-    if complex not in ("full", "solid"):
-        raise InvalidInput(f"complex: found {shown(complex)}, expected 'full' or 'solid'")
+    require_one_of(complex, "complex", ("full", "solid"))
     sides = _as_sides(box)
     workers = as_threads(threads)
     radius = choice.radius if choice.is_given else _core.periodic_alpha(array, sides, choice, workers, progress)
@@ -169,8 +164,9 @@ class PeriodicSolid(Result):
             freeze(*(part.points for part in made[key]))
         return made
 
-    @property
-    def betti(self) -> tuple[int, int, int, int]:
+    betti: tuple[int, int, int, int] = entry(
+        "_topology",
+        "betti",
         """Betti numbers of the complex in the torus of the box: (1, 3, 3, 1) if it fills the box.
 
         The first access to this or one of the attributes below computes all of them, with another triangulation.
@@ -179,28 +175,21 @@ class PeriodicSolid(Result):
         ------
         InvalidInput
             A ball with a radius of half the least side is empty, so that tetrahedra do not fill the box.
-        """
-        return self._topology["betti"]  # type: ignore[no-any-return]
+        """,
+    )
+    volume: float = entry("_topology", "volume", "The volume of all tetrahedra, in one box.")
+    area: float = entry("_topology", "area", "The area of the boundary, in one box.")
+    pieces: list[PeriodicPart] = entry(
+        "_topology", "solid_components", "The pieces connected through triangles, the largest volume first."
+    )
+    voids: list[PeriodicPart] = entry(
+        "_topology", "voids", "The components of the complement of the complex, the largest volume first."
+    )
 
     @property
-    def volume(self) -> float:
-        """The volume of all tetrahedra, in one box."""
-        return float(self._topology["volume"])
-
-    @property
-    def area(self) -> float:
-        """The area of the boundary, in one box."""
-        return float(self._topology["area"])
-
-    @property
-    def solid_components(self) -> list[PeriodicPart]:
-        """The pieces connected through triangles, the largest volume first."""
-        return self._topology["solid_components"]  # type: ignore[no-any-return]
-
-    @property
-    def voids(self) -> list[PeriodicPart]:
-        """The components of the complement of the complex, the largest volume first."""
-        return self._topology["voids"]  # type: ignore[no-any-return]
+    def solid_components(self) -> int:
+        """The number of pieces connected through triangles."""
+        return len(self.pieces)
 
     def to_meshio(self) -> Any:
         """Returns a meshio.Mesh of the vertices and the tetrahedra. Needs the package meshio."""
