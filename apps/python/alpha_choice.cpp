@@ -1,14 +1,9 @@
 #include "rbpa/base/alpha_choice.h"
 
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
 #include <optional>
 #include <string>
 
-#include "python/arrays.h"
 #include "python/module.h"
-#include "python/watched.h"
 #include "rbpa/plane/choose_alpha.h"
 
 namespace rbpa::python {

@@ -1,15 +1,10 @@
 #include "rbpa/plane/filtration.h"
 
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
 #include <limits>
 #include <optional>
 #include <tuple>
 
-#include "python/arrays.h"
 #include "python/module.h"
-#include "python/watched.h"
 #include "rbpa/plane/delaunay.h"
 #include "rbpa/plane/persistence.h"
 #include "rbpa/plane/plateaus.h"

@@ -1,12 +1,7 @@
 #include "rbpa/plane/groups.h"
 
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
-#include "python/arrays.h"
 #include "python/flat_polygons.h"
 #include "python/module.h"
-#include "python/watched.h"
 
 namespace rbpa::python {
 namespace {

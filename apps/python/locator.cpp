@@ -1,10 +1,6 @@
-#include <pybind11/pybind11.h>
-
 #include <utility>
 
-#include "python/arrays.h"
 #include "python/module.h"
-#include "python/watched.h"
 #include "rbpa/plane/locate.h"
 #include "rbpa/space/solid/solid_locator.h"
 

@@ -10,10 +10,8 @@
 #include "meshops/topology/count.h"
 #include "meshops/topology/homology.h"
 #include "meshops/topology/report.h"
-#include "python/arrays.h"
 #include "python/module.h"
 #include "python/soup.h"
-#include "python/watched.h"
 
 namespace rbpa::python {
 namespace {

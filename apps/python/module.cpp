@@ -28,21 +28,10 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of rbpa.";
   module.attr("version") = RBPA_VERSION;
   bind_errors(module);
-  rbpa::python::bind_alpha_choice(module);  // before functions of a choice, so that signatures show the Python type
-  rbpa::python::bind_triangulation(module);
-  rbpa::python::bind_polygons(module);
-  rbpa::python::bind_points(module);
-  rbpa::python::bind_filtration(module);
-  rbpa::python::bind_groups(module);
-  rbpa::python::bind_locators(module);
-  rbpa::python::bind_nearest(module);
-  rbpa::python::bind_partial(module);
-  rbpa::python::bind_soups(module);  // before functions that return soups, so that signatures show the Python types
-  rbpa::python::bind_mesh(module);
-  rbpa::python::bind_space_points(module);
-  rbpa::python::bind_surface(module);
-  rbpa::python::bind_surface_causes(module);
-  rbpa::python::bind_solid(module);
-  rbpa::python::bind_periodic_solid(module);
-  rbpa::python::bind_solid_filtration(module);
+  // Classes come before functions that have them in their signatures, so that these show the Python types.
+  using namespace rbpa::python;
+  for (Bind* bind : {bind_alpha_choice, bind_triangulation, bind_polygons, bind_points, bind_filtration, bind_groups,
+                     bind_locators, bind_nearest, bind_partial, bind_soups, bind_mesh, bind_space_points, bind_surface,
+                     bind_surface_causes, bind_solid, bind_periodic_solid, bind_solid_filtration})
+    bind(module);
 }

@@ -1,26 +1,17 @@
-// What: the parts of the extension module; bind_NAME() is in NAME.cpp.
+// What: the parts of the extension module, and what each of them needs; bind_NAME() is in NAME.cpp.
 #pragma once
 
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "python/arrays.h"
+#include "python/watched.h"
 
 namespace rbpa::python {
 
-void bind_alpha_choice(pybind11::module_& module);
-void bind_triangulation(pybind11::module_& module);
-void bind_polygons(pybind11::module_& module);
-void bind_filtration(pybind11::module_& module);
-void bind_groups(pybind11::module_& module);
-void bind_mesh(pybind11::module_& module);
-void bind_soups(pybind11::module_& module);
-void bind_locators(pybind11::module_& module);
-void bind_space_points(pybind11::module_& module);
-void bind_surface(pybind11::module_& module);
-void bind_surface_causes(pybind11::module_& module);
-void bind_solid(pybind11::module_& module);
-void bind_periodic_solid(pybind11::module_& module);
-void bind_solid_filtration(pybind11::module_& module);
-void bind_nearest(pybind11::module_& module);
-void bind_partial(pybind11::module_& module);
-void bind_points(pybind11::module_& module);
+using Bind = void(py::module_& module);
+Bind bind_alpha_choice, bind_filtration, bind_groups, bind_locators, bind_mesh, bind_nearest, bind_partial,
+    bind_periodic_solid, bind_points, bind_polygons, bind_solid, bind_solid_filtration, bind_soups, bind_space_points,
+    bind_surface, bind_surface_causes, bind_triangulation;
 
 }  // namespace rbpa::python

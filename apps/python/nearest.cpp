@@ -9,9 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "python/arrays.h"
 #include "python/module.h"
-#include "python/watched.h"
 #include "rbpa/base/error.h"
 
 namespace rbpa::python {

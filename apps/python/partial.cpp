@@ -1,17 +1,13 @@
 #include "rbpa/plane/partial.h"
 
-#include <pybind11/pybind11.h>
-
 #include <span>
 #include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
 
-#include "python/arrays.h"
 #include "python/flat_polygons.h"
 #include "python/module.h"
-#include "python/watched.h"
 #include "rbpa/base/error.h"
 #include "rbpa/plane/partial_bytes.h"
 

@@ -1,8 +1,5 @@
 #include "rbpa/space/solid/periodic_solid.h"
 
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -11,9 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "python/arrays.h"
 #include "python/module.h"
-#include "python/watched.h"
 #include "rbpa/space/balls/periodic_topology.h"
 #include "rbpa/space/persistence/choose_solid_alpha.h"
 #include "rbpa/space/solid/solid_radii.h"

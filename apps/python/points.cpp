@@ -1,6 +1,3 @@
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -13,10 +10,8 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/polygon/ogr.h"
-#include "python/arrays.h"
 #include "python/file_errors.h"
 #include "python/module.h"
-#include "python/watched.h"
 #include "rbpa/base/error.h"
 
 namespace rbpa::python {

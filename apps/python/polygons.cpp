@@ -1,11 +1,7 @@
 #include "rbpa/plane/outline_polygons.h"
 
-#include <pybind11/pybind11.h>
-
-#include "python/arrays.h"
 #include "python/flat_polygons.h"
 #include "python/module.h"
-#include "python/watched.h"
 
 namespace rbpa::python {
 namespace {

@@ -1,18 +1,13 @@
 #include "rbpa/space/solid/solid.h"
 
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
 #include <array>
 #include <limits>
 #include <tuple>
 #include <utility>
 #include <vector>
 
-#include "python/arrays.h"
 #include "python/module.h"
 #include "python/solid_again.h"
-#include "python/watched.h"
 #include "rbpa/space/balls/dangling_faces.h"
 #include "rbpa/space/balls/full_topology.h"
 #include "rbpa/space/balls/union_of_balls.h"

@@ -1,8 +1,5 @@
 #include "rbpa/space/persistence/solid_filtration.h"
 
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -10,10 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "python/arrays.h"
 #include "python/module.h"
 #include "python/solid_again.h"
-#include "python/watched.h"
 #include "rbpa/base/pair_choice.h"
 #include "rbpa/space/persistence/solid_persistence.h"
 #include "rbpa/space/persistence/solid_plateaus.h"

@@ -1,7 +1,5 @@
 #include "python/soup.h"
 
-#include <pybind11/stl.h>
-
 #include <tuple>
 
 #include "meshops/topology/examine.h"
@@ -9,7 +7,6 @@
 #include "meshops/topology/report.h"
 #include "meshops/topology/soup_defects.h"
 #include "python/module.h"
-#include "python/watched.h"
 
 namespace rbpa::python {
 

@@ -1,13 +1,8 @@
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
 #include <span>
 #include <tuple>
 
-#include "python/arrays.h"
 #include "python/module.h"
 #include "python/surface_input.h"
-#include "python/watched.h"
 #include "rbpa/space/surface/estimate_normals.h"
 #include "rbpa/space/surface/outliers.h"
 #include "rbpa/space/surface/scale_space.h"

@@ -1,8 +1,5 @@
 #include "rbpa/space/surface/surface.h"
 
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
 #include <optional>
 #include <span>
 #include <string>
@@ -13,12 +10,10 @@
 #include "io/formats.h"
 #include "io/mesh/vertices_of_points.h"
 #include "io/mesh/write_mesh.h"
-#include "python/arrays.h"
 #include "python/file_errors.h"
 #include "python/mesh.h"
 #include "python/module.h"
 #include "python/surface_input.h"
-#include "python/watched.h"
 #include "rbpa/space/repair/fill_holes.h"
 #include "rbpa/space/repair/reconstruct.h"
 #include "rbpa/space/repair/watertight.h"

@@ -1,14 +1,9 @@
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-
 #include <cstdint>
 #include <tuple>
 #include <vector>
 
-#include "python/arrays.h"
 #include "python/module.h"
 #include "python/surface_input.h"
-#include "python/watched.h"
 #include "rbpa/space/repair/fill_holes.h"
 #include "rbpa/space/repair/suggested_repairs.h"
 #include "rbpa/space/surface/curve_kinds.h"

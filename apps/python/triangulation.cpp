@@ -1,7 +1,5 @@
 #include "rbpa/plane/alpha_complex.h"
 
-#include <pybind11/pybind11.h>
-
 #include <algorithm>
 #include <cstring>
 #include <span>
@@ -9,9 +7,7 @@
 #include <vector>
 
 #include "meshops/core/contract.h"
-#include "python/arrays.h"
 #include "python/module.h"
-#include "python/watched.h"
 #include "rbpa/base/error.h"
 
 namespace rbpa::python {
