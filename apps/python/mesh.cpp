@@ -69,67 +69,57 @@ auto listed(ForEach) {
 }
 
 void bind_elements(py::class_<Mesh>& mesh) {
-  constexpr auto vertices = [](const auto& m, auto visit) { meshops::for_each_vertex(m, visit); };
-  constexpr auto halfedges = [](const auto& m, auto visit) { meshops::for_each_halfedge(m, visit); };
-  constexpr auto edges = [](const auto& m, auto visit) { meshops::for_each_edge(m, visit); };
-  constexpr auto faces = [](const auto& m, auto visit) { meshops::for_each_face(m, visit); };
-  const Count vertex_bound = [](const Mesh& m) { return m.seen().n_vertices(); };
-  const Count edge_bound = [](const Mesh& m) { return m.seen().n_edges(); };
-  const Count face_bound = [](const Mesh& m) { return m.seen().n_faces(); };
-  mesh.def_property_readonly("n_vertices", counted(vertices),
-                             "The number of vertices that are not deleted, isolated ones included.")
-      .def_property_readonly("n_edges", counted(edges), "The number of edges that are not deleted.")
-      .def_property_readonly("n_faces", counted(faces), "The number of faces that are not deleted.")
-      .def_property_readonly(
-          "vertex_bound", vertex_bound,
-          "One more than the largest vertex number, deleted ones included: the length of arrays by vertex.")
-      .def_property_readonly(
-          "edge_bound", edge_bound,
-          "One more than the largest edge number, deleted ones included: the length of arrays by edge.")
-      .def_property_readonly(
-          "face_bound", face_bound,
-          "One more than the largest face number, deleted ones included: the length of arrays by face.")
-      .def("vertices", listed(vertices), "Returns the vertices that are not deleted, ascending: an int32 array.")
-      .def("halfedges", listed(halfedges),
-           "Returns the halfedges that are not deleted, ascending: an int32 array. Edge e has 2 e and 2 e + 1.")
-      .def("edges", listed(edges), "Returns the edges that are not deleted, ascending: an int32 array.")
-      .def("faces", listed(faces), "Returns the faces that are not deleted, ascending: an int32 array.");
+  const auto bind = [&]<typename ForEach>(const std::string& one, const std::string& many, ForEach for_each,
+                                          Count bound, const std::string& note_on_count = {}) {
+    mesh.def(many.c_str(), listed(for_each),
+             ("Returns the " + many + " that are not deleted, ascending: an int32 array.").c_str());
+    mesh.def_property_readonly(("n_" + many).c_str(), counted(for_each),
+                               ("The number of " + many + " that are not deleted" + note_on_count + ".").c_str());
+    mesh.def_property_readonly(
+        (one + "_bound").c_str(), bound,
+        ("One more than the largest " + one + " number, deleted ones included: the length of arrays by " + one + ".")
+            .c_str());
+  };
+  bind(
+      "vertex", "vertices", [](const auto& m, auto visit) { meshops::for_each_vertex(m, visit); },
+      [](const Mesh& m) { return m.seen().n_vertices(); }, ", isolated ones included");
+  bind(
+      "edge", "edges", [](const auto& m, auto visit) { meshops::for_each_edge(m, visit); },
+      [](const Mesh& m) { return m.seen().n_edges(); });
+  bind(
+      "face", "faces", [](const auto& m, auto visit) { meshops::for_each_face(m, visit); },
+      [](const Mesh& m) { return m.seen().n_faces(); });
+  mesh.def("halfedges", listed([](const auto& m, auto visit) { meshops::for_each_halfedge(m, visit); }),
+           "Returns the halfedges that are not deleted, ascending: an int32 array. Edge e has 2 e and 2 e + 1.");
 }
 
 void bind_navigation(py::class_<Mesh>& mesh) {
   using py::arg;
-  const auto of = [&]<typename From>(const char* name, From, const char* what) {
+  const auto of = [&]<typename From>(const char* name, const char* what, From) {
     mesh.def(
         name, +[](const Mesh& m, Halfedge h) { return From{}(m.seen(), live(m.seen(), h, "halfedge")); },
         arg("halfedge"), what);
   };
-  of(
-      "from_vertex", [](const auto& m, Halfedge h) { return m.from_vertex_handle(h); },
-      "Returns the vertex where the halfedge starts.");
-  of(
-      "to_vertex", [](const auto& m, Halfedge h) { return m.to_vertex_handle(h); },
-      "Returns the vertex where the halfedge ends.");
-  of(
-      "next", [](const auto& m, Halfedge h) { return m.next_halfedge_handle(h); },
-      "Returns the next halfedge around its face, or along the boundary.");
-  of(
-      "prev", [](const auto& m, Halfedge h) { return m.prev_halfedge_handle(h); },
-      "Returns the previous halfedge around its face, or along the boundary.");
-  of(
-      "opposite", [](const auto& m, Halfedge h) { return m.opposite_halfedge_handle(h); },
-      "Returns the other halfedge of its edge.");
-  of(
-      "edge", [](const auto& m, Halfedge h) { return m.edge_handle(h); }, "Returns the edge of the halfedge.");
-  of(
-      "face", [](const auto& m, Halfedge h) { return maybe(m.face_handle(h)); },
-      "Returns the face on its left, or None on the boundary.");
-  of(
-      "is_boundary", [](const auto& m, Halfedge h) { return m.is_boundary(h); },
-      "Whether the halfedge has no face on its left.");
+  of("from_vertex", "Returns the vertex where the halfedge starts.",
+     [](const auto& m, Halfedge h) { return m.from_vertex_handle(h); });
+  of("to_vertex", "Returns the vertex where the halfedge ends.",
+     [](const auto& m, Halfedge h) { return m.to_vertex_handle(h); });
+  of("next", "Returns the next halfedge around its face, or along the boundary.",
+     [](const auto& m, Halfedge h) { return m.next_halfedge_handle(h); });
+  of("prev", "Returns the previous halfedge around its face, or along the boundary.",
+     [](const auto& m, Halfedge h) { return m.prev_halfedge_handle(h); });
+  of("opposite", "Returns the other halfedge of its edge.",
+     [](const auto& m, Halfedge h) { return m.opposite_halfedge_handle(h); });
+  of("edge", "Returns the edge of the halfedge.", [](const auto& m, Halfedge h) { return m.edge_handle(h); });
+  of("face", "Returns the face on the left of the halfedge, or None on the boundary.",
+     [](const auto& m, Halfedge h) { return maybe(m.face_handle(h)); });
+  of("is_boundary", "Returns whether the halfedge has no face on its left.",
+     [](const auto& m, Halfedge h) { return m.is_boundary(h); });
   mesh.def(
           "halfedge_of_vertex",
           [](const Mesh& m, Vertex v) { return maybe(m.seen().halfedge_handle(live(m.seen(), v, "vertex"))); },
-          arg("vertex"), "Returns a halfedge that starts there, on the boundary if possible; None if there is none.")
+          arg("vertex"),
+          "Returns a halfedge that starts at the vertex, on the boundary if possible; None if there is none.")
       .def(
           "halfedge_of_face", [](const Mesh& m, Face f) { return m.seen().halfedge_handle(live(m.seen(), f, "face")); },
           arg("face"), "Returns the first side of the face.")
@@ -257,16 +247,14 @@ void bind_topology(py::class_<Mesh>& mesh) {
             for (const meshops::Defect& defect : meshops::validate(m.seen())) said.push_back(describe(defect));
             return said;
           },
-          "Returns all defects that keep the mesh from being an oriented 2-manifold with boundary, as texts; [] if "
-          "only "
-          "operators\n"
-          "have changed it.")
+          "Returns all defects that keep the mesh from being an oriented 2-manifold with boundary, as texts;\n"
+          "[] if only operators have changed it.")
       .def("report", &report, arg("point_of_vertex") = py::none(),
            "Returns a Report. `point_of_vertex` is the point of each vertex; the vertices of a pinch share one.")
       .def("homology", &homology, arg("lengths") = py::none(),
-           "Returns (generators, cut_graph): loops of halfedges that generate the first homology, a list of int32 "
-           "arrays, and the\n"
-           "edges that cut the mesh into discs. With `lengths`, edge_bound numbers, they are short.")
+           "Returns (generators, cut_graph): loops of halfedges that generate the first homology, a list of\n"
+           "int32 arrays, and the edges that cut the mesh into discs, an int32 array. If `lengths` has the length of\n"
+           "each edge, edge_bound numbers, the loops are short.")
       .def(
           "separate_fans", [](Mesh& m) { return line<std::int32_t>(numbers(meshops::separate_fans(m.changed()))); },
           "Gives each fan at a vertex a vertex of its own. Returns for each new vertex the vertex that it copies.")
@@ -280,10 +268,8 @@ void bind_topology(py::class_<Mesh>& mesh) {
           "Removes deleted elements. All earlier handles and effects become invalid.")
       .def_property_readonly(
           "point_of_vertex", [](const Mesh& m) { return line<std::int32_t>(std::vector<std::uint32_t>(m.built_on)); },
-          "The point, in the given faces, of each vertex that the mesh was built with. A point in which several fans "
-          "met "
-          "has a\n"
-          "vertex for each.")
+          "The point, in the given faces, of each vertex that the mesh was built with. A point in which several\n"
+          "fans met has a vertex for each.")
       .def("__repr__", [](const Mesh& m) {
         const meshops::TopologyCounts n = meshops::count_topology(m.seen());
         return "<rbpa.meshops.Mesh: " + std::to_string(n.vertices) + " vertices, " + std::to_string(n.edges) +

@@ -231,9 +231,8 @@ void bind_stellar_operators(py::class_<Mesh>& mesh) {
                       face);
   bind_operator<Side, Side, Keep>(
       mesh, RBPA_OPERATOR(split_vertex),
-      "Splits the vertex that both halfedges leave: a new one takes over the edges between them, counter-clockwise. "
-      "One of\n"
-      "them may be None, for the boundary.",
+      "Splits the vertex that both halfedges leave: a new one takes over the edges between them, counter-clockwise.\n"
+      "One of them may be None, for the boundary.",
       arg("left"), arg("right"), by_name, keep);
   bind_operator<Halfedge, Keep>(
       mesh, RBPA_OPERATOR(weld_edge),
