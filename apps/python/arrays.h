@@ -6,8 +6,11 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -53,6 +56,12 @@ inline std::span<const Point3> points3_of(const Doubles& array, const char* name
   require_rows(array, name, 3);
   static_assert(sizeof(Point3) == 3 * sizeof(double));
   return {reinterpret_cast<const Point3*>(array.data()), static_cast<std::size_t>(array.shape(0))};
+}
+
+using MaybeDoubles = std::optional<Doubles>;
+/// Views an array as above, and nothing as no points.
+inline std::span<const Point3> points3_of(const MaybeDoubles& array, const char* name) {
+  return array ? points3_of(*array, name) : std::span<const Point3>();
 }
 
 inline std::span<const Triple> triples_of(const Indices& array, const char* name) {
@@ -127,6 +136,30 @@ template <typename Number, typename Item>
 auto line(std::vector<Item> items) {
   static_assert(sizeof(Number) == sizeof(Item));
   return array_of<Number>(std::move(items), 0);
+}
+
+/// Returns a member of each item, or a function of it, as an array with a number, or a row, for each item.
+template <typename Number, typename Item, typename Member>
+auto column(const std::vector<Item>& items, Member member) {
+  using Value = std::remove_cvref_t<std::invoke_result_t<Member, const Item&>>;
+  static_assert(sizeof(Value) % sizeof(Number) == 0);
+  std::vector<Value> values;
+  values.reserve(items.size());
+  for (const Item& item : items) values.push_back(std::invoke(member, item));
+  return array_of<Number>(std::move(values), std::is_class_v<Value> ? sizeof(Value) / sizeof(Number) : 0);
+}
+
+/// Views a member of each item as column() does, without a copy.
+template <typename Number, typename Item, typename Member>
+py::array view_column(const Kept<std::vector<Item>>& items, Member Item::*member) {
+  static_assert(sizeof(Member) % sizeof(Number) == 0);
+  std::vector<py::ssize_t> shape = {py::ssize_t(items->size())}, strides = {py::ssize_t(sizeof(Item))};
+  if (std::is_class_v<Member>) {
+    shape.push_back(py::ssize_t(sizeof(Member) / sizeof(Number)));
+    strides.push_back(py::ssize_t(sizeof(Number)));
+  }
+  const void* first = items->empty() ? nullptr : &(items->front().*member);
+  return items.template view<Number>(first, std::move(shape), std::move(strides));
 }
 
 }  // namespace rbpa::python

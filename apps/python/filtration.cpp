@@ -91,19 +91,13 @@ py::dict filtration_steps(const Doubles& points, unsigned threads, const py::obj
   const std::size_t distinct = made.distinct;
   const Kept steps(std::move(made.steps));
   py::dict result;
-  const auto column = [&]<typename Number>(const char* name, const Number FiltrationStep::*member) {
-    using Seen = std::conditional_t<std::is_integral_v<Number>, std::int64_t, Number>;
-    static_assert(sizeof(Seen) == sizeof(Number));
-    const void* first = steps->empty() ? nullptr : &((*steps)[0].*member);
-    result[name] = steps.view<Seen>(first, {py::ssize_t(steps->size())}, {py::ssize_t(sizeof(FiltrationStep))});
-  };
-  column("alpha", &FiltrationStep::alpha);
-  column("triangles", &FiltrationStep::triangles);
-  column("solid_components", &FiltrationStep::solid_components);
-  column("components", &FiltrationStep::components);
-  column("holes", &FiltrationStep::holes);
-  column("covered", &FiltrationStep::covered);
-  column("area", &FiltrationStep::area);
+  result["alpha"] = view_column<double>(steps, &FiltrationStep::alpha);
+  result["triangles"] = view_column<std::int64_t>(steps, &FiltrationStep::triangles);
+  result["solid_components"] = view_column<std::int64_t>(steps, &FiltrationStep::solid_components);
+  result["components"] = view_column<std::int64_t>(steps, &FiltrationStep::components);
+  result["holes"] = view_column<std::int64_t>(steps, &FiltrationStep::holes);
+  result["covered"] = view_column<std::int64_t>(steps, &FiltrationStep::covered);
+  result["area"] = view_column<double>(steps, &FiltrationStep::area);
   result["distinct"] = distinct;
   return result;
 }

@@ -36,11 +36,6 @@ py::dict shapes_of_groups(const Doubles& points, const Indices& labels, std::siz
     all = total(made.polygons);
     return true;
   });
-  std::vector<double> areas, perimeters;
-  for (const PolygonTotals& totals : made.totals) {
-    areas.push_back(totals.area);
-    perimeters.push_back(totals.perimeter);
-  }
   py::dict polygons = flat.as_arrays();
   polygons["area"] = all.area;
   polygons["perimeter"] = all.perimeter;
@@ -49,8 +44,8 @@ py::dict shapes_of_groups(const Doubles& points, const Indices& labels, std::siz
   py::dict result;
   result["counts"] = line<std::int64_t>(std::move(counts));
   result["alphas"] = line<double>(std::move(made.alphas));
-  result["areas"] = line<double>(std::move(areas));
-  result["perimeters"] = line<double>(std::move(perimeters));
+  result["areas"] = column<double>(made.totals, &PolygonTotals::area);
+  result["perimeters"] = column<double>(made.totals, &PolygonTotals::perimeter);
   result["simplices"] = rows<std::int32_t>(std::move(made.triangles));
   result["simplex_begin"] = line<std::int64_t>(std::move(made.triangle_begin));
   result["polygon_begin"] = line<std::int64_t>(std::move(made.polygon_begin));

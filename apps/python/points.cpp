@@ -26,7 +26,7 @@ Format format_of(const std::string& path, const MaybeText& name, app::Use use) {
   app::refuse_input(path, use, "format");
 }
 
-/// Returns the requested columns, each of kind "number" or "text", or by its values if the kind is empty.
+/// The requested fields: the name of each, and its kind, "number" or "text", or empty for that of its values.
 using WantedFields = std::vector<std::pair<std::string, std::string>>;
 
 std::vector<app::WantedColumn> columns_of(const WantedFields& fields, app::Use use, bool texts) {

@@ -81,32 +81,14 @@ std::tuple<Indices, Indices, Indices> dangling_of(const Doubles& points, double 
           line<std::int32_t>(std::move(found.points))};
 }
 
-/// Adds the voids as columns, with the first triangle and the first point of each.
-void add_voids(const std::vector<SolidVoid>& voids, py::dict& result) {
-  std::vector<double> volume, outside, area;
-  std::vector<std::array<double, 6>> box;
-  std::vector<std::int64_t> islands, first_triangle = {0}, first_point = {0};
-  std::vector<std::uint32_t> triangles, around;
-  for (const SolidVoid& hollow : voids) {
-    volume.push_back(hollow.volume);
-    if (hollow.outside_balls) outside.push_back(*hollow.outside_balls);
-    area.push_back(hollow.area);
-    box.push_back({hollow.low.x, hollow.low.y, hollow.low.z, hollow.high.x, hollow.high.y, hollow.high.z});
-    islands.push_back(static_cast<std::int64_t>(hollow.islands));
-    triangles.insert(triangles.end(), hollow.triangles.begin(), hollow.triangles.end());
-    around.insert(around.end(), hollow.points.begin(), hollow.points.end());
-    first_triangle.push_back(static_cast<std::int64_t>(triangles.size()));
-    first_point.push_back(static_cast<std::int64_t>(around.size()));
-  }
-  result["void_volume"] = line<double>(std::move(volume));
-  result["void_outside_balls"] = line<double>(std::move(outside));
-  result["void_area"] = line<double>(std::move(area));
-  result["void_box"] = rows<double>(std::move(box));
-  result["void_islands"] = line<std::int64_t>(std::move(islands));
-  result["void_triangles"] = line<std::int32_t>(std::move(triangles));
-  result["void_points"] = line<std::int32_t>(std::move(around));
-  result["first_triangle"] = line<std::int64_t>(std::move(first_triangle));
-  result["first_point"] = line<std::int64_t>(std::move(first_point));
+/// Returns the arguments of rbpa.SolidVoid for each void.
+py::list as_list(std::vector<SolidVoid> voids) {
+  py::list list;
+  for (SolidVoid& hollow : voids)
+    list.append(py::make_tuple(hollow.volume, hollow.area, rows<double>(std::vector<Point3>{hollow.low, hollow.high}),
+                               hollow.islands, line<std::int32_t>(std::move(hollow.triangles)),
+                               line<std::int32_t>(std::move(hollow.points)), hollow.outside_balls));
+  return list;
 }
 
 /// Returns the boundary of a solid, and its voids.
@@ -133,7 +115,7 @@ py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices
   result["solid_components"] = counts.solid_components;
   result["volume"] = made.measures.volume;
   result["area"] = made.measures.area;
-  add_voids(made.voids.all, result);
+  result["voids"] = as_list(std::move(made.voids.all));
   return result;
 }
 
@@ -148,7 +130,7 @@ py::dict full_of(const Doubles& points, double alpha) {
   py::dict result;
   result["betti"] = py::make_tuple(made.counts.components, made.counts.tunnels, made.counts.voids);
   result["triangles"] = rows<std::int32_t>(std::move(made.voids.boundary.triangles));
-  add_voids(made.voids.all, result);
+  result["voids"] = as_list(std::move(made.voids.all));
   return result;
 }
 

@@ -129,22 +129,12 @@ py::dict void_tree_of(const Doubles& points, const Indices& simplices, const Ind
     return void_tree(input, solid_again(simplices, neighbors), line_of(radii),
                      full ? ComplexKind::full : ComplexKind::solid, threads, watch.until_stopped());
   });
-  std::vector<double> closes, filled, volume;
-  std::vector<std::uint32_t> parent;
-  std::vector<Triangle> mouth;
-  for (const VoidNode& node : tree.nodes) {
-    closes.push_back(node.closes);
-    filled.push_back(node.filled);
-    volume.push_back(node.volume);
-    parent.push_back(node.parent);
-    mouth.push_back(node.mouth);
-  }
   py::dict result;
-  result["closes"] = line<double>(std::move(closes));
-  result["filled"] = line<double>(std::move(filled));
-  result["volume"] = line<double>(std::move(volume));
-  result["parent"] = line<std::int32_t>(std::move(parent));
-  result["mouth"] = rows<std::int32_t>(std::move(mouth));
+  result["closes"] = column<double>(tree.nodes, &VoidNode::closes);
+  result["filled"] = column<double>(tree.nodes, &VoidNode::filled);
+  result["volume"] = column<double>(tree.nodes, &VoidNode::volume);
+  result["parent"] = column<std::int32_t>(tree.nodes, &VoidNode::parent);
+  result["mouth"] = column<std::int32_t>(tree.nodes, &VoidNode::mouth);
   return result;
 }
 

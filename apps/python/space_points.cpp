@@ -2,7 +2,6 @@
 #include <tuple>
 
 #include "python/module.h"
-#include "python/surface_input.h"
 #include "rbpa/space/surface/estimate_normals.h"
 #include "rbpa/space/surface/outliers.h"
 #include "rbpa/space/surface/scale_space.h"
@@ -14,7 +13,7 @@ namespace {
 std::tuple<Doubles, Doubles> estimated(const Doubles& points, std::size_t neighbors, const MaybeDoubles& viewpoints,
                                        unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
-  const auto from = viewpoints ? points3_of(*viewpoints, "viewpoint") : std::span<const Point3>();
+  const auto from = points3_of(viewpoints, "viewpoint");
   EstimatedNormals made = watched(input.size(), progress, [&](Watch& watch) {
     return estimate_normals_and_confidence(
         input, {.neighbors = neighbors, .viewpoints = from, .threads = threads, .progress = watch.progress()});

@@ -13,7 +13,6 @@
 #include "python/file_errors.h"
 #include "python/mesh.h"
 #include "python/module.h"
-#include "python/surface_input.h"
 #include "rbpa/space/repair/fill_holes.h"
 #include "rbpa/space/repair/reconstruct.h"
 #include "rbpa/space/repair/watertight.h"
@@ -65,7 +64,7 @@ py::dict as_dict(FilledSurface& made) {
 py::dict reconstructed(const Doubles& points, const MaybeDoubles& normals, bool estimates, const Doubles& radii,
                        double max_radius, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
-  const auto vectors = normals ? points3_of(*normals, "normals") : std::span<const Point3>();
+  const auto vectors = points3_of(normals, "normals");
   const std::span<const double> wanted = line_of(radii);
   Reconstruction made = watched(input.size(), progress, [&](Watch& watch) {
     return reconstruct({input.begin(), input.end()}, {.normals = {vectors.begin(), vectors.end()},
@@ -122,21 +121,12 @@ py::dict components_of(const Doubles& points, const Indices& triangles, const In
   SurfaceComponents found = watched(links.triangles.size(), py::none(), [&](Watch& watch) {
     return surface_components(input, of_links(links), watch.until_stopped());
   });
-  std::vector<double> areas, volumes;
-  std::vector<std::int64_t> curves;
-  std::vector<std::array<Point3, 2>> boxes;
-  for (const SurfaceComponent& component : found.all) {
-    areas.push_back(component.area);
-    volumes.push_back(component.volume);
-    curves.push_back(static_cast<std::int64_t>(component.boundary_curves));
-    boxes.push_back({component.low, component.high});
-  }
   py::dict result;
   result["number"] = line<std::int32_t>(std::move(found.number));
-  result["area"] = line<double>(std::move(areas));
-  result["volume"] = line<double>(std::move(volumes));
-  result["boundary_curves"] = line<std::int64_t>(std::move(curves));
-  result["box"] = rows<double>(std::move(boxes));
+  result["area"] = column<double>(found.all, &SurfaceComponent::area);
+  result["volume"] = column<double>(found.all, &SurfaceComponent::volume);
+  result["boundary_curves"] = column<std::int64_t>(found.all, &SurfaceComponent::boundary_curves);
+  result["box"] = column<double>(found.all, [](const SurfaceComponent& one) { return std::array{one.low, one.high}; });
   return result;
 }
 
@@ -177,7 +167,7 @@ py::dict filled(const Doubles& points, const Indices& triangles, const Indices& 
 py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indices& triangles, const Indices& neighbors,
                  const Flags& is_new, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
-  const auto vectors = normals ? points3_of(*normals, "normals") : std::span<const Point3>();
+  const auto vectors = points3_of(normals, "normals");
   const Links links(triangles, neighbors);
   require_shape(is_new.ndim() == 1, is_new, "is_new", "(m,)");
   FilledSurface made;
@@ -225,7 +215,7 @@ void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& nor
            const Indices& neighbors, bool manifold, const std::optional<std::string>& shift) {
   const std::string path = name;
   const auto input = points3_of(points, "points");
-  const auto vectors = normals ? points3_of(*normals, "normals") : std::span<const Point3>();
+  const auto vectors = points3_of(normals, "normals");
   const Links links(triangles, neighbors);
   const std::optional<app::Format> format = app::find_format(app::Use::boundary, app::ending(path));
   if (!format)

@@ -1,9 +1,11 @@
 #include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
 #include <tuple>
 #include <vector>
 
 #include "python/module.h"
-#include "python/surface_input.h"
 #include "rbpa/space/repair/fill_holes.h"
 #include "rbpa/space/repair/suggested_repairs.h"
 #include "rbpa/space/surface/curve_kinds.h"
@@ -15,6 +17,49 @@ namespace rbpa::python {
 namespace {
 
 using Causes = py::array_t<std::uint8_t, py::array::c_style>;
+
+/// The input of a surface. Without normals the surface is the exposed triangles of one radius; without radii it was not
+/// made by a ball.
+struct SurfaceInput {
+  std::span<const Point3> points, normals;
+  std::span<const double> radii;
+
+  SurfaceInput(const Doubles& given_points, const MaybeDoubles& given_normals, const Doubles& given_radii)
+      : points(points3_of(given_points, "points")),
+        normals(points3_of(given_normals, "normals")),
+        radii(line_of(given_radii)) {
+    require_shape(given_radii.ndim() == 1, given_radii, "radii", "(k,)");
+    if (!given_normals && radii.size() > 1)
+      throw py::value_error("radii: found " + std::to_string(radii.size()) +
+                            ", expected one for points without normals");
+  }
+};
+
+/// Rebuilds a surface from the arrays that surface_of() returned.
+Surface surface_again(const SurfaceInput& input, const Indices& triangles, const Indices& neighbors,
+                      const Indices& levels, const Indices& duplicates) {
+  Surface made;
+  const auto corners = triples_of(triangles, "triangles"), others = triples_of(neighbors, "neighbors");
+  if (others.size() != corners.size() || levels.ndim() != 1 ||
+      static_cast<std::size_t>(levels.shape(0)) != corners.size())
+    throw py::value_error("triangles, neighbors, levels: found arrays of lengths " + std::to_string(corners.size()) +
+                          ", " + std::to_string(others.size()) + ", " + std::to_string(levels.size()) +
+                          ", expected equal ones");
+  require_rows(duplicates, "duplicates", 2);
+  made.triangles.assign(corners.begin(), corners.end());
+  made.neighbors.assign(others.begin(), others.end());
+  if (input.radii.size() > 1) {
+    made.levels.resize(corners.size());
+    if (!made.levels.empty())
+      std::memcpy(made.levels.data(), levels.data(), made.levels.size() * sizeof(made.levels[0]));
+  }
+  made.duplicates.resize(static_cast<std::size_t>(duplicates.shape(0)));
+  static_assert(sizeof(Duplicate) == 2 * sizeof(std::int32_t));
+  if (!made.duplicates.empty())
+    std::memcpy(made.duplicates.data(), duplicates.data(), made.duplicates.size() * sizeof(Duplicate));
+  made.distinct = input.points.size() - made.duplicates.size();
+  return made;
+}
 
 /// Returns the sides of all boundary curves as columns, and the begin of each curve. Without radii the surface was not
 /// made by a ball, and sides have no cause.
@@ -43,24 +88,13 @@ py::dict holes_of(const Doubles& points, const MaybeDoubles& normals, const Doub
   });
   py::dict result;
   const Kept edges(std::move(all));
-  const auto column = [&]<typename Number>(const char* name, auto RimEdge::*member, py::ssize_t columns, Number) {
-    const void* first = edges->empty() ? nullptr : &((*edges)[0].*member);
-    std::vector<py::ssize_t> shape = {py::ssize_t(edges->size())}, strides = {py::ssize_t(sizeof(RimEdge))};
-    if (columns > 0) {
-      shape.push_back(columns);
-      strides.push_back(py::ssize_t(sizeof(Number)));
-    }
-    result[name] = edges.view<Number>(first, std::move(shape), std::move(strides));
-  };
-  static_assert(sizeof(RimCause) == 1 && sizeof(bool) == 1);
-  column("from", &RimEdge::from, 0, std::int32_t{});
-  column("to", &RimEdge::to, 0, std::int32_t{});
-  column("triangle", &RimEdge::triangle, 0, std::int32_t{});
-  column("level", &RimEdge::level, 0, std::int32_t{});
-  column("cause", &RimEdge::cause, 0, std::uint8_t{});
-  column("next", &RimEdge::next, 3, std::int32_t{});
-  column("corners", &RimEdge::corners, 3, bool{});
-  column("sides", &RimEdge::sides, 3, bool{});
+  result["from"] = view_column<std::int32_t>(edges, &RimEdge::from);
+  result["to"] = view_column<std::int32_t>(edges, &RimEdge::to);
+  result["triangle"] = view_column<std::int32_t>(edges, &RimEdge::triangle);
+  result["level"] = view_column<std::int32_t>(edges, &RimEdge::level);
+  result["cause"] = view_column<std::uint8_t>(edges, &RimEdge::cause);
+  result["next"] = view_column<std::int32_t>(edges, &RimEdge::next);
+  result["corners"] = view_column<bool>(edges, &RimEdge::corners);
   result["begin"] = line<std::int64_t>(std::move(begin));
   result["length"] = line<double>(std::move(lengths));
   result["kind"] = line<std::uint8_t>(std::move(kinds));
@@ -116,13 +150,7 @@ std::tuple<Indices, Causes> unused_of(const Doubles& points, const MaybeDoubles&
     const SurfaceOptions options = {.threads = threads, .progress = watch.progress()};
     return unused_points(input.points, input.normals, input.radii, made, options);
   });
-  std::vector<std::uint32_t> indices;
-  std::vector<std::uint8_t> causes;
-  for (const UnusedPoint& point : found) {
-    indices.push_back(point.index);
-    causes.push_back(static_cast<std::uint8_t>(point.cause));
-  }
-  return {line<std::int32_t>(std::move(indices)), line<std::uint8_t>(std::move(causes))};
+  return {column<std::int32_t>(found, &UnusedPoint::index), column<std::uint8_t>(found, &UnusedPoint::cause)};
 }
 
 }  // namespace

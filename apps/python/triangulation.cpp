@@ -28,7 +28,7 @@ py::dict triangulate(const Doubles& points, double alpha, unsigned threads, cons
   return result;
 }
 
-/// Returns the ascending neighbors of each point, one list after the other, and the begin of each list.
+/// The ascending neighbors of each point, one list after the other, and the begin of each list.
 struct NeighborLists {
   std::vector<std::int32_t> begin, neighbors;
 };

@@ -160,25 +160,6 @@ class SolidVoid:
         return f"<rbpa.SolidVoid of volume {self.volume}, area {self.area}, {len(self.points)} points around it>"
 
 
-def _voids_of(of: dict[str, Any]) -> list[SolidVoid]:
-    triangles, points = of["first_triangle"].tolist(), of["first_point"].tolist()
-    outside = of["void_outside_balls"].tolist() or [None] * len(of["void_volume"])
-    return [
-        SolidVoid(
-            volume,
-            area,
-            of["void_box"][i].reshape(2, 3).copy(),
-            islands,
-            of["void_triangles"][triangles[i] : triangles[i + 1]].copy(),
-            of["void_points"][points[i] : points[i + 1]].copy(),
-            outside[i],
-        )
-        for i, (volume, area, islands) in enumerate(
-            zip(of["void_volume"].tolist(), of["void_area"].tolist(), of["void_islands"].tolist())
-        )
-    ]
-
-
 class FullComplex(NamedTuple):
     """The topology of a full alpha complex, as returned by `Solid.full`. Arrays are read-only.
 
@@ -273,7 +254,7 @@ class Solid(Simplices):
         self._require_unchanged()
         made = _core.solid_full(self.points, self.alpha)
         freeze(made["triangles"])
-        return FullComplex(made["betti"], _voids_of(made), made["triangles"])
+        return FullComplex(made["betti"], [SolidVoid(*void) for void in made["voids"]], made["triangles"])
 
     @cached_property
     def _voids(self) -> dict[str, Any]:
@@ -308,7 +289,7 @@ class Solid(Simplices):
     @cached_property
     def voids(self) -> list[SolidVoid]:
         """The bounded components of the complement of the solid, the largest volume first."""
-        return _voids_of(self._voids)
+        return [SolidVoid(*void) for void in self._voids["voids"]]
 
     def boundary_mesh(self) -> meshops.Mesh:
         """Returns a new halfedge mesh of the boundary: face i is triangle i of `boundary`, with the neighbors of
