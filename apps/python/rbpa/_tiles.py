@@ -83,7 +83,7 @@ class Tile:
     around: Bounds
     halves: Optional[Tuple[Tile, Tile]] = None
 
-    def parted(self, points: Floats, some: Optional[Integers] = None) -> Iterator[Tuple[int, Integers]]:
+    def split(self, points: Floats, some: Optional[Integers] = None) -> Iterator[Tuple[int, Integers]]:
         """Yields for each undivided tile with points in it or in its halo its number and these points, of all points or
         of some."""
         some = np.arange(len(points)) if some is None else some
@@ -96,7 +96,7 @@ class Tile:
             yield self.number, inside
             return
         for half in self.halves:
-            yield from half.parted(points, inside)
+            yield from half.split(points, inside)
 
     def __len__(self) -> int:
         """The number of undivided tiles."""

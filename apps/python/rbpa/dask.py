@@ -234,7 +234,7 @@ def _cut(chunk: Any, first: int, count: int, tree: Tile, path: str) -> list[tupl
     pieces: list[tuple[int, str, int, int]] = []
 
     def write(file: Any) -> None:
-        for tile, inside in tree.parted(points):
+        for tile, inside in tree.split(points):
             records = np.empty(len(inside), _RECORD)
             records["x"], records["y"] = points[inside].T
             records["index"] = inside + first
