@@ -2,6 +2,7 @@
 
 import gzip
 import os
+import re
 import struct
 import subprocess
 
@@ -106,6 +107,51 @@ def test_a_table_has_columns_of_any_name(tmp_path):
     assert any("2 lines are left out" in warning for warning in read.warnings)
     oaks = rbpa.read_points(path, columns="the height,lat", where="kind == 'oak'")
     assert oaks.points.tolist() == [[1.5, 52], [3, 54]]
+
+
+@pytest.mark.parametrize("columns", ["east,north", ["east", "north"], ("east", "north"), [2, 3], ["2", 3], np.array([2, 3])])
+def test_columns_are_a_str_or_a_sequence_of_names_and_numbers(tmp_path, columns):
+    path = tmp_path / "a.csv"
+    path.write_text("id,east,north\n7,0,1\n8,2,5\n9,4,4\n")
+    read = rbpa.read_points(path, columns=columns)
+    assert read.points.tolist() == [[0, 1], [2, 5], [4, 4]]
+
+
+@pytest.mark.parametrize(
+    "options, message",
+    [
+        ({"columns": [1.5, 2]}, "columns: found 1.5, expected names (str) or numbers (int) of columns"),
+        ({"columns": {"x": 1}}, "columns: found {'x': 1}, expected names (str) or numbers (int) of columns"),
+        ({"columns": ["a,b", "c"]}, "columns: found 'a,b', expected a name without a comma (a number chooses the column)"),
+        ({"columns": [1]}, None),
+        ({"fields": [3]}, "fields: found 3, expected a str"),
+        ({"where": 3}, "where: found 3, expected a str"),
+        ({"format": 3}, "format: found 3, expected a str"),
+    ],
+)
+def test_options_of_another_type_are_refused_by_one_sentence(tmp_path, options, message):
+    path = tmp_path / "a.csv"
+    path.write_text("x,y\n0,1\n2,5\n")
+    with pytest.raises(rbpa.InvalidInput, match=message and f"^{re.escape(message)}$"):
+        rbpa.read_points(path, **options)
+
+
+def test_a_point_file_is_taken_for_its_points(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text("x,y,z\n0,0,0\n2,0,0\n0,2,0\n0,0,2\n")
+    plane, space = rbpa.read_points(path), rbpa.read_points(path, space=True)
+    assert np.asarray(plane) is plane.points and np.array(plane) is not plane.points
+    assert rbpa.alpha_shape(plane).area == rbpa.alpha_shape(plane.points).area
+    assert rbpa.solid(space).volume == rbpa.solid(space.points).volume
+    assert len(rbpa.Delaunay(space).simplices) == len(rbpa.Delaunay(space.points).simplices)
+
+
+def test_a_header_without_known_names_is_among_the_warnings(tmp_path):
+    path = tmp_path / "a.csv"
+    for header, known in (("a,b", False), ("a,b,c", False), ("x,y", True), ("Länge,Breite", True)):
+        path.write_text(header + "\n" + ("0,1,2\n2,5,3\n" if header.count(",") == 2 else "0,1\n2,5\n"), encoding="utf-8")
+        warnings = rbpa.read_points(path).warnings
+        assert any(text.startswith("no name of a column is that of a coordinate") for text in warnings) != known, header
 
 
 def test_geometries_of_a_line_have_its_fields(tmp_path):

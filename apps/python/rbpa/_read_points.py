@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats
+from rbpa._input import Floats, shown
 
 
 def read_points(
@@ -19,7 +19,7 @@ def read_points(
     space: bool = False,
     fields: Union[Sequence[str], Mapping[str, type]] = (),
     where: Optional[str] = None,
-    columns: Optional[str] = None,
+    columns: Union[str, Sequence[Union[str, int]], None] = None,
     format: Optional[str] = None,
     skip_invalid: bool = False,
     vertices: bool = False,
@@ -40,9 +40,9 @@ def read_points(
     where : str, optional
         A condition on such fields that selects points: "classification == 2 and not overlap", as in ``--where`` of the
         program.
-    columns : str, optional
-        Columns of a table: "X,Y", in space "X,Y,Z" or "X,Y,Z,NX,NY,NZ", each a name or a number from 1. By default
-        those that the header names, or the first ones.
+    columns : str or sequence of str and int, optional
+        Columns of a table: "X,Y" or ["X", "Y"], in space "X,Y,Z" or "X,Y,Z,NX,NY,NZ", each a name or a number from 1.
+        By default those that the header names, or the first ones.
     format : str, optional
         "las", "text", ...; by default according to the ending of the path.
     skip_invalid : bool
@@ -72,7 +72,14 @@ def read_points(
     for name, kind in wanted.items():
         if kind not in kinds:
             raise InvalidInput(f"fields: found {kind!r} for {name!r}, expected float or str")
+    for name in wanted:
+        _require_text(name, "fields")
     named = [(name, kinds[kind]) for name, kind in wanted.items()]
+    if columns is not None and not isinstance(columns, str):
+        columns = _joined(columns)
+    for text, option in ((where, "where"), (format, "format")):
+        if text is not None:
+            _require_text(text, option)
     try:
         read = _core.read_points(os.fsencode(path), space, named, where, columns, format, skip_invalid, vertices)
     except InvalidInput as error:
@@ -85,6 +92,22 @@ def read_points(
     return PointFile(read)
 
 
+def _require_text(value: Any, name: str) -> None:
+    if not isinstance(value, str):
+        raise InvalidInput(f"{name}: found {shown(value)}, expected a str")
+
+
+def _joined(columns: Any) -> str:
+    """Returns columns as the text that the compiled part parses."""
+    names = list(columns) if isinstance(columns, (list, tuple, np.ndarray)) else [columns]
+    for name in names:
+        if isinstance(name, (bool, np.bool_)) or not isinstance(name, (str, int, np.integer)):
+            raise InvalidInput(f"columns: found {shown(name)}, expected names (str) or numbers (int) of columns")
+        if isinstance(name, str) and "," in name:
+            raise InvalidInput(f"columns: found {shown(name)}, expected a name without a comma (a number chooses the column)")
+    return ",".join(map(str, names))
+
+
 def _field(values: Any) -> Any:
     """Returns numbers unchanged, and texts by their numbers."""
     if not isinstance(values, tuple):
@@ -94,7 +117,8 @@ def _field(values: Any) -> Any:
 
 
 class PointFile:
-    """The content of a file, as returned by `read_points`. Arrays are writable.
+    """The content of a file, as returned by `read_points`. Arrays are writable. A function that takes points also takes
+    the PointFile for its `points`; normals, colors and fields are passed by themselves.
 
     Attributes
     ----------
@@ -121,6 +145,10 @@ class PointFile:
     def __init__(self, read: dict[str, Any]) -> None:
         self._selected: Optional[npt.NDArray[np.int64]] = read.pop("selected")
         self.__dict__.update(read)
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> npt.NDArray[Any]:
+        array = self.points if dtype is None else self.points.astype(dtype, copy=False)
+        return array.copy() if copy and array is self.points else array
 
     @property
     def index(self) -> npt.NDArray[np.int64]:
