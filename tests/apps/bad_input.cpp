@@ -48,26 +48,27 @@ TEST_SUITE("bad input") {
   TEST_CASE("an empty file is refused") { refuses_text("", "p.xy: found an empty file, expected points"); }
 
   TEST_CASE("a line that is not numbers is named by file, line and text") {
-    refuses_text("0 0\n1 0\n# a comment\n2 abc\n", "p.xy:4: found 'abc', expected a number");
-    refuses_text("0 0\n1 0x\n", "p.xy:2: found '0x', expected a number");
+    refuses_text("0 0\n1 0\n# a comment\n2 abc\n", "p.xy:4: found 'abc', expected a number" + skipping_hint);
+    refuses_text("0 0\n1 0x\n", "p.xy:2: found '0x', expected a number" + skipping_hint);
   }
 
   TEST_CASE("text in the first columns of a wider table is refused with a hint at --columns") {
     const Folder folder;
     folder.file("p.csv", "name,a,b\nBerlin,13.4,52.5\n");
     refuses(folder, "mesh p.csv --alpha 1 -o m.off", 3,
-            "p.csv:2: found 'Berlin', expected a number (--columns X,Y chooses other columns of 'name,a,b')");
+            "p.csv:2: found 'Berlin', expected a number (--columns X,Y chooses other columns of 'name,a,b'; " +
+                skipping_way);
     folder.file("p.csv", "Berlin,13.4,52.5\n");
     refuses(folder, "mesh p.csv --alpha 1 -o m.off", 3,
-            "p.csv:1: found 'Berlin', expected a number (--columns X,Y chooses other columns)");
+            "p.csv:1: found 'Berlin', expected a number (--columns X,Y chooses other columns; " + skipping_way);
     folder.file("p.csv", "name,lon,lat\nBerlin,13.4,52.5\nBonn,east,50.7\n");
-    refuses(folder, "mesh p.csv --columns lon,lat --alpha 1 -o m.off", 3, "p.csv:3: found 'east', expected a number");
+    refuses(folder, "mesh p.csv --columns lon,lat --alpha 1 -o m.off", 3,
+            "p.csv:3: found 'east', expected a number" + skipping_hint);
   }
 
   TEST_CASE("NaN and infinity are refused") {
-    refuses_text("0 0\nnan 1\n",
-                 "p.xy:2: found 'nan', expected a finite number (--skip-invalid leaves out lines that are not points)");
-    refuses_text("0 0\n1 -inf\n", "p.xy:2: found '-inf', expected a finite number");
+    refuses_text("0 0\nnan 1\n", "p.xy:2: found 'nan', expected a finite number" + skipping_hint);
+    refuses_text("0 0\n1 -inf\n", "p.xy:2: found '-inf', expected a finite number" + skipping_hint);
   }
 
   TEST_CASE("a number beyond every double is refused") {
@@ -79,8 +80,8 @@ TEST_SUITE("bad input") {
   }
 
   TEST_CASE("a wrong number of columns is refused") {
-    refuses_text("0 0\n1 2 3\n", "p.xy:2: found 3 columns ('1 2 3'), expected 2 as in line 1");
-    refuses_text("0 0\n1\n", "p.xy:2: found 1 column ('1'), expected 2 as in line 1");
+    refuses_text("0 0\n1 2 3\n", "p.xy:2: found 3 columns ('1 2 3'), expected 2 as in line 1" + skipping_hint);
+    refuses_text("0 0\n1\n", "p.xy:2: found 1 column ('1'), expected 2 as in line 1" + skipping_hint);
   }
 
   TEST_CASE("a missing column is refused") {

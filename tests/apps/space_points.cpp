@@ -432,7 +432,7 @@ TEST_SUITE("points of space") {
     CHECK_THROWS_WITH_AS(where("x,y,z,n\n1,2,3,NA\n", "n == 1"),
                          "p:2: found 'NA', expected a number, as --where compares the column with numbers (== \"...\" "
                          "compares it with a "
-                         "text) (--skip-invalid leaves out "
+                         "text; --skip-invalid leaves out "
                          "lines that are not points)",
                          BadInput);
   }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <initializer_list>
 #include <random>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "io/bytes/number.h"
 #include "io/cloud/cloud.h"
 #include "io/cloud/read_points.h"
+#include "io/cloud/read_space_points.h"
 #include "io/failure.h"
 #include "io/text/fields.h"
 #include "support/program.h"
@@ -57,7 +59,29 @@ TEST_SUITE("tables of people") {
                            {"Easting", "Northing", false},
                            {"E", "N", false},
                            {"x [m]", "y [m]", false},
-                           {"Longitude (deg)", "Latitude (deg)", true}};
+                           {"Longitude (deg)", "Latitude (deg)", true},
+                           {"L\xC3\xA4nge", "Breite", true},
+                           {"L\xE4nge", "Breite", true},  // in Latin-1
+                           {"La\xCC\x88nge", "BREITE", true},
+                           {"LAENGE", "Breite", true},
+                           {"L\xC3\x84NGENGRAD", "Breitengrad", true},
+                           {"Laengengrad [deg]", "Breitengrad [deg]", true},
+                           {"longitud", "latitud", true},
+                           {"longitudine", "latitudine", true},
+                           {"lengtegraad", "breedtegraad", true},
+                           {"l\xC3\xA6ngdegrad", "breddegrad", true},
+                           {"D\xC5\x82ugo\xC5\x9B\xC4\x87", "Szeroko\xC5\x9B\xC4\x87", true},
+                           {"abscisse",
+                            "ordonn\xC3\xA9"
+                            "e",
+                            false},
+                           {"Coordonn\xC3\xA9"
+                            "e X",
+                            "Coordonn\xC3\xA9"
+                            "e Y",
+                            false},
+                           {"Ost", "Nord", false},
+                           {"este", "norte", false}};
     for (const Names& name : names)
       for (const char separator : {',', ';', '\t'})
         for (const std::string order : {"xy", "yx", "ixy", "iyx", "xiy", "yix", "iixyi", "iiyxi"}) {
@@ -96,6 +120,134 @@ TEST_SUITE("tables of people") {
     CHECK_FALSE(transposed.degrees);
   }
 
+  TEST_CASE("a header without a known name gives a warning, in the plane and in space, for any number of columns") {
+    struct Header {
+      std::string names;
+      bool in_space;
+      std::string columns, way;  ///< of the warning; none without columns
+    };
+    const std::string x = "x is column 1, ", y = "y is column 2, ";
+    for (const Header& header : std::initializer_list<Header>{
+             {"a,b", false, x + "'a', and " + y + "'b'", "--columns 2,1 exchanges them"},
+             {"a,b,c", false, x + "'a', and " + y + "'b'", "--columns chooses others"},
+             {"lat,b", false, x + "'lat', and " + y + "'b'", "--columns 2,1 exchanges them"},
+             {"lon,b,c", false, x + "'lon', and " + y + "'b'", "--columns chooses others"},
+             {"x,b", false, "", ""},
+             {"a,North", false, "", ""},
+             {"a,b,c", true, x + "'a', " + y + "'b', and z is column 3, 'c'", "--columns chooses another order"},
+             {"a,b,H\xC3\xB6he", true, "", ""},
+             {"x,y,c", true, "", ""}}) {
+      CAPTURE(header.names);
+      const bool three = header.names.find(',') != header.names.rfind(',');
+      const std::string text = header.names + (three ? "\n1,2,3\n4,5,7\n" : "\n1,2\n4,5\n");
+      const std::vector<std::string> warnings =
+          header.in_space ? space_points_in(text, "t", Format::text, {}).warnings : read(text).warnings;
+      if (header.columns.empty()) {
+        CHECK(warnings.empty());
+      } else {
+        CHECK(warnings == std::vector<std::string>{"no name of a column is that of a coordinate; " + header.columns +
+                                                   " (" + header.way + ")"});
+      }
+      const std::vector<Column> chosen = {{.number = 1}, {.number = 2}};
+      CHECK(read(text, {.columns = chosen}).warnings.empty());
+    }
+  }
+
+  TEST_CASE("a first column that numbers the lines of a table without a header gives a warning") {
+    const std::string lines = "1,345.1,678.2\n2,345.9,678.4\n3,346.2,677.9\n";
+    const std::vector<std::string> numbered = {
+        "x is column 1, which numbers the lines (--columns 2,3 takes the columns after it)"};
+    std::string grid;
+    for (const char* const y : {"0", "1"})
+      for (int i = 0; i < 100; ++i) grid += std::to_string(i) + " " + y + " 5.5\n";
+    struct Table {
+      std::string text;
+      bool is_numbered;
+    };
+    for (const Table& table :
+         std::initializer_list<Table>{{lines, true},
+                                      {"# points\n\n" + lines, true},
+                                      {"0 5 7\n1 6 7\n2 7 7\n3 7 9\n", true},
+                                      {"17;1,5;2\n18;2,5;3\n19;1,5;4\n", true},
+                                      {"1,345.1,678.2\n2,345.9,678.4\n", false},  // too few to tell
+                                      {"1,345.1,678.2\n2,345.9,678.4\n4,1,2\n", false},
+                                      {"1,5,678.2\n2,5,678.4\n3,5,6\n", false},  // a row of a grid
+                                      {"1,5,a\n2,6,b\n3,7,c\n", false},          // no third number
+                                      {"1,5\n2,6\n3,7\n", false},
+                                      {grid, false},
+                                      {"x,y,z\n" + lines, false}}) {
+      CAPTURE(table.text);
+      const std::vector<std::string> warnings = read(table.text).warnings;
+      CHECK((std::find(warnings.begin(), warnings.end(), numbered.front()) != warnings.end()) == table.is_numbered);
+      CHECK(read(lines, {.columns = parse_columns("2,3")}).warnings.empty());
+    }
+    CHECK(read(lines).points.front() == Point{1, 345.1});
+    CHECK(space_points_in(lines, "t", Format::text, {}).warnings.empty());
+    const Folder folder;
+    folder.file("n.csv", lines);
+    folder.file("n.xyz", lines);
+    CHECK(folder.rbpa("info n.csv").err == "rbpa: n.csv: " + numbered.front() + "\n");
+    CHECK(folder.rbpa("info - < n.csv").err == "rbpa: standard input: " + numbered.front() + "\n");
+    CHECK(folder.rbpa("info n.xyz").err.find("numbers the lines") == std::string::npos);
+  }
+
+  TEST_CASE("signs between thousands are refused by their name, with any separator and any sign") {
+    struct Number {
+      std::string written, plain;
+    };
+    for (const Number& number : std::initializer_list<Number>{{"345.941,89", "345941,89"},
+                                                              {"5.678.656,57", "5678656,57"},
+                                                              {"-1,234,567", "-1234567"},
+                                                              {"1,234.5", "1234.5"},
+                                                              {"1'234.5", "1234.5"},
+                                                              {"1\xE2\x80\x99"
+                                                               "234",
+                                                               "1234"},
+                                                              {"1\xE2\x80\xAF"
+                                                               "234\xE2\x80\xAF"
+                                                               "567,5",
+                                                               "1234567,5"}})
+      for (const std::string separator : {";", "\t", " "})
+        for (const std::string& header : {"east" + separator + "north\n", std::string()}) {
+          CAPTURE(number.written);
+          CAPTURE(separator);
+          CAPTURE(header);
+          if (separator == " " && number.written == "-1,234,567") continue;  // three columns that commas separate
+          const std::string line = number.written + separator + number.written + "\n", text = header + line + line;
+          const std::string at = header.empty() ? "t:1" : "t:2";
+          const std::string why = at + ": found '" + number.written + "', expected a number without signs between " +
+                                  "thousands, " + number.plain + " (export the table with cells in a plain format";
+          CHECK(refusal(text) == why + "; " + skipping_way);
+          CHECK(refusal(text, skipping) == "t: found 2 lines and no point, expected at least one (" + why + "))");
+          if (!header.empty())
+            CHECK(refusal(text, {.columns = parse_columns("east,north")}) == why + "; " + skipping_way);
+        }
+    for (const std::string field : {"1.234", "1,234", "1234,567,890", "1,23,456", "1.234,5.6", "1,234.567.8", "a", "",
+                                    "1,2345", "1.234,x", "POINT (1,234)"})
+      CHECK_FALSE(has_thousands(field));
+  }
+
+  TEST_CASE("a title above a table and a sum below it are refused with the option that leaves them out") {
+    const std::string table = "x,y\n1,2\n3,5\n";
+    for (const std::string& text : {"Export 2024\n" + table, "Export\n" + table, "All of my points\n" + table,
+                                    table + "Total,1500\n", table + "Total\n", table + "1500\n", table + ",7\n"})
+      for (const std::string columns : {"", "1,2", "x,y"}) {
+        CAPTURE(text);
+        CAPTURE(columns);
+        CloudRequest request;
+        if (!columns.empty()) request.columns = parse_columns(columns);
+        const std::string message = refusal(text, request);
+        CAPTURE(message);
+        CHECK(message.ends_with(skipping_way));
+        request.skip_invalid = true;
+        CHECK(read(text, request).points == std::vector<Point>{{1, 2}, {3, 5}});
+      }
+    // A table without points is not mended so.
+    CHECK(refusal("Export\n") == "t:1: found 'Export', expected two numbers");
+    CHECK(refusal("a,b\n1,2\n", {.columns = parse_columns("x,y")}) ==
+          "t:1: found 'a,b', expected a header with a column 'x'");
+  }
+
   TEST_CASE("the leftmost of several pairs of names is taken, and without one the first columns") {
     CHECK(read("x,y,lon,lat\n1,2,3,4\n").points == std::vector<Point>{{1, 2}});
     CHECK(read("lat,lon,x,y\n1,2,3,4\n").points == std::vector<Point>{{2, 1}});
@@ -121,10 +273,10 @@ TEST_SUITE("tables of people") {
     CHECK(read("1,2,a;b\n", {}).points == std::vector<Point>{{1, 2}});
     for (const std::string line : {"a,5;2", ",5;2", "1,;2", "1,b;2", "1,2,3;4"}) CHECK(separator_of(line) == ',');
     CHECK(separator_of("1,5;2") == ';');
-    CHECK(refusal("1.5;2\n1,5;2\n") == "t:2: found '1,5', expected a number with a decimal point, as in lines before");
-    CHECK(refusal("1,5;2\n1.5;2\n") == "t:2: found '1.5', expected a number with a decimal comma, as in line 1");
-    CHECK(refusal("1;2\n1,234,567;2\n") == "t:2: found '1,234,567', expected a number");
-    CHECK(refusal("1;2\n1,234.5;2\n") == "t:2: found '1,234.5', expected a number");
+    CHECK(refusal("1.5;2\n1,5;2\n") ==
+          "t:2: found '1,5', expected a number with a decimal point, as in lines before" + skipping_hint);
+    CHECK(refusal("1,5;2\n1.5;2\n") ==
+          "t:2: found '1.5', expected a number with a decimal comma, as in line 1" + skipping_hint);
   }
 
   TEST_CASE("every double is read to the last bit, with a comma as with a point") {
@@ -149,7 +301,7 @@ TEST_SUITE("tables of people") {
   }
 
   TEST_CASE("lines that are not points are refused, or left out and counted") {
-    const std::string hint = " (--skip-invalid leaves out lines that are not points)";
+    const std::string& hint = skipping_hint;
     for (const std::string sign : {"NA", "N/A", "null", "", "-", "None", "\\N"}) {
       CAPTURE(sign);
       CHECK(refusal("x,y\n1,2\n3," + sign + "\n") == "t:3: found '" + sign + "', expected a number" + hint);
@@ -207,8 +359,8 @@ TEST_SUITE("tables of people") {
     // A text compared with a number, and fields that are neither.
     CHECK(refusal(text, where("grp == 6")) ==
           "t:2: found 'A', expected a number, as --where compares the column with numbers (== \"...\" compares it with "
-          "a text) "
-          "(--skip-invalid leaves out lines that are not points)");
+          "a text; " +
+              skipping_way);
     CHECK(refusal(text, where("kind == 'A'")).find("expected a header with a column 'kind'") != std::string::npos);
     const auto refused = [](const std::string& condition) -> std::string {
       try {
@@ -249,15 +401,15 @@ TEST_SUITE("tables of people") {
     const PointFile srid = read("id,geom\n7,SRID=28992;POINT (1 2)\n");
     CHECK(srid.crs->text() == "EPSG:28992");
     CHECK(refusal("id,geom\n7,SRID=28992;POINT (1 2)\n7,SRID=4326;POINT (1 2)\n") ==
-          "t:3: found EPSG:4326, expected EPSG:28992 as in lines before");
+          "t:3: found EPSG:4326, expected EPSG:28992 as in lines before" + skipping_hint);
     const std::string lines = "id,geom\n7,\"LINESTRING (1 2, 3 4)\"\n8,POINT(5 6)\n";
     CHECK(refusal(lines) ==
-          "t:2: found LINESTRING, expected POINT or MULTIPOINT (--vertices takes the vertices of lines and polygons)");
+          "t:2: found LINESTRING, expected POINT or MULTIPOINT (--vertices takes the vertices of lines and polygons; " +
+              skipping_way);
     CHECK(read(lines, {.vertices = true}).points == points);
     CHECK(refusal("id,geom\n7,POINT EMPTY\n") ==
-          "t:2: found 'POINT EMPTY', expected a geometry, such as 'POINT (1 2)' (--skip-invalid leaves out lines that "
-          "are not points)");
-    CHECK(refusal("id,geom\n7,POINT (1 x)\n") == "t:2: found 'x', expected a number");
+          "t:2: found 'POINT EMPTY', expected a geometry, such as 'POINT (1 2)'" + skipping_hint);
+    CHECK(refusal("id,geom\n7,POINT (1 x)\n") == "t:2: found 'x', expected a number" + skipping_hint);
     CHECK(read("id,geom\n7,POINT EMPTY\n8,\"MULTIPOINT (1 2, 3\"\n9,POINT (1 2)\n9\n", skipping).points ==
           std::vector<Point>{{1, 2}});
   }
@@ -389,9 +541,8 @@ TEST_SUITE("tables of people") {
     CHECK(refusal(holes, where("n == 4")).starts_with("t:3: found 'NA', expected a number"));
     CHECK(refusal(holes, where("n == 5")) ==
           "t:4: found 'NA', expected a number, as --where compares the column with numbers (== \"...\" compares it "
-          "with a text) "
-          "(--skip-invalid leaves out lines "
-          "that are not points)");
+          "with a text; " +
+              skipping_way);
     const PointFile skipped = read(holes, where("n == 5", true));
     CHECK(skipped.points == std::vector<Point>{{1, 2}});
     CHECK(skipped.warnings.size() == 2);

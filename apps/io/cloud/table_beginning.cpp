@@ -177,13 +177,30 @@ class Starter {
         lay_out(*choice, said.has_value(), room);
         return;
       } catch (const BadInput& refusal) {
-        if (!selection_.leaves_out(refusal)) throw;
+        if (!selection_.leaves_out(refusal)) {
+          if (is_mended_by_skipping()) throw LineSelection::with_hint(refusal);
+          throw;
+        }
       }
       lines_.set_layout('\0', 0);
       comment_.clear();
       next();
       if (!start_.has_line) return;
       room.clear();
+    }
+  }
+
+  /// Whether the table has a first line of data if lines before it are left out.
+  bool is_mended_by_skipping() {
+    CloudRequest skipping = request_;
+    skipping.skip_invalid = true;
+    TableLines lines(Content(lines_.ahead(separator_sample), lines_.name()));
+    LineSelection selection(request_.where, true);
+    std::vector<std::string> warnings;
+    try {
+      return Starter(lines, kind_, skipping, selection, warnings).start().has_line;
+    } catch (const std::runtime_error&) {
+      return false;
     }
   }
 

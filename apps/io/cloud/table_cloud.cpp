@@ -219,7 +219,7 @@ class TableCloud final : public Cloud {
       if (role == height) take_height(field);
     }
     take_width(count);
-    if (has_no_direction(value)) bad_input(here(), "a normal of length 0", "one of another length" + selection_.hint());
+    if (has_no_direction(value)) bad_input(here(), "a normal of length 0", "one of another length");
     if (facts_.colors) colors_.take(color, lines_.number(), block);
     append(value, block);
   }
@@ -260,7 +260,7 @@ class TableCloud final : public Cloud {
     } catch (const WktFault& fault) {
       bad_input(here(), fault.found, fault.expected);
     }
-    if (points.empty()) bad_input(here(), in_quotes(text), "a geometry, such as 'POINT (1 2)'" + selection_.hint());
+    if (points.empty()) bad_input(here(), in_quotes(text), "a geometry, such as 'POINT (1 2)'");
     std::optional<Crs>& crs = facts_.file.crs;
     if (crs && geometries.crs() && crs->code != geometries.crs()->code)
       bad_input(here(), geometries.crs()->text(), crs->text() + " as in lines before");
@@ -291,8 +291,8 @@ class TableCloud final : public Cloud {
     const ParsedNumber whole = parse_written_number(field);
     if (whole.fault != NumberFault::none)
       bad_input(here(), in_quotes(field),
-                expected_instead(whole.fault) + std::string(where) +
-                    (is_missing(field) || !where.empty() ? selection_.hint() : hint(whole.fault)));
+                expected_for(field, whole.fault) + std::string(where) +
+                    (is_missing(field) || !where.empty() ? "" : hint(whole.fault)));
     return whole.value;
   }
 

@@ -1,6 +1,7 @@
 #include "io/cloud/table_layout.h"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
@@ -143,6 +144,48 @@ void refuse_atoms(const TableBeginning& table, const std::string& columns) {
               "x y z, or before atoms their number and a comment (--columns " + columns + " reads atoms)");
 }
 
+/// Warns that the header names none of the columns of `layout`, which are the first ones.
+void warn_of_unknown_names(const FieldTexts& fields, std::size_t numbers, std::vector<std::string>& warnings) {
+  bool any_known = false;
+  std::string columns;
+  for (std::size_t k = 0; k < numbers; ++k) {
+    any_known = any_known || is_coordinate(fields[k], k);
+    columns += (k == 0             ? ""
+                : k + 1 == numbers ? ", and "
+                                   : ", ") +
+               std::string(1, "xyz"[k]) + " is column " + std::to_string(k + 1) + ", " + in_quotes(fields[k]);
+  }
+  if (any_known && fields.size() == numbers) return;
+  const std::string way = fields.size() > numbers ? "--columns chooses others"
+                          : numbers == 2          ? "--columns 2,1 exchanges them"
+                                                  : "--columns chooses another order";
+  warnings.push_back("no name of a column is that of a coordinate; " + columns + " (" + way + ")");
+}
+
+/// Whether column 1 of a table without a header numbers its lines: its first lines, three or more, have consecutive
+/// integers there and numbers in columns 2 and 3, and column 2 is not the same in all, as in a row of a grid.
+bool is_numbered(const TableBeginning& table) {
+  const char* const begin = table.lines.line().data();
+  const std::string_view rest = table.lines.rest();
+  std::string_view text(begin, static_cast<std::size_t>(rest.data() + rest.size() - begin));
+  if (text.size() > separator_sample) text = text.substr(0, text.rfind('\n', separator_sample) + 1);
+  std::optional<std::size_t> first;
+  std::string second;
+  std::size_t count = 0;
+  bool differ = false;
+  for (Lines lines(text); lines.next_with_content(); ++count) {
+    std::array<std::string_view, 3> field;
+    Fields fields(lines.line(), table.choice.separator);
+    for (std::string_view& one : field) one = fields.at_end() ? std::string_view() : without_quotes(fields.take());
+    const std::optional<std::size_t> number = parse_count(field[0]);
+    if (!first) first = number;
+    if (!number || *number != *first + count || !is_number(field[1]) || !is_number(field[2])) return false;
+    if (count == 0) second = field[1];
+    differ = differ || field[1] != second;
+  }
+  return count >= 3 && differ;
+}
+
 TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const CloudRequest& request,
                           std::vector<std::string>& warnings) {
   const FieldTexts& fields = table.fields;
@@ -183,6 +226,8 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
     const bool is_xyz = input_ending(table.lines.name()) == "xyz",
                may_be_z = request.heights && fields.size() == 3 && is_number(fields.back());
     if (has_number && !request.columns && fields.size() > 2 && (is_xyz || may_be_z)) layout.height = 2;
+    if (has_number && !request.columns && fields.size() == 3 && !is_xyz && is_numbered(table))
+      warnings.push_back("x is column 1, which numbers the lines (--columns 2,3 takes the columns after it)");
     if (layout.height && !is_xyz) warnings.emplace_back("column 3 is read as z (--columns 1,2 leaves it out)");
     return layout;
   }
@@ -190,9 +235,7 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
   if (is_latitude(fields[x]) && is_longitude(fields[y]))
     warnings.push_back("x is the latitude " + in_quotes(fields[x]) + " and y the longitude " + in_quotes(fields[y]) +
                        ", as --columns requires");
-  if (!request.columns && fields.size() > 2)
-    warnings.push_back("no name of a column is that of a coordinate; x is column 1, " + in_quotes(fields[x]) +
-                       ", and y is column 2, " + in_quotes(fields[y]) + " (--columns chooses others)");
+  if (!request.columns) warn_of_unknown_names(fields, 2, warnings);
   find_height_column(fields, layout);
   return layout;
 }
@@ -213,7 +256,10 @@ void choose_in_space(const TableBeginning& table, const std::vector<Column>& col
 void find_by_space_header(const TableBeginning& table, TableLayout& layout, std::vector<std::string>& warnings) {
   const FieldTexts& fields = table.fields;
   layout.numbers = find_space_columns(fields);
-  if (layout.numbers.empty() && fields.size() == 3) layout.numbers = {0, 1, 2};
+  if (layout.numbers.empty() && fields.size() == 3) {
+    layout.numbers = {0, 1, 2};
+    warn_of_unknown_names(fields, 3, warnings);
+  }
   if (layout.numbers.empty())
     bad_input(here(table), in_quotes(table.lines.line()),
               "a header with columns x, y and z (--columns X,Y,Z chooses others)");

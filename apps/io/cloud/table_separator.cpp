@@ -24,7 +24,7 @@ struct Split {
     for (Fields rest(line, separator); !rest.at_end();) {
       const std::string_view field = without_quotes(rest.take());
       if (fields.all == 0) begins_with_atom = is_atomic_number(field);
-      if (is_number(field)) ++numbers;
+      if (is_number(field) || (separator != ',' && has_thousands(field))) ++numbers;
       if (!geometry && is_geometry(field)) geometry = fields.all;
       fields.add(field);
     }

@@ -68,25 +68,39 @@ std::vector<Column> parse_space_columns(const std::string& text) {
 
 namespace {
 
-/// Names of columns that belong together: lower-case letters and digits, without a unit in brackets or after a last
-/// space or underscore.
+/// Names of columns that belong together: lower-case letters and digits without accents, without a unit in brackets or
+/// after a last space or underscore.
 struct Names {
   std::vector<std::string_view> x, y;
   bool degrees = false;
 };
 const std::vector<Names>& known_names() {
   static const std::vector<Names> known = {
-      {{"lon", "lng", "long", "longitude", "decimallongitude", "longitudedeg", "londeg"},
-       {"lat", "latitude", "decimallatitude", "latitudedeg", "latdeg"},
+      {{"lon", "lng", "long", "longitude", "decimallongitude", "longitudedeg", "londeg",
+        // German, Spanish, Italian, Dutch, Danish and Norwegian, Polish, Czech, Finnish, Turkish
+        "lange", "laenge", "langengrad", "laengengrad", "geolange", "geolaenge", "geographischelange",
+        "geographischelaenge", "longitud", "longitudine", "lengtegraad", "langdegrad", "laengdegrad", "lengdegrad",
+        "dlugosc", "dlugoscgeograficzna", "zemepisnadelka", "pituusaste", "boylam"},
+       {"lat", "latitude", "decimallatitude", "latitudedeg", "latdeg", "breite", "breitengrad", "geobreite",
+        "geographischebreite", "latitud", "latitudine", "breedtegraad", "breddegrad", "szerokosc",
+        "szerokoscgeograficzna", "zemepisnasirka", "leveysaste", "enlem"},
        true},
-      {{"x", "xcoord", "xcoordinate", "coordx", "coordinatex", "xcoor", "pointx", "posx", "positionx", "utmx"},
-       {"y", "ycoord", "ycoordinate", "coordy", "coordinatey", "ycoor", "pointy", "posy", "positiony", "utmy"}},
-      {{"easting", "eastings", "east", "e", "utmeasting", "utme", "rechtswert", "ostwert"},
-       {"northing", "northings", "north", "n", "utmnorthing", "utmn", "hochwert", "nordwert"}}};
+      {{"x",           "xcoord",      "xcoordinate", "coordx",      "coordinatex", "xcoor",
+        "pointx",      "posx",        "positionx",   "utmx",        "xkoordinate", "koordinatex",
+        "coordonneex", "xcoordonnee", "coordenadax", "coordinatax", "xcoordinaat", "abscissa",
+        "abscisse",    "abszisse",    "abscisa",     "ascissa"},
+       {"y",           "ycoord",      "ycoordinate", "coordy",      "coordinatey", "ycoor",       "pointy",
+        "posy",        "positiony",   "utmy",        "ykoordinate", "koordinatey", "coordonneey", "ycoordonnee",
+        "coordenaday", "coordinatay", "ycoordinaat", "ordinate",    "ordonnee",    "ordenada",    "ordinata"}},
+      {{"easting", "eastings", "east", "e", "utmeasting", "utme", "rechtswert", "ostwert", "ost", "est", "este",
+        "oost"},
+       {"northing", "northings", "north", "n", "utmnorthing", "utmn", "hochwert", "nordwert", "nord", "norte",
+        "noord"}}};
   return known;
 }
-constexpr std::string_view height_names[] = {"z",      "zcoord", "zcoordinate", "coordz",    "coordinatez", "zcoor",
-                                             "pointz", "posz",   "positionz",   "elevation", "altitude",    "height"};
+constexpr std::string_view height_names[] = {"z",        "zcoord", "zcoordinate", "coordz",    "coordinatez",
+                                             "zcoor",    "pointz", "posz",        "positionz", "elevation",
+                                             "altitude", "height", "hohe",        "hoehe"};
 constexpr std::string_view normal_names[3][4] = {
     {"nx", "normalx", "xnormal", "xn"}, {"ny", "normaly", "ynormal", "yn"}, {"nz", "normalz", "znormal", "zn"}};
 constexpr std::string_view color_names[3][5] = {{"r", "red", "colorr", "rf", "diffusered"},
@@ -97,15 +111,36 @@ constexpr std::string_view wkt_names[] = {"wkt",     "geom",    "geometry",    "
 
 constexpr std::string_view units[] = {"m", "ft", "deg"};
 
+/// The base letters of U+00C0 to U+017F; a blank stands for a sign that is no letter.
+constexpr std::string_view base_letters =
+    "aaaaaaaceeeeiiiidnooooo ouuuuytsaaaaaaaceeeeiiiidnooooo ouuuuyty"
+    "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkklllllll"
+    "lllnnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";
+static_assert(base_letters.size() == 0x180 - 0xC0);
+
+/// Removes the first character of `text`, in UTF-8 or Latin-1; returns it if it is a letter or a digit, in lower case
+/// and without its accent, and a blank otherwise.
+char take_folded(std::string_view& text) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned lead = byte(0);
+  const bool has_more = text.size() > 1 && (byte(1) & 0xC0U) == 0x80U,
+             is_pair = has_more && lead >= 0xC2 && lead < 0xE0;
+  const std::size_t code = is_pair ? (lead & 0x1FU) << 6U | (byte(1) & 0x3FU) : lead;
+  text.remove_prefix(is_pair ? 2 : 1);
+  if (code < 0x80)
+    return std::isalnum(static_cast<int>(code)) != 0 ? static_cast<char>(std::tolower(static_cast<int>(code))) : ' ';
+  const bool is_known = code >= 0xC0 && code < 0x180 && (is_pair || !has_more);
+  return is_known ? base_letters[code - 0xC0] : ' ';
+}
+
 std::string folded(std::string_view name) {
   name = name.substr(0, name.find_first_of("(["));
   if (const auto last = name.find_last_of(" _");
       last != name.npos && std::find(std::begin(units), std::end(units), name.substr(last + 1)) != std::end(units))
     name = name.substr(0, last);
   std::string result;
-  for (const char c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0)
-      result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  while (!name.empty())
+    if (const char c = take_folded(name); c != ' ') result += c;
   return result;
 }
 
@@ -164,6 +199,12 @@ std::vector<std::size_t> find_space_columns(const std::vector<std::string_view>&
 
 std::vector<std::size_t> find_color_columns(const std::vector<std::string_view>& header) {
   return find_three(all_folded(header), color_names);
+}
+
+bool is_coordinate(std::string_view name, std::size_t axis) {
+  if (axis == 2) return find_height({name}).has_value();
+  return std::any_of(known_names().begin(), known_names().end(),
+                     [&](const Names& known) { return is_one_of(axis == 0 ? known.x : known.y, name); });
 }
 
 std::optional<std::size_t> find_height(const std::vector<std::string_view>& header) {

@@ -31,7 +31,9 @@ bool commas_are_decimal(std::string_view line, char separator) {
   if (line.find(',') == std::string_view::npos) return false;
   std::size_t count = 0;
   for (Fields fields(line, separator); !fields.at_end(); ++count)
-    if (!may_be_decimal(without_quotes(fields.take()))) return false;
+    if (const std::string_view field = without_quotes(fields.take());
+        !may_be_decimal(field) && (separator == blanks || !has_thousands(field)))
+      return false;
   return count > 1;
 }
 
@@ -119,6 +121,50 @@ bool is_number(std::string_view field) {
   return parse_written_number(with_point(field)).fault != NumberFault::not_a_number;
 }
 
+namespace {
+
+/// Returns a number without `sign` between its thousands; nothing if it is not such a number.
+std::optional<std::string> without_thousands(std::string_view field, std::string_view sign) {
+  const auto digits = [&] { return std::min(field.find_first_not_of("0123456789"), field.size()); };
+  const auto move = [&](std::size_t count, std::string& to) {
+    to += field.substr(0, count);
+    field.remove_prefix(count);
+  };
+  std::string result;
+  if (field.starts_with('-') || field.starts_with('+')) move(1, result);
+  const std::size_t first = digits();
+  if (first == 0 || first > 3) return std::nullopt;
+  move(first, result);
+  bool any = false;
+  while (field.starts_with(sign)) {
+    field.remove_prefix(sign.size());
+    if (digits() != 3) return std::nullopt;
+    move(3, result);
+    any = true;
+  }
+  if (!any) return std::nullopt;
+  if (field.starts_with('.') || field.starts_with(',')) move(1, result);
+  move(digits(), result);
+  return field.empty() ? std::optional(result) : std::nullopt;
+}
+
+std::optional<std::string> without_thousands(std::string_view field) {
+  if (is_number(field)) return std::nullopt;
+  for (const std::string_view sign : {".", ",", "'", " ", "\xE2\x80\x99", "\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x89"})
+    if (std::optional<std::string> number = without_thousands(field, sign)) return number;
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool has_thousands(std::string_view field) { return without_thousands(field).has_value(); }
+
+std::string expected_for(std::string_view field, NumberFault fault) {
+  const std::optional<std::string> number = without_thousands(field);
+  if (fault != NumberFault::not_a_number || !number) return expected_instead(fault);
+  return "a number without signs between thousands, " + *number + " (export the table with cells in a plain format)";
+}
+
 bool is_nearly_number(std::string_view field) {
   const auto has = [&](const auto& is) { return std::any_of(field.begin(), field.end(), is); };
   const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
@@ -178,7 +224,7 @@ double DecimalComma::read(std::string_view field, const std::string& here) const
   const bool one = std::count(field.begin(), field.end(), ',') == 1 && field.find('.') == std::string_view::npos;
   const ParsedNumber number = parse_written_number(with_point(field));
   if (!one || number.fault != NumberFault::none)
-    bad_input(here, in_quotes(field), expected_instead(one ? number.fault : NumberFault::not_a_number));
+    bad_input(here, in_quotes(field), expected_for(field, one ? number.fault : NumberFault::not_a_number));
   return number.value;
 }
 

@@ -53,6 +53,15 @@ void LineSelection::settle_kinds(std::string_view line, Lines behind, char separ
   } while (open > 0);
 }
 
+BadInput LineSelection::with_hint(const BadInput& refusal) {
+  std::string message = refusal.what();
+  const std::size_t last = message.rfind(" (");  // of options, as in " (--columns ...)"
+  const bool has_way =
+      message.ends_with(')') && last != message.npos && std::string_view("-=e").find(message[last + 2]) != message.npos;
+  if (has_way) message.pop_back();
+  return BadInput(message + (has_way ? "; " : " (") + "--skip-invalid leaves out lines that are not points)");
+}
+
 void LineSelection::add_warnings(bool any_points, const std::string& name, std::vector<std::string>& warnings) const {
   if (selection_) selection_->warning("line", warnings);
   if (skipped_ == 0) return;

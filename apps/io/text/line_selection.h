@@ -96,18 +96,18 @@ class LineSelection {
     return all;
   }
 
-  /// Calls take(), which reads the current line. If it throws BadInput, leaves the line out, or rethrows.
+  /// Calls take(), which reads the current line. If it throws BadInput, leaves the line out, or throws with_hint().
   template <typename Take>
   void attempt(const Take& take) {
     try {
       take();
     } catch (const BadInput& refusal) {
-      if (!leaves_out(refusal)) throw;
+      if (!leaves_out(refusal)) throw with_hint(refusal);
     }
   }
 
-  /// Returns the end of a message about a line that --skip-invalid would leave out.
-  std::string hint() const { return skip_invalid_ ? "" : " (--skip-invalid leaves out lines that are not points)"; }
+  /// Adds to a message about a line that --skip-invalid would leave it out.
+  static BadInput with_hint(const BadInput& refusal);
 
   /// Leaves out and counts the current line, if lines may be left out; returns whether they may.
   bool leaves_out(const BadInput& refusal) {

@@ -43,4 +43,8 @@ std::string read_file(const std::string& path);
 /// Three points that form a triangle, for runs in which the points do not matter.
 inline constexpr const char* corner = "0 0\n1 0\n0 1\n";
 
+/// The end of a message about a line of a table that is no point: after another way to mend it, and alone.
+inline const std::string skipping_way = "--skip-invalid leaves out lines that are not points)",
+                         skipping_hint = " (" + skipping_way;
+
 }  // namespace apps_test
