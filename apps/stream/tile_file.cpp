@@ -13,7 +13,7 @@ namespace rbpa::app {
 namespace {
 
 constexpr std::string_view magic = "RBPATILE";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t file_version = 1;
 
 /// The first bytes of a file, as they lie in memory of a little-endian machine.
 struct Header {
@@ -29,7 +29,7 @@ static_assert(sizeof(Header) == 96);
 
 std::string bytes_of(const Region& box, double alpha, const TileSummary& summary) {
   Header header{{},
-                version,
+                file_version,
                 0,
                 {box.x0, box.y0, box.x1, box.y1},
                 alpha,
@@ -46,7 +46,7 @@ std::string bytes_of(const Region& box, double alpha, const TileSummary& summary
 }
 
 /// The head of each block.
-struct Frame {
+struct BlockFrame {
   std::uint32_t size, checksum;
 };
 
@@ -75,14 +75,14 @@ void TileWriter::flush() {
   for (std::size_t first = 0; first < waiting_.size(); first += most_in_packed_block) {
     const std::size_t count = std::min(most_in_packed_block, waiting_.size() - first);
     const std::size_t at = bytes.size();
-    bytes.resize(at + sizeof(Frame));
+    bytes.resize(at + sizeof(BlockFrame));
     pack_block(std::span(waiting_.points).subspan(first, count), std::span(waiting_.indices).subspan(first, count),
                hint_, bytes);
-    const std::string_view block = std::string_view(bytes).substr(at + sizeof(Frame));
-    const Frame frame{static_cast<std::uint32_t>(block.size()), checksum_of(block)};
+    const std::string_view block = std::string_view(bytes).substr(at + sizeof(BlockFrame));
+    const BlockFrame frame{static_cast<std::uint32_t>(block.size()), checksum_of(block)};
     std::memcpy(bytes.data() + at, &frame, sizeof frame);
     summary_.checksum = checksum_of({reinterpret_cast<const char*>(&frame), sizeof frame}, summary_.checksum);
-    summary_.bytes += sizeof(Frame) + frame.size;
+    summary_.bytes += sizeof(BlockFrame) + frame.size;
     ++summary_.blocks;
   }
   summary_.points += waiting_.size();
@@ -115,7 +115,7 @@ bool TileReader::next(IndexedPoints& points) {
     if (!is_whole || points_ != summary_.points || checksum_ != summary_.checksum) damaged();
     return false;
   }
-  Frame frame{};
+  BlockFrame frame{};
   read(reinterpret_cast<char*>(&frame), sizeof frame);
   constexpr std::uint32_t most = 3 * 11 + 2 + 3 * 8 * (most_in_packed_block + 1);
   if (frame.size > most) damaged();
