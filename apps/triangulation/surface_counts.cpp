@@ -48,18 +48,18 @@ std::size_t non_manifold_edges(std::span<const std::array<Index, 3>> triangles) 
   std::vector<Index> ends(begin.back());
   for_each_side([&](Index low, Index high) { ends[next[low]++] = high; });
 
-  std::size_t crowded = 0;
+  std::size_t edges = 0;
   for (std::size_t p = 0; p + 1 < begin.size(); ++p) {
     const auto first = ends.begin() + static_cast<std::ptrdiff_t>(begin[p]);
     const auto last = ends.begin() + static_cast<std::ptrdiff_t>(begin[p + 1]);
     std::sort(first, last);
     for (auto run = first; run != last;) {
       const auto end = std::upper_bound(run, last, *run);
-      crowded += end - run > 2;
+      edges += end - run > 2;
       run = end;
     }
   }
-  return crowded;
+  return edges;
 }
 
 std::vector<Index> by_shells(const SurfaceComponents& components) {

@@ -35,8 +35,8 @@ std::uint32_t opposite(const AlphaComplex& delaunay, const Side& side) {
 
 /// Returns whether a point lies inside the circle with the edge ab as its diameter. Only the two apexes of the edge are
 /// tested: if any point is inside, one of these is.
-bool is_non_manifold(const AlphaComplex& delaunay, std::span<const Point> points, const Side& side, const Point& a,
-                     const Point& b) {
+bool has_point_in_circle(const AlphaComplex& delaunay, std::span<const Point> points, const Side& side, const Point& a,
+                         const Point& b) {
   using Wide = Predicates<long double>;
   if (Wide::dot_sign(points[delaunay.triangles[side.triangle][side.corner]], a, b) < 0) return true;
   return side.beyond != AlphaComplex::none && Wide::dot_sign(points[opposite(delaunay, side)], a, b) < 0;
@@ -100,7 +100,8 @@ FilteredCells filtered_cells(const Delaunay& of, const DistinctPoints& distinct,
       // An edge with no point inside its diametral circle appears at half its length, any other with its first
       // triangle. The circle is tested last: on grids, where right angles are the rule, both radii are the same.
       const double half = least_alpha(points[from], points[to]);
-      if (half != edge.alpha && !is_non_manifold(delaunay, points, side, points[from], points[to])) edge.alpha = half;
+      if (half != edge.alpha && !has_point_in_circle(delaunay, points, side, points[from], points[to]))
+        edge.alpha = half;
     } else {
       for (const std::uint32_t v : edge.ends) cells.vertices[v] = std::min(cells.vertices[v], edge.alpha);
     }

@@ -166,7 +166,7 @@ TEST_CASE("bodies that touch along an edge are glued as they face each other; fo
 
 TEST_CASE("the exposed triangles of any points, given without neighbors, are glued as the ball rolls") {
   Random random(71);
-  std::size_t crowded = 0;
+  std::size_t non_manifold = 0;
   for (int k = 0; k < space_kinds; ++k)
     for (int trial = 0; trial < 25; ++trial) {
       CAPTURE(name(static_cast<SpaceKind>(k)));
@@ -180,9 +180,9 @@ TEST_CASE("the exposed triangles of any points, given without neighbors, are glu
       CHECK(found.distinct == expected.distinct);
       const SurfaceOfTriangles again = rbpa::surface_of(points, expected.triangles, expected.neighbors);
       CHECK(again.neighbors == expected.neighbors);
-      crowded += rbpa::split_fans(expected).point.size() > expected.distinct;
+      non_manifold += rbpa::split_fans(expected).point.size() > expected.distinct;
     }
-  CHECK(crowded > 10);
+  CHECK(non_manifold > 10);
 }
 
 TEST_CASE("sides in one direction, triangles on top of each other and triangles without an area are not glued") {

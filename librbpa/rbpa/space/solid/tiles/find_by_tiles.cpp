@@ -107,7 +107,7 @@ bool find_by_tiles(std::span<const Point3> points, const Spread& spread, double 
                    const std::function<void(std::size_t, std::size_t)>& step, TiledSolid& solid,
                    const TileLimits& limits) {
   Leaves leaves(points, limits.points_in_leaf, threads);
-  if (leaves.crowding() > limits.most_triangles_at_an_edge) return false;
+  if (leaves.crowding() > limits.most_crowding) return false;
   Collected all(leaves, !std::isinf(alpha));
   struct Workspace {
     std::unique_ptr<StarFinder> finder;

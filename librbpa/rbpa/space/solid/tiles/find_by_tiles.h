@@ -29,7 +29,7 @@ struct TiledSolid {
 /// Limits beyond which find_by_tiles() gives up; tests set others.
 struct TileLimits {
   std::size_t points_in_leaf = 8192;
-  double most_triangles_at_an_edge = 5;  ///< greatest Leaves::crowding(); beyond it, points are spread too unevenly
+  double most_crowding = 5;  ///< greatest Leaves::crowding(); beyond it, points are spread too unevenly
   // Limits of the fraction of unsettled points; the second for the first quarter of leaves, which may be at the hull.
   double most_unsettled = 0.25, most_unsettled_at_first = 0.5;
   double most_exact = 8;  ///< maximum number of exact decisions a point

@@ -37,8 +37,7 @@ std::optional<Solid> by_tiles(const Points3& points, double alpha, std::size_t p
   rbpa::Threads several(threads);
   TileLimits limits;  // never reached
   limits.points_in_leaf = points_in_leaf;
-  limits.most_triangles_at_an_edge = limits.most_unsettled = limits.most_unsettled_at_first = limits.most_exact =
-      INFINITY;
+  limits.most_crowding = limits.most_unsettled = limits.most_unsettled_at_first = limits.most_exact = INFINITY;
   TiledSolid tiled;
   REQUIRE(rbpa::space::find_by_tiles(rbpa::space::scaled(points, spread, copy), spread, scaled_alpha, several, {},
                                      tiled, limits));
