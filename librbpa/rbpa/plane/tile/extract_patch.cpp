@@ -16,10 +16,10 @@ constexpr int no_side = -1;
 
 /// An entry of Patch::across in 16 bits: the number of a side, or a negative number that stands for no side.
 using Across = std::uint16_t;
-constexpr Across packed(int across) { return static_cast<Across>(across - Patch::nothing); }
-constexpr int unpacked(Across across) { return across + Patch::nothing; }
+constexpr Across encoded(int across) { return static_cast<Across>(across - Patch::nothing); }
+constexpr int decoded(Across across) { return across + Patch::nothing; }
 constexpr int max_sides = 3 * (2 * static_cast<int>(Tile::max_points) + 2);
-static_assert(unpacked(packed(max_sides)) == max_sides);
+static_assert(decoded(encoded(max_sides)) == max_sides);
 
 /// Returns memory of at least this size, which never shrinks.
 template <typename Element>
@@ -124,16 +124,16 @@ class PatchExtraction {
     auto* const patch = result_.patch.triangles.data();
     const std::uint32_t* const site = tile_.site.data();
     std::size_t count = 0;
-    number[LocalFront::none] = packed(Patch::open);
-    number[LocalFront::nothing] = packed(Patch::nothing);
+    number[LocalFront::none] = encoded(Patch::open);
+    number[LocalFront::nothing] = encoded(Patch::nothing);
     for (std::size_t t = 1; t < triangles; ++t) {
       const Corners corner = corners(t);
       const bool is_small = is_within(t), is_kept = is_small & (owned[t] != 0);
-      const Across apart = packed(is_small ? Patch::open : Patch::nothing);
+      const Across apart = encoded(is_small ? Patch::open : Patch::nothing);
       patch[count] = {site[corner[0]], site[corner[1]], site[corner[2]]};
       kept.add(static_cast<Index>(t), is_kept);
       others.add(static_cast<Index>(t), !is_kept);
-      const auto first = either(packed(static_cast<int>(3 * count)), apart, is_kept);
+      const auto first = either(encoded(static_cast<int>(3 * count)), apart, is_kept);
       number[4 * t] = first;
       number[4 * t + 1] = static_cast<Across>(first + is_kept);
       number[4 * t + 2] = static_cast<Across>(first + 2 * is_kept);
@@ -150,7 +150,7 @@ class PatchExtraction {
     workspace_.elsewhere.assign(points, 0);
     std::uint16_t* const elsewhere = workspace_.elsewhere.data();
     for (const Index t : others_)
-      for (const std::size_t v : corners(t)) elsewhere[v] += workspace_.number[4 * t] == packed(Patch::open);
+      for (const std::size_t v : corners(t)) elsewhere[v] += workspace_.number[4 * t] == encoded(Patch::open);
     std::uint8_t* const star = room_for(workspace_.star, points);
     CountedList<std::uint32_t> settled(workspace_.settled, points);
     CountedList<TilePatch::SharedStar> shared(workspace_.shared, points);
@@ -185,7 +185,7 @@ class PatchExtraction {
       const Corners corner = corners(t);
       std::array<int, 3> beyond;
       for (std::size_t i = 0; i < 3; ++i, ++side) {
-        beyond[i] = unpacked(number[front_.across(4 * t + i)]);
+        beyond[i] = decoded(number[front_.across(4 * t + i)]);
         last[either<std::size_t>(corner[i] + 1, 0, side < beyond[i])] = side;
       }
       across[k] = beyond;
