@@ -45,9 +45,9 @@ def test_filters_fill_and_drop():
     assert shape.filtered(min_hole_area=22).area == 46  # a hole of exactly that area stays
     assert shape.filtered(min_hole_area=22.5).area == 68
     assert len(shape.filtered(min_part_area=4.5)) == 1 and len(shape.filtered(min_part_area=100)) == 0
-    for bad in ({"min_hole_area": -1.0}, {"min_part_area": math.nan}):
-        with pytest.raises(rbpa.InvalidInput, match="expected an area, 0 or more"):
-            shape.filtered(**bad)
+    for name, bad in (("min_hole_area", -1.0), ("min_part_area", math.nan)):
+        with pytest.raises(rbpa.InvalidInput, match=f"{name}: found {bad:g}, expected an area, 0 or more"):
+            shape.filtered(**{name: bad})
 
 
 @pytest.mark.parametrize("name", [n for n in SETS if n not in ("extreme", "flat")])

@@ -33,9 +33,10 @@ void require_linked(const TriangleArrays& arrays, std::size_t points, const GoOn
   meshops::require_one_each("neighbors", arrays.neighbors.size(), "rows", arrays.triangles.size(), "triangles");
   for (std::size_t t = 0; t < arrays.triangles.size(); ++t) {
     if (t % 65536 == 0) stop_if_cancelled(go_on);
-    if (!is_triangle(arrays.triangles[t], points))
-      throw meshops::ContractViolation("triangle " + std::to_string(t) +
-                                       ": expected three different indices of points, below " + std::to_string(points));
+    if (const auto& [a, b, c] = arrays.triangles[t]; !is_triangle(arrays.triangles[t], points))
+      throw meshops::ContractViolation("triangle " + std::to_string(t) + ": found corners " + std::to_string(a) + ", " +
+                                       std::to_string(b) + " and " + std::to_string(c) +
+                                       ", expected three different indices of points, below " + std::to_string(points));
     for (std::size_t k = 0; k < 3; ++k)
       if (!is_linked(arrays, t, k))
         throw meshops::ContractViolation("triangle " + std::to_string(t) + ": neighbor " + std::to_string(k) +

@@ -7,6 +7,7 @@
 #include "rbpa/base/arrays/boundary_walk.h"
 #include "rbpa/base/arrays/components.h"
 #include "rbpa/base/error.h"
+#include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/plane/shape/measure.h"
@@ -130,8 +131,11 @@ void fill_holes(std::vector<Polygon>& polygons, std::span<const Point> points, d
 }
 
 void check(const PolygonFilter& filter) {
-  if (!(filter.min_hole_area >= 0)) throw InvalidInput("min_hole_area: expected an area, 0 or more");
-  if (!(filter.min_part_area >= 0)) throw InvalidInput("min_part_area: expected an area, 0 or more");
+  const auto check_area = [](const char* name, double area) {
+    if (!(area >= 0)) throw InvalidInput(name + (": found " + text(area)) + ", expected an area, 0 or more");
+  };
+  check_area("min_hole_area", filter.min_hole_area);
+  check_area("min_part_area", filter.min_part_area);
 }
 
 std::vector<Polygon> polygons_of(std::vector<std::vector<Ring>> components, std::span<const Point> points,

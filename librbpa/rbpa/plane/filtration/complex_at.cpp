@@ -2,6 +2,7 @@
 #include <span>
 
 #include "meshops/core/contract.h"
+#include "rbpa/base/run/input.h"
 #include "rbpa/plane/arrays/keep_triangles.h"
 #include "rbpa/plane/filtration.h"
 #include "rbpa/plane/filtration/filtered_triangles.h"
@@ -10,7 +11,9 @@
 namespace rbpa {
 
 AlphaComplex complex_at(const Delaunay& of, const Filtration& filtration, double alpha) {
-  meshops::require(alpha > 0, "complex_at: expected alpha above 0, or infinity");
+  if (!(alpha > 0))
+    throw meshops::ContractViolation("complex_at: found alpha " + text(alpha) +
+                                     ", expected a number above 0, or infinity");
   require_same(filtration, of.triangulation(), "complex_at");
   return complex_at(of, std::span<const double>(filtration.triangle_alpha), alpha);
 }
