@@ -148,7 +148,7 @@ def outliers(
     factor : float
         An outlier is more than `factor` times as far from its last neighbor as the median point is; at least 1.
     neighbors : int
-        The rank of the last neighbor among the nearest other points. Groups of fewer than `neighbors` outliers that lie
+        The rank of the last neighbor among the nearest other points. Groups of up to `neighbors` outliers that lie
         close together are found.
     threads, progress
         As in `estimate_normals`.
