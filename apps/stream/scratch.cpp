@@ -158,8 +158,7 @@ Scratch::Scratch(const StreamRequest& request)
       throw;
     }
   }
-  throw Failure(folder_ +
-                ": another process removed the folder each time it was made (--scratch FOLDER names another)");
+  throw Failure(folder_ + ": another process removed the folder each time it was made (--scratch DIR names another)");
 }
 
 bool Scratch::make(const StreamRequest& request) {
