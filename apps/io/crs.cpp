@@ -191,7 +191,7 @@ std::optional<Crs> own_crs(const WktNode& node) {
   return std::nullopt;
 }
 
-/// Whether the system has longitudes and latitudes. A geodetic system may instead have earth-centered Cartesian
+/// Returns whether the system has longitudes and latitudes. A geodetic system may instead have earth-centered Cartesian
 /// coordinates.
 bool is_in_degrees(const WktNode& node) {
   if (is_among(node.keyword, {"GEOGCS", "GEOGCRS", "GEOGRAPHICCRS"})) return true;

@@ -19,7 +19,7 @@ struct Crs {
   std::string urn() const;
   /// Returns "28992", the number that PostGIS uses; nothing if there is none.
   std::optional<std::string> srid() const;
-  /// Whether the system is longitude and latitude of WGS 84, which is GeoJSON's default.
+  /// Returns whether the system is longitude and latitude of WGS 84, which is GeoJSON's default.
   bool is_wgs84() const;
 };
 

@@ -9,13 +9,13 @@
 namespace rbpa::app {
 namespace {
 
-/// Whether the program has the row: rows of GDAL only if it was built with GDAL.
+/// Returns whether the program has the row: rows of GDAL only if it was built with GDAL.
 bool is_there(const FormatRow& row) {
   constexpr Format of_gdal[] = {Format::ogr, Format::gpkg, Format::fgb, Format::shp};
   return has_gdal() || std::find(std::begin(of_gdal), std::end(of_gdal), row.format) == std::end(of_gdal);
 }
 
-/// Whether `name`, in letters of either case, is among `names`, which blanks separate.
+/// Returns whether `name`, in letters of either case, is among `names`, which blanks separate.
 bool is_among(std::string_view name, std::string_view names) {
   while (!names.empty()) {
     const std::size_t size = std::min(names.find(' '), names.size());

@@ -127,7 +127,7 @@ inline constexpr FormatRow format_table[] = {
     {"shp", "", Format::shp, Use::shape | Use::triangles},
     {"", "ogr gpkg fgb shp kml gpx gml", Format::ogr, 0U | Use::points}};
 
-/// Whether this program was built with GDAL. Without it the formats of GDAL have no use.
+/// Returns whether this program was built with GDAL. Without it the formats of GDAL have no use.
 bool has_gdal();
 
 /// Returns the format of a name, "npy", or of the ending of a path, "points.npy", in letters of either case.
@@ -136,28 +136,28 @@ std::optional<Format> find_format(Use use, std::string_view name);
 /// Returns the endings of a use for help and messages: "off, ply, obj, stl"; with `fits` those of formats that fit.
 std::string endings(Use use, bool (*fits)(Format) = nullptr);
 
-/// Whether the format has a row for the use.
+/// Returns whether the format has a row for the use.
 bool is_for(Use use, Format format);
 
-/// Whether the format is, or may turn out to be, a table, to which --columns and --skip-invalid apply.
+/// Returns whether the format is, or may turn out to be, a table, to which --columns and --skip-invalid apply.
 constexpr bool is_table(Format format) {
   return format == Format::by_content || format == Format::text || format == Format::pts || format == Format::xyzn ||
          format == Format::xyzrgb;
 }
 
-/// Whether the format has, or may turn out to have, lines and polygons, to which --vertices applies. A table may have a
-/// column of them.
+/// Returns whether the format has, or may turn out to have, lines and polygons, to which --vertices applies. A table
+/// may have a column of them.
 constexpr bool has_lines(Format format) {
   return is_table(format) || format == Format::wkt || format == Format::geojson || format == Format::ogr;
 }
 
-/// Whether points of the format are pixels, to which --foreground and --threshold apply.
+/// Returns whether points of the format are pixels, to which --foreground and --threshold apply.
 constexpr bool is_image(Format format) { return format == Format::png || format == Format::pgm; }
 
 /// Returns the ending of a file name, without its dot; empty if there is none.
 std::string_view ending(std::string_view path);
 
-/// Whether the name of a file ends in .gz.
+/// Returns whether the name of a file ends in .gz.
 bool is_gzip_name(std::string_view path);
 
 /// Returns the ending of an input file, before any .gz.

@@ -22,7 +22,7 @@ class Interruption {
   std::function<bool()> go_on_;
 };
 
-/// Whether a signal has arrived. Callable from any thread.
+/// Returns whether a signal has arrived. Callable from any thread.
 bool interrupted();
 
 /// Returns a progress function for computations: it returns false after a signal has arrived.

@@ -21,7 +21,7 @@ class Heights {
     if (others.first_) take(*others.first_);
     differ_ = differ_ || others.differ_;
   }
-  /// Whether there are at least two different heights.
+  /// Returns whether there are at least two different heights.
   bool differ() const { return differ_; }
 
  private:

@@ -48,8 +48,8 @@ class ProgressLine {
   std::optional<std::thread> thread_ = std::nullopt;  // absent if nothing is shown
 };
 
-/// Whether a path to read, or one of the paths to write, is "-" and that stream is a terminal, where a progress line
-/// would disturb.
+/// Returns whether a path to read, or one of the paths to write, is "-" and that stream is a terminal, where a progress
+/// line would disturb.
 bool read_from_terminal(const std::string& path);
 bool written_to_terminal(const std::vector<std::string>& paths);
 

@@ -42,7 +42,7 @@ class Content {
   const std::string& name() const { return name_; }
   /// Returns the size of the whole content in bytes, or unknown_size while it is being decompressed.
   std::size_t size() const;
-  /// Whether the content is decompressed as it is read, so that its size is known at its end only.
+  /// Returns whether the content is decompressed as it is read, so that its size is known at its end only.
   bool is_compressed() const;
   bool is_in_memory() const { return file_ == nullptr; }
   /// Returns how many bytes of the file, in its compressed form, have been read so far.

@@ -9,7 +9,7 @@
 
 namespace rbpa::app {
 
-/// Whether the bytes begin like a gzip file.
+/// Returns whether the bytes begin like a gzip file.
 bool is_gzip(std::string_view bytes);
 
 /// Decompresses all members of a gzip file, one after another.
@@ -25,7 +25,7 @@ class Gunzip {
   /// means the end of the file. Returns how many bytes it wrote to `to`: at most `size`, perhaps none. Throws BadInput
   /// naming the fault.
   std::size_t inflate(std::string_view& compressed, char* to, std::size_t size);
-  /// Whether the bytes so far end with a whole member, so that the file may end here.
+  /// Returns whether the bytes so far end with a whole member, so that the file may end here.
   bool is_between_members() const { return between_members_; }
 
  private:

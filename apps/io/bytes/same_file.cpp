@@ -48,7 +48,7 @@ struct Place {
   }
 };
 
-/// Whether two paths are, or will be, the same file.
+/// Returns whether two paths are, or will be, the same file.
 bool same_file(const Place& a, const Place& b) {
   if (a.is_stream() && b.is_stream() && a.stream == b.stream) return true;
   const auto one = a.status(), other = b.status();

@@ -73,7 +73,7 @@ inline double load_number(Scalar type, const char* bytes, std::endian order) {
   return with_type(type, [&](auto value) { return static_cast<double>(load<decltype(value)>(bytes, order)); });
 }
 
-/// Whether doubles represent all integers up to this one. True for every value that is not a 64-bit integer.
+/// Returns whether doubles represent all integers up to this one: true for every value that is not a 64-bit integer.
 template <typename T>
 constexpr bool is_exact_in_double(T value) {
   if constexpr (std::is_integral_v<T> && sizeof(T) == 8) {

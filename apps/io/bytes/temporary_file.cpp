@@ -25,7 +25,7 @@ std::string name_beside(const std::string& path, int attempt) {
          std::string(ending);
 }
 
-/// Whether `name` is of the form ".rbpa-NUMBER-NUMBER.tmp".
+/// Returns whether `name` is of the form ".rbpa-NUMBER-NUMBER.tmp".
 bool is_temporary(std::string_view name) {
   if (!name.starts_with(beginning) || !name.ends_with(ending)) return false;
   name.remove_prefix(beginning.size());
@@ -37,7 +37,7 @@ bool is_temporary(std::string_view name) {
   return dash != name.end() && is_number(name.begin(), dash) && is_number(dash + 1, name.end());
 }
 
-/// Whether `name` still names the open file.
+/// Returns whether `name` still names the open file.
 bool names(const std::string& name, int descriptor) {
   struct stat named {
   }, opened{};

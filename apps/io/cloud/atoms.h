@@ -24,7 +24,7 @@ inline constexpr std::size_t names_of_atom = 7, x_of_atom = 7, no_atom_column = 
 /// Returns the index in atom_columns of a name, in letters of either case; no_atom_column if there is none.
 std::size_t atom_column(std::string_view name);
 
-/// Whether the column holds texts, even if they look like numbers; otherwise it holds numbers.
+/// Returns whether the column holds texts, even if they look like numbers; otherwise it holds numbers.
 bool is_text_of_atom(std::size_t column);
 
 struct Atom {

@@ -145,7 +145,7 @@ std::unique_ptr<Cloud> open_as(Content content, const CloudRequest& request) {
 /// Returns the reader of a format; null for geometries and pixels, which are not columns.
 const CloudFormat* cloud_format(Format format);
 
-/// Whether the format has points, and its reader has the property.
+/// Returns whether the format has points, and its reader has the property.
 bool has(Format format, bool CloudFormat::*property);
 
 /// Returns the formats of a use whose readers are `fit`, and `others`, for messages: "las, ply or text". All tables

@@ -62,7 +62,8 @@ std::size_t point_count(std::string_view bytes, const LasHeader& header) {
   return count == 0 ? legacy : count;
 }
 
-/// Whether the data begin with the signature that version 1.0 has before the points. Some writers count it among them.
+/// Returns whether the data begin with the signature that version 1.0 has before the points. Some writers count it
+/// among them.
 bool begins_with_signature(std::string_view data) {
   return data.starts_with("\xDD\xCC") || data.starts_with("\xCC\xDD");
 }

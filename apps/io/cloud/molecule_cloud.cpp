@@ -126,7 +126,7 @@ class MoleculeCloud final : public Cloud {
     ++block.count;
   }
 
-  /// Whether the atom has the text that the condition asks for; '?' matches an empty value, as in PDBx/mmCIF.
+  /// Returns whether the atom has the text that the condition asks for; '?' matches an empty value, as in PDBx/mmCIF.
   bool has_text(const std::pair<std::size_t, std::string>& asked) const {
     const std::string& field = atom_.fields[asked.first];
     return field == asked.second || (field.empty() && asked.second == "?");

@@ -20,7 +20,7 @@ bool has_digit(std::string_view line, std::size_t column) {
   return line.size() >= column && is_digit(line[column - 1]);
 }
 
-/// Whether a line is a record ATOM or HETATM. A serial number of six digits may take the blank after ATOM.
+/// Returns whether a line is a record ATOM or HETATM. A serial number of six digits may take the blank after ATOM.
 bool is_atom(std::string_view line) {
   const auto may_follow = [](char c) { return c == ' ' || is_digit(c); };
   return line.starts_with("HETATM") ||

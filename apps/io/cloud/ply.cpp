@@ -220,7 +220,7 @@ void PlyText::settle_rest(const PlyElement& element, std::size_t index) {
   rest_ = {};
 }
 
-/// Whether exactly the words of all later elements follow an element.
+/// Returns whether exactly the words of all later elements follow an element.
 bool PlyText::are_words_of_rest(const PlyElement& element, std::size_t index) const {
   Lines lines = lines_;
   std::string_view rest = rest_;

@@ -156,7 +156,7 @@ class PlyText {
   void pass_words(const PlyProperty& property, std::string_view& rest, std::size_t read = 0) const;
 
   const Lines& lines() const { return lines_; }
-  /// Whether anything but blank lines and comments follows the elements; moves there.
+  /// Returns whether anything but blank lines and comments follows the elements; moves there.
   bool has_more() { return !rest_.empty() || lines_.next_with_content(); }
 
  private:

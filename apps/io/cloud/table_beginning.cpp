@@ -56,7 +56,7 @@ std::vector<std::string> names_of(std::string_view properties) {
   return has_place ? names : std::vector<std::string>();
 }
 
-/// Whether a line of numbers is data and not a comment, as the next line has equally many fields.
+/// Returns whether a line of numbers is data and not a comment, as the next line has equally many fields.
 bool are_both_data(std::string_view line, std::string_view next) {
   std::size_t numbers = 0;
   for (Fields fields(line, blanks); !fields.at_end();)
@@ -67,7 +67,8 @@ bool are_both_data(std::string_view line, std::string_view next) {
   return numbers == count_fields(next, blanks).all;
 }
 
-/// Whether a line is an atom: the symbol of an element, or a label that begins with a letter, and three numbers.
+/// Returns whether a line is an atom: the symbol of an element, or a label that begins with a letter, and three
+/// numbers.
 bool is_atom_line(std::string_view line, bool by_number) {
   Fields fields(line, blanks);
   const auto take = [&] { return fields.at_end() ? std::string_view() : fields.take(); };

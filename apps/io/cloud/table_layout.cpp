@@ -30,7 +30,7 @@ std::vector<std::size_t> chosen(const std::vector<Column>& columns, const FieldT
   return places;
 }
 
-/// Whether the fields at `places` are names: none looks like a number, and not all say that a value is missing.
+/// Returns whether the fields at `places` are names: none looks like a number, and not all say that a value is missing.
 bool is_header(const FieldTexts& fields, const std::vector<std::size_t>& places) {
   std::size_t missing = 0;
   for (const std::size_t i : places) {
@@ -40,26 +40,26 @@ bool is_header(const FieldTexts& fields, const std::vector<std::size_t>& places)
   return missing < places.size();
 }
 
-/// Whether a line without known names is a header: all its fields are texts, and none is a geometry.
+/// Returns whether a line without known names is a header: all its fields are texts, and none is a geometry.
 bool is_unknown_header(const FieldTexts& fields, const std::vector<std::size_t>& places) {
   return is_header(fields, places) && is_text_only(fields) && std::none_of(fields.begin(), fields.end(), is_geometry);
 }
 
-/// Whether a line with known names is a header. Years may follow the names as whole numbers; other numbers show that
-/// the names are texts of a line of data.
+/// Returns whether a line with known names is a header. Years may follow the names as whole numbers; other numbers show
+/// that the names are texts of a line of data.
 bool may_be_known_header(const FieldTexts& fields) {
   const auto numbers = std::count_if(fields.begin(), fields.end(), is_number);
   const auto whole = std::count_if(fields.begin(), fields.end(), [](std::string_view f) { return !!parse_count(f); });
   return numbers < 2 || (numbers == whole && !is_number(fields.front()));
 }
 
-/// Whether the first line is data, and the comment before it has a name for each column.
+/// Returns whether the first line is data, and the comment before it has a name for each column.
 bool has_names(const TableBeginning& table, bool in_space) {
   return table.names.size() == table.fields.size() && !is_text_only(table.fields) &&
          (in_space ? !find_space_columns(table.names).empty() : find_coordinates(table.names).has_value());
 }
 
-/// Whether the line is a header with known names for x and y or for geometries; sets the layout.
+/// Returns whether the line is a header with known names for x and y or for geometries; sets the layout.
 bool find_by_header(const FieldTexts& fields, const TableBeginning& table, TableLayout& layout,
                     std::vector<std::string>& warnings) {
   if (!may_be_known_header(fields)) return false;
@@ -110,13 +110,13 @@ std::vector<std::string_view> names_of_kind(TableKind kind, const TableBeginning
                                         : "3, 4, 6 or 7: x, y, z, intensity, red, green, blue");
 }
 
-/// Whether the table has the columns of its kind; sets the layout.
+/// Returns whether the table has the columns of its kind; sets the layout.
 bool find_by_kind(const TableBeginning& table, TableKind kind, bool in_space, TableLayout& layout) {
   if (kind != TableKind::any) lay_out_by_names(names_of_kind(kind, table), in_space, layout);
   return kind != TableKind::any;
 }
 
-/// Whether there is a column of geometries of any name; sets the layout. For tables whose names say nothing.
+/// Returns whether there is a column of geometries of any name; sets the layout. For tables whose names say nothing.
 bool find_by_content(const TableBeginning& table, TableLayout& layout, std::vector<std::string>& warnings) {
   layout.wkt = table.choice.geometry;
   if (!layout.wkt) return false;
@@ -126,7 +126,7 @@ bool find_by_content(const TableBeginning& table, TableLayout& layout, std::vect
   return true;
 }
 
-/// Whether the comment before the first line of numbers names the columns; sets the layout.
+/// Returns whether the comment before the first line of numbers names the columns; sets the layout.
 bool find_by_comment(const TableBeginning& table, bool in_space, TableLayout& layout,
                      std::vector<std::string>& warnings) {
   if (!has_names(table, in_space)) return false;

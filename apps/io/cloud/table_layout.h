@@ -74,7 +74,7 @@ void lay_out_by_names(const std::vector<std::string_view>& names, bool in_space,
 /// Returns "2 columns ('1 2')".
 std::string found_columns(std::size_t count, std::string_view line);
 
-/// Whether a column is requested by its name, so that the table needs a header.
+/// Returns whether a column is requested by its name, so that the table needs a header.
 bool is_by_name(const std::optional<std::vector<Column>>& columns);
 
 }  // namespace rbpa::app

@@ -29,7 +29,7 @@ class TableLines {
   std::string_view line() const { return line_; }
   /// Returns the number of the line, from 1; the first number of a line that spans several.
   std::size_t number() const { return lines_.number() - spanned_; }
-  /// Whether a quoted text begins in the line and has no end.
+  /// Returns whether a quoted text begins in the line and has no end.
   bool is_open() const { return is_open_; }
   /// Returns the text after the line that is in memory.
   std::string_view rest() const { return lines_.rest(); }

@@ -141,7 +141,7 @@ Box box_of(const std::vector<P>& points) {
   return box;
 }
 
-/// Whether the box lies within longitudes of -360 to 360 and latitudes of -90 to 90.
+/// Returns whether the box lies within longitudes of -360 to 360 and latitudes of -90 to 90.
 bool may_be_degrees(const Box& box) {
   return box.least.y >= -90 && box.greatest.y <= 90 && box.least.x >= -360 && box.greatest.x <= 360;
 }
@@ -155,8 +155,8 @@ std::string no_degrees(const Box& box) {
          (exchanged ? ": are they exchanged?" : ": are they degrees?");
 }
 
-/// Whether the points lie on both sides of the antimeridian and within half the globe: a range of more than 180 degrees
-/// of longitude, between two of them, has no points.
+/// Returns whether the points lie on both sides of the antimeridian and within half the globe: a range of more than 180
+/// degrees of longitude, between two of them, has no points.
 bool lie_around_antimeridian(const std::vector<Point>& points, const Box& box) {
   if (box.least.x < -180 || box.greatest.x > 180 || box.greatest.x - box.least.x <= 180) return false;
   std::array<bool, 361> taken{};

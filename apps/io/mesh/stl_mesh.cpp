@@ -47,7 +47,8 @@ bool begins_with_word(const Lines& lines, std::string_view word) {
   return same_letters(take_word(rest), word);
 }
 
-/// Whether the file is binary, by its size or because it is not text: a binary file may begin with "solid", too.
+/// Returns whether the file is binary, by its size or because it is not text: a binary file may begin with "solid",
+/// too.
 bool is_binary(std::string_view bytes) {
   if (bytes.size() >= header_size && bytes.size() == header_size + facet_size * announced_facets(bytes)) return true;
   Lines lines(bytes);
@@ -89,7 +90,7 @@ const char* behind_attributes(const char* facet) {
   return facet + facet_size + load<std::uint16_t>(facet + facet_size - 2, std::endian::little);
 }
 
-/// Whether the bytes are exactly the facets, each with its attributes.
+/// Returns whether the bytes are exactly the facets, each with its attributes.
 bool have_attributes(std::string_view bytes, std::size_t facets) {
   const char* at = bytes.data() + header_size;
   const char* const end = bytes.data() + bytes.size();
@@ -136,7 +137,8 @@ class AsciiReader {
   }
 
  private:
-  /// Whether only padding follows, which programs and disks append to a text: zero bytes and the end-of-file mark.
+  /// Returns whether only padding follows, which programs and disks append to a text: zero bytes and the end-of-file
+  /// mark.
   bool ends_file() {
     constexpr std::string_view blank("\0\x1a \t\r\n", 6);
     const std::string_view line = lines_.line(), rest = lines_.rest();

@@ -16,7 +16,7 @@ namespace rbpa::app {
 /// A ring of longitudes, latitudes and heights; the first point is not repeated.
 using PositionRing = std::vector<Point3>;
 
-/// Whether some longitude is beyond ±180, and none is beyond ±360.
+/// Returns whether some longitude is beyond ±180, and none is beyond ±360.
 bool is_beyond_antimeridian(std::span<const Point> points);
 
 /// Returns the equal longitude within -180 to 180.

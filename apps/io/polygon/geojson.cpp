@@ -188,7 +188,7 @@ class Events {
     double radius = not_a_number;
   };
 
-  /// Whether the value is that of a property of a Feature.
+  /// Returns whether the value is that of a property of a Feature.
   bool is_property() const { return depth_ == 1 && passed_over_ == Slot::properties; }
 
   void take_key(const std::string& text, bool is_text) {
@@ -272,7 +272,7 @@ class Events {
     return true;
   }
 
-  /// Whether the object or array that begins or ends is within ignored content.
+  /// Returns whether the object or array that begins or ends is within ignored content.
   bool passes_over(int step) {
     if (++events_ % 65536 == 0) stop_if_interrupted();
     if (depth_ == 0) return false;

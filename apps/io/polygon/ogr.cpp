@@ -32,7 +32,7 @@ class Gdal {
   Gdal(const Gdal&) = delete;
   Gdal& operator=(const Gdal&) = delete;
 
-  /// Whether anything has failed since this object was made.
+  /// Returns whether anything has failed since this object was made.
   bool has_failed() const { return CPLGetLastErrorType() >= CE_Failure; }
   /// Returns GDAL's message about the failure.
   std::string reason() const {

@@ -24,7 +24,7 @@ struct OgrFile {
   std::string bytes;
 };
 
-/// Whether GDAL writes the format.
+/// Returns whether GDAL writes the format.
 inline bool is_ogr(Format format) { return format == Format::gpkg || format == Format::fgb || format == Format::shp; }
 /// Returns the endings of the files of a format, that of the main file first.
 inline std::vector<std::string> ogr_endings(Format format) {

@@ -38,7 +38,8 @@ struct Shape {
 /// Returns the number of points in each polygon; each point counts in at most one.
 std::vector<std::size_t> points_in_polygons(const Shape& shape);
 
-/// Whether coordinates are longitudes and latitudes, and some lie beyond the antimeridian, where GeoJSON must be cut.
+/// Returns whether coordinates are longitudes and latitudes, and some lie beyond the antimeridian, where GeoJSON must
+/// be cut.
 bool is_cut_in_geojson(std::span<const Point> points, const std::optional<Crs>& crs, bool degrees);
 
 /// Returns a warning if readers of GeoJSON may misinterpret the coordinates.

@@ -20,7 +20,7 @@ constexpr std::pair<std::string_view, Step> comparisons[] = {
     {"==", Step::equal},      {"=", Step::equal},          {"!=", Step::not_equal}, {"<>", Step::not_equal},
     {"<=", Step::less_equal}, {">=", Step::greater_equal}, {"<", Step::less},       {">", Step::greater}};
 
-/// Whether a character belongs to a word; every character beyond ASCII counts as a letter.
+/// Returns whether a character belongs to a word; every character beyond ASCII counts as a letter.
 bool is_of_word(char c) {
   const auto byte = static_cast<unsigned char>(c);
   return std::isalnum(byte) != 0 || c == '_' || c == '.' || byte >= 0x80;
@@ -123,7 +123,7 @@ class Parser {
     }
   }
 
-  /// Whether the next word is a text in quotes of either kind.
+  /// Returns whether the next word is a text in quotes of either kind.
   bool is_text() const {
     return names_.texts && word_.size() > 1 && is_quote(word_.front()) && word_.back() == word_.front();
   }

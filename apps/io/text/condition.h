@@ -96,7 +96,7 @@ class Condition {
     const auto is_it = [&](const WantedColumn& column) { return column.name == field; };
     return std::any_of(columns_.begin(), columns_.end(), is_it) ? std::string_view(option_) : "--where";
   }
-  /// Whether the condition may exclude points.
+  /// Returns whether the condition may exclude points.
   bool selects() const { return selects_; }
   /// A comparison of a field with a text.
   struct Text {

@@ -11,7 +11,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Whether the field has no comma, or one between digits.
+/// Returns whether the field has no comma, or one between digits.
 bool may_be_decimal(std::string_view field) {
   const std::size_t comma = field.find(',');
   if (comma == std::string_view::npos) return true;

@@ -97,7 +97,7 @@ struct FieldCount {
     ++all;
     if (!field.empty()) to_last_text = all;
   }
-  /// Whether lines with both counts may be of one table: they differ only in empty fields at the end.
+  /// Returns whether lines with both counts may be of one table: they differ only in empty fields at the end.
   bool fits(const FieldCount& first) const {
     return all >= first.to_last_text && (all <= first.all || to_last_text <= first.all);
   }
@@ -126,11 +126,11 @@ bool commas_are_decimal(std::string_view line, char separator);
 /// Returns the separator of a line "sep=;", which Excel may write as the first line.
 std::optional<char> separator_hint(std::string_view line);
 
-/// Whether the field is a number, with a decimal point or comma.
+/// Returns whether the field is a number, with a decimal point or comma.
 bool is_number(std::string_view field);
 
-/// Whether the field looks like a number, such as "1.0D0", "−1", "12o" or "<0.5": it has a digit, and begins with it or
-/// has no letters but those of exponents.
+/// Returns whether the field looks like a number, such as "1.0D0", "−1", "12o" or "<0.5": it has a digit, and begins
+/// with it or has no letters but those of exponents.
 bool is_nearly_number(std::string_view field);
 
 /// Whether the field is a number with signs between thousands: "345.941,89", "1,234,567", "5'678.6", "5 678,6".
@@ -142,13 +142,13 @@ std::string expected_for(std::string_view field, NumberFault fault);
 /// Whether the field begins like well-known text, and its brackets are closed.
 bool is_geometry(std::string_view field);
 
-/// Whether the text begins with the name of a geometry, followed by an opening bracket or EMPTY.
+/// Returns whether the text begins with the name of a geometry, followed by an opening bracket or EMPTY.
 bool begins_with_geometry(std::string_view text);
 
-/// Whether the field stands for a missing value: "NA", nothing, and others.
+/// Returns whether the field stands for a missing value: "NA", nothing, and others.
 bool is_missing(std::string_view field);
 
-/// Whether a field of the header has that name, in letters of either case.
+/// Returns whether a field of the header has that name, in letters of either case.
 bool has_column(const std::vector<std::string_view>& header, std::string_view wanted);
 
 /// Returns the index of the field with the name `wanted` in the header, the current line of `lines`; if none matches

@@ -59,8 +59,8 @@ class LineSelection {
   /// the lines after it.
   void settle_kinds(std::string_view line, Lines behind, char separator);
 
-  /// Whether the condition is true for a line. read(fields) returns a number from the next field, and is called for the
-  /// fields that decide; take_width(count) checks the number of fields.
+  /// Returns whether the condition is true for a line. read(fields) returns a number from the next field, and is called
+  /// for the fields that decide; take_width(count) checks the number of fields.
   template <typename Read, typename TakeWidth>
   bool is_selected(Fields fields, const Read& read, const TakeWidth& take_width) {
     if (!where_) return true;

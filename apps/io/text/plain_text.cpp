@@ -106,8 +106,8 @@ constexpr bool may_be_text(Format format) {
   return is_table(format) || std::find(std::begin(texts), std::end(texts), format) != std::end(texts);
 }
 
-/// Whether bytes that look like UTF-16 or UTF-32 are. In STL, whose binary header may have any bytes, only if they
-/// spell "soli" in UTF-16.
+/// Returns whether bytes that look like UTF-16 or UTF-32 are. In STL, whose binary header may have any bytes, only if
+/// they spell "soli" in UTF-16.
 bool is_in_other_encoding(std::string_view bytes, Format format) {
   return format != Format::stl || bytes.substr(0, 16).find("s\0o\0l\0i"sv) != std::string_view::npos;
 }
