@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -23,6 +24,19 @@ namespace detail {
 [[noreturn, gnu::cold, gnu::noinline]] inline void violate(const char* what) { throw ContractViolation(what); }
 [[noreturn, gnu::cold, gnu::noinline]] inline void violate(const char* before, long long number, const char* after) {
   throw ContractViolation(before + std::to_string(number) + after);
+}
+[[noreturn, gnu::cold, gnu::noinline]] inline void violate(const char* operation, const char* refusal) {
+  throw ContractViolation(std::string(operation) + ": " + refusal);
+}
+
+/// Throws ContractViolation "operation: reason", unless `refusal` is null.
+inline void enforce(const char* operation, const char* refusal) {
+  if (refusal) [[unlikely]]
+    violate(operation, refusal);
+}
+/// Returns a refusal as the …_blocker() functions do.
+inline std::optional<std::string> as_blocker(const char* refusal) {
+  return refusal ? std::optional<std::string>(refusal) : std::nullopt;
 }
 
 }  // namespace detail

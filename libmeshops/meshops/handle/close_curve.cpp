@@ -54,13 +54,11 @@ const char* reason_against_opening(const Connectivity& mesh, Face f) {
 }  // namespace
 
 std::optional<std::string> close_curve_blocker(const Connectivity& mesh, Halfedge h) {
-  if (const char* reason = reason_against_closing(mesh, h)) return reason;
-  return std::nullopt;
+  return detail::as_blocker(reason_against_closing(mesh, h));
 }
 
 CloseCurveEffect close_curve(Connectivity& mesh, Halfedge h) {
-  if (const char* reason = reason_against_closing(mesh, h))
-    throw ContractViolation(std::string("close_curve: ") + reason);
+  detail::enforce("close_curve", reason_against_closing(mesh, h));
   const Face f = mesh.new_face();
   mesh.set_halfedge_handle(f, h);
   Halfedge side = h;
@@ -72,13 +70,11 @@ CloseCurveEffect close_curve(Connectivity& mesh, Halfedge h) {
 }
 
 std::optional<std::string> open_curve_blocker(const Connectivity& mesh, Face f) {
-  if (const char* reason = reason_against_opening(mesh, f)) return reason;
-  return std::nullopt;
+  return detail::as_blocker(reason_against_opening(mesh, f));
 }
 
 OpenCurveEffect open_curve(Connectivity& mesh, Face f) {
-  if (const char* reason = reason_against_opening(mesh, f))
-    throw ContractViolation(std::string("open_curve: ") + reason);
+  detail::enforce("open_curve", reason_against_opening(mesh, f));
   const Halfedge first = mesh.halfedge_handle(f);
   Halfedge h = first;
   do {

@@ -18,7 +18,7 @@ const char* reason_against_any(const Connectivity& mesh, Face f) {
   return mesh.next_halfedge_handle(third) == first ? nullptr : "the face is not a triangle";
 }
 
-std::array<Halfedge, 3> sides_of(const Connectivity& mesh, Face f) {
+std::array<Halfedge, 3> sides_of_triangle(const Connectivity& mesh, Face f) {
   const Halfedge first = mesh.halfedge_handle(f), second = mesh.next_halfedge_handle(first);
   return {first, second, mesh.next_halfedge_handle(second)};
 }
@@ -26,23 +26,23 @@ std::array<Halfedge, 3> sides_of(const Connectivity& mesh, Face f) {
 const char* reason_against_destroying(const Connectivity& mesh, Face f) {
   if (const char* reason = reason_against_any(mesh, f)) return reason;
   const auto beyond = [&](Halfedge side) { return mesh.opposite_halfedge_handle(side); };
-  for (const Halfedge side : sides_of(mesh, f))
+  for (const Halfedge side : sides_of_triangle(mesh, f))
     if (!mesh.is_boundary(beyond(side))) return "a side is glued to another face";
   // The boundary runs around the triangle alone, unless it continues to another fan at a corner.
-  for (const Halfedge side : sides_of(mesh, f))
+  for (const Halfedge side : sides_of_triangle(mesh, f))
     if (mesh.prev_halfedge_handle(beyond(side)) != beyond(mesh.next_halfedge_handle(side))) return detail::several_fans;
   return nullptr;
 }
 
 const char* reason_against_removing(const Connectivity& mesh, Face f) {
   if (const char* reason = reason_against_any(mesh, f)) return reason;
-  for (const Halfedge side : sides_of(mesh, f))
+  for (const Halfedge side : sides_of_triangle(mesh, f))
     if (has_several_fans(mesh, mesh.from_vertex_handle(side))) return detail::several_fans;
   return nullptr;
 }
 
 void destroy(Connectivity& mesh, Face f) {
-  for (const Halfedge side : sides_of(mesh, f)) {
+  for (const Halfedge side : sides_of_triangle(mesh, f)) {
     mesh.status(mesh.from_vertex_handle(side)).set_deleted(true);
     mesh.set_isolated(mesh.from_vertex_handle(side));
     mesh.status(mesh.edge_handle(side)).set_deleted(true);
@@ -52,35 +52,27 @@ void destroy(Connectivity& mesh, Face f) {
   mesh.status(f).set_deleted(true);
 }
 
-void require_none(const char* name, const char* reason) {
-  if (reason != nullptr) throw ContractViolation(std::string(name) + ": " + reason);
-}
-
-std::optional<std::string> as_text(const char* reason) {
-  return reason != nullptr ? std::optional<std::string>(reason) : std::nullopt;
-}
-
 }  // namespace
 
 std::optional<std::string> destroy_triangle_blocker(const Connectivity& mesh, Face f) {
-  return as_text(reason_against_destroying(mesh, f));
+  return detail::as_blocker(reason_against_destroying(mesh, f));
 }
 
 Delta destroy_triangle(Connectivity& mesh, Face f) {
-  require_none("destroy_triangle", reason_against_destroying(mesh, f));
+  detail::enforce("destroy_triangle", reason_against_destroying(mesh, f));
   destroy(mesh, f);
   return delta_of_destroy();
 }
 
 std::optional<std::string> remove_triangle_blocker(const Connectivity& mesh, Face f) {
-  return as_text(reason_against_removing(mesh, f));
+  return detail::as_blocker(reason_against_removing(mesh, f));
 }
 
 Delta remove_triangle(Connectivity& mesh, Face f) {
-  require_none("remove_triangle", reason_against_removing(mesh, f));
+  detail::enforce("remove_triangle", reason_against_removing(mesh, f));
   Delta delta;
   // unglue() of the halfedge on this side leaves the edge and the vertices to the faces beyond it.
-  for (const Halfedge side : sides_of(mesh, f)) {
+  for (const Halfedge side : sides_of_triangle(mesh, f)) {
     const Halfedge beyond = mesh.opposite_halfedge_handle(side);
     if (!mesh.is_boundary(beyond)) delta = delta + detail::unglue_links(mesh, side).delta();
   }

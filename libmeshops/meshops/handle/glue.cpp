@@ -110,29 +110,24 @@ const char* refusal(const Connectivity& mesh, Halfedge first, Halfedge second) {
   return reason != nullptr ? reason : detail::glue_refusal(mesh, first, second);
 }
 
-void require_none(const char* operation, const char* reason) {
-  if (reason != nullptr) throw ContractViolation(std::string(operation) + ": " + reason);
-}
-
 }  // namespace
 
 std::optional<std::string> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  if (const char* reason = refusal(mesh, first, second)) return reason;
-  return std::nullopt;
+  return detail::as_blocker(refusal(mesh, first, second));
 }
 
 GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  require_none("glue_case", detail::glue_refusal(mesh, first, second));
+  detail::enforce("glue_case", detail::glue_refusal(mesh, first, second));
   return detail::case_of_glue(mesh, first, second);
 }
 
 GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second) {
-  require_none("glue", refusal(mesh, first, second));
+  detail::enforce("glue", refusal(mesh, first, second));
   return detail::glue_links(mesh, first, second, detail::case_of_glue(mesh, first, second));
 }
 
 GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what) {
-  require_none("glue", refusal(mesh, first, second));
+  detail::enforce("glue", refusal(mesh, first, second));
   return detail::glue_links(mesh, first, second, what);
 }
 

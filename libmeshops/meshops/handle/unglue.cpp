@@ -101,11 +101,6 @@ GlueCase case_of_unglue(const Connectivity& mesh, Halfedge h, const End& start, 
   return in_same_component(mesh, one, other, mesh.edge_handle(h)) ? GlueCase::handle : GlueCase::join;
 }
 
-void require_ungluable(const char* operation, const Connectivity& mesh, Halfedge h) {
-  if (const char* reason = detail::unglue_refusal(mesh, h))
-    throw ContractViolation(std::string(operation) + ": " + reason);
-}
-
 }  // namespace
 
 namespace detail {
@@ -134,17 +129,16 @@ UnglueEffect unglue_links(Connectivity& mesh, Halfedge h) {
 }  // namespace detail
 
 std::optional<std::string> unglue_blocker(const Connectivity& mesh, Halfedge h) {
-  if (const char* reason = detail::unglue_refusal(mesh, h)) return reason;
-  return std::nullopt;
+  return detail::as_blocker(detail::unglue_refusal(mesh, h));
 }
 
 GlueCase unglue_case(const Connectivity& mesh, Halfedge h) {
-  require_ungluable("unglue_case", mesh, h);
+  detail::enforce("unglue_case", detail::unglue_refusal(mesh, h));
   return case_of_unglue(mesh, h, End(mesh, mesh.from_vertex_handle(h)), End(mesh, mesh.to_vertex_handle(h)));
 }
 
 UnglueEffect unglue(Connectivity& mesh, Halfedge h) {
-  require_ungluable("unglue", mesh, h);
+  detail::enforce("unglue", detail::unglue_refusal(mesh, h));
   return detail::unglue_links(mesh, h);
 }
 
@@ -152,7 +146,7 @@ UnglueEffect unglue(Connectivity& mesh, const GlueEffect& effect) {
   require(has_status(mesh),
           "unglue: the mesh needs status of every kind to know what is deleted (request_vertex_status() and so on)");
   const Halfedge h = effect.survivor;
-  require_ungluable("unglue", mesh, h);
+  detail::enforce("unglue", detail::unglue_refusal(mesh, h));
   const End start(mesh, mesh.from_vertex_handle(h)), end(mesh, mesh.to_vertex_handle(h));
   const auto is_dead = [&](auto element, std::size_t count) {
     return element.is_valid() && static_cast<std::size_t>(element.idx()) < count && !is_live(mesh, element);

@@ -178,11 +178,9 @@ History::Undo History::named_again(std::vector<Vertex> vertices) const {
   };
 }
 
-History::Sizes History::sizes() const { return {mesh_.n_vertices(), mesh_.n_edges(), mesh_.n_faces()}; }
-
 void History::require_own() const {
-  const Sizes expected = !done_.empty() ? done_.back().after : !undone_.empty() ? undone_.back().before : sizes();
-  require(sizes() == expected,
+  if (done_.empty() && undone_.empty()) return;
+  require(ElementCounts::of(mesh_) == (done_.empty() ? undone_.back().before : done_.back().after),
           "History: the number of elements differs from that after the last step: the mesh was "
           "changed by others");
 }

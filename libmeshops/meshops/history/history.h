@@ -14,6 +14,7 @@
 #include "meshops/core/api.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/core/contract.h"
+#include "meshops/core/element_counts.h"
 #include "meshops/handle/close_curve.h"
 #include "meshops/handle/glue.h"
 #include "meshops/handle/unglue.h"
@@ -92,14 +93,10 @@ class MESHOPS_API History {
 
  private:
   using Undo = std::function<void()>;
-  struct Sizes {
-    std::size_t vertices, edges, faces;
-    friend bool operator==(const Sizes&, const Sizes&) = default;
-  };
   struct Step {
     std::function<Undo()> again;
     Undo back;
-    Sizes before, after;
+    ElementCounts before, after;
   };
 
   /// Performs one split by `operate`, which holds copies of all that it needs, because redo() calls it again.
@@ -119,9 +116,10 @@ class MESHOPS_API History {
   template <typename Effect, typename Perform>
   Effect perform(Perform perform) {
     require_own();
-    const Sizes before = sizes();
+    const auto before = ElementCounts::of(mesh_);
     auto [effect, back] = perform();
-    remember({[perform]() mutable { return Undo(perform().second); }, std::move(back), before, sizes()});
+    remember(
+        {[perform]() mutable { return Undo(perform().second); }, std::move(back), before, ElementCounts::of(mesh_)});
     return effect;
   }
   /// Performs a step by an operator that returns a WeldEffect.
@@ -136,7 +134,6 @@ class MESHOPS_API History {
   Undo undo_of_split(Halfedge halfedge);
   Undo undo_of_weld(const WeldEffect& effect);
   Undo named_again(std::vector<Vertex> vertices) const;
-  Sizes sizes() const;
   void require_own() const;
   void remember(Step step);
 

@@ -200,10 +200,6 @@ const char* double_edge_refusal(const Connectivity& mesh, Vertex w, Halfedge lef
 
 }  // namespace
 
-void refuse(const char* operation, const char* refusal) {
-  throw ContractViolation(std::string(operation) + ": " + refusal);
-}
-
 constexpr int usual_degree = 12;
 
 bool are_joined(const Connectivity& mesh, Vertex a, Vertex b) {

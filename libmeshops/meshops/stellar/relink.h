@@ -42,20 +42,8 @@ inline void make_triangle(Connectivity& mesh, Face face, Halfedge a, Halfedge b,
 /// the new face on its left.
 Halfedge cut_face(Connectivity& mesh, Halfedge from, Halfedge to, Halfedge diagonal, Face added);
 
-[[noreturn]] void refuse(const char* operation, const char* refusal);
-
-/// Throws ContractViolation "operation: reason", unless `refusal` is null.
-inline void enforce(const char* operation, const char* refusal) {
-  if (refusal) [[unlikely]]
-    refuse(operation, refusal);
-}
-
 inline void require_status(const Connectivity& mesh, const char* operation) {
   enforce(operation, status_refusal(mesh));
-}
-
-inline std::optional<std::string> as_blocker(const char* refusal) {
-  return refusal ? std::optional<std::string>(refusal) : std::nullopt;
 }
 
 /// Makes `named` the halfedge of the vertex again, if it is live, leaves the vertex, and is on the boundary where the

@@ -116,7 +116,7 @@ template <TriangleWeight Weight>
 TriangulateFaceEffect triangulate_face(Connectivity& mesh, Face face, Weight weight, Keep keep = Keep::simplicial) {
   const detail::Polygon polygon(mesh, face, keep);
   const auto apex = detail::least_triangulation(polygon, weight);
-  if (!apex) throw ContractViolation(std::string("triangulate_face: ") + polygon.reason());
+  if (!apex) detail::violate("triangulate_face", polygon.reason());
   return polygon.cut(mesh, *apex);
 }
 
