@@ -191,7 +191,7 @@ class Starter {
     }
   }
 
-  /// Whether the table has a first line of data if lines before it are left out.
+  /// Returns whether the table has a first line of data if lines before it are left out.
   bool is_mended_by_skipping() {
     CloudRequest skipping = request_;
     skipping.skip_invalid = true;

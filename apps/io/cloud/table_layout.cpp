@@ -162,8 +162,9 @@ void warn_of_unknown_names(const FieldTexts& fields, std::size_t numbers, std::v
   warnings.push_back("no name of a column is that of a coordinate; " + columns + " (" + way + ")");
 }
 
-/// Whether column 1 of a table without a header numbers its lines: its first lines, three or more, have consecutive
-/// integers there and numbers in columns 2 and 3, and column 2 is not the same in all, as in a row of a grid.
+/// Returns whether column 1 of a table without a header numbers its lines: its first lines, three or more, have
+/// consecutive integers there and numbers in columns 2 and 3, and column 2 is not the same in all, as in a row of a
+/// grid.
 bool is_numbered(const TableBeginning& table) {
   const char* const begin = table.lines.line().data();
   const std::string_view rest = table.lines.rest();

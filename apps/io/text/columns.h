@@ -45,10 +45,10 @@ std::vector<std::size_t> find_color_columns(const std::vector<std::string_view>&
 /// Returns the column called z, height, elevation or the like.
 std::optional<std::size_t> find_height(const std::vector<std::string_view>& header);
 
-/// Whether a name is a common name of x, y or z: axis 0, 1 or 2.
+/// Returns whether a name is a common name of x, y or z: axis 0, 1 or 2.
 bool is_coordinate(std::string_view name, std::size_t axis);
 
-/// Whether a name is a common name of a longitude; of a latitude.
+/// Returns whether a name is a common name of a longitude; of a latitude.
 bool is_longitude(std::string_view name);
 bool is_latitude(std::string_view name);
 

@@ -119,8 +119,8 @@ const char* end_of_record(std::string_view line, const char* end, char separator
 /// ignored if every one of them is between the digits of a number.
 char separator_of(std::string_view line);
 
-/// Whether `line`, split at `separator`, has commas, and every one of them is in a number of its own, "1,5;2", or, unless
-/// blanks separate, between the thousands of one.
+/// Returns whether `line`, split at `separator`, has commas, and each of them is in a number of its own, "1,5;2", or,
+/// unless blanks separate, between the thousands of one.
 bool commas_are_decimal(std::string_view line, char separator);
 
 /// Returns the separator of a line "sep=;", which Excel may write as the first line.
@@ -133,13 +133,13 @@ bool is_number(std::string_view field);
 /// with it or has no letters but those of exponents.
 bool is_nearly_number(std::string_view field);
 
-/// Whether the field is a number with signs between thousands: "345.941,89", "1,234,567", "5'678.6", "5 678,6".
+/// Returns whether the field is a number with signs between thousands: "345.941,89", "1,234,567", "5'678.6", "5 678,6".
 bool has_thousands(std::string_view field);
 
 /// Returns what a message expects in place of a field with this fault.
 std::string expected_for(std::string_view field, NumberFault fault);
 
-/// Whether the field begins like well-known text, and its brackets are closed.
+/// Returns whether the field begins like well-known text, and its brackets are closed.
 bool is_geometry(std::string_view field);
 
 /// Returns whether the text begins with the name of a geometry, followed by an opening bracket or EMPTY.

@@ -20,7 +20,7 @@
 namespace rbpa {
 namespace {
 
-using Wide = long double;  // for its exponents: volumes are products of coordinates
+using Wide = long double;  // products of three coordinates may exceed double
 constexpr double settles = 2;
 
 /// Returns a ratio that noise does not reach: docs/explanation/filtration_and_persistence.md, section 8 describes how
@@ -75,14 +75,14 @@ class Parts {
 
  private:
   void count(std::uint64_t size, int by) {
-    const auto times = static_cast<std::uint64_t>(by);  // modulo 2⁶⁴, as sums are
+    const auto times = static_cast<std::uint64_t>(by);  // wraps modulo 2⁶⁴, as the sums do
     components += times;
     points += times * size;
     squares += times * size * size;
   }
 
   meshops::DisjointSets sets_;
-  std::vector<std::uint32_t> size_;  // for each set, at the lowest index of its points
+  std::vector<std::uint32_t> size_;  // of set i, the number of its points, where i is the lowest index of them
 };
 
 /// Returns, for each tetrahedron, the radius from which it is in the complex or in a void of it.
