@@ -213,7 +213,7 @@ TEST_CASE("a run with another request is not resumed") {
     CHECK(text.find(part) != std::string::npos);
   };
   check("a.f64xy b.f64xy --alpha 4 -o t.npy", "alpha 4");
-  check("a.f64xy --alpha 3 -o t.npy", "1 input");
+  check("a.f64xy --alpha 3 -o t.npy", "other inputs (1)");
   check("b.f64xy a.f64xy --alpha 3 -o t.npy", "b.f64xy");
   check("a.f64xy b.f64xy --alpha 3 -o u.npy", "target");
   check("a.f64xy b.f64xy --alpha 3 -o t.npy --memory 500M", "memory");
