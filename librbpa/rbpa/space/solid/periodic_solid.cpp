@@ -18,8 +18,8 @@ namespace {
 
 using Row = std::array<std::uint32_t, 4>;
 
-/// A face by what its images share: its points, ascending, and the offsets in boxes of the second and the third point
-/// from the first. `at` is 4 t + k.
+/// A face, identified by what its images share: its points, ascending, and the offsets, in boxes, of the second and the
+/// third point from the first. `at` is 4 t + k: across from corner k of tetrahedron t.
 struct ImageFace {
   std::array<std::uint32_t, 3> points;
   std::array<std::int8_t, 6> apart;
@@ -61,12 +61,13 @@ void link_images(std::span<const std::uint32_t> faces, PeriodicSolid& solid) {
   }
 }
 
-/// The points of the box, and their images at most `margin` outside of it, in the order of vertices.
+/// Points of the box and images of them, in the order of PeriodicSolid::vertices.
 struct Images {
   std::vector<PeriodicVertex> vertices;
   std::vector<Point3> positions;
 };
 
+/// Returns the points of the box, and their images at most `margin` outside of the box.
 Images images_of(std::span<const Point3> wrapped, const space::Torus& torus, double margin) {
   // The offsets at which a coordinate is in the box, or at most `margin` beyond it; the differences are exact.
   struct Range {
@@ -130,11 +131,11 @@ PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& t
   found.box = torus.box();
   std::vector<std::uint32_t> number(around.simplices.size(), Solid::none), kept;
   for (std::uint32_t t = 0; t < number.size(); ++t) {
-    if (!is_in_box(around.simplices[t][0])) continue;  // the least corner is an image of the least point
+    if (!is_in_box(around.simplices[t][0])) continue;  // this corner is an image of the point of least index
     number[t] = static_cast<std::uint32_t>(kept.size());
     kept.push_back(t);
   }
-  std::vector<std::uint32_t> at_sides;  // faces without a neighbor here: it is an image, or there is none
+  std::vector<std::uint32_t> at_sides;  // faces whose neighbor is not kept: an image of it may be
   found.simplices.reserve(kept.size());
   found.neighbors.reserve(kept.size());
   for (const std::uint32_t t : kept) {
@@ -159,7 +160,7 @@ PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& t
   return found;
 }
 
-/// Returns whether there is a tetrahedron at both sides of each triangle: then the tetrahedra fill the periodic space.
+/// Returns whether there are tetrahedra, on both sides of each triangle: then they fill the periodic space.
 bool is_complete(const PeriodicSolid& solid) {
   const auto has_all = [](const Row& row) { return std::find(row.begin(), row.end(), Solid::none) == row.end(); };
   return !solid.neighbors.empty() && std::all_of(solid.neighbors.begin(), solid.neighbors.end(), has_all);

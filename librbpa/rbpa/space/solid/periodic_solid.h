@@ -36,7 +36,7 @@ struct PeriodicVertex {
 /// The tetrahedra of a periodic complex. Of all images of a tetrahedron, the result has the one whose corner of least
 /// index is in the box. Its corners are images of four different points.
 struct PeriodicSolid {
-  Point3 box;                            ///< the three sides, rounded as above, in units of the points
+  Point3 box;                            ///< the sides, rounded as the law says, in units of the points
   std::vector<PeriodicVertex> vertices;  ///< all corners, sorted by point, then by offset
   /// Exact positions of the vertices: the point modulo the box, plus offset times side.
   std::vector<Point3> positions;
@@ -69,9 +69,9 @@ RBPA_API Solid without_offsets(const PeriodicSolid& solid);
 /// Throws:   ContractViolation when neighbors are missing.
 RBPA_API std::vector<Triangle> periodic_boundary(const PeriodicSolid& solid);
 
-/// Returns the tetrahedra of radius at most alpha, and the vertices that are their corners, as within() of a Solid
-/// does.
-/// Requires: the radius of each tetrahedron, in the order of `solid`.
+/// Returns the tetrahedra whose radius is at most alpha, and the vertices that are their corners, with neighbors if
+/// `solid` has neighbors.
+/// Requires: `radii` has the radius of each tetrahedron, in the order of `solid`.
 /// Throws:   ContractViolation when the number of radii is wrong; InvalidInput when alpha is not above 0.
 RBPA_API PeriodicSolid within(const PeriodicSolid& solid, std::span<const double> radii, double alpha);
 

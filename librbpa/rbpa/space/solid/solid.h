@@ -46,10 +46,10 @@ struct Solid {
   std::size_t distinct = 0;             ///< number of distinct points
 };
 
-/// Computes the Delaunay tetrahedra of circumradius at most alpha. The result is empty for fewer than four points and
-/// for points of one plane.
-/// Requires: 0 < alpha ≤ infinity; finite points, fewer than 2^32 − 1, of at most 2^30 tetrahedra.
-/// Throws:   InvalidInput that names the violated requirement, before anything is computed except that for too many
+/// Computes the Delaunay tetrahedra of circumradius at most alpha. There are none for fewer than four points and for
+/// points of one plane.
+/// Requires: 0 < alpha ≤ infinity; finite points, fewer than 2^32 − 1; at most 2^30 Delaunay tetrahedra.
+/// Throws:   InvalidInput that names the violated requirement: before anything is computed, except for too many
 ///           tetrahedra; Cancelled.
 RBPA_API Solid solid(std::span<const Point3> points, double alpha, const SolidOptions& options = {});
 

@@ -20,8 +20,8 @@ using space::place_of;
 
 constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
 
-/// Finds the triangles without a tetrahedron behind them, and glues them through the tetrahedra at their sides. A face
-/// is identified by 4 t + k: across from corner k of tetrahedron t.
+/// The triangles with a tetrahedron on one side only, glued through the tetrahedra at their sides. A face is identified
+/// by 4 t + k: across from corner k of tetrahedron t.
 class OpenFaces {
  public:
   explicit OpenFaces(const Solid& solid) : solid_(solid) {

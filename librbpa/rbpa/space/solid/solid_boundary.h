@@ -24,7 +24,7 @@ struct SolidBoundary {
 };
 
 /// Returns the boundary of a solid.
-/// Requires: a solid with neighbors.
+/// Requires: `solid` has neighbors.
 /// Throws:   ContractViolation when neighbors are missing or a neighbor does not share the face, or tetrahedra are not
 ///           positively oriented.
 RBPA_API SolidBoundary solid_boundary(const Solid& solid);
@@ -32,7 +32,7 @@ RBPA_API SolidBoundary solid_boundary(const Solid& solid);
 /// Returns the triangles of a boundary, glued through the outside: where several wedges of tetrahedra meet at an edge,
 /// a triangle is the neighbor of the next one around the edge across the empty space in front of it. Voids are then
 /// closed surfaces, and bodies that touch along an edge are one.
-/// Requires: the boundary of a solid of these points.
+/// Requires: `boundary` is the boundary of a solid of `points`.
 /// Throws:   ContractViolation when a corner does not exist, or a side has no neighbor or one that is not mutual.
 /// Cost:     linear, and a sort at edges where several wedges meet.
 RBPA_API Surface glued_outside(std::span<const Point3> points, const Surface& boundary);
@@ -46,7 +46,7 @@ struct BoundaryMeasures {
 /// Returns volume (by the divergence theorem) and area, as exact sums rounded once: the same bits in any order of the
 /// points. The bound on the volume holds if along each axis the greatest coordinate of the triangles is less than 2⁷⁰⁰
 /// times the least nonzero one. Measures beyond the range of double are infinite.
-/// Requires: the boundary of a solid of these points.
+/// Requires: `boundary` is the boundary of a solid of `points`.
 /// Throws:   ContractViolation when a corner is not an index of a point.
 RBPA_API BoundaryMeasures measure(std::span<const Point3> points, const Surface& boundary);
 

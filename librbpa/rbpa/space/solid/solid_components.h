@@ -21,7 +21,7 @@ enum class Connection {
   points,     ///< a common point, edge or triangle: the components of the union as a topological space
 };
 
-/// A component with its measures, in units of the points.
+/// A component with its measures: lengths are in units of the points.
 struct SolidComponent {
   std::size_t tetrahedra = 0;
   std::size_t boundary_triangles = 0;
@@ -36,7 +36,7 @@ struct SolidComponents {
 };
 
 /// Computes the components of a solid.
-/// Requires: a solid of these points with neighbors, and its boundary.
+/// Requires: `solid` is a solid of `points` with neighbors, and `boundary` is its boundary.
 /// Throws:   ContractViolation when neighbors are missing, an index does not exist, the boundary is open, or a
 ///           component has no boundary triangle.
 RBPA_API SolidComponents solid_components(std::span<const Point3> points, const Solid& solid,

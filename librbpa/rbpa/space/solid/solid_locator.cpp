@@ -14,8 +14,8 @@
 namespace rbpa {
 namespace {
 
-/// Returns the cell of x among `cells` cells between low and high. Halves avoid a difference beyond the range of
-/// double.
+/// Returns the number of the cell of x, of `cells` equal ones from `low` to `high`; of the nearest one if x is outside.
+/// Halves avoid a difference beyond the range of double.
 std::size_t cell_along(double x, double low, double high, std::size_t cells) {
   const double ratio = (x / 2 - low / 2) / (high / 2 - low / 2) * static_cast<double>(cells);
   return ratio >= 1 ? std::min(static_cast<std::size_t>(std::min(ratio, 1e6)), cells - 1) : 0;

@@ -35,7 +35,7 @@ void require_share(double share) {
     throw meshops::ContractViolation("share is " + text(share) + ", expected a number above 0 and at most 1");
 }
 
-/// Returns the least count with count / all ≥ share, divided in double.
+/// Returns the least count ≥ 1 with count / all ≥ share, divided in double.
 std::size_t share_of(std::size_t all, double share) {
   const auto whole = static_cast<double>(all);
   auto count = static_cast<std::size_t>(std::max(1.0, std::floor(share * whole) - 1));
@@ -43,7 +43,7 @@ std::size_t share_of(std::size_t all, double share) {
   return count;
 }
 
-/// Tests whether one solid component of the complex of alpha has a given share of all corners.
+/// A test whether one solid component of the complex of alpha has at least a given share of all corners.
 class GrowingPieces {
  public:
   /// Keeps references to all arguments.

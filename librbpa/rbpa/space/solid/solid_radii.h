@@ -26,21 +26,21 @@ RBPA_API std::vector<double> circumradii(std::span<const Point3> points,
 
 /// Returns the least alpha at which at least the fraction `share` of the distinct points are corners of tetrahedra. A
 /// share below 1 ignores outliers. The result is infinity if there is no tetrahedron.
-/// Requires: the result of solid() at infinity, and its circumradii; 0 < share ≤ 1.
+/// Requires: `delaunay` is solid() at infinity, and `radii` are its circumradii(); 0 < share ≤ 1.
 /// Throws:   ContractViolation if the number of radii is wrong or the share is out of range; Cancelled.
 RBPA_API double min_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1,
                           const GoOn& go_on = {});
 
 /// Returns the least alpha at which one solid component, connected through triangles, has at least the fraction `share`
 /// of the distinct points as corners. Other components may exist. The result is infinity if there is no tetrahedron.
-/// Requires: what min_alpha() requires; a triangulation with neighbors.
+/// Requires: what min_alpha() requires; `delaunay` has neighbors.
 /// Throws:   as min_alpha(); ContractViolation if neighbors are missing.
 RBPA_API double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1,
                            const GoOn& go_on = {});
 
 /// Returns the tetrahedra of a solid whose radius is at most alpha, with neighbors if `solid` has neighbors. Of the
 /// Delaunay triangulation, the result is solid() with this alpha.
-/// Requires: the radius of each tetrahedron.
+/// Requires: `radii` has the radius of each tetrahedron, in the order of `solid`.
 /// Throws:   ContractViolation if the number of radii is wrong; InvalidInput when alpha is not above 0.
 RBPA_API Solid within(const Solid& solid, std::span<const double> radii, double alpha);
 

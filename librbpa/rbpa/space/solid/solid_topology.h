@@ -30,7 +30,7 @@ struct SolidCounts {
 };
 
 /// Counts the simplices and the Betti numbers of a solid.
-/// Requires: a solid of these points with neighbors, and its boundary.
+/// Requires: `solid` is a solid of `points` with neighbors, and `boundary` is its boundary.
 /// Throws:   ContractViolation when neighbors are missing, an index does not exist, the boundary is open, or it visibly
 ///           bounds another solid.
 RBPA_API SolidCounts count(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary);

@@ -18,7 +18,7 @@
 namespace rbpa {
 namespace {
 
-/// Finds the void that each surface of the boundary bounds:
+/// The nesting of the boundary's surfaces, which gives the void that each surface bounds:
 ///   1. for each component of the complex, find the surface around it; its other surfaces are around voids;
 ///   2. find the components within each surface around a void;
 ///   3. find the innermost void around each component.
@@ -80,7 +80,7 @@ class Nesting {
     return {points_[a], points_[b], points_[c], points_[d]};
   }
 
-  /// Returns the surface of one component that encloses the component.
+  /// Returns the one of `surfaces`, all of one component, that encloses the component.
   std::uint32_t outer_surface(std::span<const std::uint32_t> surfaces) const {
     const auto& [a, b, c, d] = solid_.simplices[boundary_.tetrahedra[surfaces_.items(surfaces.front()).front()]];
     const Tetrahedron from = {points_[a], points_[b], points_[c], points_[d]};
@@ -94,7 +94,8 @@ class Nesting {
     return turns;
   }
 
-  /// Returns the other components inside a surface around a void. Only components that begin in its box are tested.
+  /// Returns the other components inside `surface`, which is around a void. `by_y` has all components, sorted by the y
+  /// of start(). Only components whose start() begins in the box of the surface are tested.
   std::vector<std::uint32_t> components_within(std::uint32_t surface, const std::vector<std::uint32_t>& by_y) const {
     const auto triangles = surfaces_.items(surface);
     space::Box box;

@@ -46,7 +46,7 @@ struct Voids {
 };
 
 /// Finds the voids of a solid.
-/// Requires: a solid of these points with neighbors, and its boundary.
+/// Requires: `solid` is a solid of `points` with neighbors, and `boundary` is its boundary.
 /// Throws:   as count() of solid_topology.h.
 RBPA_API Voids voids(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary);
 

@@ -1,4 +1,4 @@
-// What: sorts the pieces of a boundary by volume, the largest first.
+// What: sorts the pieces of a boundary by absolute volume, the largest first.
 // Law:  among pieces of equal volume, the one with the least triangle by coordinates is first; no two closed pieces
 //       share a triangle, so there are no ties.
 // Cost: a sort.
@@ -14,7 +14,7 @@
 
 namespace rbpa::space {
 
-/// Returns the numbers of the pieces, sorted by descending volume.
+/// Returns the indices of `pieces`, sorted by descending absolute volume.
 inline std::vector<std::uint32_t> by_volume(const std::vector<ClosedMeasures>& pieces) {
   std::vector<std::uint32_t> order(pieces.size());
   std::iota(order.begin(), order.end(), std::uint32_t{0});

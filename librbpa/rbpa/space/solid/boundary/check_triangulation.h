@@ -10,11 +10,12 @@
 
 namespace rbpa::space {
 
-/// Throws: ContractViolation, whose message begins with the function's name, where radii or neighbors are missing or a
-/// corner is not an index of a point.
+/// Throws ContractViolation, with a message that begins with `function`, unless there is one radius and one row of
+/// neighbors for each tetrahedron, and all corners are below points.size().
 void check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
                          std::span<const double> radii);
-/// Checks alpha too; returns the threads for that many points. Throws: as above; InvalidInput unless alpha is above 0.
+/// Checks the same, and alpha. Returns the threads for this number of points, at most `threads` if that is above 0.
+/// Throws: ContractViolation as above; InvalidInput unless alpha is above 0.
 Threads check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
                             std::span<const double> radii, double alpha, unsigned threads);
 

@@ -1,4 +1,4 @@
-// What: the counts of solid_topology.h, computed from the components of the outside.
+// What: counts the simplices and Betti numbers of a solid from the components of its outside.
 // Cost: linear.
 #pragma once
 
@@ -7,6 +7,8 @@
 
 namespace rbpa::space {
 
+/// Returns the counts. Requires: `outside` is outside_of() of `solid` and `boundary`.
+/// Throws:   ContractViolation when the counts show that the three do not belong together.
 SolidCounts count_solid(const Solid& solid, const SolidBoundary& boundary, const Outside& outside);
 
 }  // namespace rbpa::space

@@ -45,7 +45,7 @@ std::size_t glue_outside(std::span<const Point3> points, Surface& boundary) {
     const Triangle& corners = triangles[t];
     sides.push_back({corners[(k + 1) % 3], corners[(k + 2) % 3], corners[k], t, k});
   };
-  // Now end[i] is the end of the sides of point i, which begin where those of the point before end.
+  // Now the sides of point i begin at end[i − 1], or at 0, and end at end[i].
   for (std::size_t i = 0, begin = 0; i < points.size(); begin = end[i++]) {
     const auto of = std::span(rising).subspan(begin, end[i] - begin);
     std::sort(of.begin(), of.end(), [](const Side& s, const Side& t) { return s.to < t.to; });

@@ -10,9 +10,10 @@
 
 namespace rbpa::space {
 
-/// Changes the neighbors of a boundary that is glued through the solid. Returns by how much the number of edges is
-/// below half of the number of sides, because several wedges of tetrahedra share an edge.
-/// Requires: a closed, linked boundary of these points.
+/// Replaces the neighbors in `boundary`, which are glued through the solid, by neighbors that are glued through the
+/// outside. Returns half the number of sides minus the number of edges: above 0 where several wedges of tetrahedra
+/// share an edge.
+/// Requires: `boundary` is closed and linked, as in solid_boundary(), and its corners are indices of `points`.
 std::size_t glue_outside(std::span<const Point3> points, Surface& boundary);
 
 }  // namespace rbpa::space

@@ -30,7 +30,8 @@ Point3 size_of(std::span<const Point3> points) {
   return size;
 }
 
-/// Returns the corners, the least point first, so that the result does not depend on the numbers of points.
+/// Returns the corners of a triangle, the least point first, so that the result does not depend on the numbers of
+/// points.
 Corners corners_of(std::span<const Point3> points, const Triangle& triangle) {
   const Point3 &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
   if (b < a && b < c) return {b, c, a};
@@ -38,14 +39,14 @@ Corners corners_of(std::span<const Point3> points, const Triangle& triangle) {
   return {a, b, c};
 }
 
-/// Multiplies x by the power of two. Returns whether the result is an integer.
+/// Sets `result` to the integer part of scale(x). Returns whether `result` is exact.
 bool to_integer(const PowerOfTwo& scale, double x, std::int64_t& result) {
   const double scaled = scale(x);
   result = static_cast<std::int64_t>(scaled);
   return static_cast<double>(result) == scaled && (result != 0 || x == 0);
 }
 
-/// Adds a (b c − d e).
+/// Adds a (b c − d e) to `sum`, exactly.
 void add_terms(ExactSum& sum, double a, double b, double c, double d, double e) {
   const auto plus = detail::two_product(b, c), minus = detail::two_product(d, e);
   for (const double term : {plus.high, plus.low, -minus.high, -minus.low})

@@ -16,17 +16,17 @@
 namespace rbpa::space {
 
 struct ClosedMeasures {
-  double volume = 0;  ///< negative if the triangles face the region that they enclose
+  double volume = 0;  ///< in cubed units of the points; negative if the triangles face the enclosed region
   double area = 0;
   Point3 low, high;  ///< opposite corners of the box
   /// The least triangle by coordinates, from its lexicographically least corner on: independent of any numbering
   std::array<Point3, 3> least{};
 };
 
-/// Multiplies by a power of two, in two steps, because the factor alone may be beyond the range of double.
+/// A multiplication by a power of two, in two steps, because the factor alone may be beyond the range of double.
 class PowerOfTwo {
  public:
-  /// Chooses the factor that brings `size` to between 2^(exponent − 1) and 2^exponent.
+  /// Chooses the factor that brings `size` to between 2^(exponent − 1) and 2^exponent; 1 if `size` is 0.
   PowerOfTwo(double size, int exponent);
 
   double operator()(double x) const { return x * first_ * second_; }
@@ -42,8 +42,8 @@ class Measures {
   /// Keeps the span.
   explicit Measures(std::span<const Point3> points);
 
-  /// Measures the triangles whose numbers are in `which`. Requires: at least one; together they are closed; their
-  /// corners are points.
+  /// Returns the measures of the triangles with the indices `which`. Requires: at least one index; these triangles form
+  /// closed surfaces; their corners are indices of the points.
   ClosedMeasures of(std::span<const Triangle> triangles, std::span<const std::uint32_t> which) const;
 
  private:

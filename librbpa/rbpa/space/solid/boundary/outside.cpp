@@ -31,7 +31,7 @@ struct CornerAt {
   std::uint32_t fan;     // fan of triangles glued through the outside
 };
 
-/// Visits one point after the other, and joins the regions that are connected at it.
+/// A visit of all points, one after the other, which joins the surfaces in Outside::surfaces that are one at a point.
 class AtPoints {
  public:
   AtPoints(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary,
@@ -93,8 +93,8 @@ class AtPoints {
     join_fans(v);
   }
 
-  /// Numbers the fans at a point, in fan_, and returns how many there are. Requires: the corners at the point by
-  /// triangle, ascending; next_of(corner) is the next triangle around the point.
+  /// Sets fan_ to the number of the fan of each corner at a point. Returns the number of fans. Requires: `corners` are
+  /// ascending by triangle; next_of(corner) is the next triangle around the point.
   template <typename Next>
   std::size_t find_fans(std::span<const Corner> corners, const Next& next_of) {
     constexpr std::uint32_t unseen = 0xffffffff;
@@ -122,8 +122,8 @@ class AtPoints {
     return fans;
   }
 
-  /// Visits the tetrahedra at v that are connected with `from` through faces at v: one region. Of `left` corners of the
-  /// boundary at v, returns the number outside of the region; stops when it is 0.
+  /// Marks in seen_ the tetrahedra of one region: those connected with `from` through faces at v. `left` boundary
+  /// corners at v are in no region yet; returns how many are left then. Stops when there are none.
   std::size_t pass_region(std::uint32_t v, std::uint32_t from, std::size_t left) {
     seen_[from] = next_region_;
     reached_.assign(1, from);
@@ -165,8 +165,8 @@ class AtPoints {
     return region;
   }
 
-  /// Joins fans of different parts of the link that are in the same region of its complement, as no part separates
-  /// them.
+  /// Joins the surfaces of fans of different parts of the link that are in the same region of its complement, because
+  /// no part separates them.
   void join_fans(std::uint32_t v) {
     std::sort(at_.begin(), at_.end(),
               [](const CornerAt& a, const CornerAt& b) { return std::pair(a.part, a.fan) < std::pair(b.part, b.fan); });
@@ -205,7 +205,8 @@ class AtPoints {
       if (places[i].first == places[i - 1].first) outside_.surfaces.join(places[i].second, places[i - 1].second);
   }
 
-  /// Returns the fan of `part` that an arc to `part` from the part `from` crosses an odd number of times.
+  /// Returns the number of the fan of `part` that an arc to `part` from another part, `from`, crosses an odd number of
+  /// times.
   std::uint32_t fan_between(std::uint32_t v, std::span<const CornerAt> from, std::span<const CornerAt> part) const {
     const auto link_triangle = [&](const CornerAt& c) {
       const Row& corners = solid_.simplices[behind_[c.triangle]];

@@ -20,22 +20,22 @@
 namespace rbpa::space {
 
 struct Outside {
-  /// Sets of boundary triangles. Those of one set bound the same component of the outside of their own component of the
-  /// complex.
+  /// Sets of boundary triangles. Two triangles are in one set if their tetrahedra are in one component of the complex,
+  /// and they bound the same component of the outside of that component.
   meshops::DisjointSets surfaces;
   /// Sets of tetrahedra that are connected, also through points alone.
   meshops::DisjointSets components;
   /// Sets of tetrahedra that are connected through faces.
   meshops::DisjointSets solid_components;
 
-  // Points and edges of the boundary.
+  // Numbers of points and of edges of the boundary.
   std::size_t points = 0, edges = 0;
   /// Twice the Euler characteristic of the complex.
   std::ptrdiff_t twice_euler = 0;
 };
 
-/// Computes the sets and counts.
-/// Requires: a solid of these points with neighbors, and its boundary.
+/// Returns the sets and counts.
+/// Requires: `solid` is a solid of `points` with neighbors, and `boundary` is its boundary.
 /// Throws:   ContractViolation where the solid and the boundary visibly do not belong together.
 Outside outside_of(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary);
 

@@ -13,8 +13,8 @@
 
 namespace rbpa::space {
 
-/// Returns the tetrahedra `kept`, which ascend, as a solid. A tetrahedron t keeps its neighbor across from corner k if
-/// keeps(t, k).
+/// Returns the solid of the tetrahedra with the ascending indices `kept`. The neighbor of tetrahedron t across from
+/// corner k stays if it is kept, too, and keeps(t, k). A point that is left without a tetrahedron becomes isolated.
 template <typename Keeps>
 Solid part_of(const Solid& solid, const std::vector<std::uint32_t>& kept, const Keeps& keeps) {
   Solid part;

@@ -1,6 +1,7 @@
 // What: reduces coordinates modulo the sides of a periodic box.
-// Law:  the sides and all coordinates are multiples of a step. The step is chosen so that every image at most one box
-//       away is a double. Rounding moves a coordinate by at most 2⁻⁵² of the power of two above the side.
+// Law:  along each axis, the side and all coordinates are multiples of a step. The step is chosen so that every image
+//       at most one box away is a double. Rounding moves a coordinate by at most 2⁻⁵² of the power of two above the
+//       side.
 #pragma once
 
 #include <array>
@@ -10,7 +11,7 @@
 
 namespace rbpa::space {
 
-using Offset = std::array<std::int8_t, 3>;
+using Offset = std::array<std::int8_t, 3>;  ///< numbers of boxes along the axes
 
 class Torus {
  public:
@@ -19,13 +20,12 @@ class Torus {
 
   /// Returns the sides of the box, rounded to the step.
   const Point3& box() const { return box_; }
-  /// Returns the greatest radius allowed, less than half of the least side: a ball of this radius does not touch its
-  /// images.
+  /// Returns the greatest double below half of the least side: a ball of this radius does not touch its images.
   double most_radius() const { return most_radius_; }
 
-  /// Returns the point modulo the box: 0 ≤ x < side. Requires: a finite point.
+  /// Returns p modulo the box: 0 ≤ x < side. Requires: p is finite.
   Point3 wrapped(const Point3& p) const;
-  /// Returns the image of a point, exact. Requires: a wrapped point, an offset of at most one box along each axis.
+  /// Returns the image of p, exact. Requires: p is wrapped; `offset` is at most one box along each axis.
   Point3 image(const Point3& p, const Offset& offset) const {
     return {p.x + offset[0] * box_.x, p.y + offset[1] * box_.y, p.z + offset[2] * box_.z};
   }

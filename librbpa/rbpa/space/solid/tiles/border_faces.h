@@ -1,6 +1,6 @@
 // What: links tetrahedra at faces whose neighbor is unknown, by finding pairs of equal faces.
 // How:  sorts the faces into buckets by their first corner.
-// Cost: linear, where few have the same first corner.
+// Cost: linear, if few faces have the same first corner; quadratic in their number.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct BorderFace {
   std::uint32_t face;                    ///< 4 · (tetrahedron) + (the corner across)
 };
 
-/// Returns the face of a tetrahedron across from corner k.
+/// Returns the face across from corner k of tetrahedron number `tetrahedron`, whose corners are `corners`.
 inline BorderFace border_face(const Row& corners, std::uint32_t tetrahedron, std::size_t k) {
   std::array<std::uint32_t, 3> face = {corners[(k + 1) % 4], corners[(k + 2) % 4], corners[(k + 3) % 4]};
   if (face[0] > face[1]) std::swap(face[0], face[1]);
@@ -36,7 +36,9 @@ inline bool is_ascending_outside(const Row& corners, std::size_t k) {
   return ((a < b) + (b < c) + (c < a)) == 2;
 }
 
-/// Links the tetrahedra on both sides of faces that occur twice. Requires: all corners are below `bound`.
+/// Makes the two tetrahedra of each face that occurs twice in `faces` neighbors of each other; other entries of
+/// `neighbors` stay. Requires: all corners of `faces` are below `bound`; no face occurs three times; `neighbors` has a
+/// row for each tetrahedron.
 void link_border_faces(std::span<const BorderFace> faces, std::size_t bound, meshops::FreshVector<Row>& neighbors);
 
 }  // namespace rbpa::space

@@ -45,13 +45,13 @@ inline constexpr std::size_t single_lanes = hn::MaxLanes(Singles()), double_lane
 
 using Local = Tile::Local;
 
-/// The sphere through (p, q, r, v), and the bound of its errors.
+/// The sphere through (p, q, r, v). Its value at an offset p from v has an error of at most constant + slope · p².
 struct Sphere {
   SphereMinors minor;
   double constant, slope;
 };
 
-/// A sphere, its numbers repeated in all lanes.
+/// The numbers of a sphere, each repeated in all lanes.
 class SphereLanes {
  public:
   HWY_INLINE explicit SphereLanes(const Sphere& sphere)
@@ -62,7 +62,8 @@ class SphereLanes {
         constant_(hn::Set(Doubles(), sphere.constant)) {}
 
   using Lanes = hn::Vec<Doubles>;
-  /// Returns a bit for each point that is certainly outside. Points are relative to v; `square` is |p|².
+  /// Returns a bit for each point that is certainly outside. (x, y, z) is the offset of a point from v, `square` its
+  /// square.
   HWY_INLINE std::uint64_t outside(Lanes x, Lanes y, Lanes z, Lanes square) const {
     const auto most = hn::MulAdd(x, x_, hn::MulAdd(y, y_, hn::MulAdd(z, z_, hn::MulAdd(square, square_, constant_))));
     return bits_of(Doubles(), hn::Lt(most, hn::Zero(Doubles())));
@@ -72,7 +73,7 @@ class SphereLanes {
   Lanes x_, y_, z_, square_, constant_;
 };
 
-/// Returns as many bits as there are lanes, from bit `first` on.
+/// Returns as many of `bits` as there are lanes of double precision, from bit `first` on.
 HWY_INLINE std::uint64_t lane_bits(const std::uint8_t* bits, std::size_t first) {
   const std::uint32_t two = bits[first / 8] | static_cast<std::uint32_t>(bits[first / 8 + 1]) << 8U;
   return (two >> first % 8) & ((1U << double_lanes) - 1);
@@ -84,8 +85,8 @@ class Block {
   /// The number of cells gathered on each side of a cell.
   static constexpr int cells = 2;
 
-  /// Gathers the unfinished points in the cells around a cell and around `more` cells after it in its row. `open` has
-  /// one bit for each point, which is set if the point is unfinished, and one more readable byte at its end.
+  /// Gathers the unfinished points in the cells around `cell` and around the `more` cells after it in its row. `open`
+  /// has one bit for each point, which is set if the point is unfinished, and one more readable byte at its end.
   HWY_INLINE void gather(const Tile& tile, const std::array<int, 3>& cell, int more, const std::uint8_t* open) {
     const Doubles d;
     const hn::RebindToSigned<Doubles> numbers;
@@ -131,7 +132,7 @@ class Block {
     }
   }
 
-  /// Calls visit(i) for each point that is not certainly outside of a sphere. The sphere is relative to v.
+  /// Calls visit(i) for each point i that is not certainly outside of `sphere`, which is relative to v.
   template <typename Visit>
   HWY_INLINE void for_each_not_outside(const Sphere& sphere, const Point3& v, Visit visit) const {
     const Doubles d;
@@ -170,8 +171,8 @@ class Candidates {
     if (lane_.size() < points) lane_.resize(2 * points);
   }
 
-  /// Collects the points of the block within `reach` of v, v excluded, relative to v. In single precision, lengths are
-  /// multiplied by `inverse`.
+  /// Replaces the candidates by the points of `block` within `reach` of v, except v, relative to v. In single
+  /// precision, lengths are multiplied by `inverse`.
   HWY_INLINE void see(const Block& block, const Point3& v, double reach, double inverse) {
     if (block.count_ + 2 * single_lanes > dx_.size()) grow(block.count_);
     const Doubles d;
@@ -214,9 +215,9 @@ class Candidates {
   }
   Local id(std::size_t at) const { return static_cast<Local>(id_[at]); }
 
-  /// Returns the position of a point with nearly the least t among the points clearly above the plane, or none. In
-  /// units of single precision, n is a normal of the plane, `square` its square, and `x` is `square` times the x at the
-  /// head.
+  /// Returns the position of a candidate with nearly the least t among the candidates clearly above the plane; `none`
+  /// if there is none. In units of single precision, n is a normal of the plane, `square` is n², and `x` is n² times
+  /// the x at the head of this file.
   HWY_INLINE std::size_t least(const Vector3<float>& x, const Vector3<float>& n, float square) const {
     const Singles d;
     const SingleNumbers di;
@@ -256,7 +257,7 @@ class Candidates {
     return left == 0;
   }
 
-  /// Calls visit(i) for each candidate that is not certainly outside.
+  /// Calls visit(i) for each candidate i that is not certainly outside of `sphere`. visit() may change `sphere`.
   template <typename Visit>
   void for_each_not_outside(const Sphere& sphere, Visit visit) const {
     constexpr std::size_t word = 64;
@@ -266,17 +267,17 @@ class Candidates {
         visit(id(first + static_cast<std::size_t>(std::countr_zero(left))));
   }
 
-  /// Returns the offset of a candidate from v, without its length.
+  /// Returns the offset from v of the candidate at a position; the length in it is 0.
   HWY_INLINE Spoke spoke(std::size_t at) const { return {dx_[at], dy_[at], dz_[at], square_[at], 0}; }
 
-  /// Returns the position of a point among the candidates, or none.
+  /// Returns the position of point i among the candidates, or `none`.
   std::size_t position(Local i) const {
     const std::size_t at = lane_[i];
     return at < count_ && id(at) == i ? at : none;
   }
 
  private:
-  /// Returns a bit for each of the 64 candidates from `first` on that is not certainly outside.
+  /// Returns a bit for each of the 64 candidates from `first` on that is not certainly outside, and not `excluded`.
   HWY_INLINE std::uint64_t not_outside(const Sphere& sphere, const std::array<std::size_t, 3>& excluded,
                                        std::size_t first) const {
     const Doubles d;

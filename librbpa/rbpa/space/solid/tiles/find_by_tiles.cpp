@@ -50,7 +50,7 @@ class Collected {
     shared_is_within_.insert(shared_is_within_.end(), stars.shared_is_within.begin(), stars.shared_is_within.end());
   }
 
-  /// Appends the shared tetrahedra that their leaf contributes (Stars::shared), now that all settled points are known.
+  /// Appends the tetrahedra of Stars::shared that their leaf contributes. Requires: all leaves are appended.
   void append_shared() {
     std::vector<std::uint8_t> is_unsettled(leaves_.places(), 0);
     for (const Place i : unsettled) is_unsettled[i] = 1;
@@ -84,7 +84,7 @@ class Collected {
   std::vector<std::pair<std::size_t, std::size_t>> shared_end_;  // for each leaf, the end of its tetrahedra in shared_
 };
 
-/// Removes the tetrahedra beyond alpha.
+/// Removes the tetrahedra whose circumradius is above alpha.
 void leave_out(FoundRows& found) {
   auto& [corners, neighbors] = found.rows;
   meshops::FreshVector<std::uint32_t> number(corners.size());

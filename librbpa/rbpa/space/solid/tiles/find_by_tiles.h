@@ -1,5 +1,5 @@
-// What: finds the Delaunay tetrahedra of circumradius at most alpha, tile by tile. Tetrahedra whose corners no tile
-//       settles come from a triangulation of these points.
+// What: finds the Delaunay tetrahedra of circumradius at most alpha, tile by tile. Tetrahedra none of whose corners is
+//       settled by a tile (stars.h) come from one triangulation of all unsettled points.
 // Law:  exact and complete; each tetrahedron once (docs/explanation/space.md, sections 11 to 15).
 // Cost: about a microsecond a point, for points that fill a volume.
 #pragma once
@@ -28,16 +28,19 @@ struct TiledSolid {
 
 /// Limits beyond which find_by_tiles() gives up; tests set others.
 struct TileLimits {
-  std::size_t points_in_leaf = 8192;
-  double most_crowding = 5;  ///< greatest Leaves::crowding(); beyond it, points are spread too unevenly
-  // Limits of the fraction of unsettled points; the second for the first quarter of leaves, which may be at the hull.
+  std::size_t points_in_leaf = 8192;  ///< maximum, roughly
+  double most_crowding = 5;           ///< greatest Leaves::crowding(); beyond it, points are spread too unevenly
+  // Greatest fraction of unsettled points among those of the tiles so far; for the first quarter of tiles, which may be
+  // at the hull, the second one.
   double most_unsettled = 0.25, most_unsettled_at_first = 0.5;
-  double most_exact = 8;  ///< maximum number of exact decisions a point
+  double most_exact = 8;  ///< greatest number of exact decisions, divided by the number of points so far
 };
 
-/// Fills in `solid`. `alpha` and points are scaled by the spread, which is exact. `step(done, all)` is called for each
-/// tile, from any thread; it may throw. Returns false if it gave up: too many points are at the hull, have balls larger
-/// than tiles, or need exact decisions.
+/// Fills in `solid`. Calls step(done, all), both numbers of points, after each tile, one call at a time, from any
+/// thread; it may throw, or be empty. Returns false, with `solid` unchanged, if points are spread too unevenly, too
+/// many of them are unsettled (at the hull, or at balls larger than tiles), or too many decisions are exact.
+/// Requires: `points` and `alpha` are scaled by `spread`; spread.is_exact; alpha may be infinite.
+/// Throws:   InvalidInput for more than 2^30 tetrahedra; what step() throws.
 bool find_by_tiles(std::span<const Point3> points, const Spread& spread, double alpha, Threads& threads,
                    const std::function<void(std::size_t, std::size_t)>& step, TiledSolid& solid,
                    const TileLimits& limits = {});

@@ -61,7 +61,7 @@ bool Tile::gather(const Leaves& leaves, std::size_t number) {
     const Leaf& other = leaves[i];
     if (i == number) return add(other.first, other.end);
     if (other.first == other.end) return;
-    // The cells of the other leaf that the box around the tile meets.
+    // Range of the cells of the other leaf that `around` meets.
     const CellGrid& grid = other.grid;
     const auto part = [](int from, int to, int count) {
       return Range{std::clamp(from, 0, count - 1), std::clamp(to, 0, count - 1)};

@@ -18,18 +18,19 @@ class Tile {
  public:
   /// A position among the tile's points.
   using Local = std::uint32_t;
-  static constexpr std::size_t most_points = 1u << 16;
+  static constexpr std::size_t most_points = 1u << 16;  ///< so that a Local fits 16 bits
   /// Number of layers of cells around those of the leaf.
   static constexpr int margin = 3;
 
-  /// Replaces the points. Returns false if there are too many, or the cells are too small for their coordinates.
+  /// Replaces the points by those in and around leaf number `leaf`. Returns false, with no points, if they are more
+  /// than most_points, or the cells are too small for their coordinates.
   bool gather(const Leaves& leaves, std::size_t leaf);
 
   std::size_t size() const { return size_; }
   double x(Local i) const { return x_[i]; }
   double y(Local i) const { return y_[i]; }
   double z(Local i) const { return z_[i]; }
-  /// Returns the coordinates, readable up to one register beyond the end.
+  /// Returns the coordinates of all points, readable up to one register beyond the end.
   const double* x() const { return x_.data(); }
   const double* y() const { return y_.data(); }
   const double* z() const { return z_.data(); }
@@ -46,12 +47,12 @@ class Tile {
   }
   Local first_in(std::size_t cell) const { return start_[cell]; }
 
-  /// A range of cells along an axis, from `low` to `high`.
+  /// A range of cells along an axis, `low` and `high` included; empty if low > high.
   struct Range {
     int low, high;
   };
-  /// Finds the cells that a box meets, as far as they may contain points. Returns false if it meets cells that may
-  /// contain points outside of the tile.
+  /// Sets `of` to the tile's cells that `box` meets and that may contain points. Returns false if `box` meets cells
+  /// that may contain points outside of the tile.
   bool ranges(const Box& box, std::array<Range, 3>& of) const;
 
  private:
@@ -64,7 +65,7 @@ class Tile {
   std::vector<double> x_, y_, z_;
   std::vector<Place> place_;
   std::vector<Local> start_;
-  // The points before sorting.
+  // The points and their cells, before sorting.
   std::vector<Place> unsorted_;
   std::vector<std::uint32_t> cell_of_;
 };

@@ -16,7 +16,8 @@ constexpr double points_in_cell = 2.0;
 
 double coordinate(const Point3& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-/// The planes of the tree's inner nodes, 1 to 2^depth − 1, each halving the longest side of its sample's box.
+/// The planes of the tree's inner nodes, 1 to 2^depth − 1. Each halves a sample of its node's points, across the
+/// longest side of the sample's box.
 struct Planes {
   Planes(std::span<const Point3> points, std::size_t levels)
       : depth(levels), axis(std::size_t{1} << levels), at(std::size_t{1} << levels) {
@@ -55,7 +56,7 @@ struct Planes {
   }
 };
 
-/// Returns a box of most of the points: without the few that are far from the others along some axis.
+/// Returns a box around most of the points: without the few that are farthest out along an axis.
 Box box_of_most(std::span<const Point3> points, const Box& all) {
   constexpr std::size_t most_sampled = 256, left_out = 2;
   constexpr double more = 0.04;  // so that no points of an even spread are left out
@@ -77,7 +78,7 @@ Box box_of_most(std::span<const Point3> points, const Box& all) {
   return {{low_x, low_y, low_z}, {high_x, high_y, high_z}};
 }
 
-/// Returns the side of cubic cells that hold `points_in_cell` points each, where `points` points fill the box.
+/// Returns the side of cubic cells that have points_in_cell points each, if `points` points fill `box`.
 double cell_size(const Box& box, std::size_t points) {
   std::array<double, 3> side = {box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z};
   std::sort(side.begin(), side.end());

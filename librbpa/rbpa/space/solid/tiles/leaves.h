@@ -32,7 +32,7 @@ struct CellGrid {
   int along_y(double y) const { return floor_of((y - low.y) * inverse); }
   int along_z(double z) const { return floor_of((z - low.z) * inverse); }
 
-  static constexpr int farthest = 1 << 20;
+  static constexpr int farthest = 1 << 20;  ///< greatest absolute number of a cell
 
  private:
   static int floor_of(double value) {
@@ -47,7 +47,7 @@ struct CellGrid {
 struct Leaf {
   Box box;        ///< bounding box of the leaf's points
   CellGrid grid;  ///< its lower corner is that of a box around most of the points
-  /// Number of cells along each axis. Points beyond are in the outermost cells.
+  /// Number of cells along each axis. Points beyond these cells are in the outermost ones.
   std::array<int, 3> cells{};
   Place first = 0, end = 0;  ///< the leaf's sites are first … end − 1
   std::size_t start = 0;     ///< start of the leaf's table of cells
@@ -56,18 +56,19 @@ struct Leaf {
 
 class Leaves {
  public:
-  /// Sorts the points; a leaf has about `points_in_leaf` points at most. Requires: finite points that fit double
-  /// (base/exact/magnitude.h), fewer than 2^32 − 1.
+  /// Sorts the points; a leaf has about `points_in_leaf` points at most, unless 2^20 leaves are too few. Requires:
+  /// finite points that fit double (base/exact/magnitude.h), fewer than 2^32 − 1.
   Leaves(std::span<const Point3> points, std::size_t points_in_leaf, Threads& threads);
 
   std::size_t size() const { return leaves_.size(); }
   const Leaf& operator[](std::size_t i) const { return leaves_[i]; }
   const Box& box() const { return boxes_[1]; }
 
-  /// Returns the number of places; some are no sites.
+  /// Returns the number of places, one for each input point. Where points repeat others, the last ones of a leaf are
+  /// unused.
   std::size_t places() const { return points_.size(); }
   std::size_t distinct() const { return distinct_; }
-  /// Returns the average number of points in the cell of a point: three for points spread evenly at random.
+  /// Returns the number of points in a point's cell, on average: three for points spread evenly at random.
   double crowding() const { return crowding_; }
   const Point3& point(Place place) const { return points_[place]; }
   /// Returns the input index of each place.
@@ -76,10 +77,10 @@ class Leaves {
   meshops::FreshVector<std::uint32_t> release_index() { return std::move(index_); }
   std::vector<Duplicate> duplicates() const;
 
-  /// Returns the first site of a cell of a leaf; for the number of cells, the end of the last cell.
+  /// Returns the first site of cell number `cell` of `leaf`; for the number of cells, the end of the last cell.
   Place first_in(const Leaf& leaf, std::size_t cell) const { return starts_[leaf.start + cell]; }
 
-  /// Calls visit(i) for each leaf whose box touches `box`, ascending.
+  /// Calls visit(i) for each leaf i whose box touches `box`, in ascending order.
   template <typename Visit>
   void for_each_leaf(const Box& box, Visit visit) const {
     visit_below(1, box, visit);

@@ -121,7 +121,7 @@ class OpenFaces {
     return found != 0 ? other : nobody;
   }
 
-  /// The faces at one corner. While it exists, no other function may be called for that corner.
+  /// The faces at one corner. While the object exists, no other function may be called for that corner.
   class AtCorner {
    public:
     HWY_INLINE AtCorner(OpenFaces& faces, std::uint32_t v)
@@ -132,7 +132,7 @@ class OpenFaces {
 
     HWY_INLINE bool empty() const { return used_ == 0; }
 
-    /// Does the same as OpenFaces::close_or_add(), at this corner.
+    /// Does what OpenFaces::close_or_add() does, at this corner.
     HWY_INLINE std::uint32_t close_or_add(const OpenFace& face, std::uint32_t nobody) {
       const Entry entry(face);
       const std::uint32_t found = keys_.find(entry.key) & used_;
@@ -153,7 +153,7 @@ class OpenFaces {
       return found != 0 ? other : nobody;
     }
 
-    /// Removes one face and returns it. Requires: not empty.
+    /// Removes one face and returns it. Requires: not empty().
     HWY_INLINE OpenFace pop() {
       const int at = std::countr_zero(used_);
       const std::uint32_t key = line_.keys[at], entry = line_.faces[at];
@@ -206,7 +206,7 @@ class OpenFaces {
     line.used |= 1U << at;
   }
 
-  /// Moves a face of v from the list to the line. So no face is in the list while there is room in its line.
+  /// Moves a face of v, if any, from the list to the line of v. So a face is in the list only while its line is full.
   void refill(std::uint32_t v) {
     for (Further& other : further_) {
       if (other.v != v) continue;

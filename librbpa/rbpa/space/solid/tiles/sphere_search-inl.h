@@ -31,7 +31,7 @@ class ApexSearch {
  protected:
   ApexSearch(const Spread& spread, double alpha) : beyond_filter_(spread), alpha_(alpha) {}
 
-  /// Starts with the points in tile_, which are those of `leaf`.
+  /// Prepares for a tile. Requires: tile_ has the points in and around `leaf`.
   void start_tile(const Leaf& leaf) {
     const std::size_t size = tile_.size();
     inverse_ = leaf.grid.inverse;
@@ -43,7 +43,7 @@ class ApexSearch {
     open_bits_.assign(size / 8 + 2, 0xff);
     exact_ = 0;
   }
-  /// Starts with point v, whose neighborhood is in block_.
+  /// Prepares for the faces at point v. Requires: block_ has the unfinished points around v.
   void start_at(Local v) {
     at_ = v;
     v_ = point(v);
@@ -56,7 +56,7 @@ class ApexSearch {
     return {x, y, z, x * x + y * y + z * z, 0};  // the length is not needed
   }
 
-  /// Calls visit(first, end) for the range of points of each row of cells.
+  /// Calls visit(first, end) for the range of points in each row of `cells`.
   template <typename Visit>
   HWY_INLINE void for_each_row(const std::array<Tile::Range, 3>& cells, Visit visit) const {
     for (int x = cells[0].low; x <= cells[0].high; ++x)
@@ -87,10 +87,11 @@ class ApexSearch {
             1.5 * weight};
   }
 
-  /// Returns whether the center is off by less than 1 % of the radius (docs/explanation/space.md, sections 11 to 15).
+  /// Returns whether the computed center is off by less than 1 % of the radius (docs/explanation/space.md, sections 11
+  /// to 15).
   HWY_INLINE static bool is_certain(const Sphere& sphere) { return -sphere.minor[3] > 0x1p10 * sphere.slope; }
 
-  /// Returns a box that contains the ball. Requires: is_certain().
+  /// Returns a box that contains the ball of `sphere`. Requires: is_certain(sphere).
   Box box_of(const Sphere& sphere) const {
     const auto& m = sphere.minor;
     const double half = -0.5 / m[3], x = m[0] * half, y = m[1] * half, z = m[2] * half;
@@ -99,14 +100,14 @@ class ApexSearch {
     return {{cx - radius, cy - radius, cz - radius}, {cx + radius, cy + radius, cz + radius}};
   }
 
-  /// Returns whether all points in the ball are candidates.
+  /// Returns whether the ball of `sphere` is so small that all unfinished points in it are candidates.
   HWY_INLINE bool is_within_reach(const Sphere& sphere) const {
     const auto& m = sphere.minor;
     return (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) * (1 + 0x1p-5) < m[3] * m[3] * (reach_ * reach_);
   }
 
-  /// Finds the apex of the tetrahedron outside of the face (v, first, second), and its sphere. Returns false if it is
-  /// not found.
+  /// Sets apex_ and sphere_ to the apex of the tetrahedron outside of the face (v, first, second), and its sphere.
+  /// Returns false if it is not found; then apex_ and sphere_ may have any value.
   HWY_INLINE bool find_apex(Local first, Local second) {
     const std::size_t first_at = candidates_.position(first), second_at = candidates_.position(second);
     const Face face(first_at != Candidates::none ? candidates_.spoke(first_at) : spoke(first),
@@ -123,7 +124,7 @@ class ApexSearch {
     return find_apex_exactly(first, second);
   }
 
-  /// Returns the position of the most probable candidate outside of the face.
+  /// Returns the position of the most probable candidate outside of the face, or Candidates::none.
   HWY_INLINE std::size_t choose(const Face& face) const {
     const auto& n = face.normal;
     const Vector3<double> x = cross(face.turned, n);
@@ -133,9 +134,9 @@ class ApexSearch {
                              single(dot(n, n) * (inverse_2_ * inverse_2_)));
   }
 
-  /// Finds the apex exactly, starting from a candidate. Outside of the face, balls through it are ordered by inclusion:
-  /// a point inside one is the next to be tried, and a point outside remains outside. Points on the near side of the
-  /// face are in none of these balls.
+  /// Finds the apex exactly, starting from the candidate apex_. Outside of the face (v, first, second), balls through
+  /// it are ordered by inclusion: a point inside the current ball is the next apex, and a point outside remains
+  /// outside. Points on the near side of the face are in none of these balls.
   HWY_NOINLINE bool find_apex_exactly(Local first, Local second) {
     if (!is_certain(sphere_)) return false;  // the candidate may be on either side of the face
     const Face face(spoke(first), spoke(second));
@@ -171,7 +172,7 @@ class ApexSearch {
     return is_in;
   }
 
-  /// Calls visit(i) for each unfinished point in the cells that is not certainly outside of the sphere.
+  /// Calls visit(i) for each unfinished point i in the cells `ranges` that is not certainly outside of `sphere`.
   template <typename Visit>
   void for_each_not_outside(const Sphere& sphere, const std::array<Tile::Range, 3>& ranges, Visit visit) const {
     const Doubles d;
@@ -194,6 +195,7 @@ class ApexSearch {
     return sphere.minor[0] * s.x + sphere.minor[1] * s.y + sphere.minor[2] * s.z + sphere.minor[3] * s.square;
   }
 
+  /// Returns whether the circumradius of (second, first, apex_, v_) is at most alpha_. Exact.
   HWY_INLINE bool is_within(Local first, Local second) const {
     if (std::isinf(alpha_)) return true;
     const RadiusSide side = radius_side(sphere_.minor, ErrorBound(sphere_.constant, sphere_.slope), alpha_);

@@ -73,8 +73,8 @@ class StarSearch : public StarFinder, private ApexSearch {
     make_room();
   }
 
-  /// Returns whether the tile is abandoned: of an eighth of its points, but at least 64, more than three quarters stay
-  /// unsettled, or exact decisions, which take long, are more than twelve a point.
+  /// Returns whether the tile is abandoned: after an eighth of its points, but at least 64, more than three quarters of
+  /// these stay unsettled, or they took more than twelve exact decisions each, which take long.
   bool is_abandoned() const {
     constexpr std::size_t fewest = 64, most_exact = 12;
     return completed_ >= std::max(fewest, of_leaf_ / 8) &&
@@ -84,7 +84,7 @@ class StarSearch : public StarFinder, private ApexSearch {
   /// Number of consecutive cells of a row that share a block.
   static constexpr int at_once = 2;
 
-  /// Returns the cells of a range without the outer `left_out` at each end.
+  /// Returns `cells` without the outer `left_out` cells at each end of each axis.
   static std::array<Tile::Range, 3> inner(std::array<Tile::Range, 3> cells, int left_out) {
     for (Tile::Range& range : cells) range = {range.low + left_out, range.high - left_out};
     return cells;
@@ -112,7 +112,7 @@ class StarSearch : public StarFinder, private ApexSearch {
     }
   }
 
-  /// Finds all tetrahedra at v. Returns false if some cannot be found.
+  /// Finds all tetrahedra at v and appends them to found_. Returns false if some cannot be found.
   bool complete(Local v) {
     start_at(v);
     const std::uint32_t before = count_;
@@ -216,7 +216,7 @@ class StarSearch : public StarFinder, private ApexSearch {
     }
   }
 
-  /// Adds a tetrahedron at a point that no other tetrahedron has reached. Returns false if none is found.
+  /// Adds a tetrahedron at the current point, which is a corner of none yet. Returns false if none is found.
   bool add_first(OpenFaces::AtCorner& open);
 
   void link();
@@ -297,7 +297,7 @@ bool StarSearch::add_first(OpenFaces::AtCorner& open) {
   return false;
 }
 
-/// Links the tetrahedra. Requires: all have a number.
+/// Fills in neighbors, border and unsettled places of found_. Requires: number_ is set for all tetrahedra.
 void StarSearch::link() {
   found_->neighbors.resize(found_->tetrahedra.size());
   number_[nobody / 4] = none;

@@ -28,23 +28,23 @@ struct Stars {
   std::vector<Row> neighbors;           ///< for each tetrahedron, its neighbors in `tetrahedra`, or none
   std::vector<BorderFace> border;       ///< faces of `tetrahedra` without a neighbor
   std::vector<Place> unsettled;         ///< the unsettled places of the leaf
-  /// Tetrahedra with a corner in the leaf whose least corner is no settled place of the leaf. If some corner is
-  /// unsettled, the leaf of the least settled corner contributes the tetrahedron.
+  /// Other tetrahedra found with a corner in the leaf: their least corner is not a settled place of the leaf. If a
+  /// corner is unsettled, the leaf of the least settled corner contributes the tetrahedron to the result.
   std::vector<Row> shared;
-  std::vector<std::uint8_t> shared_is_within;
-  std::size_t exact = 0;  ///< number of decisions that needed more than a filter
+  std::vector<std::uint8_t> shared_is_within;  ///< is_within for `shared`
+  std::size_t exact = 0;                       ///< number of decisions that needed more than a filter
 };
 
-/// Finds the tetrahedra of leaves, one leaf after the other. A finder is used by one thread at a time.
+/// A search for the tetrahedra of leaves, one leaf after the other, in one thread at a time.
 class StarFinder {
  public:
   virtual ~StarFinder() = default;
-  /// Replaces `found` by the tetrahedra of the leaf.
+  /// Replaces `found` by the tetrahedra of leaf number `leaf`.
   virtual void find(std::size_t leaf, Stars& found) = 0;
 };
 
-/// Makes a finder, which keeps a reference to the leaves. Requires: leaves of scaled points with an exact spread; alpha
-/// in the same scale, possibly infinite.
+/// Returns a finder, which keeps a reference to `leaves`. Requires: the points of `leaves` and `alpha` are scaled by
+/// `spread`; spread.is_exact; alpha may be infinite.
 std::unique_ptr<StarFinder> star_finder(const Leaves& leaves, const Spread& spread, double alpha);
 
 }  // namespace rbpa::space

@@ -37,7 +37,8 @@ class OpenSides {
 
   bool empty() const { return sides_.empty(); }
 
-  /// Returns the face that has its open side toward a tetrahedron, across from the tetrahedron's corner k; or none.
+  /// Returns the border face that is the face across from corner k of the tetrahedron `corners`, and has a tetrahedron
+  /// on its other side; or none.
   std::uint32_t face_of(const Row& corners, std::size_t k) const {
     const BorderFace face = border_face(corners, 0, k);
     const std::uint32_t first = face.corners[0];

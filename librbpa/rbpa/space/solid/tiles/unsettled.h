@@ -23,8 +23,9 @@ struct FoundRows {
   meshops::FreshVector<BorderFace> border;       ///< faces whose neighbor was unknown when they were found
 };
 
-/// Appends the missing tetrahedra. Requires: `found` has all with a settled corner, linked; `spread` of the leaves'
-/// points.
+/// Appends the tetrahedra whose corners are all in `unsettled` to `found`, with neighbors. Requires: `unsettled` has
+/// all unsettled places, ascending; `found` has all tetrahedra with a settled corner, linked; the points of `leaves`
+/// and `alpha` are scaled by `spread`. Throws InvalidInput for too many tetrahedra.
 void add_remainder(const Leaves& leaves, const Spread& spread, double alpha, const std::vector<Place>& unsettled,
                    FoundRows& found);
 

@@ -31,7 +31,7 @@ using rbpa::HWY_NAMESPACE::mask_of;
 /// The result for a side of a triangle.
 enum class Side {
   none,   ///< no tetrahedron of circumradius at most alpha has its apex after r
-  found,  ///< exactly one tetrahedron, found
+  found,  ///< one tetrahedron, whose fourth corner is apex()
   open,   ///< the filter cannot decide
 };
 
@@ -39,7 +39,7 @@ class ApexSearch {
  public:
   explicit ApexSearch(double alpha) : alpha_(alpha) {}
 
-  /// Prepares for the triangle of v with the near points q and r.
+  /// Computes what look() compares, for the triangle of v with the near points q and r.
   HWY_INLINE void set_triangle(const NearPoints& near, std::size_t q, std::size_t r) {
     constexpr double roundoff = 0x1p-53;
     const Vector3<double> u = {near.dx[q], near.dy[q], near.dz[q]}, w = {near.dx[r], near.dy[r], near.dz[r]};
@@ -104,8 +104,8 @@ class ApexSearch {
     size_ = size;
   }
 
-  /// Decides the side of positive or of negative t. If it is `found`, apex() is the apex's position among the near
-  /// points.
+  /// Returns the result for the side of positive t, or of negative t. After Side::found, apex() is the position of the
+  /// fourth corner among the near points.
   HWY_INLINE Side look(bool is_positive) {
     if (!is_bounded_) return Side::open;
     if (is_violated_) return Side::none;
@@ -131,7 +131,7 @@ class ApexSearch {
   std::size_t apex() const { return apex_; }
 
  private:
-  /// Returns the lanes from p on that are near points other than q and r.
+  /// Returns the lanes, of those from position p on, that are near points other than q and r.
   HWY_INLINE hn::Mask<Doubles> others_at(std::size_t p, std::size_t size) const {
     const Doubles d;
     std::uint64_t lanes = size - p < double_lanes ? (std::uint64_t{1} << (size - p)) - 1 : ~std::uint64_t{0};
@@ -147,9 +147,9 @@ class ApexSearch {
   bool is_flat_ = false;      // a point in the plane may touch every ball
   double least_b_ = 0;
   double farthest_ = 0, nearest_ = 0;  // upper and lower bound of T, the greatest |t| within alpha
-  // For points of positive and of negative b: the least, and the greatest, (a + E) / b and (a − E) / b.
+  // The least (a + E) / b, and (a − E) / b, of points with b > 0; the greatest of points with b < 0.
   double upper_ = 0, lower_ = 0, upper_strong_ = 0, lower_strong_ = 0;
-  std::vector<double> above_, below_;  // (a − E) / b for each near point, or infinity
+  std::vector<double> above_, below_;  // (a − E) / b for near points with b > 0, and with b < 0; else ±infinity
 };
 
 }  // namespace

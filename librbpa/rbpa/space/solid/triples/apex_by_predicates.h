@@ -13,10 +13,10 @@
 
 namespace rbpa::space {
 
-/// Returns the site p among `around` with which a, b and c are a tetrahedron of the Delaunay triangulation, of
-/// circumradius at most alpha; p is on the side of their plane from which they are counter-clockwise. Returns nothing
-/// if there is none.
-/// Requires: `around` has all sites within 2 alpha of a; a, b and c are a triangle.
+/// Returns the site p of `around` for which (a, b, c, p) is a Delaunay tetrahedron of circumradius at most alpha, with
+/// p on the side of the plane of a, b and c from which they are counter-clockwise. Returns nothing if there is no such
+/// site.
+/// Requires: `around` has all sites within 2 alpha of a; a, b and c are not on a line.
 std::optional<Site> exact_apex(std::span<const Point3> sites, std::span<const Site> around, double alpha, Site a,
                                Site b, Site c);
 

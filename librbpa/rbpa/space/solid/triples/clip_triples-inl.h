@@ -79,12 +79,12 @@ class Pairs {
   std::size_t count_ = 0;
 };
 
-/// A bit for each lane, for the side of positive and of negative t.
+/// Bits of the lanes to be tried, on the side of positive t and on that of negative t.
 struct Sides {
   std::uint64_t positive, negative;
 };
 
-/// Looks up values in a table: by permutations in a table of one or two registers, by loads in a longer one.
+/// A lookup of values in a table: by permutations in a table of one or two registers, by loads in a longer one.
 template <int kRegisters>
 class Lookup {
  public:
@@ -140,7 +140,7 @@ class Triangles {
     is_bounded = hn::And(hn::Lt(kappa, hn::Set(d, 0x1p13f)), hn::Ge(squares, hn::Set(d, 0x1p-60f)));
   }
 
-  /// The values of a near point: b, and a / b and E / b rounded.
+  /// The values of a near point: b, and the quotients a / b and E / b, rounded.
   struct Cut {
     Single b, t, error;
   };
@@ -154,7 +154,7 @@ class Triangles {
   }
 
   hn::Vec<SingleNumbers> r_number;  ///< position of r among the near points
-  Single farthest, least_b;         ///< T, the greatest |t|; the greatest error of b
+  Single farthest, least_b;         ///< T, the greatest |t|; a bound of the error of b
   hn::Mask<Singles> is_small;       ///< the circumradius of the triangle may be at most alpha
   hn::Mask<Singles> is_bounded;     ///< the bounds hold; false also for nearly degenerate triangles and NaN
 
@@ -164,17 +164,17 @@ class Triangles {
   Single error_;
 };
 
-/// Raises or lowers a value before a comparison by 2⁻⁶ of its size: more than the error of an approximate reciprocal.
+/// Returns t raised, or lowered, by 2⁻⁶ |t|, for a comparison: by more than the error of an approximate reciprocal.
 HWY_INLINE Single raised(Single t) { return hn::MulAdd(hn::Set(Singles(), 0x1p-6f), hn::Abs(t), t); }
 HWY_INLINE Single lowered(Single t) { return hn::NegMulAdd(hn::Set(Singles(), 0x1p-6f), hn::Abs(t), t); }
 
-/// Pairs on whose line of centers the points leave a part, between L and U.
+/// Pairs (q, r) whose line of centers has an interval, from L to U, that no near point excludes.
 class OpenTriangles {
  public:
   void clear() { count_ = 0; }
   std::size_t size() const { return count_; }
 
-  /// Appends the open pairs of a register; only the first `used` pairs of it are valid.
+  /// Appends the open pairs among the first `used` pairs of a register.
   template <int kRegisters>
   HWY_INLINE void append(const NearPoints& near, const std::int32_t* pairs, std::size_t used) {
     const Singles d;
@@ -205,7 +205,7 @@ class OpenTriangles {
     count_ += hn::CountTrue(d, is_open);
   }
 
-  /// Returns the sides to be tried of a register of triangles, from triangle i on.
+  /// Returns the sides to be tried of a register of open triangles, from number i on.
   template <int kRegisters>
   HWY_INLINE Sides sides(const NearPoints& near, std::size_t i) {
     const Singles d;
@@ -231,7 +231,7 @@ class OpenTriangles {
     return {bits_of(d, hn::Or(is_above, is_any)) & used, bits_of(d, hn::Or(is_below, is_any)) & used};
   }
 
-  /// Returns the position of q, or r, among the near points.
+  /// Returns the position of q, or r, of open triangle i among the near points.
   std::size_t q(std::size_t i) const { return static_cast<std::size_t>(pairs_[i] >> 16); }
   std::size_t r(std::size_t i) const { return static_cast<std::size_t>(pairs_[i] & 0xffff); }
 

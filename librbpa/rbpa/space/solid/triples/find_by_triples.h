@@ -20,18 +20,19 @@
 namespace rbpa::space {
 
 struct Triples {
-  /// Positively oriented; the first corner is the first in the order of sites.
+  /// The tetrahedra: positively oriented, each with the corner first that is first in the order of sites.
   std::vector<std::array<Site, 4>> tetrahedra;
   std::size_t exact = 0;  ///< number of sides of triples that were decided exactly
 };
 
 /// Replaces `found` by the tetrahedra whose first corner, in the order of sites, is in cells first_cell … end_cell − 1.
-/// Requires: cells of radius 2 alpha; sites and radius fit double (cells/scale.h). Returns false if it gave up: more
-///           than `most_exact` sides would have to be decided exactly, or too many points are near a cell.
+/// Returns false, with `found` incomplete, if more than `most_exact` sides would have to be decided exactly, or more
+/// than 4,096 points are in the cells around a cell.
+/// Requires: cells of radius 2 alpha; sites and radius fit double (cells/scale.h).
 bool find_by_triples(const Cells& cells, double alpha, std::size_t first_cell, std::size_t end_cell,
                      std::size_t most_exact, Triples& found);
 
-/// Estimates the cost of find_by_triples() for all cells from the numbers of points in cells alone, in units of half a
+/// Estimates the cost of find_by_triples() for all cells from the numbers of points in cells alone. The unit is half a
 /// nanosecond to one.
 /// Cost: some nanoseconds a cell.
 double triples_cost(const Cells& cells);

@@ -18,7 +18,7 @@ Face face(std::uint32_t p, std::uint32_t q, std::size_t row, std::uint32_t acros
   return {std::uint64_t{std::min(p, q)} << 32U | std::max(p, q), static_cast<std::uint32_t>(4 * row + across)};
 }
 
-/// Links the faces that are equal, among all faces with the same lowest corner.
+/// Links equal faces. Requires: `faces` has all faces with the same lowest corner.
 void link(std::vector<Face>& faces, meshops::FreshVector<std::array<std::uint32_t, 4>>& neighbors) {
   const auto join = [&](const Face& one, const Face& other) {
     neighbors[one.at / 4][one.at % 4] = other.at / 4;

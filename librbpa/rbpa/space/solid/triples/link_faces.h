@@ -16,10 +16,10 @@
 
 namespace rbpa::space {
 
-/// Returns the neighbors of each row: neighbor k is the number of the other row with the three corners other than
-/// corner k, or 0xffffffff.
-/// Requires: rows sorted by first corner, each with its two least corners first; corners below `bound`; no three
-/// corners common to three rows.
+/// Returns the neighbors of each row: neighbor k is the number of the other row that has the three corners other than
+/// corner k, or 0xffffffff if there is none.
+/// Requires: `rows` are sorted by first corner, each with its two least corners first; all corners are below `bound`;
+///           no three corners are common to three rows.
 meshops::FreshVector<std::array<std::uint32_t, 4>> link_faces(std::span<const std::array<std::uint32_t, 4>> rows,
                                                               std::size_t bound, Threads& threads);
 

@@ -57,7 +57,7 @@ class Block {
     });
   }
   std::size_t size() const { return count_; }
-  /// Returns the position of the first site of the cell.
+  /// Returns the position in the block of the first site of the cell.
   std::size_t own() const { return own_; }
 
   std::vector<float> x, y, z;
@@ -121,7 +121,8 @@ class NearPoints {
   std::vector<Site> sites;
 
  private:
-  /// Lists the near sites at positions from … to − 1 of the block, after the first `count`. Returns the new count.
+  /// Adds the sites at positions from … to − 1 of the block that are near position `at`, after the first `count` sites.
+  /// Returns the new count.
   HWY_INLINE std::size_t list(const Block& block, std::size_t at, std::size_t from, std::size_t to, std::size_t count) {
     const Singles d;
     const hn::RebindToUnsigned<Singles> du;
