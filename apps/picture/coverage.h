@@ -1,6 +1,6 @@
 // What: computes how much of each pixel a shape covers, from 0 to 1.
-// How:  areas are exact per pixel (signed trapezoids left of each edge, summed along rows), so that shapes that share
-//       an edge leave no seam; lines have the largest of their coverages, so that crossings do not darken.
+// How:  areas are exact for each pixel (signed trapezoids, summed along rows), so that shapes with a common edge leave
+//       no seam; a pixel of several lines has the largest of their coverages, so that crossings are not darker.
 // Cost: linear in the pixels that the outlines touch, and one pass over the canvas.
 #pragma once
 
@@ -11,13 +11,13 @@
 
 namespace rbpa::app {
 
-/// The coverage of the inside of closed outlines. Requires: they do not overlap, and lie within the canvas.
+/// The coverage of the inside of closed outlines. Requires: the outlines do not overlap, and lie within the canvas.
 class AreaCoverage {
  public:
   AreaCoverage(int width, int height);
-  /// Adds one straight piece of an outline, in its direction.
+  /// Adds a straight piece of an outline. Requires: all pieces of an outline run the same way around it.
   void add_piece(const Pixel& from, const Pixel& to);
-  /// Returns the coverage by rows, and empties this.
+  /// Returns the coverage of each pixel, by rows. Call once, last: the memory is released.
   std::vector<float> take();
 
  private:
@@ -29,8 +29,8 @@ class AreaCoverage {
   std::vector<float> change_;
 };
 
-/// The coverage of round-ended lines and dots. Lines thinner than a pixel are drawn a pixel wide and fainter
-/// accordingly.
+/// The coverage of round-ended lines and dots. A line of width w < 1 pixel is drawn one pixel wide, with coverage of at
+/// most w.
 class LineCoverage {
  public:
   LineCoverage(int width, int height);

@@ -10,7 +10,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Rotates a curve to begin at its lowest index; if that occurs several times (a pinch), the next index decides.
+/// Returns the closed curve from its least edge on: the lowest index is first. If it occurs several times (a pinch),
+/// the occurrence before the lowest next index is first.
 std::vector<std::uint32_t> from_least_edge(std::vector<std::uint32_t> curve) {
   const std::size_t length = curve.size();
   std::size_t first = 0;

@@ -14,29 +14,30 @@
 
 namespace rbpa::app {
 
-/// A drawing of a complex or of polygons. Edges, curves and isolated points are indices into `points`.
+/// A drawing of a complex or of polygons. Edges, curves and isolated points are lists of indices into `points`.
 struct Drawing {
   std::span<const Point> points;
-  std::vector<Edge> inner_edges;  ///< edges between two triangles; lower index first, sorted
+  std::vector<Edge> inner_edges;  ///< edges of two triangles; in each the lower index is first; sorted
   std::vector<std::vector<std::uint32_t>>
-      curves;  ///< boundary curves of the solid, each from its least edge, sorted; or the rings of polygons
+      curves;  ///< boundary curves of a complex, each from its least edge, sorted; or rings of polygons
   std::span<const std::uint32_t> isolated;
   std::span<const Edge> dangling = {};  ///< edges in no triangle
-  /// For named groups, the first curve of each group, and the end of the last. Empty: no groups, and one color.
+  /// The index of the first curve of each group, and at the end the number of curves. Empty: one color for all.
   std::vector<std::size_t> groups = {};
   std::span<const std::string> group_names = {};
 };
 
-/// Returns the drawing of a complex. It refers to both arguments. In a full complex, isolated points are those in
-/// neither a triangle nor an edge. Requires: `points` are those of the complex, and it has neighbors.
+/// Returns the drawing of a complex; it refers to `points` and `complex`. The isolated points are those in no triangle,
+/// and in a full complex in no edge either. Requires: `points` are those of `complex`, and complex.neighbors is filled
+/// in.
 Drawing drawing_of(std::span<const Point> points, const AlphaComplex& complex, ComplexKind kind);
 
-/// Returns the drawing of polygons: their rings, without inner edges. It refers to `points` and `isolated`.
+/// Returns the drawing of the rings of `polygons`, and of `isolated` points. It refers to `points` and `isolated`.
 Drawing drawing_of(std::span<const Point> points, std::span<const Polygon> polygons,
                    std::span<const std::uint32_t> isolated);
 
-/// Returns the drawing of groups of polygons, each in its color. Group g has the polygons polygon_begin[g] to
-/// polygon_begin[g + 1] - 1.
+/// Returns the drawing of groups of polygons, each group in its color; it refers to `points` and `names`. Group g has
+/// the polygons polygon_begin[g] to polygon_begin[g + 1] - 1.
 Drawing drawing_of(std::span<const Point> points, std::span<const Polygon> polygons,
                    std::span<const std::uint64_t> polygon_begin, std::span<const std::string> names);
 

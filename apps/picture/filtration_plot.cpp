@@ -12,7 +12,7 @@
 namespace rbpa::app {
 namespace {
 
-// Pixels from the upper left corner.
+// Positions and sizes in pixels, from the upper left corner.
 constexpr int left = 80, right = 800, image_width = 970, image_height = 1090;
 constexpr int curves_top = 80, curves_bottom = 500;
 constexpr int diagram_top = 600, never_dies = 605, last_death = 630, diagram_bottom = 1030;
@@ -43,7 +43,7 @@ void text(std::string& svg, int x, int y, const std::string& words, const char* 
          "\">" + words + "</text>\n";
 }
 
-/// Returns 10 to a power, as text, also beyond the range of double.
+/// Returns 10 to the power `exponent` as text, also beyond the range of double.
 std::string power_of_ten(double exponent) {
   constexpr double safe = 300;
   if (std::abs(exponent) <= safe) return number(std::pow(10, exponent));

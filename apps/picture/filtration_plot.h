@@ -1,5 +1,6 @@
 // What: draws a filtration: its counts against alpha, and births against deaths.
-// Law:  the same set of points gives the same bytes. The size is bounded by that of the picture, not by steps or pairs.
+// Law:  the same set of points gives the same bytes. The number of bytes is bounded by the pixels, however many steps
+//       and pairs there are.
 #pragma once
 
 #include <optional>
@@ -17,7 +18,7 @@ namespace rbpa::app {
 struct PlotCurve {
   std::string name;
   const char* color;                     ///< in the syntax of SVG
-  std::vector<std::size_t> counts = {};  ///< from each value of FiltrationPlot::alpha up to the next
+  std::vector<std::size_t> counts = {};  ///< counts[i] holds from FiltrationPlot::alpha[i] to the next value
 };
 
 struct PlotDimension {
@@ -29,16 +30,18 @@ struct FiltrationPlot {
   std::vector<double> alpha;  ///< ascending
   std::vector<PlotCurve> curves;
   std::vector<PersistencePair> pairs = {};
-  std::vector<PlotDimension> dimensions;                 ///< names of the dimensions of pairs, from 0
+  std::vector<PlotDimension> dimensions;                 ///< indexed by the dimension of a pair
   std::optional<double> least_covering = std::nullopt;   ///< marked "min"
   std::optional<double> least_connected = std::nullopt;  ///< marked "auto"
   std::optional<Plateau> plateau = std::nullopt;         ///< shown as a band, with its alpha marked "plateau"
 };
 
-/// Returns the plot for points in the plane: the counts of the steps, and pairs of components and of holes.
+/// Returns the plot for points in the plane: the counts of `steps`, and `pairs` of components and of holes. The marked
+/// radii are absent.
 FiltrationPlot plot_of(std::span<const FiltrationStep> steps, std::vector<PersistencePair> pairs);
 
-/// Returns the plot for points in space: Betti numbers, counted from the births and deaths of pairs.
+/// Returns the plot for points in space: Betti numbers, counted from the births and deaths of `pairs`. The marked radii
+/// are absent.
 FiltrationPlot plot_of(std::span<const SolidPair> pairs);
 
 /// Returns the plot as an SVG file.

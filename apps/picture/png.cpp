@@ -16,7 +16,7 @@
 namespace rbpa::app {
 namespace {
 
-/// The pixels of a picture: red, green and blue of each, by rows.
+/// A picture: red, green and blue of each pixel, by rows.
 class Canvas {
  public:
   explicit Canvas(const Scene& scene)
@@ -62,7 +62,7 @@ void for_each_boundary_piece(const Scene& scene, Visit&& visit) {
   for_each_boundary_piece(scene, scene.drawing->curves, visit);
 }
 
-/// Draws the groups, those of one color at a time.
+/// Draws the groups color by color: all groups of one color together, in the order of the colors.
 void draw_groups(Canvas& canvas, const Scene& scene) {
   const std::vector<std::size_t>& begin = scene.drawing->groups;
   const std::size_t count = begin.size() - 1;

@@ -10,7 +10,8 @@
 
 namespace rbpa::app {
 
-/// Writes pixels: red, green and blue of each, by rows.
+/// Writes a picture, of which `pixels` has red, green and blue of each pixel, by rows. Throws Failure if it cannot be
+/// encoded, and as OutputFile does.
 void write_png(OutputFile& file, int width, int height, const std::vector<std::uint8_t>& pixels);
 
 void write_png(OutputFile& file, const Scene& scene);

@@ -6,7 +6,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Scales points by a power of two to about 1, so that their differences neither overflow nor vanish.
+/// Scales points by a power of two to about 1, so that differences of coordinates neither overflow nor underflow.
 struct Frame {
   int exponent = 0;
   Pixel least{0, 0};
@@ -73,11 +73,11 @@ Scene place(const Drawing& drawing, int width) {
   constexpr double flattest = 0.125, tallest = 2;  // ratio of height to width of the inner part
   const Frame frame(drawing.points);
 
-  // The box is the unit square when all points are equal. A ratio cannot overflow: it is clamped before it is used.
+  // If all points are equal, the box is a unit square. An infinite ratio does no harm: it is clamped before it is used.
   const double ratio = frame.width > 0 ? frame.height / frame.width : (frame.height > 0 ? tallest + 1 : flattest);
   const double inner_height = std::round(inner_width * std::clamp(ratio, flattest, tallest));
   const bool by_width = ratio <= tallest;
-  // A position is computed as a fraction of the box first, as pixels per unit may be out of range.
+  // Compute positions as fractions of the box first, as the number of pixels per unit may be out of range.
   const double box = by_width ? frame.width : frame.height;
   const double box_pixels = by_width ? inner_width : inner_height;
   const double used_width = by_width ? inner_width : inner_height / ratio;

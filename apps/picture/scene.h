@@ -25,8 +25,8 @@ struct Scene {
 constexpr int least_width = 64;
 constexpr int greatest_width = 8192;
 
-/// Returns the scene of a drawing, to which it refers. Both axes have the same scale; the height follows the points, up
-/// to twice the width. Requires: least_width ≤ width ≤ greatest_width. Cost: linear.
+/// Returns the scene of a drawing, to which it refers. Both axes have the same scale; the height follows the points,
+/// from about 0.18 to 1.94 times the width. Requires: least_width ≤ width ≤ greatest_width. Cost: linear.
 Scene place(const Drawing& drawing, int width);
 
 }  // namespace rbpa::app

@@ -11,7 +11,8 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
-/// Returns the points centered and scaled to a box that is 2 wide, also for coordinates near the largest double.
+/// Returns the points centered and scaled so that the longest side of their box is 2, also for coordinates near the
+/// largest double.
 std::vector<Vector> normalized(std::span<const Point3> points) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Vector low = Vector::Constant(infinity), high = -low;
@@ -28,16 +29,16 @@ std::vector<Vector> normalized(std::span<const Point3> points) {
   return moved;
 }
 
-/// Turns an axis so that its largest component is positive, as an eigenvector has no orientation.
+/// Returns `axis` or its opposite, whichever has a positive largest component: an eigenvector has no orientation.
 Vector upward(const Vector& axis) {
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
   return axis[largest] < 0 ? Vector(-axis) : axis;
 }
 
-/// Returns the coordinate axis, 1 (y) or 2 (z), that is upright for a viewer in this direction. The points do not
-/// determine it: it is y in most models and z in most scans. If one of the two is the direction of view, the other is
-/// upright; else y, unless the points extend much more in z.
+/// Returns the coordinate axis, 1 (y) or 2 (z), that is upright for a viewer in the direction `viewer`. The points do
+/// not determine this axis: it is y in most models and z in most scans. If the viewer looks along one of the two, the
+/// other is upright; otherwise y, unless the points extend much more in z.
 Eigen::Index upright(const Vector& viewer, const Vector& variances) {
   constexpr double taller = 1.5;
   Eigen::Index along = 0;
@@ -46,7 +47,7 @@ Eigen::Index upright(const Vector& viewer, const Vector& variances) {
   return variances.z() > taller * taller * variances.y() ? 2 : 1;
 }
 
-/// Returns the matrix with rows right, up, and to the viewer, such that `axis` points up.
+/// Returns the matrix whose rows point to the right, up, and to the viewer, such that `axis` points up in the picture.
 Eigen::Matrix3d with_upright(const Vector& axis, const Vector& viewer) {
   const Vector up = (axis - axis.dot(viewer) * viewer).normalized();
   Eigen::Matrix3d view;
@@ -54,8 +55,8 @@ Eigen::Matrix3d with_upright(const Vector& axis, const Vector& viewer) {
   return view;
 }
 
-/// Returns the view of points, with rows as with_upright(). The viewer is at least 45 degrees from the axis before the
-/// turn, so it stays at least 25 from it.
+/// Returns the view of points, a matrix as of with_upright(). The viewer is at least 45 degrees from the axis before
+/// the turn, so it stays at least 25 from it.
 Eigen::Matrix3d directions(std::vector<Vector> points) {
   // Sort, as sums of floating-point numbers depend on their order.
   std::sort(points.begin(), points.end(), [](const Vector& a, const Vector& b) {

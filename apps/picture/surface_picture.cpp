@@ -21,7 +21,8 @@ constexpr Color filled_color{0x9F, 0xD3, 0xB4};  // lighter than the boundary, g
 constexpr Color rim_color{0xE6, 0x9F, 0x00};
 constexpr Color island_color{0xCC, 0x79, 0xA7};
 
-/// Samples with a depth; the nearest to the viewer remains.
+/// A canvas of samples, each with a color and a depth. Of all that is drawn on a sample, the part nearest to the viewer
+/// remains.
 class DepthCanvas {
  public:
   DepthCanvas(int width, int height)
@@ -38,7 +39,7 @@ class DepthCanvas {
     colors_[i] = color;
   }
 
-  /// Draws the samples whose centers are in the triangle.
+  /// Draws the triangle on the samples whose centers it contains.
   void triangle(const Place& a, const Place& b, const Place& c, const Color& color) {
     const double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     if (area == 0) return;
@@ -79,7 +80,7 @@ class DepthCanvas {
     }
   }
 
-  /// Returns the pixels: means over squares of `side` × `side` samples.
+  /// Returns the pixels; each is the mean of a square of `side` × `side` samples.
   std::vector<std::uint8_t> pixels(int side) const {
     std::vector<std::uint8_t> bytes;
     bytes.reserve(depths_.size() * 3);
@@ -110,8 +111,8 @@ class DepthCanvas {
   std::vector<Color> colors_;
 };
 
-/// Returns the shade of a triangle. Light comes from the viewer's upper left. As y points down, a triangle that is
-/// counter-clockwise for the viewer has a negative area.
+/// Returns the color of a triangle under light. The light comes from the viewer's upper left. As y points down, a
+/// triangle that is counter-clockwise for the viewer has a negative area.
 Color shade(const Place& a, const Place& b, const Place& c, const Color& front_own) {
   const double u[] = {b[0] - a[0], a[1] - b[1], b[2] - a[2]}, v[] = {c[0] - a[0], a[1] - c[1], c[2] - a[2]};
   const double n[] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
@@ -124,7 +125,8 @@ Color shade(const Place& a, const Place& b, const Place& c, const Color& front_o
   return {lit(own.red), lit(own.green), lit(own.blue)};
 }
 
-/// Returns the mean color of the corners, the default color without colors, or the color of filled holes.
+/// Returns the color of a triangle before shading: the color of filled holes if it fills one, else the mean color of
+/// its corners, or the default color if the points have none.
 Color own_color(const SurfacePicture& picture, std::size_t triangle) {
   if (!picture.filled.empty() && picture.filled[triangle]) return filled_color;
   const auto& t = picture.triangles[triangle];

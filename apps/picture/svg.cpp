@@ -12,7 +12,7 @@
 namespace rbpa::app {
 namespace {
 
-/// A step in hundredths of a pixel.
+/// A step of the pen, in hundredths of a pixel.
 struct Step {
   long x, y;
   friend bool operator==(const Step&, const Step&) = default;
@@ -20,7 +20,7 @@ struct Step {
 
 Step step_of(const Pixel& p) { return {std::lround(p.x * 100), std::lround(p.y * 100)}; }
 
-/// Returns hundredths as the shortest decimal: 1250 is 12.5, −7 is -.07.
+/// Returns a number of hundredths as the shortest decimal: "12.5" for 1250, "-.07" for −7.
 std::string decimal(long hundredths) {
   std::string text = hundredths < 0 ? "-" : "";
   const long size = std::abs(hundredths), whole = size / 100, part = size % 100;

@@ -6,7 +6,8 @@
 
 namespace rbpa::app {
 
-/// Exit codes. The last two are the status that a shell gives a process ended by SIGINT or SIGPIPE.
+/// Exit codes. `cancelled` and `closed_pipe` are the statuses that a shell reports for a process that SIGINT or SIGPIPE
+/// has ended.
 enum ExitCode {
   done = 0,
   failed = 1,
@@ -24,7 +25,7 @@ constexpr const char* exit_codes =
 /// Prints "PROGRAM: MESSAGE" on standard error, and returns `code`.
 int report(const std::string& program, const std::string& message, ExitCode code);
 
-/// Writes `text` to standard output. Throws as OutputFile does.
+/// Writes `text` to standard output. Throws Failure, ClosedPipe, Cancelled.
 void print(const std::string& text);
 
 /// Calls `work` and returns the exit code `done`. If it throws, prints one line on standard error (none for ClosedPipe)

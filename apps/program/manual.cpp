@@ -16,7 +16,7 @@ std::vector<const CLI::App*> verbs_of(const CLI::App& app) {
   return app.get_subcommands([](const CLI::App* verb) { return !verb->get_name().empty(); });
 }
 
-/// Returns the options that --help lists: hidden ones are in no group.
+/// Returns the options that --help lists. Hidden options, which are in no group, are left out.
 std::vector<const CLI::Option*> options_of(const CLI::App& app) {
   return app.get_options(
       [](const CLI::Option* option) { return option->nonpositional() && !option->get_group().empty(); });
@@ -42,7 +42,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
   return text;
 }
 
-/// Returns the names of all options of the program or verb.
+/// Returns the names of the options that --help of `app`, a program or a verb, lists.
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> all;
   for (const CLI::Option* option : options_of(app))
@@ -52,7 +52,8 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 // ---- roff
 
-/// Escapes text for roff, so that nothing in it is a request, an escape, a hyphen or a quote.
+/// Returns the text escaped for roff, so that roff reads no character of it as a request, an escape, a hyphen or a
+/// quote.
 std::string roff(const std::string& text) {
   std::string shown;
   for (const char c : text) {
@@ -74,7 +75,7 @@ std::string roff(const std::string& text) {
   return shown;
 }
 
-/// Converts text to roff. Indented lines stay unchanged, others become paragraphs.
+/// Returns the text in roff: indented lines as they are, other lines as paragraphs.
 std::string roff_paragraphs(const std::string& text) {
   std::istringstream lines(text);
   std::string shown;
@@ -91,7 +92,7 @@ std::string roff_paragraphs(const std::string& text) {
   return shown + (is_indented ? ".fi\n" : "");
 }
 
-/// Returns the usage in roff: "rbpa mesh POINTS [OPTIONS]".
+/// Returns the usage in roff, such as "rbpa mesh POINTS [OPTIONS]", of `app`, which is called as `called`.
 std::string roff_usage(const std::string& called, const CLI::App& app) {
   std::string usage = "\\fB" + roff(called) + "\\fR";
   for (const CLI::Option* positional : positionals_of(app)) usage += " \\fI" + roff(positional->get_name()) + "\\fR";
@@ -137,7 +138,7 @@ std::string in_single_quotes(const std::string& text) {
   return safe += "'";
 }
 
-/// Escapes text for an argument of zsh's _arguments.
+/// Returns the text escaped for an argument of zsh's _arguments.
 std::string zsh_text(const std::string& text) {
   std::string safe;
   for (const char c : text) {
@@ -221,7 +222,7 @@ std::string zsh_completion(const CLI::App& app) {
 
 namespace {
 
-/// Ends parsing with a text to print. CLI adds the last line end.
+/// Ends parsing with `text`, which CLI11 prints. Requires: `text` ends in a line end; CLI11 adds it again.
 [[noreturn]] void answer(std::string text) {
   text.pop_back();
   throw CLI::CallForVersion(text, 0);

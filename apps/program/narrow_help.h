@@ -1,4 +1,4 @@
-// What: formats help in lines no longer than a terminal is wide, with one line for each verb.
+// What: formats help in lines of at most 100 characters, unless one word is longer; a verb is shown by its summary.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -10,7 +10,7 @@
 
 namespace rbpa::app {
 
-/// Returns the first line of a verb's description, its summary. The rest is for the verb's own help.
+/// Returns the summary of a verb: the first line of its description. The help of the verb has all of it.
 inline std::string summary_of(const CLI::App& verb) {
   const std::string description = verb.get_description();
   return description.substr(0, description.find('\n'));
@@ -20,7 +20,8 @@ class NarrowHelp : public CLI::Formatter {
  public:
   static constexpr std::size_t columns = 100;
 
-  /// Breaks lines that are too long: indented ones continue below the descriptions of options, others at the left.
+  /// Returns CLI11's help with longer lines broken: an indented line continues below the descriptions of options, any
+  /// other at the left.
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
     std::istringstream lines(CLI::Formatter::make_help(app, name, mode));
     std::string text;
@@ -28,7 +29,7 @@ class NarrowHelp : public CLI::Formatter {
       const std::size_t indent = line.starts_with(' ') ? get_column_width() : 0;
       while (line.size() > columns) {
         const std::size_t blank = line.rfind(' ', columns);
-        if (blank == std::string::npos || blank <= indent) break;  // one long word
+        if (blank == std::string::npos || blank <= indent) break;  // one word is longer
         text += line.substr(0, blank) + "\n";
         line = std::string(indent, ' ') + line.substr(blank + 1);
       }

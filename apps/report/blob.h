@@ -14,7 +14,8 @@ namespace rbpa::app {
 
 class Blob {
  public:
-  /// Begins <script type="application/base64" id="data-NAME">.
+  /// Writes <script type="application/base64" id="data-NAME">. Keeps a reference to `file`. All members throw as
+  /// OutputFile::write() does.
   Blob(OutputFile& file, std::string_view name);
   Blob(const Blob&) = delete;
   Blob& operator=(const Blob&) = delete;
@@ -25,7 +26,7 @@ class Blob {
   void put_signed(std::int64_t value) {
     put_whole(static_cast<std::uint64_t>(value) << 1U ^ static_cast<std::uint64_t>(value >> 63U));
   }
-  /// Ends the element.
+  /// Writes the rest of the bytes and the end of the element. Call once, last.
   void end();
 
  private:
@@ -36,7 +37,7 @@ class Blob {
   std::string bytes_;
 };
 
-/// Returns the base64 of RFC 4648, with padding.
+/// Returns the bytes in the base64 of RFC 4648, with padding.
 std::string base64(std::string_view bytes);
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: escapes JSON for a page, so that no text in it can end its element.
+// What: escapes JSON for a <script> element of a page, so that no text in the JSON can end the element.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What: the pages of page/ and space_page/ without their data; embed.cmake has put style and script into them.
+// What: the HTML of the pages in page/ and space_page/ without data; embed.cmake puts their style and script into it.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// What: the radii of points: the critical ones, those with a name in --alpha, and the recommended one.
+// What: the critical radii of points, the radii that --alpha knows by name, and the recommended radius.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@
 namespace rbpa::app {
 
 struct Radii {
-  std::size_t points = 0;                                ///< number of points, duplicates included
-  std::size_t max_components = 1;                        ///< the most solid components of "auto"
-  double cover = 1;                                      ///< share of the points that the next two cover
+  std::size_t points = 0;          ///< number of points, duplicates included
+  std::size_t max_components = 1;  ///< the most solid components of "auto"
+  double cover = 1;                ///< share of the points that least_covering and least_connected cover
   std::optional<double> least_covering = std::nullopt;   ///< "min"
   std::optional<double> least_connected = std::nullopt;  ///< "auto"
   std::vector<Plateau> plateaus = {};                    ///< the best first
   Filtration filtration = {};
 };
 
-/// A named value of --alpha, its radius, and the reason for it, without a full stop at the end.
+/// A named value of --alpha, its radius, and the reason to choose it, without a full stop.
 struct Recommendation {
   std::string choice;
   double alpha;

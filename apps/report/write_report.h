@@ -21,7 +21,7 @@ struct Report {
   FiltrationArrays arrays = {};
 };
 
-/// Writes the page. Throws Cancelled after a signal.
+/// Writes the page. Throws Cancelled after a signal, and as OutputFile::write() does.
 void write_report(OutputFile& file, const Report& report);
 
 }  // namespace rbpa::app

@@ -25,7 +25,8 @@ constexpr std::uint32_t none = Solid::none;
 
 Json radius(double alpha) { return std::isinf(alpha) ? Json("inf") : Json(alpha); }
 
-/// Numbers the distinct points in the order of the tetrahedra, so that corners have close numbers.
+/// Numbers the distinct points in the order in which the tetrahedra use them, so that corners of a tetrahedron have
+/// close numbers.
 class Numbering {
  public:
   explicit Numbering(const SpaceReport& report) : number_(report.points.size(), none) {
@@ -78,10 +79,10 @@ std::uint64_t step_at(const std::vector<double>& steps, double alpha) {
 
 struct Wall {
   Triangle corners;
-  std::array<std::uint64_t, 3> steps;  ///< at which it appears, gets a tetrahedron on one side, and on both
+  std::array<std::uint64_t, 3> steps;  ///< the first at which it exists, has a tetrahedron on one side, on both
 };
 
-/// Returns the triangles that are visible at some step: they appear before both sides have a tetrahedron.
+/// Returns the triangles that are visible at some step: at it they exist, and not both sides have a tetrahedron.
 std::vector<Wall> walls_of(const SpaceReport& report, const Numbering& number, const std::vector<double>& steps) {
   const SolidFiltration& filtration = report.filtration;
   std::vector<std::array<double, 2>> sides(filtration.triangles.size(), {infinity, infinity});
@@ -116,7 +117,7 @@ void write_walls(OutputFile& file, const std::vector<Wall>& walls) {
   blob.end();
 }
 
-/// Writes for each step the number of tetrahedra and Betti numbers 0 to 2, as differences.
+/// Writes for each step the number of tetrahedra and Betti numbers 0 to 2, as differences from the step before.
 void write_counts(OutputFile& file, const SpaceReport& report, const std::vector<double>& steps) {
   std::vector<std::array<std::int64_t, 4>> changes(steps.size() + 1, {0, 0, 0, 0});
   for (const double alpha : report.filtration.tetrahedron_alpha) ++changes[step_at(steps, alpha)][0];
@@ -151,7 +152,7 @@ Json representative_of(const SpaceReport& report, const Numbering& number, std::
 }  // namespace
 
 void write_space_report(OutputFile& file, const SpaceReport& report) {
-  constexpr std::size_t dots = 4000;  // of each dimension
+  constexpr std::size_t dots = 4000;  // the most pairs of each dimension in the diagram
   const Numbering number(report);
   const std::vector<double> steps = steps_of(report);
   const std::vector<Wall> walls = walls_of(report, number, steps);

@@ -1,5 +1,5 @@
-// What: writes the alpha complex of points in space as one HTML page: its boundary at every radius, to turn around; the
-//       persistence diagram; cycles and surfaces of its longest pairs.
+// What: writes the alpha complex of points in space as one HTML page: its boundary at every radius, which the reader
+//       can turn; the persistence diagram; cycles and surfaces of its longest pairs.
 // Law:  the bytes depend on SpaceReport alone. The page makes no request.
 // Source: docs/reference/file_formats.md has the format of the data in the page.
 #pragma once
@@ -22,13 +22,13 @@ struct SpaceReport {
   std::span<const Point3> points;
   const SolidFiltration& filtration;
   double least_covering, least_connected;  ///< the radii "min" and "auto"
-  std::optional<double> plateau;           ///< the best one; absent if there is no tetrahedron
+  std::optional<double> plateau;           ///< radius of the best plateau; absent if there is no tetrahedron
   std::span<const SolidPair> pairs;        ///< all pairs
   std::span<const SolidPair> shown;        ///< the pairs with representatives
   std::span<const SolidRepresentative> representatives;
 };
 
-/// Writes the page. Throws Cancelled after a signal.
+/// Writes the page. Throws Cancelled after a signal, and as OutputFile::write() does.
 void write_space_report(OutputFile& file, const SpaceReport& report);
 
 }  // namespace rbpa::app

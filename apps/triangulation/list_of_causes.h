@@ -1,4 +1,4 @@
-// What: formats the number of cases of each cause as a text.
+// What: lists causes with their counts as a text.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace rbpa::app {
 
-/// Returns "3 where ..., 2 ..." for the counts that are not 0, the greatest first.
+/// Returns "3 TEXT, 2 TEXT": each count above 0 with its text, the greatest count first; "" if all counts are 0.
 template <std::size_t n>
 std::string list_of_causes(const std::array<std::size_t, n>& counts, const std::array<const char*, n>& texts) {
   std::array<std::size_t, n> order{};

@@ -1,5 +1,5 @@
 // What: counts the topology of a surface of points in space from its arrays, and orders its shells.
-// Law:  the result depends on the triangles and how they are glued; each fan of triangles at a point is a vertex.
+// Law:  results depend only on the triangles and how they are glued; each fan of triangles at a point is a vertex.
 // Cost: linear, and a sort of the triangles by shells.
 #pragma once
 
@@ -27,12 +27,13 @@ struct SurfaceCounts {
 
 SurfaceCounts count(const SplitFans& fans, const SurfaceComponents& components);
 
-/// Returns the number of non-manifold edges: pairs of corners with more than two triangles, however these are glued.
+/// Returns the number of non-manifold edges: pairs of points that are corners of more than two triangles, however these
+/// are glued.
 std::size_t non_manifold_edges(std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// Returns the numbers of the triangles sorted by component: the one with the largest box first, of equal boxes the one
-/// that encloses more. Triangles of a component, and components without such a difference, keep the order of the
-/// surface.
+/// Returns the numbers of the triangles, sorted by component: the component with the largest box first; of equal boxes,
+/// the component that encloses more components. Triangles of one component, and components that are equal in both, keep
+/// the order of the surface.
 std::vector<std::uint32_t> by_shells(const SurfaceComponents& components);
 
 }  // namespace rbpa::app

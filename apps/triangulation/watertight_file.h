@@ -14,8 +14,8 @@
 
 namespace rbpa::app {
 
-/// Returns why the file is not watertight, and how to mend that: triangles lose their area, coincide or cross, or STL
-/// joins vertices that differ only by number. Returns "" if it is watertight, and for formats in double precision.
+/// Returns why `file` would not be watertight, and how to mend it: triangles lose their area, coincide or cross, or STL
+/// joins vertices that have equal positions. Returns "" if it would be watertight, and for formats in double precision.
 /// Requires: triangles of a closed surface without crossings. Throws as crossing_triangles() and single_positions().
 std::string why_file_is_open(Format format, const std::string& file, std::span<const Point3> points,
                              std::span<const std::array<std::uint32_t, 3>> triangles, const std::optional<Shift>& shift,

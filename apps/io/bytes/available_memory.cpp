@@ -13,7 +13,8 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// Returns the first number in a file of the system; nothing if there is no such file or it begins with a word ("max").
+/// Returns the first number in a file of the system; nothing if there is no such file or it begins with a word, such as
+/// "max".
 std::optional<double> first_number(const std::string& path) {
   std::ifstream file(path);
   double number = 0;
@@ -30,14 +31,15 @@ double of_machine() {
   return unlimited;
 }
 
-/// Returns the bytes that one folder of a control group, of either version, leaves to its processes.
+/// Returns the bytes that a control group, of either version, leaves to its processes: the number in the file `most` of
+/// its folder less the number in `used`; infinity if there is no limit.
 double left_by(const std::string& folder, const char* most, const char* used) {
   const std::optional<double> limit = first_number(folder + most), in_use = first_number(folder + used);
   return limit ? std::max(*limit - in_use.value_or(0), 0.0) : unlimited;
 }
 
-/// Returns the least that this process's control group and the groups around it leave. Within a container the process's
-/// own group is mounted as the root.
+/// Returns the least number of bytes that the control group of this process, or a group around it, leaves. Within a
+/// container the group of the process is mounted as the root.
 double of_groups() {
   double least = unlimited;
   std::ifstream file("/proc/self/cgroup");

@@ -26,7 +26,7 @@ constexpr std::size_t at_once = std::size_t{1} << 20U;  // so that a signal is n
 struct Content::File {
   File(const std::string& path, bool may_decompress);
 
-  /// Copies the next `size` bytes to `to`; fewer at the end only.
+  /// Copies the next `size` bytes to `to`, fewer only at the end; returns how many.
   std::size_t read(char* to, std::size_t size);
   /// Skips `size` bytes, or fewer at the end.
   void skip(std::uint64_t size);
@@ -40,7 +40,7 @@ struct Content::File {
 
     Gunzip gunzip;
     std::vector<char> buffer;
-    std::string_view compressed = {};  // the compressed bytes of the buffer that are not inflated yet
+    std::string_view compressed = {};  // the bytes of `buffer` that are not decompressed yet
   };
 
   std::string name;
@@ -52,7 +52,7 @@ struct Content::File {
 };
 
 Content::File::File(const std::string& path, bool may_decompress)
-    // A blocking open() of a pipe without a writer would wait forever.
+    // Open without blocking: an open() of a pipe that has no writer would wait forever.
     : name(path), decompresses(may_decompress), file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
   const std::string expected = "a file of points";
   if (file.number() < 0 && errno == ENXIO)
@@ -92,7 +92,7 @@ void Content::File::skip(std::uint64_t size) {
   }
 }
 
-/// Reads at least one byte, unless the end is reached.
+/// Reads at most `size` bytes, and at least one unless the end is reached; returns how many.
 std::size_t Content::File::read_file(char* to, std::size_t size) {
   while (true) {
     const ssize_t count = pread(file.number(), to, size, static_cast<off_t>(bytes_read));
@@ -120,7 +120,7 @@ std::size_t Content::File::decompress(char* to, std::size_t size) {
   return count;
 }
 
-/// Refuses a file that was changed while it was read: the bytes would be half old and half new.
+/// Throws BadInput if the file has changed since it was opened: the bytes would be partly old and partly new.
 void Content::File::require_unchanged() const {
   const struct stat now = status_of(file.number(), name);
   if (now.st_size == status.st_size && same_time(now.st_mtim, status.st_mtim)) return;
@@ -146,7 +146,7 @@ Content Content::again() const { return file_ ? of_file(file_->name, file_->deco
 std::string_view Content::ahead(std::size_t size) {
   if (bytes_.size() >= size || ended_) return bytes_;
   buffer_.erase(buffer_.begin(), buffer_.end() - static_cast<std::ptrdiff_t>(bytes_.size()));
-  while (buffer_.size() < size && !ended_) {  // `size` may come from a header that claims more than there is
+  while (buffer_.size() < size && !ended_) {  // grow step by step: a header may claim a larger `size` than there is
     const std::size_t before = buffer_.size();
     buffer_.resize(before + at_once);
     const std::size_t count = file_->read(buffer_.data() + before, at_once);

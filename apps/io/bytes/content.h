@@ -1,7 +1,7 @@
-// What: the bytes of a file in their order, either all in memory or read piece by piece.
-// Law:  both kinds have one interface. A file that is read piece by piece is refused if its length or the time of its
-//       last change differs at the end from what it was when the file was opened.
-// Cost: of a file that is read piece by piece, the requested bytes and a mebibyte are in memory.
+// What: gives the bytes of a file in their order, either from memory or by reading the file piece by piece.
+// Law:  both kinds have one interface. A file that is read piece by piece up to its end is refused if its length or the
+//       time of its last change is then not what it was when the file was opened.
+// Cost: of a file that is read piece by piece, at most the requested bytes and a mebibyte are in memory.
 #pragma once
 
 #include <cstddef>
@@ -14,38 +14,38 @@
 
 namespace rbpa::app {
 
-/// Stands for the size of a compressed file, which is unknown until its end is decompressed.
+/// The size() of a compressed file, which is unknown before the end of the file is decompressed.
 constexpr std::size_t unknown_size = std::numeric_limits<std::size_t>::max() / 2;
 
 class Content {
  public:
-  /// Views bytes in memory, which must outlive this object; `name` stands for them in messages.
+  /// Views bytes in memory, which must outlive this object and each again(). `name` stands for them in messages.
   Content(std::string_view bytes, std::string name);
-  /// Opens the file at `path`, which must be a regular file, as it is read twice. `decompresses`: decompress it if it
-  /// begins like a gzip file. Throws BadInput.
+  /// Opens the file at `path`. With `decompresses`, decompresses it if it begins like a gzip file. Throws BadInput
+  /// unless it is a regular file, which can be read twice; Failure.
   static Content of_file(const std::string& path, bool decompresses);
   Content(Content&&) noexcept;
   Content& operator=(Content&&) noexcept;
   ~Content();
 
-  /// Returns another reader of this content, at its beginning.
+  /// Returns another reader of this content, at its beginning. Throws as of_file().
   Content again() const;
 
-  /// Returns the next `size` bytes or more, fewer at the end only, and does not skip them. The view is valid until the
-  /// next call. Throws BadInput, Failure, Cancelled.
+  /// Returns at least the next `size` bytes, fewer only at the end, and does not skip them. The view is valid until the
+  /// next call of ahead(). Throws BadInput, Failure, Cancelled.
   std::string_view ahead(std::size_t size);
-  /// Returns the next bytes that are in memory, at least one unless the end is reached.
+  /// Returns the next bytes, as many as are in memory: at least one, unless the end is reached. Throws as ahead(size).
   std::string_view ahead() { return ahead(1); }
-  /// Skips `size` bytes, or fewer at the end.
+  /// Skips `size` bytes, or fewer at the end. Throws as ahead(size).
   void skip(std::uint64_t size);
 
   const std::string& name() const { return name_; }
-  /// Returns the size of the whole content in bytes, or unknown_size while it is being decompressed.
+  /// Returns the size of the whole content in bytes, or unknown_size if is_compressed().
   std::size_t size() const;
-  /// Returns whether the content is decompressed as it is read, so that its size is known at its end only.
+  /// Returns whether the content is decompressed as it is read.
   bool is_compressed() const;
   bool is_in_memory() const { return file_ == nullptr; }
-  /// Returns how many bytes of the file, in its compressed form, have been read so far.
+  /// Returns how many bytes of the file, compressed if it is, were read or skipped until now.
   std::uint64_t bytes_read() const;
 
  private:
@@ -55,7 +55,7 @@ class Content {
   std::string_view bytes_;         // the next bytes that are in memory
   std::string_view all_ = {};      // the whole content, if it is in memory
   std::vector<char> buffer_ = {};  // holds bytes_ if a file is read
-  bool ended_ = true;              // nothing follows bytes_
+  bool ended_ = true;              // no bytes of the content follow bytes_
   std::unique_ptr<File> file_;     // null if the content is in memory
 };
 

@@ -30,7 +30,7 @@ void wait_to_write(int descriptor) { wait_for(descriptor, POLLOUT); }
 
 void occupy_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (fcntl(stream, F_GETFD) == -1)  // the lowest free number is this one
+    if (fcntl(stream, F_GETFD) == -1)  // open() takes the lowest free number, which is this one
       static_cast<void>(open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
 }
 

@@ -1,4 +1,4 @@
-// What: file descriptors that close themselves, and waiting for them.
+// What: owns file descriptors, and waits until they can be read or written.
 #pragma once
 
 #include <sys/stat.h>
@@ -29,13 +29,14 @@ struct stat status_of(int descriptor, const std::string& name);
 
 inline bool same_time(const timespec& a, const timespec& b) { return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec; }
 
-/// Wait until `descriptor`, which may be non-blocking, can be read or written, or until a signal arrives.
+/// Wait until `descriptor`, which may be non-blocking, can be read, or can be written, or until a signal arrives.
 void wait_to_read(int descriptor);
 void wait_to_write(int descriptor);
 
-/// Occupies those of standard input, output and error that the caller has closed by files that fail. Otherwise the next
-/// opened file would get the number of, say, standard output, and text that is printed would be written into it.
-/// Requires: called before any file is opened.
+/// Opens /dev/null for each of standard input, output and error that the calling program has closed, such that reading
+/// or writing the stream fails. Otherwise the next opened file could get the number of standard output, and printed
+/// text would be written into it.
+/// Requires: no file was opened before.
 void occupy_standard_streams();
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: decompression of gzip files.
+// What: decompresses gzip files.
 #pragma once
 
 #include <zlib.h>
@@ -12,7 +12,7 @@ namespace rbpa::app {
 /// Returns whether the bytes begin like a gzip file.
 bool is_gzip(std::string_view bytes);
 
-/// Decompresses all members of a gzip file, one after another.
+/// Decompresses the members of a gzip file, one after another.
 class Gunzip {
  public:
   /// `name` stands for the file in messages; it must outlive this object.
@@ -21,11 +21,11 @@ class Gunzip {
   Gunzip(const Gunzip&) = delete;
   Gunzip& operator=(const Gunzip&) = delete;
 
-  /// Decompresses from the front of `compressed`, and removes the bytes that it used from it; an empty `compressed`
-  /// means the end of the file. Returns how many bytes it wrote to `to`: at most `size`, perhaps none. Throws BadInput
-  /// naming the fault.
+  /// Decompresses bytes from the front of `compressed`, removes them from it, and writes at most `size` bytes to `to`.
+  /// Returns how many were written, perhaps none. An empty `compressed` stands for the end of the file. Throws BadInput
+  /// that names the fault.
   std::size_t inflate(std::string_view& compressed, char* to, std::size_t size);
-  /// Returns whether the bytes so far end with a whole member, so that the file may end here.
+  /// Returns whether the bytes decompressed until now end with a whole member, so that the file may end here.
   bool is_between_members() const { return between_members_; }
 
  private:

@@ -28,10 +28,11 @@ int open_for_reading(const std::string& name, const std::string& expected) {
   refuse_to_open(name, expected);
 }
 
-/// Memory that reading needs for each byte: four bytes of text ("0 0" and a line end) become a point of 16, and stay.
+/// Bytes of memory that reading needs for each byte of text: four bytes ("0 0" and a line end) remain in memory, and
+/// become a point of 16 bytes.
 constexpr double bytes_for_each = 5;
 
-/// Throws BadInput if `text` has a zero byte, except in UTF-16, which its reader refuses with a better message.
+/// Throws BadInput if `text` has a zero byte. Accepts UTF-16, as plain_text() refuses it with a better message.
 void require_text(std::string_view text, const std::string& name) {
   const std::size_t zero = text.find('\0');
   if (zero != std::string_view::npos && !text.starts_with("\xFF\xFE") && !text.starts_with("\xFE\xFF"))
@@ -91,7 +92,7 @@ void InputBytes::make_room(std::size_t size) {
   room_ = size;
 }
 
-/// Reads at least one byte. Returns false if the end was reached instead.
+/// Reads at least one byte and returns true; returns false at the end.
 bool InputBytes::read_some(int descriptor) {
   constexpr std::size_t at_once = std::size_t{4} << 20U;  // so that a signal is noticed between two of them
   while (true) {
@@ -115,11 +116,11 @@ void InputBytes::read_all(int descriptor) {
   } while (read_some(descriptor));
 }
 
-/// Reads a regular file. Refuses it if its length or the time of its last change differs afterwards: the bytes would be
-/// half old and half new.
+/// Reads a regular file. Throws BadInput if its length or the time of its last change differs afterwards: the bytes
+/// would be partly old and partly new.
 void InputBytes::read_file(int descriptor) {
   const struct stat before = status_of(descriptor, name_);
-  // Standard input may have been read in part by the program before.
+  // Begin at the current position: another program may have read the beginning of standard input.
   const off_t start = std::max<off_t>(lseek(descriptor, 0, SEEK_CUR), 0);
   const auto left = static_cast<std::size_t>(std::max<off_t>(before.st_size - start, 0));
   if (left == 0) return read_all(descriptor);  // empty, or generated as it is read, like the files of /proc

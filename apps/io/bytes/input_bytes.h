@@ -1,4 +1,4 @@
-// What: the whole content of a file or of standard input in memory.
+// What: reads a whole file, or standard input, into memory.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,16 @@ namespace rbpa::app {
 /// The way to read a file that begins like a gzip file.
 struct Decompression {
   bool is_wanted = true;     ///< false: the file is read unchanged
-  bool is_of_text = false;   ///< refuse zero bytes, of which a few kilobytes would become a line of gigabytes
-  std::string way_out = {};  ///< end of the message that the limit is exceeded
+  bool is_of_text = false;   ///< true: zero bytes are refused, as a few kilobytes can decompress to gigabytes of them
+  std::string way_out = {};  ///< end of the message for a file that exceeds the limit
 };
 
 /// The bytes of a file. They are read, not mapped: shortening a mapped file kills the processes that read it.
 class InputBytes {
  public:
-  /// Reads `name`, a path or "-" for standard input, and decompresses a gzip file: at most to a fifth of the available
+  /// Reads `name`, a path or "-" for standard input. Decompresses a gzip file: at most to a fifth of the available
   /// memory, and beyond 64 MiB at most to 500 times its compressed size, which only long runs of one byte exceed. In
-  /// messages, `expected` is the noun for what the file should contain. Throws BadInput if there is no such file, if it
+  /// messages `expected` is the noun for the expected content. Throws BadInput if there is no such file, if it
   /// decompresses to more, or if a regular file changes while it is read; Failure if reading fails; Cancelled.
   InputBytes(const std::string& name, const std::string& expected, const Decompression& how = {});
 

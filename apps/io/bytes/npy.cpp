@@ -16,7 +16,7 @@ constexpr std::string_view magic = "\x93NUMPY";
 
 struct NpyHeader {
   std::string_view text;  ///< the Python dictionary
-  std::size_t data;       ///< where the array begins
+  std::size_t data;       ///< offset of the array in the file
 };
 
 NpyHeader find_header(std::string_view bytes, const std::string& name) {
@@ -34,8 +34,8 @@ NpyHeader find_header(std::string_view bytes, const std::string& name) {
   return {bytes.substr(start, length), start + length};
 }
 
-/// Returns the text of the value of `key`, up to the comma or brace after it at the same depth; empty without such a
-/// key.
+/// Returns the text of the value of `key` in a Python dictionary: up to the comma or brace at the same depth after it.
+/// Empty if there is no such key.
 std::string_view value_of(std::string_view dictionary, std::string_view key) {
   for (const char quote : {'\'', '"'}) {
     const std::string wanted = quote + std::string(key) + quote;
@@ -64,7 +64,7 @@ struct NumberType {
 
 std::optional<NumberType> parse_type(std::string_view descr) {
   if (descr.size() < 4) return std::nullopt;
-  descr = descr.substr(1, descr.size() - 2);  // the quotes
+  descr = descr.substr(1, descr.size() - 2);  // without the quotes
   std::endian order = std::endian::native;
   if (descr.front() == '<') order = std::endian::little;
   if (descr.front() == '>') order = std::endian::big;

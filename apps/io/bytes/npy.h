@@ -1,4 +1,4 @@
-// What: the header of NumPy's array format: reads versions 1 to 3, writes version 1.
+// What: reads and writes the header of NumPy's array format: reads versions 1 to 3, writes version 1.
 #pragma once
 
 #include <bit>
@@ -12,7 +12,7 @@
 
 namespace rbpa::app {
 
-/// Shape, type and place of the numbers of an array in its file.
+/// The shape of an array, the type of its numbers, and their place in the file.
 struct NpyLayout {
   std::size_t rows, columns;
   Scalar type;
@@ -24,14 +24,15 @@ struct NpyLayout {
   std::size_t row() const { return item() * columns; }
 };
 
-/// Reads the layout of a file of `size` bytes that begins with `bytes`, which must hold its whole header. Accepts
-/// float32, float64 and integers of either byte order, and a number of columns among `fits`. Throws BadInput otherwise,
-/// also if the file is too short for its shape.
+/// Reads the layout of a file of `size` bytes, of which `bytes` are the first. Accepts float32, float64 and integers,
+/// in either byte order, and a number of columns that is in `fits`. Throws BadInput otherwise, also if `bytes` end
+/// within the header or the file is too short for the shape.
 NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::string& name,
                           std::span<const std::size_t> fits);
 
-/// Returns the bytes before the numbers, of version 1. `type` is NumPy's name, such as "<u4". `columns` is the text of
-/// the shape after the number of rows: ", 3" for three columns, "," for a one-dimensional array.
+/// Returns the header, in version 1: all bytes before the numbers. `type` is NumPy's name of the type, such as "<u4".
+/// `columns` is the text of the shape after the number of rows: ", 3" for three columns, "," for a one-dimensional
+/// array.
 std::string npy_header(std::string_view type, std::uint64_t rows, std::string_view columns);
 
 }  // namespace rbpa::app

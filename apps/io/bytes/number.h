@@ -1,4 +1,4 @@
-// What: decimal text to double and back; whole numbers of a command line.
+// What: converts decimal text to double and back; parses whole numbers of a command line.
 // Law:  parse_number(text of x) = x for every finite double x. Reading rounds to the nearest double, except integers,
 //       which are read exactly or refused.
 #pragma once
@@ -17,23 +17,23 @@ enum class NumberFault { none, not_a_number, not_finite, out_of_range, rounded_i
 
 struct ParsedNumber {
   double value;
-  const char* end;  ///< after the last character that belongs to the number
+  const char* end;  ///< after the last character of the number
   NumberFault fault;
 };
 
-/// Parses a number that from_chars() calls out of range: one beyond the largest double is a fault, one closer to zero
-/// than any double is rounded.
+/// Parses the number from `first` to `end`, which from_chars() calls out of range: a number beyond the largest double
+/// is a fault, and a number closer to zero than any double is rounded.
 ParsedNumber parse_extreme_number(const char* first, const char* last, const char* end);
 
 /// Doubles represent every integer from -exact_integers to exact_integers.
 constexpr double exact_integers = 0x1p53;
 
-/// Checks a number beyond exact_integers, of which `value` is the nearest double: an integer that differs from `value`
-/// is a fault.
+/// Returns the number from `first` to `end`, whose absolute value is at least exact_integers and whose nearest double
+/// is `value`; an integer that differs from `value` is a fault.
 ParsedNumber parse_large_number(const char* first, const char* end, double value);
 
-/// Parses the number that begins at `first`, perhaps with a sign, and rounds to the nearest double; an integer that
-/// would be rounded is a fault.
+/// Parses the longest number that begins at `first`, perhaps with a sign, and rounds it to the nearest double; an
+/// integer that would be rounded is a fault.
 inline ParsedNumber parse_number(const char* first, const char* last) {
   if (last - first > 1 && *first == '+' && first[1] != '-') ++first;
   double value = 0;
@@ -45,24 +45,24 @@ inline ParsedNumber parse_number(const char* first, const char* last) {
   return {value, end, finite ? NumberFault::none : NumberFault::not_finite};
 }
 
-/// Parses a number that is the whole of `text`.
+/// Parses `text` as parse_number() does; it is not a number if anything follows.
 ParsedNumber parse_whole_number(std::string_view text);
 
-/// Parses a number that is the whole of `text`, and accepts Fortran's D for E ("1.0D0") and the minus sign − (U+2212).
+/// Parses `text` as parse_whole_number() does, and accepts Fortran's D for E ("1.0D0") and the minus sign − (U+2212).
 ParsedNumber parse_written_number(std::string_view text);
 
-/// Returns what an error message expects in place of a number with this fault.
+/// Returns the text for "expected …" in a message about a number with this fault.
 const char* expected_instead(NumberFault fault);
 
-/// The length of the longest shortest text of a double, such as -2.2250738585072014e-308.
+/// The most characters that put_number() writes, as for -2.2250738585072014e-308.
 constexpr std::size_t number_room = 24;
 
-/// Writes `value` as decimal text, a double as the shortest text that reads back to it, and returns the end of the
-/// text. Requires room for number_room characters at `at`.
+/// Write `value` to `at` as decimal text, a double as the shortest text that reads back to it. Return the end of the
+/// text. Require: there is room for number_room characters at `at`.
 inline char* put_number(char* at, std::uint64_t value) { return std::to_chars(at, at + number_room, value).ptr; }
 inline char* put_number(char* at, double value) { return std::to_chars(at, at + number_room, value).ptr; }
 
-/// Returns the shortest text that reads back to `value`; "none" for no value.
+/// Return the shortest text that reads back to `value`; "none" if it is absent.
 inline std::string text_of(double value) {
   char text[number_room];
   return {text, put_number(text, value)};
@@ -77,8 +77,8 @@ struct WholeNumbers {
   std::size_t greatest = std::numeric_limits<std::size_t>::max();
 };
 
-/// Parses the argument of `option`: decimal digits and nothing else, a number within `allowed`. Throws WrongUsage with
-/// the text and the bounds; `things` is the noun for what is counted ("points").
+/// Parses the argument of `option`: decimal digits and nothing else, a number within `allowed`. Throws WrongUsage that
+/// quotes the text and names the bounds; `things` is the noun for counted things ("points").
 std::size_t parse_whole(const std::string& option, const std::string& text, WholeNumbers allowed,
                         const std::string& things = "");
 

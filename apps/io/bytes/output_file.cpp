@@ -40,7 +40,7 @@ void OutputFile::open_beside(const std::string& path) {
     errno = error.code().value();
     fail("cannot create");
   }
-  if (exists) (void)fchmod(temporary_->descriptor(), status.st_mode & 07777U);  // best effort: the permissions it had
+  if (exists) (void)fchmod(temporary_->descriptor(), status.st_mode & 07777U);  // if possible
 }
 
 void OutputFile::write_far(std::string_view bytes) {
@@ -73,14 +73,14 @@ void OutputFile::write_through(std::string_view bytes) {
   }
 }
 
-/// Writes the file to the disk part by part, so that a signal is noticed in between: fsync() of a large file may take
-/// seconds.
+/// Writes the file to the disk part by part, so that a signal is noticed between two parts: fsync() of a large file may
+/// take seconds.
 void OutputFile::reach_disk() {
   constexpr std::size_t part = std::size_t{8} << 20U;
   for (std::size_t at = 0; at < size_; at += part) {
     stop_if_interrupted();
     constexpr unsigned wait_for_it = SYNC_FILE_RANGE_WAIT_BEFORE | SYNC_FILE_RANGE_WRITE | SYNC_FILE_RANGE_WAIT_AFTER;
-    // If this fails, fsync() below writes everything.
+    // Ignore a failure: fsync() writes everything.
     (void)sync_file_range(descriptor_, static_cast<off_t>(at), static_cast<off_t>(part), wait_for_it);
   }
   if (fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail("cannot write");
@@ -89,7 +89,7 @@ void OutputFile::reach_disk() {
 void OutputFile::finish() {
   flush();
   if (temporary_) reach_disk();
-  // A network disk or a full disk may report an error on close() only. Closing a duplicate of the descriptor shows it.
+  // Close a duplicate of the descriptor: a network disk or a full disk may report an error only on close().
   const int second = fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
   if (second >= 0 && close(second) != 0 && errno != EINTR) fail("cannot write");
   stop_if_interrupted();

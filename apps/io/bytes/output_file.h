@@ -1,5 +1,5 @@
-// What: a file that appears whole or not at all.
-// Law:  until publish() there is nothing new under its name; without publish() nothing is left behind
+// What: writes a file that appears whole or not at all.
+// Law:  the file under the name of the target is unchanged before publish(); without publish() nothing is left behind
 //       (temporary_file.h).
 #pragma once
 
@@ -59,8 +59,8 @@ class OutputFile {
   requires std::is_arithmetic_v<T>
   void write_binary(T value) { write_binary(std::span<const T>(&value, 1)); }
 
-  /// Returns where to put the next bytes, with room for `size` of them, at most max_room; written(end) then takes those
-  /// before `end`. Saves calls for data that consist of very small pieces.
+  /// Returns the place for the next `size` bytes or fewer. written(end) then adds the bytes from this place to `end`.
+  /// Saves calls for data that consist of very small pieces. Requires: size ≤ max_room; no other call before written().
   char* room(std::size_t size) {
     if (buffer_size - used_ < size) flush();
     return buffer_.get() + used_;
@@ -68,9 +68,10 @@ class OutputFile {
   void written(const char* end) { used_ = static_cast<std::size_t>(end - buffer_.get()); }
   static constexpr std::size_t max_room = 4096;
 
-  /// Writes everything to the disk and reports any error. Call once, before publish().
+  /// Writes everything to the disk, so that any error is thrown here. Call once, before publish(); write nothing
+  /// afterwards.
   void finish();
-  /// Renames the temporary file to the target.
+  /// Renames the temporary file, if there is one, to the target.
   void publish();
 
   /// Returns the name for messages.
@@ -97,9 +98,9 @@ class OutputFile {
   [[noreturn]] void fail(const std::string& doing) const;
 
   std::string name_;
-  std::optional<TemporaryFile> temporary_ = std::nullopt;  // one of these two is there
+  std::optional<TemporaryFile> temporary_ = std::nullopt;  // one of these two is present
   std::optional<Descriptor> direct_ = std::nullopt;
-  int descriptor_ = -1;  // the descriptor of that one
+  int descriptor_ = -1;  // the descriptor of the one that is present
   std::size_t size_ = 0;
   std::unique_ptr<char[]> buffer_;
   std::size_t used_ = 0;
@@ -108,7 +109,7 @@ class OutputFile {
 /// The output files of one run. All are complete before the first takes its name.
 class OutputSet {
  public:
-  /// Adds a file. Throws as OutputFile().
+  /// Adds a file, which belongs to this set. Throws as the constructor of OutputFile.
   OutputFile& add(const std::string& path);
   void publish() {
     for (const auto& file : files_) file->publish();

@@ -12,7 +12,7 @@ namespace rbpa::app {
 
 std::string behind_links(const std::string& path) {
   std::filesystem::path at = path;
-  for (int links = 0; links <= 40; ++links) {  // as many as Linux follows
+  for (int links = 0; links <= 40; ++links) {  // Linux follows at most 40
     std::error_code error;
     if (!std::filesystem::is_symlink(std::filesystem::symlink_status(at, error))) return at.string();
     const std::filesystem::path target = std::filesystem::read_symlink(at, error);
@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file that a run reads or writes: a path, or "-" for the standard stream of this number.
+/// A file that a run reads or writes: a path, or "-" for the standard stream number `stream`.
 struct Place {
   const std::string& path;
   int stream;
@@ -43,12 +43,12 @@ struct Place {
   }
   /// Returns the path of the file in one canonical form, also if the file does not exist yet.
   fs::path full() const {
-    std::error_code error;  // Made absolute first: the path of a file that does not exist yet would stay relative.
+    std::error_code error;  // Make it absolute first: the path of a file that does not exist yet would remain relative.
     return fs::weakly_canonical(fs::absolute(behind_links(path), error), error);
   }
 };
 
-/// Returns whether two paths are, or will be, the same file.
+/// Returns whether two places are, or will be, the same regular file or the same stream.
 bool same_file(const Place& a, const Place& b) {
   if (a.is_stream() && b.is_stream() && a.stream == b.stream) return true;
   const auto one = a.status(), other = b.status();

@@ -14,7 +14,7 @@ namespace rbpa::app {
 
 enum class Scalar { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
-/// Calls use(value) with a zero of the type that `type` stands for, and returns its result.
+/// Calls use(value) with a zero of the C++ type that `type` stands for, and returns the result of use().
 template <typename Use>
 constexpr auto with_type(Scalar type, const Use& use) {
   switch (type) {
@@ -73,7 +73,8 @@ inline double load_number(Scalar type, const char* bytes, std::endian order) {
   return with_type(type, [&](auto value) { return static_cast<double>(load<decltype(value)>(bytes, order)); });
 }
 
-/// Returns whether doubles represent all integers up to this one: true for every value that is not a 64-bit integer.
+/// Returns whether `value` is at most 2^53 in absolute value, up to which doubles represent all integers; true for all
+/// types but 64-bit integers.
 template <typename T>
 constexpr bool is_exact_in_double(T value) {
   if constexpr (std::is_integral_v<T> && sizeof(T) == 8) {
@@ -84,7 +85,7 @@ constexpr bool is_exact_in_double(T value) {
   return true;
 }
 
-/// Returns the type of a kind "i", "u" or "f" and a size in bytes "1", "2", "4" or "8"; nothing if there is no such
+/// Returns the type for a kind, "i", "u" or "f", and a size in bytes, "1", "2", "4" or "8"; nothing if there is no such
 /// type.
 constexpr std::optional<Scalar> scalar_of(std::string_view kind, std::string_view size) {
   constexpr std::pair<std::string_view, Scalar> known[] = {

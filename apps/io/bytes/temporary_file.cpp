@@ -37,7 +37,7 @@ bool is_temporary(std::string_view name) {
   return dash != name.end() && is_number(name.begin(), dash) && is_number(dash + 1, name.end());
 }
 
-/// Returns whether `name` still names the open file.
+/// Returns whether the file that `descriptor` has open is still called `name`.
 bool names(const std::string& name, int descriptor) {
   struct stat named {
   }, opened{};
@@ -53,12 +53,13 @@ TemporaryFile::TemporaryFile(const std::string& path) : path_(path) {
   for (int attempt = 0; !create(name_beside(path, attempt)); ++attempt) continue;
 }
 
-/// Creates and locks the file, or returns false if a file called `name` exists.
+/// Creates and locks a file called `name`; returns false if there is such a file, or another process has removed or
+/// locked it.
 bool TemporaryFile::create(const std::string& name) {
   const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0 && errno == EEXIST) return false;
   if (descriptor < 0) fail("cannot create");
-  // Before it was locked, another process may have taken it for abandoned and removed it, or be about to do so.
+  // Check the lock: before it, another process may have removed the file as abandoned, or may be about to do so.
   const bool taken = flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   struct stat status {};
   if (taken || fstat(descriptor, &status) != 0 || status.st_nlink == 0) {
@@ -87,10 +88,10 @@ void clear_abandoned(const std::string& path) {
   for (const std::filesystem::directory_iterator end; !error && entry != end; entry.increment(error)) {
     if (!is_temporary(entry->path().filename().native())) continue;
     const std::string name = entry->path().string();
-    // Some file systems lock only files that are open for writing. Opening a pipe of this name must not wait.
+    // Open for writing, as some file systems lock only such files, and without blocking, in case it is a pipe.
     const Descriptor file(open(name.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     if (file.number() < 0 || flock(file.number(), LOCK_EX | LOCK_NB) != 0) continue;
-    // If its writer finished after it was opened here, the file now has another name.
+    // Check the name: if the writer has finished since open(), the file is now the target.
     struct stat status {};
     if (fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode) && names(name, file.number()))
       unlink(name.c_str());

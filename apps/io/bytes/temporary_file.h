@@ -1,6 +1,6 @@
-// What: a file under construction, in the folder of the one that it replaces at the end.
-// Law:  without take_place() nothing is left of it. The file of a killed process is removed by the next process that
-//       writes into the folder; the file of a living process never is.
+// What: a file that is written in the folder of its target, and replaces the target at the end.
+// Law:  without take_place() nothing is left of the file. The file of a killed process is removed by the next process
+//       that writes into the folder; the file of a living process never is.
 //
 // The writer holds an advisory lock (flock) on the file, which the system releases when the process ends in any way. A
 // process that gets the lock knows that the writer is dead. The process number in the name would not show that: numbers
@@ -16,7 +16,8 @@ namespace rbpa::app {
 
 class TemporaryFile {
  public:
-  /// Creates the file in the folder of `path`, under a name that begins with a dot. Throws std::system_error.
+  /// Creates the file in the folder of `path`, the target, under a name that begins with a dot. Throws
+  /// std::system_error.
   explicit TemporaryFile(const std::string& path);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
@@ -24,7 +25,7 @@ class TemporaryFile {
 
   int descriptor() const { return descriptor_; }
 
-  /// Renames the file to `path`, atomically. Throws std::system_error. Call at most once.
+  /// Renames the file to `path` of the constructor, atomically. Throws std::system_error. Call at most once.
   void take_place();
 
  private:
@@ -35,7 +36,7 @@ class TemporaryFile {
   int descriptor_ = -1;
 };
 
-/// Removes the files that dead writers have left in the folder of `path`. Ignores every error.
+/// Removes the temporary files of dead processes from the folder of `path`. Ignores every error.
 void clear_abandoned(const std::string& path);
 
 }  // namespace rbpa::app

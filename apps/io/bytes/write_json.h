@@ -9,7 +9,7 @@
 
 namespace rbpa::app {
 
-/// Passes the output of nlohmann's serializer to a file.
+/// Passes the output of nlohmann's serializer to `file`, to which it keeps a reference.
 class JsonToFile : public nlohmann::detail::output_adapter_protocol<char> {
  public:
   explicit JsonToFile(OutputFile& file) : file_(file) {}
@@ -20,7 +20,8 @@ class JsonToFile : public nlohmann::detail::output_adapter_protocol<char> {
   OutputFile& file_;
 };
 
-/// Writes the text of json.dump(indent) and a line end. Throws as OutputFile::write().
+/// Writes the text of json.dump(indent) and a line end. Throws as OutputFile::write(), and nlohmann's type_error if a
+/// text in `json` is not UTF-8.
 inline void write_json(OutputFile& file, const nlohmann::ordered_json& json, unsigned indent) {
   nlohmann::detail::serializer<nlohmann::ordered_json> serializer(std::make_shared<JsonToFile>(file), ' ');
   serializer.dump(json, true, false, indent);

@@ -13,7 +13,7 @@ namespace rbpa::app {
 namespace {
 
 Column parse_column(std::string_view text) {
-  // A number is not a name: -1 and 1.5 are mistakes.
+  // Refuse numbers as names: -1 and 1.5 are mistakes.
   const NumberFault fault = parse_whole_number(text).fault;
   if (fault == NumberFault::not_a_number || fault == NumberFault::not_finite)
     return {.number = 0, .name = std::string(text)};
@@ -68,8 +68,8 @@ std::vector<Column> parse_space_columns(const std::string& text) {
 
 namespace {
 
-/// Names of columns that belong together: lower-case letters and digits without accents, without a unit in brackets or
-/// after a last space or underscore.
+/// Names of columns that belong together, in a normal form: lower-case letters and digits without accents, and without
+/// a unit in brackets or after the last space or underscore.
 struct Names {
   std::vector<std::string_view> x, y;
   bool degrees = false;
@@ -111,15 +111,15 @@ constexpr std::string_view wkt_names[] = {"wkt",     "geom",    "geometry",    "
 
 constexpr std::string_view units[] = {"m", "ft", "deg"};
 
-/// The base letters of U+00C0 to U+017F; a blank stands for a sign that is no letter.
+/// The base letters of U+00C0 to U+017F; a blank stands for a sign that is not a letter.
 constexpr std::string_view base_letters =
     "aaaaaaaceeeeiiiidnooooo ouuuuytsaaaaaaaceeeeiiiidnooooo ouuuuyty"
     "aaaaaaccccccccddddeeeeeeeeeegggggggghhhhiiiiiiiiiiiijjkkklllllll"
     "lllnnnnnnnnnoooooooorrrrrrssssssssttttttuuuuuuuuuuuuwwyyyzzzzzzs";
 static_assert(base_letters.size() == 0x180 - 0xC0);
 
-/// Removes the first character of `text`, in UTF-8 or Latin-1; returns it if it is a letter or a digit, in lower case
-/// and without its accent, and a blank otherwise.
+/// Removes the first character, in UTF-8 or Latin-1, from `text`. Returns a letter in lower case and without its
+/// accent, a digit as it is, and a blank for any other character.
 char take_folded(std::string_view& text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
@@ -144,7 +144,7 @@ std::string folded(std::string_view name) {
   return result;
 }
 
-/// Returns the first column that has one of the names.
+/// Returns the index of the first column that has one of the names.
 template <typename Known>
 std::optional<std::size_t> find_first(const std::vector<std::string>& header, const Known& names) {
   const auto found = std::find_first_of(header.begin(), header.end(), std::begin(names), std::end(names));
@@ -152,7 +152,7 @@ std::optional<std::size_t> find_first(const std::vector<std::string>& header, co
   return static_cast<std::size_t>(found - header.begin());
 }
 
-/// Returns the columns of all names, or none.
+/// Returns the indices of three columns, the k-th with a name of known[k]; empty unless all are there.
 template <std::size_t names>
 std::vector<std::size_t> find_three(const std::vector<std::string>& header, const std::string_view (&known)[3][names]) {
   std::vector<std::size_t> places;

@@ -46,9 +46,9 @@ class Parser {
   }
 
  private:
-  static constexpr int deepest = 100;  // greatest depth of brackets
+  static constexpr int deepest = 100;  // the most nested brackets and nots
 
-  /// Goes to the next word: a name, perhaps in quotes, a number or a sign.
+  /// Sets word_ to the next word: a name, perhaps in quotes, a number or a sign.
   void take() {
     while (!rest_.empty() && std::isspace(static_cast<unsigned char>(rest_.front())) != 0) rest_.remove_prefix(1);
     std::size_t size = 0;
@@ -91,7 +91,7 @@ class Parser {
     }
   }
 
-  /// Adds the jump after the first operand, which may decide alone; returns its index.
+  /// Appends `step`, a jump for a first operand that decides alone. Returns the index of the jump, for join().
   std::size_t begin_second(Step step) {
     result_.push_back({step});
     return result_.size() - 1;
@@ -128,14 +128,15 @@ class Parser {
     return names_.texts && word_.size() > 1 && is_quote(word_.front()) && word_.back() == word_.front();
   }
 
-  /// Appends the comparison of the field with the next text.
+  /// Appends the comparison of `field` with the next word, a text.
   void take_text(const std::string& field) {
     result_.push_back({Step::text, 0, texts_.size()});
     texts_.push_back({field, std::string(word_.substr(1, word_.size() - 2))});
     take();
   }
 
-  /// Returns the name of a field that is compared with a text. Throws WrongUsage if it is a number.
+  /// Returns the name of the field `left`, which is compared with a text, and removes it from fields_ if it was not
+  /// among the first `known` fields. Throws WrongUsage if `left` is a number.
   std::string name_of(const Condition::Instruction& left, std::size_t known) {
     if (left.step != Step::field) refuse("a number or " + names_.described);
     std::string name = fields_[left.field];
@@ -156,7 +157,7 @@ class Parser {
     }
     result_.push_back(left);
     if (!step) return;
-    // 0 < z < 10 means 0 < z and z < 10.
+    // Read 0 < z < 10 as 0 < z and z < 10.
     for (bool first = true; step; first = false, step = take_sign()) {
       if (!first) result_.push_back(left);
       left = take_operand();
@@ -210,7 +211,7 @@ class Parser {
   }
 
   std::string_view rest_;
-  std::string_view word_;  // the next one, empty at the end
+  std::string_view word_;  // the next word; empty at the end
   const FieldNames& names_;
   Instructions& result_;
   std::vector<std::string>& fields_;
@@ -284,7 +285,8 @@ Condition Condition::of_groups(const GroupColumns& columns, const std::string& t
 void Condition::parse(const std::string& text, const FieldNames& names) {
   selects_ = !text.empty();
   if (!selects_) return instructions_.push_back({Step::number, 1});
-  // A requested column may be a text; a comparison of the same column with a number needs a field of its own.
+  // Add a field for each compared column, also if it is requested: requested columns may be texts, compared ones are
+  // numbers.
   std::vector<std::string> compared;
   Parser(text, names, instructions_, compared, texts_).parse();
   for (Instruction& instruction : instructions_)

@@ -1,6 +1,6 @@
 // What: conditions of `--where`, which select points of a file by their fields: "class == 2 and (z > 3 or not
 //       overlap)".
-// Cost: a few operations for each point and word.
+// Cost: at most a few operations for each point and each word of the condition.
 #pragma once
 
 #include <algorithm>
@@ -13,23 +13,23 @@
 
 namespace rbpa::app {
 
-/// The rule for names of fields in a condition.
+/// The rule that decides which words of a condition name fields.
 struct FieldNames {
   bool (*are)(std::string_view word);
   std::string described;  ///< for messages, after "expected a number or "
   bool texts = false;     ///< fields may be compared with texts
 };
 
-/// Returns the rule for tables: any name. A name that is not a word, such as "point class", is in double quotes.
+/// Returns the rule for tables: any word is the name of a field, and any text in double quotes, such as "point class".
 FieldNames names_of_columns();
 
 /// A column that is read for each point in addition to its position.
 struct WantedColumn {
   enum class Kind {
-    by_value,  ///< numbers if the first value is one, otherwise texts; for atoms, by the column
+    by_value,  ///< numbers if the first value that is not missing is one, else texts; for atoms, by the column
     number,
     text,
-    radius  ///< a number; NaN for any other text, for which the file is not refused, as it concerns only a group
+    radius  ///< a number; any other text is read as NaN, as only the group of that point has no radius then
   };
   std::string name;
   Kind kind = Kind::number;
@@ -43,19 +43,21 @@ struct GroupColumns {
 };
 
 /// A compiled condition: comparisons of fields and numbers with == != < <= > >= (also = and <>, and 0 < z < 10), or
-/// `field in (2, 6)`, or a field alone, which holds if it is not 0; joined by not, and, or (also ! && ||) and brackets.
-/// Case does not matter. If fields may be texts, also `field == "A"`, != and `in ("A", "B")`, in quotes of either kind;
-/// the case of texts in quotes matters.
+/// `field in (2, 6)`, `field not in (2, 6)`, or a field alone, which is true if it is not 0; joined by not, and, or
+/// (also ! && ||) and at most 100 nested brackets or nots. The case of these words does not matter. If fields may be
+/// texts, also `field == "A"`, != and `in ("A", "B")`, in quotes of either kind; the case of the texts matters.
 class Condition {
  public:
-  /// Parses a condition. Throws WrongUsage with the part that is not understood.
+  /// Parses a condition. Throws WrongUsage that names the part that is not understood, also for an empty text.
   Condition(const std::string& text, const FieldNames& names);
-  /// Parses a condition, and adds `columns`, which `option` requests for each point, as the first of fields(). An empty
-  /// text selects all points. Requires: no two equal columns. Throws WrongUsage.
+  /// Parses a condition. The first of fields() are `columns`, which `option` requests for each point. An empty text
+  /// selects all points. Requires: the names of `columns` are different. Throws WrongUsage, also if one is not a name
+  /// of a field.
   Condition(const std::string& text, const FieldNames& names, const std::vector<WantedColumn>& columns,
             std::string_view option = "--where");
-  /// Parses a condition, and adds the columns for the key and the radius of groups, if `columns` names them, to
-  /// columns(). If fields may be texts, keys are texts even if they look like numbers. Throws WrongUsage.
+  /// Parses a condition. The first of fields() are the key and the radius of groups, if `columns` names them. Keys are
+  /// texts, even if they look like numbers. An empty text selects all points. Throws WrongUsage, also if one is not a
+  /// name of a field.
   static Condition of_groups(const GroupColumns& columns, const std::string& text, const FieldNames& names);
 
   enum class Step {
@@ -77,19 +79,20 @@ class Condition {
   /// A step of a stack machine: operands come before their operator.
   struct Instruction {
     Step step;
-    double number = 0;  ///< of Step::number
-    /// Step::field: index in fields(); Step::text: index in texts(); unless_true and unless_false: the next
-    /// instruction.
+    double number = 0;  ///< the number of Step::number
+    /// Step::field: an index in fields(). Step::text: an index in texts(). unless_true, unless_false: the index of the
+    /// instruction that is next after the jump.
     std::size_t field = 0;
   };
   const std::vector<Instruction>& instructions() const { return instructions_; }
-  /// Returns the names as written, each once: the columns(), then the fields that are compared with numbers.
+  /// Returns the names of fields, without quotes: first the columns(), then the fields that are compared with numbers
+  /// or are alone. Each part has a name once; a name may be in both.
   const std::vector<std::string>& fields() const { return fields_; }
-  /// Returns the number of columns that are requested for each point, the first of fields().
+  /// Returns the number of columns that are requested for each point. They are the first of fields().
   std::size_t columns() const { return columns_.size(); }
   const WantedColumn& column(std::size_t i) const { return columns_[i]; }
-  /// Returns the option that names a field: "--group-by" for the key, "--alpha" for the radius, the option of columns()
-  /// for other columns, and "--where" for all other fields.
+  /// Returns the option that names a field: "--group-by" for the key of groups, "--alpha" for their radius, `option` of
+  /// the constructor for other columns, and "--where" for all other fields.
   std::string_view option_of(const std::string& field) const {
     if (field == of_groups_.key) return "--group-by";
     if (field == of_groups_.radius) return "--alpha";
@@ -113,11 +116,11 @@ class Condition {
   std::vector<Text> texts_ = {};
   std::vector<WantedColumn> columns_ = {};
   GroupColumns of_groups_ = {};
-  std::string option_ = "--where";  // of the columns
+  std::string option_ = "--where";  // requests columns_
   bool selects_ = true;
 };
 
-/// Evaluates a condition for one point after the other, and counts.
+/// Evaluates a condition for one point after another. Counts the points, and those for which it is true.
 class Selection {
  public:
   explicit Selection(const Condition& condition)
@@ -126,9 +129,9 @@ class Selection {
         selects_(condition.selects()),
         values_(condition.fields().size()) {}
 
-  /// Returns whether the condition is true for a point. number(i) returns the value of the condition's field i, and
-  /// is_text(i) whether its comparison i of texts is true; they are called only as far as needed: the second operand of
-  /// `and` and `or` is not evaluated if the first decides.
+  /// Returns whether the condition is true for a point. number(i) returns the value of field i of the condition, and
+  /// is_text(i) whether its comparison i of texts is true. Both are called only as needed: not for the second operand
+  /// of `and` or `or` if the first decides.
   template <typename Number, typename IsText>
   bool holds(const Number& number, const IsText& is_text) {
     stack_.clear();
@@ -144,21 +147,22 @@ class Selection {
     }
     return count();
   }
-  /// Returns whether the condition is true for a point whose numbers are in values().
+  /// Returns whether the condition is true for a point whose fields have the numbers in values(). Every comparison with
+  /// a text is false.
   bool holds() {
     return holds([&](std::size_t i) { return values_[i]; }, [](std::size_t) { return false; });
   }
-  /// Returns the place for the values of the condition's fields, before a call of holds().
+  /// Returns the room for the values of the condition's fields, which the caller fills in before holds().
   std::span<double> values() { return values_; }
 
   bool all_held() const { return selected_ == judged_; }
-  /// Returns the values of the condition's columns() for the last point.
+  /// Returns the first values(): those of the condition's columns(), for the point that was filled in last.
   std::span<const double> column_values() const { return {values_.data(), columns_}; }
-  /// Adds the number of selected points to `warnings`, unless the condition selects all points anyway.
+  /// Adds "--where selects 3 of 8 POINTS" to `warnings`, with `noun` for POINTS, unless the condition is empty.
   void warning(std::string_view noun, std::vector<std::string>& warnings) const;
 
  private:
-  /// Executes an instruction on the stack; returns whether to jump.
+  /// Executes an instruction that reads no field. Returns whether to jump to instruction.field.
   bool decides(const Condition::Instruction& instruction);
   bool count();
 

@@ -11,7 +11,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Returns whether the field has no comma, or one between digits.
+/// Returns whether the field has no comma, or a single one, between digits.
 bool may_be_decimal(std::string_view field) {
   const std::size_t comma = field.find(',');
   if (comma == std::string_view::npos) return true;
@@ -66,7 +66,7 @@ std::vector<std::string_view> split(std::string_view line, char separator, std::
 }
 
 const char* end_of_record(std::string_view line, const char* end, char separator) {
-  constexpr std::ptrdiff_t longest = std::ptrdiff_t{1} << 20U;  // length of a text that spans lines
+  constexpr std::ptrdiff_t longest = std::ptrdiff_t{1} << 20U;  // the most bytes of a text that spans lines
   const char* at = line.data();
   const char* line_end = at + line.size();
   const auto skip_blanks = [&] {
@@ -123,7 +123,8 @@ bool is_number(std::string_view field) {
 
 namespace {
 
-/// Returns a number without `sign` between its thousands; nothing if it is not such a number.
+/// Returns the number without `sign`, its separator of thousands; nothing if the field is not a number with this
+/// separator.
 std::optional<std::string> without_thousands(std::string_view field, std::string_view sign) {
   const auto digits = [&] { return std::min(field.find_first_not_of("0123456789"), field.size()); };
   const auto move = [&](std::size_t count, std::string& to) {

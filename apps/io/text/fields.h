@@ -1,4 +1,4 @@
-// What: splits a line of a table into fields: separators, quoted texts, decimal commas.
+// What: splits a line of a table into fields; recognizes separators, quoted texts and decimal commas.
 // Law:  all numbers of a table have a decimal point or a decimal comma, or are whole.
 #pragma once
 
@@ -23,7 +23,7 @@ inline std::string_view without_quotes(std::string_view field) {
 }
 
 /// Returns the position after the quote that ends the quoted text at `quote`, in which two quotes stand for one (RFC
-/// 4180); null if it does not end before `end`.
+/// 4180); null if the text does not end before `end`.
 inline const char* end_of_quoted(const char* quote, const char* end) {
   for (const char* at = std::find(quote + 1, end, '"'); at != end; at = std::find(at + 2, end, '"'))
     if (at + 1 == end || at[1] != '"') return at + 1;
@@ -56,7 +56,8 @@ class Fields {
     return trimmed({first, static_cast<std::size_t>(last - first)});
   }
 
-  /// Skips a field whose text the caller has read up to `behind`; returns false if there is more text in it.
+  /// Skips the field whose text the caller has read up to `behind`. Returns false, and skips nothing, if the field has
+  /// more text.
   bool take_up_to(const char* behind) {
     if (separator_ == blanks) {
       if (behind != end_ && !is_blank(*behind)) return false;
@@ -89,7 +90,7 @@ class Fields {
   bool done_ = false;
 };
 
-/// The number of fields of a line, with and without empty fields at its end, which other lines may lack.
+/// Numbers of fields of a line: with and without the empty fields at its end, which other lines of the table may lack.
 struct FieldCount {
   std::size_t all = 0, to_last_text = 0;
 
@@ -97,82 +98,87 @@ struct FieldCount {
     ++all;
     if (!field.empty()) to_last_text = all;
   }
-  /// Returns whether lines with both counts may be of one table: they differ only in empty fields at the end.
+  /// Returns whether a line with this count may be of the table whose first line has the count `first`: the lines
+  /// differ only in empty fields at the end.
   bool fits(const FieldCount& first) const {
     return all >= first.to_last_text && (all <= first.all || to_last_text <= first.all);
   }
 };
 FieldCount count_fields(std::string_view line, char separator);
 
-/// Returns the text of a field, without quotes around it and with one quote for two; `room` holds it if it differs from
-/// the line.
+/// Returns the text of a field, without quotes around it and with one quote for two. If the text has such quotes, it is
+/// in `room`, whose content it replaces.
 std::string_view text_of_field(std::string_view field, std::string& room);
 
-/// Returns the texts of all fields; `room` holds those that differ from the line.
+/// Returns the texts of all fields of `line`; texts that differ from the line are added to `room`.
 std::vector<std::string_view> split(std::string_view line, char separator, std::deque<std::string>& room);
 
-/// Returns the end of the record that begins with `line`: the end of that line, or of a later one, before `end`, if a
-/// quoted text spans lines. Null if such a text does not end, or is longer than a mebibyte.
+/// Returns the end of the record that begins with `line`: the end of that line, or, if a quoted text spans lines, of a
+/// later line before `end`. Null if a quoted text does not end, is longer than a mebibyte, or is followed by more text
+/// in its field.
 const char* end_of_record(std::string_view line, const char* end, char separator);
 
-/// Returns comma, semicolon, tab or blanks: the first of these that is in the line outside of quotes. Commas are
-/// ignored if every one of them is between the digits of a number.
+/// Returns the separator of the line: comma, semicolon or tab, the first of these that is in it outside of quotes, else
+/// blanks. Commas do not count if each is the decimal comma of a number, or between its thousands.
 char separator_of(std::string_view line);
 
-/// Returns whether `line`, split at `separator`, has commas, and each of them is in a number of its own, "1,5;2", or,
-/// unless blanks separate, between the thousands of one.
+/// Returns whether `line`, split at `separator`, has several fields and a comma, and all commas of a field are one
+/// comma between digits, as in "1,5;2", or, unless blanks separate, between the thousands of a number.
 bool commas_are_decimal(std::string_view line, char separator);
 
-/// Returns the separator of a line "sep=;", which Excel may write as the first line.
+/// Returns the separator that `line` names, if it is "sep=;" or the like, which Excel may write as the first line.
 std::optional<char> separator_hint(std::string_view line);
 
 /// Returns whether the field is a number, with a decimal point or comma.
 bool is_number(std::string_view field);
 
-/// Returns whether the field looks like a number, such as "1.0D0", "−1", "12o" or "<0.5": it has a digit, and begins
-/// with it or has no letters but those of exponents.
+/// Returns whether the field looks like a number, such as "1.0D0", "−1", "12o" or "<0.5": the field has a digit, and it
+/// begins with a digit after signs and points, or has no letters but e and d.
 bool is_nearly_number(std::string_view field);
 
-/// Returns whether the field is a number with signs between thousands: "345.941,89", "1,234,567", "5'678.6", "5 678,6".
+/// Returns whether the field is a number with separators of thousands: "345.941,89", "1,234,567", "5'678.6", "5 678,6".
 bool has_thousands(std::string_view field);
 
-/// Returns what a message expects in place of a field with this fault.
+/// Returns the text for "expected …" in a message about a field in which parse_written_number() finds `fault`.
 std::string expected_for(std::string_view field, NumberFault fault);
 
-/// Returns whether the field begins like well-known text, and its brackets are closed.
+/// Returns whether the field is like well-known text: it begins with the name of a geometry, every bracket is closed,
+/// and there is a digit if there are brackets.
 bool is_geometry(std::string_view field);
 
-/// Returns whether the text begins with the name of a geometry, followed by an opening bracket or EMPTY.
+/// Returns whether the text begins with the name of a geometry, after an SRID if there is one, and an opening bracket
+/// or EMPTY follows.
 bool begins_with_geometry(std::string_view text);
 
-/// Returns whether the field stands for a missing value: "NA", nothing, and others.
+/// Returns whether the field stands for a missing value: it is empty, "NA", "null", "-" or the like.
 bool is_missing(std::string_view field);
 
-/// Returns whether a field of the header has that name, in letters of either case.
+/// Returns whether a field of the header has the name `wanted`, in letters of either case.
 bool has_column(const std::vector<std::string_view>& header, std::string_view wanted);
 
-/// Returns the index of the field with the name `wanted` in the header, the current line of `lines`; if none matches
-/// exactly, in letters of either case. Throws BadInput.
+/// Returns the index of the first field of `header` that is `wanted`, else of the first that is `wanted` in letters of
+/// either case. Throws BadInput that quotes the current line of `lines`, the header of the file `name`.
 std::size_t find_column(const std::vector<std::string_view>& header, const std::string& wanted, const Lines& lines,
                         const std::string& name);
 
-/// Numbers with decimal commas, and the check that no other number of the table has a decimal point.
+/// Reads numbers with decimal commas, and checks that no other number of the table has a decimal point.
 class DecimalComma {
  public:
   bool is_used() const { return line_ > 0; }
 
-  /// Returns the number in `field`. Throws BadInput naming `here`, its file and line.
+  /// Returns the number in `field`. Throws BadInput that names `here`, the file and line of `field`.
   double read(std::string_view field, const std::string& here) const;
 
-  /// Notes the first number with a decimal comma, in `line`. Throws BadInput unless all numbers before it are whole.
+  /// Records that `field`, in line number `line`, is the first number with a decimal comma, and adds a warning. Throws
+  /// BadInput that names `here`, unless `all_whole`: all numbers before are whole.
   void begin(std::string_view field, std::size_t line, bool all_whole, const std::string& here,
              std::vector<std::string>& warnings);
 
-  /// Throws BadInput if `field` has a decimal point although commas are used.
+  /// Throws BadInput that names `here` if `field` has a decimal point and is_used().
   void refuse_point(std::string_view field, const std::string& here) const;
 
  private:
-  std::size_t line_ = 0;  // of the first decimal comma; 0: there is none
+  std::size_t line_ = 0;  // number of the line of the first decimal comma; 0: there is none
 };
 
 }  // namespace rbpa::app

@@ -1,5 +1,5 @@
 // What: selects the lines of a table: by `--where`, and, with `--skip-invalid`, by whether they can be read.
-// Law:  every line with content is taken, deselected, or left out and counted.
+// Law:  every line with content is read, or deselected by the condition, or left out as it cannot be read, and counted.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +19,8 @@
 
 namespace rbpa::app {
 
-/// Numbers distinct texts in the order of their first occurrence, so that a column of texts becomes a column of numbers
-/// and a list of texts.
+/// Numbers distinct texts in the order of their first occurrence, so that a column of texts is kept as numbers and a
+/// list of texts.
 class TextNumbers {
  public:
   double number_of(std::string_view text) {
@@ -36,7 +36,7 @@ class TextNumbers {
   std::unordered_map<std::string, std::size_t> numbers_ = {};
 };
 
-/// The end of a message about a word that is not a number.
+/// The end of a message about a word that is not a number in a column of --where.
 constexpr std::string_view of_where =
     ", as --where compares the column with numbers (== \"...\" compares it with a text)";
 
@@ -46,21 +46,23 @@ class LineSelection {
       : where_(std::move(where)), skip_invalid_(skip_invalid) {}
 
   bool has_condition() const { return where_.has_value(); }
-  /// Returns the values of the condition's columns() in the last line.
+  /// Returns the values of the condition's columns() in the last selected line; empty without a condition.
   std::span<const double> column_values() const {
     return selection_ ? selection_->column_values() : std::span<const double>();
   }
 
-  /// Finds the columns of the condition in the header of the file `name`, the current line, whose fields are `names`.
-  /// Without a header `names` is empty. Throws BadInput for a missing column that is not optional.
+  /// Finds the columns of the condition in the header of the file `name`: the current line of `lines`, whose fields are
+  /// `names`. Requires: `names` is empty if there is no header. Throws BadInput if a column is missing that is not
+  /// optional. If no column is left and all lines are selected, has_condition() is false afterwards.
   void find_columns(const std::vector<std::string_view>& names, const Lines& lines, const std::string& name);
 
-  /// Decides which columns of kind by_value hold numbers and which texts, by the first line of data and `behind`,
-  /// the lines after it.
+  /// Decides which columns of kind by_value hold numbers and which hold texts: by the first value that is not missing,
+  /// in `line`, the first line of data, or in `behind`, the lines after it. Requires: find_columns() was called.
   void settle_kinds(std::string_view line, Lines behind, char separator);
 
-  /// Returns whether the condition is true for a line. read(fields) returns a number from the next field, and is called
-  /// for the fields that decide; take_width(count) checks the number of fields.
+  /// Returns whether the condition is true for a line, whose fields are `fields`. Calls take_width(count), which may
+  /// refuse the number of fields, a FieldCount; then read(fields), which returns the next of `fields` as a number, only
+  /// for fields that decide and, if the line is selected, for columns of numbers. Throws what these throw.
   template <typename Read, typename TakeWidth>
   bool is_selected(Fields fields, const Read& read, const TakeWidth& take_width) {
     if (!where_) return true;
@@ -87,7 +89,7 @@ class LineSelection {
   }
 
   /// Returns for each of the condition's columns its distinct texts, in the order of their numbers in column_values();
-  /// nothing for a column of numbers, or one that the file does not have.
+  /// nothing for a column of numbers and for a column that the file does not have. Call once.
   std::vector<std::optional<std::vector<std::string>>> take_texts() {
     std::vector<std::optional<std::vector<std::string>>> all;
     for (std::size_t k = 0; k < kinds_.size(); ++k)
@@ -96,7 +98,8 @@ class LineSelection {
     return all;
   }
 
-  /// Calls take(), which reads the current line. If it throws BadInput, leaves the line out, or throws with_hint().
+  /// Calls take(), which reads the current line. If take() throws BadInput, leaves the line out and counts it, or,
+  /// without --skip-invalid, throws with_hint().
   template <typename Take>
   void attempt(const Take& take) {
     try {
@@ -106,22 +109,23 @@ class LineSelection {
     }
   }
 
-  /// Adds to a message about a line that --skip-invalid would leave it out.
+  /// Returns the refusal of a line with a hint added: that --skip-invalid leaves out such lines.
   static BadInput with_hint(const BadInput& refusal);
 
-  /// Leaves out and counts the current line, if lines may be left out; returns whether they may.
+  /// Returns whether --skip-invalid leaves out lines; if so, counts the current line as left out because of `refusal`.
   bool leaves_out(const BadInput& refusal) {
     if (skip_invalid_ && skipped_++ == 0) first_skipped_ = refusal.what();
     return skip_invalid_;
   }
   bool skips() const { return skip_invalid_; }
-  std::size_t skipped() const { return skipped_; }  ///< number of lines that are left out so far
+  std::size_t skipped() const { return skipped_; }  ///< number of lines left out until now
 
-  /// Adds warnings about the lines that were selected and left out. Throws BadInput if all lines were left out.
+  /// Adds warnings about the numbers of selected and of left-out lines. Throws BadInput that names `name` if lines were
+  /// left out, none was deselected, and not `any_points`.
   void add_warnings(bool any_points, const std::string& name, std::vector<std::string>& warnings) const;
 
  private:
-  /// Returns a radius; NaN for any other text, for which the file is not refused, as it concerns only a group.
+  /// Returns the number in `text`; NaN for any other text, as only the group of that point has no radius then.
   static double radius_of(std::string_view text) {
     const ParsedNumber number = parse_whole_number(text);
     const bool is_one = number.fault == NumberFault::none || number.fault == NumberFault::not_finite;
@@ -133,9 +137,9 @@ class LineSelection {
 
   std::optional<Condition> where_;
   bool skip_invalid_;
-  std::vector<std::size_t> places_ = {};   // columns of the table for the condition's fields and its texts
-  std::vector<Fields> found_ = {};         // the current line at each of `places_`
-  std::vector<Kind> kinds_ = {};           // of the condition's columns
+  std::vector<std::size_t> places_ = {};   // column of the table for each field, then for each text, of the condition
+  std::vector<Fields> found_ = {};         // the rest of the current line from each of `places_` on
+  std::vector<Kind> kinds_ = {};           // kind of each of the condition's columns
   std::vector<TextNumbers> numbers_ = {};  // numbers of the texts in each of the condition's columns
   std::optional<Selection> selection_ = std::nullopt;
   std::string room_ = {};

@@ -14,7 +14,7 @@ namespace rbpa::app {
 
 /// Returns the number of line ends (LF) in `text`. Throws Cancelled.
 inline std::size_t count_line_ends(std::string_view text) {
-  constexpr std::size_t block_size = 240;  // a count fits into a byte, and many counts into one register
+  constexpr std::size_t block_size = 240;  // bytes; a count of them fits into a byte, and many counts into one register
   std::size_t count = 0;
   for (std::size_t blocks = 0; !text.empty(); ++blocks) {
     if (blocks % 65536 == 0) stop_if_interrupted();
@@ -27,10 +27,11 @@ inline std::size_t count_line_ends(std::string_view text) {
   return count;
 }
 
-/// The lines of a text, one after the other, without their ends (LF or CRLF) and without blanks around them.
+/// The lines of a text, one after another, without their ends (LF or CRLF) and without blanks around them.
 class Lines {
  public:
-  /// `before`: the number of lines before `text`.
+  /// Begins before the first line of `text`, which must outlive this object. `before` is the number of lines that
+  /// precede `text` in the file.
   explicit Lines(std::string_view text, std::size_t before = 0)
       : at_(text.data()), end_(text.data() + text.size()), number_(before) {}
 
@@ -45,22 +46,24 @@ class Lines {
     if (++number_ % 65536 == 0) stop_if_interrupted();  // also while many lines are skipped
     return true;
   }
-  /// Goes to the next line that is not blank and does not begin with '#'; returns false if there is none.
+  /// Goes to the next line that is not blank and does not begin with '#'; returns false if there is none. Throws
+  /// Cancelled.
   bool next_with_content() {
     while (next())
       if (!line_.empty() && line_.front() != '#') return true;
     return false;
   }
 
-  /// Skips the next line, which the caller has read up to `behind`, the end of its last character.
+  /// Skips the next line, which the caller has read in rest(); `behind` points to its line end or to the end of the
+  /// text. line() does not change.
   void pass_line(const char* behind) {
     at_ = behind == end_ ? end_ : behind + 1;
     ++number_;
   }
 
   std::string_view line() const { return line_; }
-  std::size_t number() const { return number_; }                                         ///< of the line, from 1
-  std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }  ///< after the line
+  std::size_t number() const { return number_; }                                         ///< of this line, from 1
+  std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }  ///< text after line()
 
  private:
   const char* at_;
@@ -69,7 +72,7 @@ class Lines {
   std::size_t number_;
 };
 
-/// Takes the first word from the front of `text`; empty if there is none left.
+/// Removes the first word, and blanks before it, from `text`. Returns the word; empty if there is none.
 inline std::string_view take_word(std::string_view& text) {
   std::size_t first = 0;
   while (first < text.size() && is_blank(text[first])) ++first;

@@ -1,4 +1,4 @@
-// What: text for XML and HTML.
+// What: escapes text for XML and HTML.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace rbpa::app {
 
-/// Returns the text with & < > " as entities, for elements and attributes. Control characters, which XML forbids,
-/// become spaces.
+/// Returns the text with & < > " as entities, for elements and attributes. Control characters, which XML forbids, are
+/// replaced by spaces.
 inline std::string markup_escaped(std::string_view text) {
   std::string result;
   for (const char c : text) switch (c) {

@@ -13,8 +13,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Returns the name of the encoding if it is UTF-16 or UTF-32, which begin with a mark or have zero bytes next to
-/// ASCII; empty otherwise.
+/// Returns "UTF-16" or "UTF-32" if the bytes seem to be text in that encoding: they begin with its mark, or with zero
+/// bytes next to ASCII. Returns "" otherwise.
 std::string_view other_encoding(std::string_view bytes) {
   if (bytes.starts_with("\xFF\xFE\0\0"sv) || bytes.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return "UTF-16";
@@ -58,7 +58,8 @@ std::string_view with_line_feeds(std::string_view bytes, std::size_t size, std::
   return room;
 }
 
-/// Returns the end of the first line that begins with `word`, and that line; the end of the text if there is none.
+/// Returns the offset after the first line that begins with `word`, and sets `line` to that line. If there is none,
+/// returns the size of the text, and `line` is its last line.
 std::size_t end_of_line_with(std::string_view text, std::string_view word, std::string_view& line) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
@@ -70,8 +71,8 @@ std::size_t end_of_line_with(std::string_view text, std::string_view word, std::
   return text.size();
 }
 
-/// Returns the end of the header, whose last line begins with `word` and may precede binary data. If the first line
-/// ends in CR alone, an LF after the header belongs to the data.
+/// Returns the size of the header, whose last line begins with `word`, and sets `line` to that line. Binary data may
+/// follow: if the first line ends in CR alone, an LF after the header belongs to the data.
 std::size_t end_of_header(std::string_view bytes, std::string_view word, std::string_view& line) {
   const std::size_t end = end_of_line_with(bytes, word, line);
   const std::string_view first_end = bytes.substr(std::min(bytes.find_first_of("\r\n"), bytes.size()), 2);
@@ -84,7 +85,8 @@ bool begins_with_solid(std::string_view text) {
   return same_letters(text.substr(0, 5), "solid");
 }
 
-/// Returns the size of the text in a file without its mark; in some formats only the header is text.
+/// Returns the size of the text at the front of `bytes`, a file without its byte-order mark; in some formats only the
+/// header is text, or nothing.
 std::size_t text_size(std::string_view bytes, Format format) {
   std::string_view line;
   if (format == Format::ply && bytes.starts_with("ply")) {
@@ -106,8 +108,8 @@ constexpr bool may_be_text(Format format) {
   return is_table(format) || std::find(std::begin(texts), std::end(texts), format) != std::end(texts);
 }
 
-/// Returns whether bytes that look like UTF-16 or UTF-32 are. In STL, whose binary header may have any bytes, only if
-/// they spell "soli" in UTF-16.
+/// Returns whether `bytes`, which look like UTF-16 or UTF-32, are text in it. A binary STL file may begin with any
+/// bytes: in STL they are text only if they spell "soli" in UTF-16.
 bool is_in_other_encoding(std::string_view bytes, Format format) {
   return format != Format::stl || bytes.substr(0, 16).find("s\0o\0l\0i"sv) != std::string_view::npos;
 }

@@ -1,6 +1,6 @@
 // What: the normal form of text for all readers: without a byte-order mark, and with lines that end in LF.
 // Law:  a byte-order mark of UTF-8, and CR or CRLF in place of LF, do not change the text. Bytes that are not text
-//       stay unchanged. Lines keep their numbers.
+//       remain unchanged. Lines keep their numbers.
 // Cost: one search for CR; a copy if a line ends in CR alone.
 #pragma once
 
@@ -11,18 +11,20 @@
 
 namespace rbpa::app {
 
-/// Return the text of `bytes`, or of their part that is text in a file of that format; `room` holds it if it differs
-/// from the bytes. Throw BadInput for UTF-16 and UTF-32.
+/// Return `bytes` in the normal form; with `format`, only the part that is text in a file of that format is changed. If
+/// a line ends in CR alone, the result is in `room`. Throw BadInput that names `name` for UTF-16 and UTF-32; Cancelled.
 std::string_view plain_text(std::string_view bytes, const std::string& name, std::string& room);
 std::string_view plain_text(std::string_view bytes, const std::string& name, Format format, std::string& room);
 
 /// Returns the text after any byte-order marks of UTF-8.
 std::string_view without_mark(std::string_view text);
 
-/// Returns the normal form of a later piece of a text, which begins with a line, as size_of_lines() cuts it.
+/// Returns the normal form of `text`, a later piece of a text, which size_of_lines() has cut: it begins with a line. If
+/// a line ends in CR alone, the result is in `room`. Throws Cancelled.
 std::string_view with_line_feeds(std::string_view text, std::string& room);
 
-/// Returns the size in bytes of the whole lines at the front of `text`; 0 if no line certainly ends in it.
+/// Returns the size in bytes of the whole lines at the front of `text`; 0 if no line certainly ends in it: a CR at its
+/// end may be followed by LF.
 std::size_t size_of_lines(std::string_view text);
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: the format of standard input by its first bytes.
+// What: recognizes the format of standard input by its first bytes.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,12 @@
 
 namespace rbpa::app {
 
-/// Returns the usual ending of files with the signature that `bytes` begin with; empty if the signature is unknown.
+/// Returns the usual ending, such as "ply", of files that begin like `bytes`, the whole content; empty if no format is
+/// recognized.
 std::string_view ending_of_content(std::string_view bytes);
 
-/// Returns the format of the content of standard input for a use; `otherwise` if it has no known signature. Throws
-/// BadInput if the format has not this use, or if it is unknown and `otherwise` is absent.
+/// Returns the format of `bytes`, the content of standard input, for a use; `otherwise` if no format is recognized.
+/// Throws BadInput that names `name` if the format has not this use or GDAL reads it, or if there is neither.
 Format format_of_content(Use use, std::string_view bytes, const std::string& name, std::optional<Format> otherwise);
 
 }  // namespace rbpa::app

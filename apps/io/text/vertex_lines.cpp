@@ -13,7 +13,7 @@ void skip_blanks(std::string_view& text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
 }
 
-/// Removes the text before `end` from `rest` if a word ends there; returns whether it does.
+/// Returns whether a word of `rest` ends at `end`; if so, removes the text before `end` from `rest`.
 bool take_up_to(const char* end, std::string_view& rest) {
   const auto size = static_cast<std::size_t>(end - rest.data());
   if (size == 0 || (size < rest.size() && !is_blank(rest[size]))) return false;

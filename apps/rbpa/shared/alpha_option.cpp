@@ -29,7 +29,7 @@ std::string not_an_alpha(const std::string& text) {
   return "--alpha: found " + in_quotes(text) + ", expected " + std::string(expected_alpha);
 }
 
-/// Returns the root of a squared radius, rounded to the nearest double.
+/// Parses a squared radius, and returns the radius, rounded to the nearest double.
 double parse_squared(const std::string& text) {
   const std::optional<double> squared = parse_size(text);
   if (!squared || *squared == 0)
@@ -37,7 +37,7 @@ double parse_squared(const std::string& text) {
   return std::sqrt(*squared);
 }
 
-/// Returns one over the number; 0 gives an infinite radius.
+/// Parses one over a radius, and returns the radius; infinity for 0.
 double parse_inverse(const std::string& text) {
   const std::optional<double> inverse = parse_size(text);
   if (!inverse || *inverse == infinity)
@@ -122,7 +122,7 @@ std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<
   } catch (const InvalidInput& e) {
     throw WrongUsage("--" + std::string(e.what()) + " (rbpa alpha POINTS lists them)");
   }
-  line.reset();  // a message must not follow on the line of progress
+  line.reset();  // erase the progress line before messages
   if (chosen.plateaus.empty() || run.quiet) return chosen.alpha;
   if (!chosen.plateaus.front().is_long)
     say("rbpa", "--alpha " + name_of(choice) +

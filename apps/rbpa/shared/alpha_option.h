@@ -1,4 +1,4 @@
-// What: `--alpha`: a radius as the command line gives it, or a rule by which the points choose one.
+// What: `--alpha`: parses a radius, or a rule that chooses one from the points, and applies the rule.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace rbpa::app {
 
-/// The options about the radius, as text: exactly one of the first three is present.
+/// The options about the radius, as text. Exactly one of `alpha`, `squared` and `inverse` is present.
 struct RadiusArguments {
   std::optional<std::string> alpha = std::nullopt;
   std::optional<std::string> squared = std::nullopt;  ///< the square of the radius, as in CGAL and PostGIS
@@ -22,10 +22,11 @@ struct RadiusArguments {
   std::optional<std::string> cover = std::nullopt;
 };
 
-/// A choice, and how the command line gave it.
+/// A choice of the radius, and the form in which the command line has it.
 struct AlphaOption : AlphaChoice {
   std::optional<std::string> column = std::nullopt;  ///< "column:NAME", for groups only: the column of the radii
-  std::string converted = {};                        ///< " of --alpha-squared 25" if the radius was given that way
+  std::string converted =
+      {};  ///< such as " of --alpha-squared 25"; "" unless --alpha-squared or --alpha-inverse was given
 };
 
 /// Parses a number of solid components: at least 1. Throws WrongUsage.
@@ -36,24 +37,25 @@ double parse_cover(const std::string& cover);
 
 enum class ChosenFor { all_points, groups };
 
-/// Parses the options about the radius. Throws WrongUsage that names the value, or an option that does not apply to
-/// this choice. Requires: exactly one of the first three arguments is present.
+/// Parses the options about the radius. Throws WrongUsage that names the value, or an option that does not apply to the
+/// choice; for all_points also "column:NAME" is refused. Requires: exactly one of `alpha`, `squared` and `inverse` is
+/// present.
 AlphaOption parse_alpha(const RadiusArguments& arguments, ChosenFor chosen_for = ChosenFor::all_points);
 
-/// Returns the choice as --alpha takes it, such as "auto" or "column:NAME"; "given" for a radius.
+/// Returns the choice in the form of --alpha, such as "auto" or "column:NAME"; "given" for a radius.
 std::string name_of(const AlphaOption& option);
 
 /// Returns the radius that the rule chooses, or nothing if the points have no triangle at any radius. Every rule
-/// triangulates the points, with a progress line unless quiet; a given radius is returned at once.
-/// Throws Cancelled after a signal, WrongUsage if there are fewer plateaus than the rank.
+/// triangulates the points, with a progress line and warnings about plateaus unless quiet; a given radius is returned
+/// at once. Throws Cancelled after a signal, WrongUsage if there are fewer plateaus than the rank.
 std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<Point>& points, const RunOptions& run);
 
-/// Returns a warning about uneven density if the best plateau is one piece of dense points, such as the lines of a
-/// scanner, and another plateau also covers the space between them; else "".
+/// Returns a warning about uneven density if the best plateau joins dense points only, such as the lines of a scanner,
+/// and another plateau has fewer parts and at least 1.25 times the area; else "".
 std::string warning_on_density(const std::vector<Plateau>& plateaus);
 
-/// Returns ", alpha auto = 0.25" for a summary, in digits that read back to the same radius; "" for a radius that was
-/// given as such.
+/// Returns ", alpha auto = 0.25" for a summary, in digits that read back to the same radius; "" for a radius given by
+/// --alpha.
 std::string said(const AlphaOption& option, std::optional<double> alpha);
 
 }  // namespace rbpa::app

@@ -16,7 +16,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Calls write(line) for each line, and stops on Ctrl-C.
+/// Calls write(line) for each line. Throws Cancelled after a signal.
 template <typename Lines, typename Write>
 void for_each_line(const Lines& lines, const Write& write) {
   std::size_t count = 0;
@@ -102,10 +102,10 @@ void write_array(OutputFile& out, std::string_view name, const Lines& lines) {
   out.write(lines.empty() ? "]" : "\n  ]");
 }
 
-/// Digits of numbers in the table.
+/// Significant digits of numbers in the table.
 constexpr int digits = 4;
 
-/// Returns a share in percent, rounded down, so that 100 means all.
+/// Returns count / all in percent as text, rounded down, so that 100 means all.
 std::string percent(std::size_t count, std::size_t all) {
   const double tenths = std::floor(1000 * static_cast<double>(count) / static_cast<double>(all));
   char text[32];
@@ -113,7 +113,7 @@ std::string percent(std::size_t count, std::size_t all) {
   return text;
 }
 
-/// Returns a line of the table of choices; `others` are the names of the choice in other programs.
+/// Returns a line of the table of choices; `others` has the names of the choice in other programs.
 std::string row(const std::string& choice, const std::string& alpha, const std::string& from, const std::string& to,
                 const std::string& parts, const std::string& holes, const std::string& covered, const std::string& area,
                 const std::string& others = "") {
@@ -129,13 +129,13 @@ std::string row(const std::string& choice, double alpha, const std::string& from
              std::to_string(step.holes), percent(step.covered, distinct), rounded(step.area, digits), others);
 }
 
-/// Returns the complex at one of its critical radii.
+/// Returns the step of the filtration at `alpha`, one of its critical radii.
 const FiltrationStep& step_at(const Filtration& filtration, double alpha) {
   return *std::find_if(filtration.steps.begin(), filtration.steps.end(),
                        [&](const FiltrationStep& step) { return step.alpha == alpha; });
 }
 
-/// Returns the least and the largest count on a plateau: "1 part", "0 to 5 holes".
+/// Returns the least and the largest value of `count` on a plateau, with its noun: "1 part", "0 to 5 holes".
 std::string counts_in(const Filtration& filtration, const Plateau& plateau, std::size_t FiltrationStep::*count,
                       const char* noun) {
   std::size_t least = plateau.step.*count, most = least;

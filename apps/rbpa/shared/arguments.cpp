@@ -35,14 +35,16 @@ std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool a
   return targets;
 }
 
-/// Returns "m.edges.npy" for "m.npy", and for "m" with any other ending of triangles.
+/// Returns `path` with ".PART.npy" in place of the ending of a file of triangles: "m.edges.npy" for "m.npy". Any other
+/// ending is kept.
 std::string beside(const std::string& path, const std::string& part) {
   const std::size_t size =
       find_format(Use::triangles, ending(path)) ? path.size() - ending(path).size() - 1 : path.size();
   return path.substr(0, size) + "." + part + ".npy";
 }
 
-/// Returns the targets of a full complex: for an .npy file also one for its edges and one for its points.
+/// Returns `targets`, and for each .npy file also a target for edges and one for points. Throws WrongUsage for a format
+/// that cannot hold a full complex.
 std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
   std::vector<Target> all;
   for (const Target& target : targets) {
@@ -135,7 +137,7 @@ std::vector<std::string> ogr_paths(const Target& target) {
   const std::vector<std::string> endings = ogr_endings(target.format);
   if (endings.size() == 1) return {target.path};
   std::vector<std::string> paths;
-  // The other files are next to s.shp. If the target has another ending or none, their endings are appended.
+  // Name the other files after s.shp without its ending. If the target has another ending or none, append theirs.
   const bool is_own = find_format(Use::shape, ending(target.path)) == target.format;
   const std::string stem =
       is_own ? target.path.substr(0, target.path.size() - ending(target.path).size() - 1) : target.path;

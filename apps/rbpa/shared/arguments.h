@@ -1,4 +1,4 @@
-// What: parses the arguments that several verbs share. Each function throws WrongUsage that names the value.
+// What: parses the arguments that several verbs share. Each parse_…() throws WrongUsage that names the value.
 #pragma once
 
 #include <cstddef>
@@ -16,14 +16,13 @@ namespace rbpa::app {
 /// Parses a bound on areas: a number >= 0, or "inf".
 double parse_area(const std::string& option, const std::string& text);
 
-/// Parses radii above 0, ascending, with commas between them. `or_else` names what else the option accepts, for
-/// messages.
+/// Parses radii above 0, ascending, with commas between them. `or_else` tells in messages what else the option accepts.
 std::vector<double> parse_ascending(const std::string& option, const std::string& text, const std::string& or_else);
 
-/// Parses the width of a picture in pixels.
+/// Parses --width, the width of a picture in pixels: from least_width to greatest_width (picture/scene.h).
 int parse_width(const std::string& text);
 
-/// Parses "solid" (false) or "full" (true).
+/// Parses --complex: "solid" (returns false) or "full" (returns true).
 bool parse_is_full(const std::string& complex);
 
 /// A file to write.
@@ -39,35 +38,36 @@ struct OutputArguments {
   std::optional<std::string> stats;
 };
 
-/// Returns the paths of those reports that are requested.
+/// Returns the paths that are present.
 std::vector<std::string> given(const std::vector<std::optional<std::string>>& reports);
 
-/// Returns the files to write with their formats: by the ending, else as --output-format says. For the full complex
-/// m.npy becomes three targets: m.npy, m.edges.npy, m.points.npy. Without reports at least one target is required.
-/// Throws WrongUsage, also if two of the targets, the input and `reports` are the same file.
+/// Returns the files to write; the format of each is that of its ending, else that of --output-format. For the full
+/// complex m.npy becomes three targets: m.npy, m.edges.npy, m.points.npy. At least one target is required unless there
+/// are `reports`. Throws WrongUsage, also if two of the targets, `input` and `reports` are the same file; Failure if a
+/// file cannot be written there (require_different()).
 /// Requires: `use` is triangles, surface, solid or shape.
 std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input,
                                   const std::vector<std::string>& reports, ComplexKind complex = ComplexKind::solid);
 
-/// Returns whether any target has vertices with three coordinates, that is, is neither a picture nor an array of
-/// indices.
+/// Returns whether any target has vertices with coordinates: it is neither a picture nor an array of indices.
 bool any_has_vertices(const std::vector<Target>& targets);
 
-/// Returns the paths of the files that GDAL writes for a target, in the order of their endings.
+/// Returns the paths of the files that GDAL writes for a target, in the order of ogr_endings(): the target itself
+/// first.
 std::vector<std::string> ogr_paths(const Target& target);
 
-/// Parses --shift, which requires a target in single precision.
+/// Parses --shift; nothing if it is absent. Throws WrongUsage unless a target is in single precision.
 std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, const std::vector<Target>& targets);
 
 /// Parses --isolated: a file for the points in no polygon, with its format by the ending.
 Target parse_isolated(const std::string& path);
 
-/// Returns the format of an input: as --format says, else by the ending, for standard input by its content. `argument`
-/// names the input in messages.
+/// Returns the format of an input: that of --format, else that of the ending; for standard input without --format,
+/// Format::by_content. `argument` names the input in messages.
 Format parse_format(Use use, const std::string& path, const std::optional<std::string>& format,
                     const std::string& argument);
 
-/// Return the name of an input and of an output for messages: "-" is a standard stream.
+/// Return the name of an input, or of an output, for messages: "-" is a standard stream.
 inline std::string input_name(const std::string& path) { return path == "-" ? "standard input" : path; }
 inline std::string output_name(const std::string& path) { return path == "-" ? "standard output" : path; }
 

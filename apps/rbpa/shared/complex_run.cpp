@@ -21,7 +21,7 @@ ComplexRequest parse_request(const ComplexArguments& arguments, ChosenFor chosen
 
 namespace {
 
-/// Prints a warning if the run takes more memory than is available.
+/// Prints a warning, unless quiet, if the run takes more memory than is available.
 void caution_about_memory(const Run& run, double bytes_a_point, std::size_t points) {
   const double wanted = bytes_a_point * static_cast<double>(points);
   const std::optional<double> there = available_memory();
@@ -43,7 +43,7 @@ ComplexRun::ComplexRun(const ComplexRequest& wanted, const OutputArguments& argu
   caution_about_memory(*this, request.bytes_a_point, points().size());
   stats.alpha = choose_alpha(choice, points(), options());
   if (choice.rule != AlphaRule::given) stats.choose_seconds = lap();
-  // A rule finds no radius only if the points have no triangle at any radius.
+  // Take infinity if the rule finds no radius: then the points have no triangle at any radius.
   alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
 }
 

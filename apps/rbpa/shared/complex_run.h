@@ -1,5 +1,5 @@
-// What: the steps that all verbs which make a complex of points have in common: they parse the command line, read the
-//       points, choose the radius, and print a summary at the end.
+// What: the steps that are common to all verbs that make a complex of points: parse the command line, read the points,
+//       choose the radius, and print a summary at the end.
 #pragma once
 
 #include <cstddef>
@@ -29,22 +29,27 @@ struct ComplexRequest {
   PointSource source;
   AlphaOption alpha;
   Method method;
-  int width;                 ///< of pictures, in pixels
-  double bytes_a_point = 0;  ///< memory that the run takes beyond the points, in bytes for each; 0: not checked
+  int width;  ///< width of pictures, in pixels
+  double bytes_a_point =
+      0;  ///< memory that the run takes for each point, in bytes beyond the point itself; 0: not checked
 };
 
-/// Parses the command line, before anything is read. For groups the source is the first file. Throws WrongUsage that
-/// names the value.
+/// Parses the command line, and reads no file. For groups, `source` is the first file. `bytes_a_point` remains 0.
+/// Throws WrongUsage that names the value.
 ComplexRequest parse_request(const ComplexArguments& arguments, ChosenFor chosen_for = ChosenFor::all_points);
 
 /// A run of a verb that makes a complex, with its points and its radius.
 struct ComplexRun : Run {
-  /// Reads all points of the file, and chooses the radius if a rule is given. Throws BadInput, Failure, Cancelled.
+  /// Reads all points of the file, and chooses the radius if `wanted` has a rule. Prints warnings unless quiet, and
+  /// fills in `points`, `read_seconds`, `alpha` and `choose_seconds` of `stats`. Throws BadInput, Failure, Cancelled;
+  /// WrongUsage if there are fewer plateaus than the rank.
   ComplexRun(const ComplexRequest& wanted, const OutputArguments& arguments);
 
-  /// Writes the report if one is requested, and gives all files their names. Throws Failure, Cancelled.
+  /// Writes the report of --stats if it is requested, and gives all files their names. Throws Failure, ClosedPipe,
+  /// Cancelled.
   void finish();
-  /// Returns why the complex of `distinct` points has no triangle: "no triangle has circumradius <= 0.5".
+  /// Returns why the complex of these points, of which `distinct` are different, has no triangle: "no triangle has
+  /// circumradius <= 0.5". Requires: it has none.
   std::string why_empty(std::size_t distinct) const;
   /// Prints, unless quiet: "5 points (1 duplicate), MADE, alpha auto = 0.5 -> TARGETS".
   void summarize(std::size_t duplicates, const std::string& made, const std::string& targets) const;
@@ -53,8 +58,8 @@ struct ComplexRun : Run {
   std::optional<std::string> stats_file;
   PointFile file;
   const std::vector<Point>& points() const { return file.points; }
-  double alpha = 0;  ///< given, or chosen by a rule
-  Stats stats = {};  ///< filled in as the run goes
+  double alpha = 0;  ///< given, or chosen by a rule; infinity if the points have no triangle
+  Stats stats = {};  ///< the verb fills in what the members of ComplexRun do not
 };
 
 }  // namespace rbpa::app

@@ -56,14 +56,14 @@ std::vector<std::array<std::uint32_t, 2>> boundary_of(const SolidAlphaComplex& c
   std::vector<std::array<std::uint32_t, 2>> boundary;
   const Mesh& mesh = complex.mesh;
   const auto point = [&](meshops::Vertex v) { return complex.input_index[static_cast<std::size_t>(v.idx())]; };
-  for (const meshops::Halfedge halfedge : mesh.halfedges())  // halfedges of the outside run the other way
+  for (const meshops::Halfedge halfedge : mesh.halfedges())  // halfedges outside run against the triangles
     if (mesh.is_boundary(halfedge))
       boundary.push_back({point(mesh.to_vertex_handle(halfedge)), point(mesh.from_vertex_handle(halfedge))});
   std::sort(boundary.begin(), boundary.end());
   return boundary;
 }
 
-/// Returns the number of the level of each triangle.
+/// Returns for each triangle the number of its level.
 std::vector<std::uint16_t> levels_of(const std::vector<Triangle>& triangles, const Hierarchy& made) {
   std::vector<std::uint16_t> level(triangles.size());
   for (const auto face : made.complex.mesh.faces()) {
@@ -116,7 +116,7 @@ Built build(const std::vector<Point>& points, double alpha, const Method& method
     if (method.leaf_capacity) built.level = levels_of(arrays.triangles, made);
     if (links == Links::boundary) arrays.boundary = boundary_of(made.complex);
     if (with_mesh) built.mesh = std::move(made);
-  }  // memory that is no longer needed is freed before neighbors are computed
+  }  // free the mesh before neighbors are computed
   if (links == Links::neighbors)
     arrays.neighbors = link_triangles(arrays.triangles, points.size(), until_interrupted());
   return built;

@@ -1,4 +1,4 @@
-// What: the method that makes a complex: its options, and the run.
+// What: the method that makes a complex: parses its options, and runs it.
 // Law:  every method makes the same set of triangles.
 #pragma once
 
@@ -33,24 +33,25 @@ struct Method {
 /// Parses the options. Throws WrongUsage that names an unknown value, or one that belongs to another method.
 Method parse_method(const MethodArguments& arguments);
 
-/// The links that build() fills in besides the triangles: none, AlphaComplex::boundary, or AlphaComplex::neighbors
-/// (from which the boundary follows).
+/// The links that build() fills in, in addition to the triangles: none, AlphaComplex::boundary, or
+/// AlphaComplex::neighbors (from which the boundary follows).
 enum class Links { none, boundary, neighbors };
 
-/// A complex as a method makes it.
+/// The result of build().
 struct Built {
   AlphaComplex complex;
   std::vector<std::uint16_t> level;  ///< number of the level of each triangle; empty without levels
   std::optional<Hierarchy> mesh = std::nullopt;
 };
 
-/// Makes the complex as arrays, and on request also as a mesh made level by level. Shows a progress line unless quiet.
-/// Throws Cancelled after a signal. Requires: a full complex is made by rbpa, without a mesh and not by the method as
-/// published.
+/// Makes the complex of `points` at `alpha` as arrays, and `with_mesh` also as a mesh, which the method makes level by
+/// level. Shows a progress line unless quiet. Throws Cancelled after a signal. Requires: if `kind` is full, `method` is
+/// in tiles and has no levels, and not `with_mesh`.
 Built build(const std::vector<Point>& points, double alpha, const Method& method, ComplexKind kind, Links links,
             const RunOptions& run, bool with_mesh = false);
 
-/// Makes the Delaunay triangulation, from which radii are chosen. Progress and exceptions are as for build().
+/// Makes the Delaunay triangulation, from which radii are chosen. Shows a progress line unless quiet. Throws Cancelled
+/// after a signal.
 Delaunay build_delaunay(const std::vector<Point>& points, const RunOptions& run);
 
 }  // namespace rbpa::app

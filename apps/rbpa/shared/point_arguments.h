@@ -1,4 +1,4 @@
-// What: the options about points: where they are read from, in which format, and which of them count.
+// What: the options about points: from which file and in which format they are read, and which of them count.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ struct PixelArguments {
 
 /// The options about points of the plane, as text.
 struct PointArguments {
-  std::string points;  ///< the file
+  std::string points;  ///< path of the file; "-" is standard input
   std::optional<std::string> format;
   std::optional<std::string> columns;
   PixelArguments pixels;
@@ -33,7 +33,7 @@ struct PointArguments {
 
 /// The options about points in space, as text.
 struct SpacePointArguments {
-  std::string points;  ///< the file
+  std::string points;  ///< path of the file; "-" is standard input
   std::optional<std::string> format;
   std::optional<std::string> columns;
   std::optional<std::string> where;
@@ -46,16 +46,17 @@ inline constexpr const char* not_with_groups = " cannot be combined with --group
 
 /// The options about groups of points, as text.
 struct GroupArguments {
-  std::vector<std::string> inputs;      ///< all files; the first is PointArguments::points as well
-  std::optional<std::string> group_by;  ///< a column
+  std::vector<std::string> inputs;      ///< paths of all files; the first is also PointArguments::points
+  std::optional<std::string> group_by;  ///< name of the column with the names of groups
   bool group_by_file = false;
 
-  /// Returns whether groups are requested. Throws WrongUsage for several files without a request for groups.
+  /// Returns whether groups are requested. Throws WrongUsage for several files without a request for groups, and for
+  /// two requests.
   bool ask_for_groups() const;
 };
 
-/// Returns where points are read from: the format as --format says, else by the ending, for standard input by its
-/// content. Throws WrongUsage that names the value, or an option that belongs to another format.
+/// Parses from where, and how, points are read, with `columns` for groups; the format as parse_format(). Throws
+/// WrongUsage that names the value, or an option that belongs to another format.
 PointSource parse_source(const PointArguments& arguments, const GroupColumns& columns = {});
 
 /// A file of points in space, and the choice of what is read from it.
@@ -65,15 +66,16 @@ struct SpacePointSource {
   CloudRequest choice = {};
 };
 
-/// Returns where points in space are read from, as parse_source() does. `columns` are read as well; `option` is the
-/// option that requires them, for messages.
+/// Parses from where, and how, points in space are read, as parse_source() does. `columns` are read as well; `option`
+/// is the option that requires them, for messages.
 SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::vector<WantedColumn> columns = {},
                                     const std::string& option = "");
 
-/// Throws WrongUsage as require_format() does unless the points of the format are atoms.
+/// Throws WrongUsage that names `option` unless the points of `format` are atoms; `found` describes the other formats,
+/// such as "without atoms".
 void require_molecule(Format format, const std::string& option, const std::string& found);
 
-/// Returns the columns that name a point: those of atoms, which tables may have as well.
+/// Returns the columns that name an atom, each optional; tables may have such columns as well.
 std::vector<WantedColumn> columns_of_names();
 
 }  // namespace rbpa::app

@@ -12,13 +12,14 @@
 
 namespace rbpa::app {
 
-/// Returns "1.2 M triangles, 3.4 M/s, at most 2 s left" after `seconds`. The time left is a bound, as a point has at
-/// most two triangles; it is shown after two seconds and a hundredth of that number of triangles.
+/// Returns "1.20 M triangles, 3.40 M/s, at most 2 s left" after `seconds`. The time left is a bound, as there are at
+/// most two triangles for each point; it is shown after two seconds, if at least a hundredth of so many triangles is
+/// found.
 std::string progress_text(const Progress& progress, double seconds);
-/// Returns "1.2 M triangles".
+/// Returns "1.20 M triangles".
 std::string triangles_text(const Progress& progress, double seconds);
 
-/// A line that counts triangles once there are some.
+/// A progress line that counts triangles as soon as there are some.
 class TriangleProgress {
  public:
   using Text = std::function<std::string(const Progress& progress, double seconds)>;
@@ -26,13 +27,13 @@ class TriangleProgress {
   TriangleProgress(bool wanted, const std::string& doing, Text text)
       : text_(std::move(text)), line_("rbpa", wanted, doing) {}
 
-  /// Sets the text of the line until there are triangles.
+  /// Shows `text` until there are triangles.
   void say(const std::string& text) {
     line_.say([text](double) { return text; });
   }
 
-  /// Returns a function for a run to call, from any thread but one call at a time. It records the progress, and returns
-  /// false after a signal. It must not outlive this object.
+  /// Returns a function that records the progress, and returns false after a signal. It may be called from any thread,
+  /// but only once at a time, and must not outlive this object.
   std::function<bool(const Progress&)> watch();
 
  private:

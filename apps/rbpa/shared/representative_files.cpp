@@ -133,8 +133,8 @@ void write_json(OutputFile& file, const SpaceRepresentatives& all) {
   file.write(write.is_empty() ? "]\n" : "\n]\n");
 }
 
-/// Writes the vertices of one group after another. All vertices of the file have consecutive numbers from 1, in the
-/// order in which the groups use them.
+/// Writes the vertices of one group after another. The vertices of a file are numbered from 1, in the order in which
+/// the groups use them.
 class Vertices {
  public:
   Vertices(OutputFile& file, std::span<const Point3> points) : file_(file), points_(points) {}
@@ -184,7 +184,7 @@ void write_obj(OutputFile& file, const SpaceRepresentatives& all) {
   for (std::size_t i = 0; i < all.pairs.size(); ++i) {
     stop_if_interrupted();
     const auto dimension = static_cast<std::size_t>(all.pairs[i].dimension);
-    if (all.of_pairs[i].cells.empty()) continue;  // a component that never ends has none
+    if (all.of_pairs[i].cells.empty()) continue;  // a component that never ends has no cells
     file.write("g " + std::string(names[dimension]) + "_" + std::to_string(++count[dimension]) + "\n");
     vertices.begin();
     if (dimension == 2)
@@ -216,7 +216,7 @@ void write_vtu(OutputFile& file, const SpaceRepresentatives& all) {
   grid.of_cells = {vtu_array("pair", rows, number([](std::size_t i) { return i + 1; })),
                    vtu_array("dimension", rows, number([&](std::size_t i) { return all.pairs[i].dimension; })),
                    vtu_array("birth", rows, [&](std::size_t i) { return all.pairs[i].birth; }),
-                   // pairs with cells have a death
+                   // every pair with cells ends
                    vtu_array("death", rows, [&](std::size_t i) { return *all.pairs[i].death; })};
   write_vtu(file, grid);
 }

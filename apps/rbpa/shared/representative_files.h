@@ -24,17 +24,18 @@ namespace rbpa::app {
 struct RepresentativeRequest {
   Target target;
   PairChoice choice;
-  std::optional<std::vector<double>> levels;  ///< radii: only pairs that are present at one are written
-  std::optional<std::size_t> leaf_capacity;   ///< of hrbpa: only pairs that are present at one of its levels
+  std::optional<std::vector<double>> levels;  ///< radii; only pairs that exist at one of them are written
+  std::optional<std::size_t> leaf_capacity;   ///< of hrbpa; only pairs that exist at one of its levels
                                               ///< are written
 };
 
-/// Parses the options; nothing if no representatives are requested. Throws WrongUsage that names the option.
+/// Parses the options; returns nothing if no representatives are requested. Throws WrongUsage that names the option.
 std::optional<RepresentativeRequest> parse_representatives(const RepresentativeArguments& arguments, bool in_space);
 
-/// Writes GeoJSON. Each hole has two Features, Polygons with the properties "pair" (from 1), "dimension", "birth",
-/// "death" (null if it never ends), "when" ("birth" or "death"), "area" and "points" (the input indices of the points
-/// on its rings). Each component that ends has one Feature, a LineString with these properties but "when" and "area".
+/// Writes GeoJSON. Each hole has two Features, Polygons with the properties "pair" (its number, from 1), "dimension",
+/// "birth", "death" (null if the hole never ends), "when" ("birth" or "death"), "area" and "points" (the input indices
+/// of the points on the rings). Each component that ends has one Feature, a LineString with all of these properties but
+/// "when" and "area".
 void write_representatives(OutputFile& file, std::span<const Point> points, const std::optional<Crs>& crs, bool degrees,
                            std::span<const Representative> representatives, std::span<const std::uint32_t> index);
 
@@ -43,12 +44,13 @@ struct SpaceRepresentatives {
   const SolidFiltration& filtration;
   std::span<const SolidPair> pairs;
   std::span<const SolidRepresentative> of_pairs;
-  std::span<const std::uint32_t> index;  ///< input index of each point; empty: the number of the point
+  std::span<const std::uint32_t> index;  ///< input index of each point; empty if point i has index i
 };
 
 /// Writes OBJ, JSON or VTU. OBJ has a group component_1, tunnel_1, void_1 … for each pair, with vertices of its own:
-/// lines, or triangles that face outward from the void. JSON is a list with indices of points. VTU has lines and
-/// triangles with the number of the pair (from 1), its dimension, birth and death. Requires: a format of Use::cycles.
+/// lines, or triangles that face outward from the void. JSON is a list of pairs with the input indices of the points.
+/// VTU has lines and triangles with the number of the pair (from 1), its dimension, birth and death. Requires: a format
+/// of Use::cycles.
 void write_representatives(OutputFile& file, Format format, const SpaceRepresentatives& all);
 
 }  // namespace rbpa::app

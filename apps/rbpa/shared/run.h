@@ -1,5 +1,5 @@
 // What: the run that all verbs share: reading, computing and writing, with progress, Ctrl-C and timing.
-// Law:  no file takes its name before all files are complete; after Ctrl-C nothing is left behind.
+// Law:  no output file has its name before all are complete; after Ctrl-C no file is left behind.
 #pragma once
 
 #include <chrono>
@@ -27,13 +27,14 @@ struct RunOptions {
   bool quiet = false;
 
   unsigned threads_or_all() const;
-  /// Returns a line that shows on a terminal what is being done; it is hidden if quiet or `in_the_way`.
+  /// Returns a progress line that shows `doing`; nothing is shown if quiet or `in_the_way`.
   ProgressLine line(const std::string& doing, bool in_the_way = false) const {
     return {"rbpa", !quiet && !in_the_way, doing};
   }
 };
 
-/// The largest --threads that is accepted. It may exceed the processors, so that one command line serves any machine.
+/// The largest --threads that is accepted. It may exceed the number of processors, so that one command line serves any
+/// machine.
 constexpr unsigned max_threads = 1024;
 
 /// Parses the options; --threads is a whole number from 1 to max_threads. Throws WrongUsage that names the value.
@@ -41,7 +42,8 @@ RunOptions parse_run(const RunArguments& arguments);
 
 class Run {
  public:
-  /// Takes the names of the input and of the files to write as on the command line; "-" is a standard stream.
+  /// Keeps the names of the input and of the files to write, as on the command line; "-" is a standard stream. Opens no
+  /// file.
   Run(std::string input, std::vector<std::string> outputs, const RunOptions& options)
       : input_(std::move(input)), outputs_(std::move(outputs)), options_(options) {}
 
@@ -55,26 +57,29 @@ class Run {
     const ProgressLine line = options_.line("reading", read_from_terminal(input_));
     return read();
   }
-  /// Prints a warning about the input, unless quiet.
+  /// Print a warning, or several, about the input, unless quiet.
   void warning(const std::string& text) const { summarize(input() + ": " + text); }
   void warning(const std::vector<std::string>& texts) const {
     for (const std::string& text : texts) warning(text);
   }
-  /// Reads the points, and prints the warnings about them, also if heights are left out.
+  /// Reads the points, and prints, unless quiet, the warnings about them, also that heights are left out. Throws as
+  /// read_points() of io/cloud.
   PointFile read_points(const PointSource& source) const;
-  /// If some points have a height, gives the others the height 0 and prints how many they are.
+  /// Replaces missing heights in `z`, which are not finite, by 0, and prints, unless quiet, how many they are. If all
+  /// are missing, `z` becomes empty.
   void complete_heights(std::vector<double>& z) const;
 
   /// Returns the progress line to show while files are written.
   ProgressLine writing() const { return options_.line("writing", written_to_terminal(outputs_)); }
-  /// Adds a file with the content that `write(file)` gives it.
+  /// Adds a file, and calls write(file), which writes the content. Throws as OutputFile, and what write() throws.
   template <typename Write>
   void add(const std::string& path, const Write& write) {
     OutputFile& file = files_.add(path);
     write(file);
     file.finish();
   }
-  /// Adds a file for each target with the content that `write(file, target)` gives it.
+  /// Adds a file for each target, and calls write(file, target), which writes the content. Throws Cancelled, as
+  /// OutputFile, and what write() throws.
   template <typename Write>
   void add(const std::vector<Target>& targets, const Write& write) {
     for (const Target& target : targets) {
@@ -83,13 +88,13 @@ class Run {
     }
   }
   OutputSet& files() { return files_; }
-  /// Gives all files their names.
+  /// Gives all added files their names. Throws as OutputFile::publish().
   void publish() { files_.publish(); }
 
   /// Prints a line about the result, unless quiet.
   void summarize(const std::string& text) const;
 
-  /// Returns the seconds since this was made, or since the last lap.
+  /// Returns the seconds since the last lap(), or since the start of the run if this is the first.
   double lap() {
     const Clock::time_point before = std::exchange(start_, Clock::now());
     return std::chrono::duration<double>(start_ - before).count();

@@ -23,12 +23,12 @@ Json or_null(const std::optional<T>& value) {
 }  // namespace
 
 std::size_t peak_bytes() {
-  // exec() resets this value; that of getrusage() includes the process that started the program.
+  // Read VmHWM, which exec() resets: the value of getrusage() includes the process that started the program.
   std::ifstream status("/proc/self/status");
   constexpr std::string_view key = "VmHWM:";
   for (std::string line; std::getline(status, line);)
-    if (line.starts_with(key)) return std::strtoull(line.c_str() + key.size(), nullptr, 10) * 1024;  // kibibytes
-  struct rusage usage {};                                                                            // without /proc
+    if (line.starts_with(key)) return std::strtoull(line.c_str() + key.size(), nullptr, 10) * 1024;  // from kibibytes
+  struct rusage usage {};  // if there is no /proc
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }

@@ -1,4 +1,4 @@
-// What: the report of --stats.
+// What: writes the report of --stats.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace rbpa::app {
 struct FillStats {
   std::size_t on_boundary = 0;  ///< points that were put on edges
   std::size_t inside = 0;       ///< points that were put inside
-  std::size_t retreats = 0;     ///< times that the front removed a triangle again
+  std::size_t retreats = 0;     ///< number of triangles that the front removed again
   std::size_t features = 0;     ///< features in the file
   std::size_t left_out = 0;     ///< features that are not valid
 };
@@ -30,7 +30,7 @@ struct GroupStats {
 struct Stats {
   std::size_t points = 0;
   std::size_t distinct = 0;
-  unsigned threads = 1;  ///< at most this many were used
+  unsigned threads = 1;  ///< the most threads that were used
   // The report has null for values that the verb does not compute.
   std::optional<double> alpha = std::nullopt;
   std::optional<std::string> alpha_rule = std::nullopt;
@@ -41,14 +41,16 @@ struct Stats {
   // The report has the keys for polygons only if the verb makes polygons.
   std::optional<std::size_t> polygons = std::nullopt;
   PolygonTotals of_polygons = {};
-  std::optional<GroupStats> groups = std::nullopt;  ///< keys only for groups; values of a single complex are null then
-  std::optional<FillStats> fill = std::nullopt;     ///< keys only for `rbpa fill`
+  std::optional<GroupStats> groups =
+      std::nullopt;                              ///< keys only if present; then the values of a single complex are null
+  std::optional<FillStats> fill = std::nullopt;  ///< keys only for `rbpa fill`
   std::optional<std::size_t> tiles = std::nullopt;  ///< key only if points were cut into tiles
   double read_seconds = 0;
-  /// Seconds of counting the result and of cutting the tiles. In `rbpa stream`, they are the two passes over the input.
-  /// Keys only if present.
+  /// Seconds of counting the result, and of cutting tiles; in `rbpa stream`, of its two passes over the input. Keys
+  /// only if present.
   std::optional<double> count_seconds = std::nullopt, cut_seconds = std::nullopt;
-  std::optional<double> choose_seconds = std::nullopt;  ///< seconds of choosing alpha by a rule; absent if it was given
+  std::optional<double> choose_seconds =
+      std::nullopt;  ///< seconds of choosing alpha by a rule; absent if alpha was given
   std::optional<double> build_seconds = std::nullopt;
   std::optional<double> write_seconds = std::nullopt;
 };
@@ -56,7 +58,7 @@ struct Stats {
 /// Writes one JSON object.
 void write_stats(OutputFile& file, const Stats& stats);
 
-/// Returns the peak memory of the process in bytes.
+/// Returns the peak memory of this process, in bytes.
 std::size_t peak_bytes();
 
 }  // namespace rbpa::app

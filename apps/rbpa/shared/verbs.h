@@ -22,7 +22,7 @@ struct MeshArguments : ComplexArguments {
   bool compact = false;
 };
 void run_mesh(const MeshArguments& arguments);
-/// Runs `rbpa mesh` on each group of the points by itself. Requires: arguments.ask_for_groups().
+/// Runs `rbpa mesh` for each group of the points. Requires: arguments.ask_for_groups().
 void run_group_meshes(const MeshArguments& arguments);
 
 /// The arguments of `rbpa shape`: from a file of points to files of polygons and pictures.
@@ -32,7 +32,7 @@ struct ShapeArguments : ComplexArguments {
   std::optional<std::string> isolated;  ///< a file for the points in no polygon
 };
 void run_shape(const ShapeArguments& arguments);
-/// Runs `rbpa shape` on each group of the points by itself. Requires: arguments.ask_for_groups().
+/// Runs `rbpa shape` for each group of the points. Requires: arguments.ask_for_groups().
 void run_group_shapes(const ShapeArguments& arguments);
 
 /// The arguments of verbs that compute all radii.
@@ -40,7 +40,7 @@ struct RadiiArguments : PointArguments {
   std::optional<std::string> stats;
   std::string components = "1";      ///< the most solid components of `auto`
   std::optional<std::string> cover;  ///< share of the points that `auto` and `min` cover
-  bool waters = false;               ///< count the atoms of water in a molecule
+  bool waters = false;               ///< true: atoms of water in a molecule count as points
   RunArguments run;
 };
 
@@ -53,11 +53,12 @@ struct RepresentativeArguments {
 
 /// The arguments of `rbpa alpha`, which prints the critical radii of points and recommends one.
 struct AlphaArguments : RadiiArguments, GroupArguments, RepresentativeArguments {
-  std::optional<std::string> picture;  ///< an .svg to write
+  std::optional<std::string> picture;  ///< path of an .svg file to write
   bool json = false;
   bool csv = false;
   bool persistence = false;
-  std::optional<std::string> complex;  ///< whose persistence: solid (as if absent) or full
+  std::optional<std::string>
+      complex;  ///< kind of the complex whose persistence is computed: solid (also if absent) or full
   std::string dimension = "2";
 };
 void run_alpha(const AlphaArguments& arguments);
@@ -66,7 +67,7 @@ void run_group_alpha(const AlphaArguments& arguments);
 
 /// The arguments of `rbpa report`, which writes a page that shows the complex at every radius.
 struct ReportArguments : RadiiArguments {
-  std::string output;  ///< an .html to write, or "-"
+  std::string output;  ///< path of an .html file to write, or "-"
   std::string dimension = "2";
 };
 void run_report(const ReportArguments& arguments);
@@ -137,20 +138,20 @@ void run_solid(const SolidArguments& arguments);
 
 /// The arguments of `rbpa stream`: triangles and polygons of more points than fit into memory.
 struct StreamArguments : PointArguments, OutputArguments {
-  std::vector<std::string> inputs;  ///< files, and folders of files; `points` is each of them in turn
+  std::vector<std::string> inputs;  ///< files, and folders of files; `points` is one file after another
   RadiusArguments radius;
   std::string memory = "1G";
   std::optional<std::string> tile_size;
   std::optional<std::string> scratch;
   bool keep_tiles = false;
   bool resume = false;
-  std::optional<std::string> min_hole_area, min_part_area;  ///< recognized to be refused with a hint
+  std::optional<std::string> min_hole_area, min_part_area;  ///< refused with a hint
   RunArguments run;
 };
 void run_stream(const StreamArguments& arguments);
 
-/// Add a verb with its options, help and examples to the program, and return it. Parsing the command line fills in
-/// `arguments`, to which the verb keeps a reference.
+/// Add a verb with its options, help and examples to `app`, and return it. The verb keeps a reference to `arguments`,
+/// which parsing the command line fills in.
 CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments);
 CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments);
 CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments);
