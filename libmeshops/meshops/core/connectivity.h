@@ -5,7 +5,7 @@
 
 namespace meshops {
 
-/// The connectivity of any OpenMesh mesh, whatever its traits: every mesh type derives from it.
+/// The base class of every OpenMesh mesh type, whatever the traits of the type.
 using Connectivity = OpenMesh::PolyConnectivity;
 
 using Vertex = OpenMesh::VertexHandle;

@@ -29,12 +29,12 @@ namespace detail {
   throw ContractViolation(std::string(operation) + ": " + refusal);
 }
 
-/// Throws ContractViolation "operation: reason", unless `refusal` is null.
+/// Throws ContractViolation with the message "operation: refusal", unless `refusal` is null.
 inline void enforce(const char* operation, const char* refusal) {
   if (refusal) [[unlikely]]
     violate(operation, refusal);
 }
-/// Returns a refusal as the …_blocker() functions do.
+/// Returns `refusal` as a string; nothing when it is null.
 inline std::optional<std::string> as_blocker(const char* refusal) {
   return refusal ? std::optional<std::string>(refusal) : std::nullopt;
 }

@@ -10,8 +10,8 @@
 
 namespace meshops {
 
-/// Disjoint sets of at most 2³¹ numbers. In a set, each number is on one of two sides; the least number is on the even
-/// one.
+/// Disjoint sets of at most 2³¹ numbers. In a set, each number is on one of two sides, even or odd; the least number is
+/// on the even side.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t size = 0) : link_(size) {
@@ -36,13 +36,15 @@ class DisjointSets {
   /// Requires: find(i) was called after the last change.
   bool is_odd(std::uint32_t i) const { return (link_[i] & 1U) != 0; }
 
-  /// Merges two sets, given by their least numbers, which are on the same side then. Returns: the lesser of the two.
+  /// Merges the sets whose least numbers are `a` and `b`; these two are on the same side then. Returns: the lesser of
+  /// them.
   std::uint32_t link(std::uint32_t a, std::uint32_t b) {
     const auto [low, high] = std::minmax(a, b);
     link_[high] = 2 * low;
     return low;
   }
-  /// Merges the sets of `a` and `b` as link() does. Returns: false when they were in one set already.
+  /// Merges the sets of `a` and `b`, so that the least numbers of the two sets are on the same side. Returns: false
+  /// when `a` and `b` were in one set already.
   bool join(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
@@ -78,7 +80,7 @@ class DisjointSets {
     return root;
   }
 
-  // Twice the parent, plus 1 when the number is on the other side than its parent: a step to the parent is one read.
+  // link_[i] is twice the parent of i, plus 1 when i and its parent are on different sides: a step up is one read.
   FreshVector<std::uint32_t> link_;
 };
 

@@ -1,6 +1,6 @@
 // What: the live elements of a mesh as ranges: for (const Face f : live_faces(mesh)).
-// Law:  a range has the elements that for_each_vertex() and its siblings visit, in the same order. A loop may mark
-//       elements as deleted, also the current one, and may add elements, which are not visited.
+// Law:  a range has the elements that the function for_each_…() of the same kind visits, in the same order. A loop may
+//       mark elements as deleted, also the current one, and may add elements, which are not visited.
 // Cost: constant for each element, live or not.
 #pragma once
 

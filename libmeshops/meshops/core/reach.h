@@ -12,20 +12,23 @@
 namespace meshops {
 
 /// Returns whether `a` and `b` lie on one boundary curve.
-/// Requires: live boundary halfedges. Throws ContractViolation.
+/// Requires: `a` and `b` are live boundary halfedges.
+/// Throws:   ContractViolation otherwise.
 /// Cost:     the shorter of the two ways from `a` to `b`; the length of the shorter curve when they lie on two.
 MESHOPS_API bool on_same_curve(const Connectivity& mesh, Halfedge a, Halfedge b);
 
 /// Returns whether a path across edges other than `without` leads from face `a` to face `b`.
-/// Requires: live faces. Throws ContractViolation.
+/// Requires: `a` and `b` are live.
+/// Throws:   ContractViolation otherwise.
 /// Cost:     time and memory linear in the smaller component when there are two, otherwise in the faces visited before
 ///           the two searches meet.
 MESHOPS_API bool in_same_component(const Connectivity& mesh, Face a, Face b, Edge without = Edge());
 
-/// Returns the faces reachable from `a` or those reachable from `b`, whichever search ends first, in the order in which
-/// they are reached; nothing when a path across edges other than `without` leads from `a` to `b`.
-/// Requires: live faces. Throws ContractViolation.
-/// Cost:     that of in_same_component().
+/// Returns all faces that paths across edges other than `without` reach from `a`, or all that they reach from `b`,
+/// whichever search ends first, in the order of the search; nothing when such a path leads from `a` to `b`.
+/// Requires: `a` and `b` are live.
+/// Throws:   ContractViolation otherwise.
+/// Cost:     as in_same_component().
 MESHOPS_API std::optional<std::vector<Face>> smaller_part(const Connectivity& mesh, Face a, Face b,
                                                           Edge without = Edge());
 

@@ -8,8 +8,8 @@
 
 namespace meshops {
 
-/// Reserves memory for the given numbers of elements; if the mesh is empty, in large pages where the system has them
-/// (large_pages.h).
+/// Reserves memory for the given total numbers of elements. If the mesh is empty and no number is 0, requests large
+/// pages for it (large_pages.h).
 MESHOPS_API void reserve(Connectivity& mesh, std::size_t vertices, std::size_t edges, std::size_t faces);
 
 }  // namespace meshops

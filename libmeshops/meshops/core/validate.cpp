@@ -86,7 +86,7 @@ class Validator {
         h = mesh_.next_halfedge_handle(h);
       } while (++steps <= sides && h != first && mesh_.face_handle(h) == f);
       if (h != first) {
-        // A change of face along the loop has been reported for the halfedge already.
+        // The change of face along the loop has been reported at a halfedge already.
         if (steps > sides) add(DefectKind::loop_does_not_close, ElementKind::face, f.idx());
         return;
       }

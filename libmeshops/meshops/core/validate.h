@@ -2,7 +2,8 @@
 //       every defect.
 // Law:  the list is empty exactly if the records agree, every edge has two different ends and a face on one or both of
 //       its sides, every face is one loop of three sides or more, and the faces around every vertex form one path or
-//       one circle. Every operator of libmeshops keeps a mesh without defects free of them, whatever its arguments are.
+//       one circle. Every operator of libmeshops keeps a sound mesh sound, whatever its arguments are, unless its
+//       header says "not checked".
 #pragma once
 
 #include <string>
@@ -22,10 +23,10 @@ enum class DefectKind {
   face_halfedge_elsewhere,    ///< the halfedge of a face belongs to another face, or to none
   face_too_short,             ///< a face has fewer than three sides
   loop_does_not_close,        ///< following next from the halfedge of a face never returns to it
-  face_has_several_loops,     ///< halfedges of a face are not on the loop of its halfedge
+  face_has_several_loops,     ///< a halfedge of a face is not on the loop of the face's own halfedge
   loop_edge,                  ///< an edge has one vertex at both ends
   dangling_edge,              ///< an edge has no face on either side
-  vertex_halfedge_elsewhere,  ///< the halfedge of a vertex starts at another vertex
+  vertex_halfedge_elsewhere,  ///< the halfedge of a vertex starts elsewhere, or is missing although some start there
   vertex_halfedge_inner,      ///< a vertex lies on the boundary but its halfedge does not (OpenMesh's convention)
   /// The faces at a vertex do not form one fan, so that the mesh is not a manifold there. They are in several rings, or
   /// in one ring that passes several gaps, as OpenMesh's add_face() links them (a bowtie).
@@ -37,7 +38,7 @@ enum class ElementKind { vertex, halfedge, face };
 struct Defect {
   DefectKind kind;
   ElementKind element;
-  int index;  ///< index of the vertex, halfedge or face at which the defect shows; of an edge its first halfedge
+  int index;  ///< index of the vertex, halfedge or face with the defect; for an edge, its first halfedge
   friend bool operator==(const Defect&, const Defect&) = default;
 };
 

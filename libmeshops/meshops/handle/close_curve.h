@@ -33,7 +33,7 @@ MESHOPS_API std::optional<std::string> close_curve_blocker(const Connectivity& m
 /// Δ:        F +1, χ +1, curves −1, others 0.
 /// Requires: close_curve_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
 /// Inverse:  open_curve().
-/// Cost:     that of the blocker.
+/// Cost:     as close_curve_blocker().
 MESHOPS_API CloseCurveEffect close_curve(Connectivity& mesh, Halfedge h);
 
 /// Returns why the face cannot be removed, or nothing when it can. The reasons: the mesh has no face status; there is
@@ -48,7 +48,7 @@ MESHOPS_API std::optional<std::string> open_curve_blocker(const Connectivity& me
 /// Requires: open_curve_blocker() is empty; the mesh has face status.
 /// Throws:   ContractViolation; the mesh is then unchanged.
 /// Inverse:  close_curve(), up to the handle of the face.
-/// Cost:     that of the blocker.
+/// Cost:     as open_curve_blocker().
 MESHOPS_API OpenCurveEffect open_curve(Connectivity& mesh, Face f);
 
 }  // namespace meshops

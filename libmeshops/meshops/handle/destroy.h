@@ -37,7 +37,7 @@ MESHOPS_API std::optional<std::string> remove_triangle_blocker(const Connectivit
 /// Requires: remove_triangle_blocker() is empty; the mesh has status of every kind.
 /// Throws:   ContractViolation; the mesh is then unchanged.
 /// Inverse:  insert_triangle(), up to handles.
-/// Cost:     that of up to three unglue().
+/// Cost:     as up to three calls of unglue().
 MESHOPS_API Delta remove_triangle(Connectivity& mesh, Face f);
 
 }  // namespace meshops

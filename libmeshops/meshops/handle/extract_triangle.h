@@ -16,18 +16,19 @@ namespace meshops {
 struct TriangleRim {
   std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};  ///< the halfedges of the face
   std::array<Vertex, 3> corner = {Vertex(), Vertex(), Vertex()};        ///< the vertices at which the sides start
-  std::array<bool, 3> is_glued;                                         ///< another face lies beyond the side
-  std::array<bool, 3> is_passage;  ///< without the triangle, the fan at the corner would be two
+  std::array<bool, 3> is_glued;                                         ///< whether another face lies beyond the side
+  std::array<bool, 3> is_passage;  ///< whether the corner's fan becomes two without the triangle
 };
 
-/// Returns the rim of a live triangle of a sound mesh. Throws ContractViolation if `f` is none. Cost: constant.
+/// Returns the sides and corners of the triangle `f`. Requires: the mesh is sound; not checked.
+/// Throws: ContractViolation if `f` does not exist, is deleted or is not a triangle. Cost: constant.
 MESHOPS_API TriangleRim rim_of(const Connectivity& mesh, Face f);
 
 /// Marks the triangle as deleted, together with its edges that have no other face. Its other sides become boundary
-/// halfedges, and a corner without other faces becomes isolated. At a corner whose fan becomes two, the fan through
+/// halfedges, and a corner without other faces becomes isolated. Where the fan at corner i becomes two, the fan through
 /// which the boundary entered the corner gets the vertex `second[i]`.
-/// Requires: `rim` is rim_of() the triangle; `second[i]` is an isolated vertex at each passage; the mesh has status of
-///           every kind. Not checked.
+/// Requires: `rim` is rim_of() the triangle; `second[i]` is an isolated vertex where `rim.is_passage[i]`; the mesh has
+///           status of every kind. Not checked.
 /// Cost:     constant, plus the degree of each corner that becomes two vertices.
 MESHOPS_API void extract_triangle(Connectivity& mesh, const TriangleRim& rim, const std::array<Vertex, 3>& second);
 

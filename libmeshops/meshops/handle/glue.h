@@ -20,14 +20,14 @@ struct GlueEffect {
   GlueCase what;        ///< the case of this glue
   Halfedge survivor{};  ///< `first`, now inner: its edge is the glued one
   Halfedge removed{};   ///< `second`: its edge is marked deleted
-  Ends first_ends;      ///< ends of `first` before; of two vertices that became one, the lower handle stays
-  Ends second_ends;     ///< ends of `second` before
+  Ends first_ends;      ///< ends of `first` before the glue; of two merged vertices the lower handle stays
+  Ends second_ends;     ///< ends of `second` before the glue
   Delta delta() const { return delta_of(what); }
 };
 
 /// Returns why `first` and `second` cannot be glued, or nothing when they can. The reasons: the mesh lacks status of
-/// some kind, one of the two is not a boundary halfedge, both are of one edge, an edge joins two vertices that would
-/// become one (that edge would become a loop), or an end has several fans (core/fans.h).
+/// some kind, one of the two does not exist or is not a boundary halfedge, both are of one edge, an edge joins two
+/// vertices that would become one (that edge would become a loop), or an end has several fans (core/fans.h).
 /// Cost:     the degrees of the ends.
 MESHOPS_API std::optional<std::string> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
@@ -43,7 +43,7 @@ MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedg
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: `second`, its edge, and the vertices that were merged into others.
 /// Inverse:     unglue().
-/// Cost:        that of glue_case().
+/// Cost:        as glue_case().
 MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// Glues as above, for a caller that has determined the case already, for example a tracker (topology/tracker.h).

@@ -24,7 +24,8 @@ struct InsertedTriangle {
   Face face{};
   std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};  ///< the halfedges of the face
   int merged = 0;  ///< number of vertices that were merged into others
-  /// The vertices that were merged into others: isolated now. Of two merged vertices, the lower handle stays.
+  /// The vertices that were merged into others, now isolated but not marked deleted. Of two merged vertices, the lower
+  /// handle stays.
   std::array<Vertex, 3> left_over = {Vertex(), Vertex(), Vertex()};
 };
 
@@ -38,13 +39,13 @@ struct NewElements {
 
 namespace detail {
 
-/// Inserts a triangle for a constant set of given sides, bit i for side i: every branch is decided at compile time.
+/// Inserts a triangle whose given sides are known at compile time: bit i of `given` is set when side i is given.
 template <unsigned given, typename Elements>
 InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sides, Elements& elements) {
   constexpr auto is_given = [](unsigned i) { return (given >> i & 1u) != 0; };
   constexpr auto previous = [](unsigned i) { return (i + 2) % 3; };
   InsertedTriangle result;
-  std::array<Halfedge, 3> before;  // the neighbors of each given side on the boundary before the change
+  std::array<Halfedge, 3> before;  // boundary halfedges before and after each given side
   std::array<Halfedge, 3> after;
   std::array<Vertex, 3> corner;
   const auto for_each = [](auto visit) {
@@ -90,7 +91,7 @@ InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sid
   // The boundary passes by each corner, unless the two sides at it were neighbors on the boundary: then the corner
   // closes.
   for_each([&](auto i) {
-    constexpr unsigned p = previous(i);  // side p comes into corner i, side i leaves it
+    constexpr unsigned p = previous(i);  // side p ends at corner i, side i starts there
     Halfedge in, out;
     if constexpr (is_given(i))
       in = before[i];

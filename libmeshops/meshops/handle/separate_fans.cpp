@@ -5,7 +5,8 @@
 namespace meshops {
 namespace {
 
-/// Collects all halfedges of a fan that leave its vertex, clockwise. An open fan begins on the boundary.
+/// Sets `fan` to the halfedges of a fan that leave its vertex, clockwise; `any` is one of them. An open fan begins with
+/// its boundary halfedge.
 void collect_fan(const Connectivity& mesh, Halfedge any, std::vector<Halfedge>& fan) {
   Halfedge first = any;
   while (!mesh.is_boundary(first)) {

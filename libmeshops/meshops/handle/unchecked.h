@@ -12,8 +12,8 @@ namespace meshops::detail {
 /// Returns why the operator is refused, or nullptr when it is not. Reasons are literals, which allocate no memory.
 const char* glue_refusal(const Connectivity& mesh, Halfedge first, Halfedge second);
 const char* unglue_refusal(const Connectivity& mesh, Halfedge h);
-/// Returns why two vertices cannot be merged, or nullptr when they can. Each is given by the boundary halfedge that
-/// leaves it; equal halfedges stand for one vertex, which stays.
+/// Returns why two vertices cannot be merged, or nullptr when they can. `out` and `other_out` are the boundary
+/// halfedges that leave the two vertices; if they are equal, there is one vertex, which stays.
 /// Cost: the degrees of both vertices.
 const char* merge_refusal(const Connectivity& mesh, Halfedge out, Halfedge other_out);
 

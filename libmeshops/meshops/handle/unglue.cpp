@@ -18,7 +18,7 @@ struct End {
   Halfedge before, after;  // boundary halfedges into the vertex and out of it
   bool on_boundary;
 
-  /// Requires: the vertex has one fan.
+  /// Reads the end at `v`. Requires: `v` has one fan.
   End(const Connectivity& mesh, Vertex v) : vertex(v), on_boundary(mesh.is_boundary(v)) {
     if (!on_boundary) return;
     after = mesh.halfedge_handle(v);
@@ -33,8 +33,8 @@ struct Parts {
   GlueEffect::Ends second_ends;
 };
 
-/// Splits the edge. Changes records only: every element exists and is live; no record refers to the edge of
-/// `parts.second` yet.
+/// Splits the edge of `first`; changes only records. Requires: every element of `parts` is live, and no record refers
+/// to the edge of `parts.second` yet.
 void part(Connectivity& mesh, Halfedge first, const End& start, const End& end, const Parts& parts) {
   const Halfedge second = parts.second, inner = mesh.opposite_halfedge_handle(second);
   const Halfedge before = mesh.prev_halfedge_handle(first), after = mesh.next_halfedge_handle(first);

@@ -18,10 +18,10 @@ namespace meshops {
 
 struct UnglueEffect {
   GlueCase what;       ///< the case of glue() of which this is the inverse
-  Halfedge first{};    ///< the given halfedge, now on the boundary, with the face beyond its edge
+  Halfedge first{};    ///< the halfedge `h`, now on the boundary; its opposite keeps its face
   Halfedge second{};   ///< the other boundary halfedge, of a new edge: glue(first, second) is the inverse
-  Vertex new_start{};  ///< second vertex, new or restored, at the start of h; an invalid handle when that was inner
-  Vertex new_end{};    ///< second vertex, new or restored, at the end of h; an invalid handle when that was inner
+  Vertex new_start{};  ///< second vertex, new or restored, at the start of `h`; invalid when the start was inner
+  Vertex new_end{};    ///< second vertex, new or restored, at the end of `h`; invalid when the end was inner
   Delta delta() const { return -delta_of(what); }
 };
 
@@ -32,8 +32,8 @@ MESHOPS_API std::optional<std::string> unglue_blocker(const Connectivity& mesh, 
 
 /// Returns the case of glue() of which unglue() would be the inverse.
 /// Requires: unglue_blocker() is empty. Throws ContractViolation.
-/// Cost:     that of unglue_blocker() alone when an end of the edge is inner; otherwise also the shorter way along the
-///           curve, and the smaller of the two parts when both ends are on one curve.
+/// Cost:     as unglue_blocker() when an end of the edge is inner; otherwise also the shorter way along the curve, and,
+///           when both ends are on one curve, the smaller of the two components that the split would make.
 MESHOPS_API GlueCase unglue_case(const Connectivity& mesh, Halfedge h);
 
 /// Splits an inner edge into two boundary edges. `h` is on the boundary afterwards, and a new edge replaces it in its
@@ -43,7 +43,7 @@ MESHOPS_API GlueCase unglue_case(const Connectivity& mesh, Halfedge h);
 ///           `h`.
 /// Requires: unglue_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
 /// Inverse:  glue(first, second).
-/// Cost:     that of unglue_case().
+/// Cost:     as unglue_case().
 MESHOPS_API UnglueEffect unglue(Connectivity& mesh, Halfedge h);
 
 /// Undoes a glue(): the edge and the vertices that it marked deleted are live again, with their own properties.
@@ -51,7 +51,7 @@ MESHOPS_API UnglueEffect unglue(Connectivity& mesh, Halfedge h);
 ///           deleted are still marked; the mesh has status of every kind. All of this is checked: a sound mesh stays
 ///           sound whatever the effect contains.
 /// Throws:   ContractViolation; the mesh is then unchanged.
-/// Cost:     that of unglue_case().
+/// Cost:     as unglue_case().
 MESHOPS_API UnglueEffect unglue(Connectivity& mesh, const GlueEffect& effect);
 
 }  // namespace meshops

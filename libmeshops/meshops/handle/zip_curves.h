@@ -1,6 +1,6 @@
 // What:   sews two boundary curves of equal length together, edge by edge.
-// Law:    equals one glue() that joins two components or makes a handle, then one that zips for each further edge but
-//         the last, then one that closes; the counts change by the sum of their deltas.
+// Law:    equals one glue() that joins two components or makes a handle, then a glue() that zips for each further edge
+//         but the last, then a glue() that closes the curve; the counts change by the sum of the deltas of these calls.
 // Source: Lewiner et al., Topological mesh operators, section on handle operators.
 #pragma once
 
@@ -28,8 +28,8 @@ struct ZipCurvesEffect {
 };
 
 /// Returns why the curves through `first` and `second` cannot be sewn, or nothing when they can. The reasons: the mesh
-/// has no status, one is not a boundary halfedge, both are on one curve, the lengths differ, an edge joins two vertices
-/// that would become one, or a vertex has several fans (core/fans.h).
+/// lacks status of some kind, a halfedge does not exist or is not on the boundary, both are on one curve, the lengths
+/// differ, an edge joins two vertices that would become one, or a vertex has several fans (core/fans.h).
 /// Cost:     the degrees of the vertices on both curves.
 MESHOPS_API std::optional<std::string> zip_curves_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
@@ -41,7 +41,7 @@ MESHOPS_API std::optional<std::string> zip_curves_blocker(const Connectivity& me
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the curve through `second`.
 /// Inverse:     unglue() of the seam, from its last edge to its first.
-/// Cost:        that of one glue(), plus the degrees of the vertices on both curves.
+/// Cost:        as one glue(), plus the degrees of the vertices on both curves.
 MESHOPS_API ZipCurvesEffect zip_curves(Connectivity& mesh, Halfedge first, Halfedge second);
 
 }  // namespace meshops

@@ -18,7 +18,7 @@ struct StarElements {
   Vertex vertex{};
   std::array<Edge, 3> edge = {Edge(), Edge(), Edge()};  ///< first the edge along which the operator splits or welds
   std::array<Face, 2> face = {Face(), Face()};
-  bool at_boundary = false;  ///< if so, the last edge and the last face are invalid
+  bool at_boundary = false;  ///< whether it has two edges and one face: the last of each is invalid
 
   std::span<const Edge> edges() const { return std::span(edge).first(at_boundary ? 2 : 3); }
   std::span<const Face> faces() const { return std::span(face).first(at_boundary ? 1 : 2); }
@@ -35,7 +35,7 @@ struct SplitEffect {
 };
 
 struct SplitEdgeEffect : SplitEffect {
-  Halfedge line{};  ///< the half that keeps its handle, toward the new vertex
+  Halfedge line{};  ///< toward the new vertex, on the half of the edge that keeps its handle
 };
 struct SplitFaceEffect : SplitEffect {
   Face face{};  ///< the face that was split; it is one of three now
@@ -46,11 +46,11 @@ struct SplitVertexEffect : SplitEffect {};
 struct WeldEffect {
   StarElements removed;  ///< marked deleted; their records are left as they were, for undo()
   Vertex survivor{};     ///< the vertex that took over the fan of the removed one
-  /// Outgoing halfedges of the survivor along the edges that two edges merged into; absent on a side without a face.
-  /// The fan that was taken over lies between them, counter-clockwise from left to right: split_vertex(left, right) is
-  /// the inverse.
+  /// The halfedges from the survivor along the two edges into which pairs of edges merged; absent on a side without a
+  /// face. The fan that the survivor took over lies between them, counter-clockwise from left to right:
+  /// split_vertex(left, right) is the inverse.
   std::optional<Halfedge> left, right;
-  Halfedge halfedge{};  ///< marked deleted: from the removed vertex to the survivor
+  Halfedge halfedge{};  ///< from the removed vertex to the survivor; marked deleted
   std::array<Halfedge, 3> named = {
       Halfedge(), Halfedge(),
       Halfedge()};  ///< for undo(): mesh.halfedge_handle() of the survivor and of the ends of left and right, before

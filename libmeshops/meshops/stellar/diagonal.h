@@ -16,23 +16,23 @@
 namespace meshops {
 
 struct InsertDiagonalEffect {
-  Halfedge diagonal{};  ///< new, with the new face on its left
-  Face face{};          ///< new
+  Halfedge diagonal{};  ///< halfedge of the new edge, with the new face on its left
+  Face face{};          ///< the new face
   constexpr Delta delta() const { return {.edges = 1, .faces = 1}; }
 };
 
 struct RemoveDiagonalEffect {
-  Edge edge{};            ///< marked deleted
-  Face face{};            ///< marked deleted
-  Face survivor{};        ///< has the sides of both faces
+  Edge edge{};            ///< the edge of h, marked deleted
+  Face face{};            ///< the face of h, marked deleted
+  Face survivor{};        ///< the face that has the sides of both now
   Halfedge from{}, to{};  ///< insert_diagonal(from, to) is the inverse
   constexpr Delta delta() const { return {.edges = -1, .faces = -1}; }
 };
 
-/// Returns why no diagonal can join the starts of these halfedges, or nothing when one can. The reasons: they are not
-/// sides of one face; the corners are neighbors (a face of two sides would be left) or one vertex (a loop); with
-/// Keep::simplicial, an edge joins them already, or both faces would be triangles on the same corners, in a face that
-/// touches itself.
+/// Returns why no diagonal can join the starts of `from` and `to`, or nothing when one can. The reasons: a halfedge
+/// does not exist or is deleted; they are not sides of one face; the two corners are neighbors (a face of two sides
+/// would be left) or one vertex (a loop); with Keep::simplicial, an edge joins the corners already, or the diagonal
+/// would make two triangles with the same corners, in a quadrangle that touches itself.
 MESHOPS_API std::optional<std::string> insert_diagonal_blocker(const Connectivity& mesh, Halfedge from, Halfedge to,
                                                                Keep keep = Keep::simplicial);
 
@@ -52,8 +52,8 @@ MESHOPS_API InsertDiagonalEffect insert_diagonal(Connectivity& mesh, Halfedge fr
 /// kind, the halfedge does not exist, its edge is on the boundary, or one face lies on both sides of the edge.
 MESHOPS_API std::optional<std::string> remove_diagonal_blocker(const Connectivity& mesh, Halfedge h);
 
-/// Removes the edge of h. The edge and the face of h are marked deleted, and the face beyond gets the sides of both: a
-/// polygon. Two faces with several common edges become one face that touches itself.
+/// Removes the edge of h. The edge and the face of h are marked deleted; the face on the other side of the edge gets
+/// the sides of both. Two faces with several common edges become one face that touches itself.
 /// Requires:    remove_diagonal_blocker() is empty; the mesh has status of every kind.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted.

@@ -41,7 +41,7 @@ const char* refusal(const Connectivity& mesh, Edge e, Keep keep) {
   return nullptr;
 }
 
-/// Puts h and o, whose ends are set, into triangles with the sides that follow them.
+/// Links `h`, `after` and `before` to a loop in this order, and puts all three into the face of `h`.
 void link(Connectivity& mesh, Halfedge h, Halfedge after, Halfedge before) {
   const Face face = mesh.face_handle(h);
   mesh.set_next_halfedge_handle(h, after);

@@ -17,7 +17,7 @@ namespace meshops {
 struct FlipEffect {
   Edge edge{};
   std::array<Halfedge, 2> named = {
-      Halfedge(), Halfedge()};  ///< for undo(): the old halfedges of the start and of the end of halfedge 0
+      Halfedge(), Halfedge()};  ///< for undo(): mesh.halfedge_handle() of the start and the end of halfedge 0, before
   constexpr Delta delta() const { return {}; }
 };
 
@@ -34,11 +34,11 @@ MESHOPS_API std::optional<std::string> flip_blocker(const Connectivity& mesh, Ed
 /// Invalidates: nothing.
 /// Inverse:     flip(), which leaves the edge reversed; undo(), exactly.
 /// Δ:           all 0; the degrees of a and b fall by one, those of c and d rise.
-/// Cost:        constant; Keep::simplicial: the degree of c.
+/// Cost:        constant; Keep::simplicial: the lesser degree of c and d.
 MESHOPS_API FlipEffect flip(Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
-/// Rotates the edge back, clockwise. If the mesh is as flip() left it, and later changes have been undone, every record
-/// is restored.
+/// Rotates the edge back, clockwise. If the mesh is as flip() left it (later changes have been undone), every record is
+/// restored.
 /// Requires: flip_blocker(mesh, effect.edge, Keep::manifold) is empty.
 /// Throws:   ContractViolation; the mesh is then unchanged.
 /// Cost:     constant.

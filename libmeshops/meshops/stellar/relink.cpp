@@ -9,8 +9,8 @@
 namespace meshops::detail {
 namespace {
 
-/// Puts `heir` in the place of h in its loop and in the record of its face. `before` and `after` are the neighbors
-/// there.
+/// Puts `heir` in the place of h: between `before` and `after` in the loop of h, and into the record of the face if the
+/// face refers to h.
 void take_place(Connectivity& mesh, Halfedge heir, Halfedge h, Halfedge before, Halfedge after) {
   const Face face = mesh.face_handle(h);
   mesh.set_next_halfedge_handle(before, heir);
@@ -29,8 +29,8 @@ void mark_deleted(Connectivity& mesh, const StarElements& removed) {
   }
 }
 
-/// The halfedges around the edge of h = v→w, drawn as both triangles lie in a plane: c on the left, d on the right. The
-/// handles of a side without a triangle mean nothing.
+/// The halfedges of the two triangles at the edge of h = v→w, named by their ends: apex c on the left, d on the right.
+/// On a side without a triangle, they are the neighbors of h or o on the boundary, and the opposites of these.
 struct Star {
   Star(const Connectivity& mesh, Halfedge along)
       : h(along),
@@ -51,7 +51,8 @@ struct Star {
   bool v_has_degree_two() const { return has_left && has_right && vc == vd; }
 };
 
-/// Does the work of close_edge() where v has two edges. Two edges from w to c become one; the one on the right stays.
+/// Closes the edge as close_edge() does, where v has two edges. Two edges from w to c become one: the one on the right
+/// of h.
 WeldEffect close_inner_path(Connectivity& mesh, const Star& s, WeldEffect effect) {
   const Halfedge cw_left = mesh.opposite_halfedge_handle(s.wc), wc_right = mesh.opposite_halfedge_handle(s.dw);
   const Vertex w = effect.survivor, c = mesh.to_vertex_handle(s.wc);
@@ -65,8 +66,7 @@ WeldEffect close_inner_path(Connectivity& mesh, const Star& s, WeldEffect effect
   return effect;
 }
 
-/// Opens a vertex with given elements: the vertex, its edge to w, an edge to the end of each given halfedge, and a face
-/// for each of these.
+/// Splits w as open_vertex() does, with the vertex, the edges and the faces that `elements` returns.
 template <typename Elements>
 SplitEffect open_with(Connectivity& mesh, Vertex w, Halfedge left, Halfedge right, Elements elements) {
   const bool has_left = left.is_valid(), has_right = right.is_valid();
@@ -122,7 +122,7 @@ SplitEffect open_with(Connectivity& mesh, Vertex w, Halfedge left, Halfedge righ
   return effect;
 }
 
-/// Reverses close_inner_path(): the edge of `right` becomes two, with v between them.
+/// Reverses close_inner_path(): the edge of `effect.right` becomes two, with `v` between them.
 void open_inner_path(Connectivity& mesh, const WeldEffect& effect, Vertex v, Halfedge vc, Halfedge wc) {
   const Halfedge h = effect.halfedge, o = mesh.opposite_halfedge_handle(h);
   const Halfedge dw = mesh.opposite_halfedge_handle(*effect.right), cw_left = mesh.opposite_halfedge_handle(wc);
@@ -137,12 +137,12 @@ void open_inner_path(Connectivity& mesh, const WeldEffect& effect, Vertex v, Hal
   if (mesh.halfedge_handle(c) == dw) mesh.set_halfedge_handle(c, cw_left);
 }
 
-/// Returns the halfedge of a deleted edge that started at `v`, by the records of the edge that are left in the mesh.
+/// Returns the halfedge of the deleted edge `e` that started at `v`, according to the records that the mesh still has.
 Halfedge leaving(const Connectivity& mesh, Edge e, Vertex v) {
   return mesh.halfedge_handle(e, mesh.to_vertex_handle(mesh.halfedge_handle(e, 0)) == v ? 1 : 0);
 }
 
-/// The elements of a weld, in the order in which the weld names them.
+/// The elements that a weld removed, returned one by one in the order of WeldEffect::removed.
 class RevivedElements {
  public:
   RevivedElements(Connectivity& mesh, const WeldEffect& effect)
@@ -166,9 +166,9 @@ class RevivedElements {
   std::size_t edges_ = 0, faces_ = 0;
 };
 
-/// Returns whether a gap of the boundary lies between left and right and is not the only gap at the vertex. A gap lies
-/// between each boundary halfedge that leaves the vertex and the next edge counter-clockwise. With several gaps, the
-/// boundary halfedge of the vertex on one side of the split would be ambiguous.
+/// Returns whether a gap of the boundary lies between `left` and `right` and is not the only gap at `w`. A gap lies
+/// between each boundary halfedge that leaves `w` and the next edge counter-clockwise. With several gaps, the boundary
+/// halfedge of the vertex on one side of the split would be ambiguous.
 bool parts_gaps(const Connectivity& mesh, Vertex w, std::optional<Halfedge> left, std::optional<Halfedge> right) {
   const Halfedge named = mesh.halfedge_handle(w);
   const auto gaps_between = [&](Halfedge first, Halfedge end) {
@@ -176,7 +176,7 @@ bool parts_gaps(const Connectivity& mesh, Vertex w, std::optional<Halfedge> left
     for (Halfedge out = first; out != end; out = ccw(mesh, out)) gaps += mesh.is_boundary(out);
     return gaps;
   };
-  // A halfedge that is left out stands for the gap at the boundary halfedge of w.
+  // A halfedge that is absent means the gap at the boundary halfedge of w.
   if (!right) return gaps_between(*left, named) > 0;
   if (!left) return gaps_between(ccw(mesh, named), *right) > 0;
   const bool full_turn = *left == *right;
@@ -227,7 +227,7 @@ SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge ri
 void open_vertex_again(Connectivity& mesh, const WeldEffect& effect) {
   const StarElements& removed = effect.removed;
   const Vertex v = removed.vertex, w = effect.survivor;
-  // The records of removed elements are as they were, and hold what no rule determines.
+  // The removed elements still have their old records; those read here cannot be derived from the rest of the mesh.
   const Halfedge h = effect.halfedge, named_by_v = mesh.halfedge_handle(v);
   const std::array<Halfedge, 2> named_by_face = {
       mesh.halfedge_handle(removed.face[0]), removed.at_boundary ? Halfedge() : mesh.halfedge_handle(removed.face[1])};
@@ -280,8 +280,7 @@ WeldEffect close_links(Connectivity& mesh, Halfedge h) {
   if (!effect.removed.at_boundary) effect.removed.face[1] = mesh.face_handle(s.o);
   if (s.v_has_degree_two()) return close_inner_path(mesh, s, effect);
 
-  // undo() reads the records of removed elements, so that nothing may be written to them: the neighbors are found
-  // before.
+  // undo() reads the records of removed elements, so that they must not change: their neighbors are found first.
   const Halfedge wd = mesh.opposite_halfedge_handle(s.dw);
   const Halfedge named_by_v = mesh.halfedge_handle(v);
   effect.removed.edge[0] = mesh.edge_handle(s.h);
@@ -346,7 +345,7 @@ const char* close_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
   if (inner && mesh.is_boundary(v) && mesh.is_boundary(w))
     return "an inner edge between two boundary vertices: they would become a pinch";
 
-  // The two edges that become one can lose their last face only where no other face is there.
+  // Two edges that become one have no face left if neither has a face besides the triangle that closes.
   const Halfedge cw_left = mesh.opposite_halfedge_handle(s.wc), wd = mesh.opposite_halfedge_handle(s.dw);
   const auto dangles = [&](Halfedge one, Halfedge other) { return mesh.is_boundary(one) && mesh.is_boundary(other); };
   bool only_edge_left = false;
@@ -370,7 +369,8 @@ const char* close_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
 
   for (Halfedge out = start; out != end; out = ccw(mesh, out))
     if (are_joined(mesh, w, mesh.to_vertex_handle(out))) return "two edges would join the same vertices";
-  // If v has only one more face, between left and right: it must not come to lie on another face of w.
+  // If v has only one more face, which lies between left and right, the face must not get the corners of another face
+  // of w.
   if (start == end && inner && is_triangle(mesh, s.vc)) {
     const Vertex c = mesh.to_vertex_handle(s.vc), d = mesh.to_vertex_handle(s.vd);
     Halfedge out = s.o;

@@ -1,6 +1,6 @@
 // What:  the two changes of links behind all stellar operators but the flip: opening a vertex to two, and closing two
 //        to one.
-// Law:   close_edge(open_vertex()) restores every live record. Only the two refusals check anything here.
+// Law:   close_edge(open_vertex()) restores every live record. Only open_refusal() and close_refusal() check links.
 #pragma once
 
 #include <optional>
@@ -28,7 +28,7 @@ inline bool is_triangle(const Connectivity& mesh, Halfedge h) {
          mesh.next_halfedge_handle(mesh.next_halfedge_handle(h)) == mesh.prev_halfedge_handle(h);
 }
 
-/// Links three halfedges to a face, whose halfedge is the first.
+/// Links `a`, `b` and `c` to a loop, the sides of `face`; `a` becomes the halfedge of the face.
 inline void make_triangle(Connectivity& mesh, Face face, Halfedge a, Halfedge b, Halfedge c) {
   mesh.set_next_halfedge_handle(a, b);
   mesh.set_next_halfedge_handle(b, c);
@@ -37,9 +37,9 @@ inline void make_triangle(Connectivity& mesh, Face face, Halfedge a, Halfedge b,
   mesh.set_halfedge_handle(face, a);
 }
 
-/// Cuts a face between the starts of two of its sides, which must not be neighbors. `diagonal` runs from the first to
-/// the second; the part without the halfedge of the face goes to `added`. Returns the halfedge of the diagonal that has
-/// the new face on its left.
+/// Cuts the face of `from` and `to` along an edge between the starts of these two sides, which must not be neighbors.
+/// `diagonal` is the halfedge of the new edge from the start of `from` to the start of `to`. The part without the
+/// halfedge of the face goes to the face `added`. Returns the halfedge of the new edge that has `added` on its left.
 Halfedge cut_face(Connectivity& mesh, Halfedge from, Halfedge to, Halfedge diagonal, Face added);
 
 inline void require_status(const Connectivity& mesh, const char* operation) {
@@ -58,14 +58,13 @@ inline void name_again(Connectivity& mesh, Vertex v, Halfedge named) {
 bool are_joined(const Connectivity& mesh, Vertex a, Vertex b);
 
 /// Splits w: a new vertex takes over the edges of w from `left` to `right`, counter-clockwise and without these two,
-/// and a triangle opens along each of the two. An invalid handle stands for the boundary; equal ones stand for a full
-/// turn.
+/// and a triangle opens along each of the two. An invalid handle means the boundary; equal handles mean a full turn.
 SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge right);
 
 /// Opens a vertex as above, but reuses the elements that a weld marked deleted: edges and faces in the order in which
 /// close_edge() names them. The mesh is sound afterwards, whatever these elements were before.
-/// Requires: open_refusal() is null; the effect names different elements, all of them deleted, and left or right is
-///           given.
+/// Requires: open_refusal() is null; the effect names different elements, all of them marked deleted, and has `left` or
+///           `right`.
 void open_vertex_again(Connectivity& mesh, const WeldEffect& effect);
 
 /// Returns why the vertex cannot be opened, or nullptr when it can. The reasons are those of split_vertex_blocker().
@@ -76,7 +75,7 @@ WeldEffect close_edge(Connectivity& mesh, Halfedge h);
 /// Merges as close_edge() does, without marking anything deleted.
 WeldEffect close_links(Connectivity& mesh, Halfedge h);
 
-/// Returns why close_edge(h) is refused, or nullptr when it is not. Requires: a live halfedge.
+/// Returns why close_edge(h) is refused, or nullptr when it is not. Requires: h is live.
 const char* close_refusal(const Connectivity& mesh, Halfedge h, Keep keep);
 
 }  // namespace meshops::detail

@@ -25,8 +25,8 @@ MESHOPS_API std::optional<std::string> remove_vertex_blocker(const Connectivity&
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the elements marked deleted, as collapse().
 /// Inverse:     split_vertex(left, right) of the returned effect, up to handles; undo(), exactly.
-/// Δ:           that of collapse().
-/// Cost:        that of collapse() for each halfedge that is tried.
+/// Δ:           as collapse().
+/// Cost:        as collapse(), for each halfedge that is tried.
 MESHOPS_API WeldEffect remove_vertex(Connectivity& mesh, Vertex v, Keep keep = Keep::simplicial);
 
 }  // namespace meshops

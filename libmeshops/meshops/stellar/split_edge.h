@@ -15,8 +15,8 @@
 namespace meshops {
 
 /// Returns why the edge cannot be split, or nothing when it can. The reasons: the edge does not exist or is deleted, a
-/// face at it is not a triangle, or, with Keep::simplicial, the two triangles have the same apex, to which the new
-/// vertex would be joined twice.
+/// face at the edge is not a triangle, or, with Keep::simplicial, the two triangles have the same apex, to which the
+/// new vertex would be joined twice.
 MESHOPS_API std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Halfedge h,
                                                           Keep keep = Keep::simplicial);
 MESHOPS_API std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Edge e,
@@ -40,7 +40,7 @@ MESHOPS_API SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep
 MESHOPS_API SplitEdgeEffect split_edge(Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
 /// Splits the edge and then calls hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
-/// Throws: ContractViolation, and what the hook throws; the mesh is then unchanged.
+/// Throws: ContractViolation, and what the hook throws; the mesh is then as before, except as split_hooks.h says.
 template <typename Mesh, SplitHook<Mesh, SplitEdgeEffect> Hook>
 SplitEdgeEffect split_edge(Mesh& mesh, Halfedge h, Hook hook, Keep keep = Keep::simplicial) {
   return detail::with_hook(mesh, split_edge(static_cast<Connectivity&>(mesh), h, keep), hook);

@@ -31,7 +31,7 @@ MESHOPS_API std::optional<std::string> split_face_blocker(const Connectivity& me
 MESHOPS_API SplitFaceEffect split_face(Connectivity& mesh, Face f);
 
 /// Splits the face and then calls hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
-/// Throws: ContractViolation, and what the hook throws; the mesh is then unchanged.
+/// Throws: ContractViolation, and what the hook throws; the mesh is then as before, except as split_hooks.h says.
 template <typename Mesh, SplitHook<Mesh, SplitFaceEffect> Hook>
 SplitFaceEffect split_face(Mesh& mesh, Face f, Hook hook) {
   return detail::with_hook(mesh, split_face(static_cast<Connectivity&>(mesh), f), hook);

@@ -73,7 +73,7 @@ void take_back(Connectivity& mesh, const SplitEffect& effect) {
   if (is_at_end) {
     close_links(mesh, effect.halfedge);
     mesh.resize(mesh.n_vertices() - 1, mesh.n_edges() - added.edges().size(), mesh.n_faces() - added.faces().size());
-  } else if (has_status(mesh)) {  // other elements were added after them
+  } else if (has_status(mesh)) {  // the hook added elements after those of the split
     close_edge(mesh, effect.halfedge);
   }
 }

@@ -1,7 +1,8 @@
 // What: functions that a split calls as soon as the new elements are linked: they place the new vertex and fill in the
 //       properties of new elements. The links do not depend on them.
-// Law:  a hook that throws leaves the mesh as it was before the split, in every record and property, except those of
-//       old elements that the hook itself wrote.
+// Law:  a hook that throws leaves the mesh as it was before the split, in every record and property, except for what
+//       the hook wrote to old elements. If the hook added elements, the elements of the split are marked deleted
+//       instead of removed; without status of every kind, the split stays.
 #pragma once
 
 #include <concepts>
@@ -67,7 +68,7 @@ MESHOPS_API void carry_over(Connectivity& mesh, const SplitEdgeEffect& effect);
 MESHOPS_API void carry_over(Connectivity& mesh, const SplitFaceEffect& effect);
 MESHOPS_API void carry_over(Connectivity& mesh, const SplitVertexEffect& effect);
 
-/// Undoes a split whose hook threw, and removes the elements that it added.
+/// Undoes a split whose hook threw, and removes the elements that the split added; the Law above names the exceptions.
 MESHOPS_API void take_back(Connectivity& mesh, const SplitEffect& effect);
 
 template <typename Mesh, typename Effect, typename Hook>

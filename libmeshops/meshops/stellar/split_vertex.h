@@ -41,7 +41,7 @@ MESHOPS_API SplitVertexEffect split_vertex(Connectivity& mesh, std::optional<Hal
                                            std::optional<Halfedge> right, Keep keep = Keep::simplicial);
 
 /// Splits the vertex and then calls hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
-/// Throws: ContractViolation, and what the hook throws; the mesh is then unchanged.
+/// Throws: ContractViolation, and what the hook throws; the mesh is then as before, except as split_hooks.h says.
 template <typename Mesh, SplitHook<Mesh, SplitVertexEffect> Hook>
 SplitVertexEffect split_vertex(Mesh& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right, Hook hook,
                                Keep keep = Keep::simplicial) {

@@ -42,14 +42,14 @@ concept TriangleWeight = requires(Weight& weight, Vertex v) {
 
 namespace detail {
 
-/// The corners of a face, from the start of its halfedge on, and the diagonals that are allowed.
+/// The corners of a face, from the start of mesh.halfedge_handle(face) on, and the diagonals that are allowed.
 class MESHOPS_API Polygon {
  public:
   Polygon(const Connectivity& mesh, Face face, Keep keep);
 
   /// Returns the number of corners; 0 when the face does not exist, or it cannot be triangulated.
   std::size_t size() const { return sides_.size(); }
-  /// Returns why there is no triangulation.
+  /// Returns why the face has no triangulation. Meaningful only when it has none.
   const char* reason() const { return reason_; }
   Vertex corner(std::size_t i) const { return corners_[i]; }
   /// Returns whether corners i < j are neighbors or may be joined by a diagonal.
@@ -66,8 +66,9 @@ class MESHOPS_API Polygon {
   const char* reason_ = "every triangulation has an edge that is not allowed";
 };
 
-/// Returns for each part of the polygon between corners i < j the apex of the triangle at i and j, in the triangulation
-/// of the part with the least weight; of equal weights, the least apex. Nothing when the whole has no triangulation.
+/// Returns a table: entry i · size + j is, for the part of the polygon from corner i to corner j > i, the apex of the
+/// triangle at i and j in the triangulation of the part with the least weight; of equal weights, the least apex.
+/// Returns nothing when the whole polygon has no triangulation.
 template <typename Weight>
 std::optional<std::vector<std::uint32_t>> least_triangulation(const Polygon& polygon, Weight& weight) {
   using Sum = std::remove_cvref_t<decltype(weight(Vertex(), Vertex(), Vertex()))>;

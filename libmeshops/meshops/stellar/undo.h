@@ -10,11 +10,11 @@
 namespace meshops {
 
 /// Restores the elements that an operator marked deleted, with their old handles and properties.
-/// Effect:   split_vertex(left, right), with the removed elements as its new ones. If the mesh is as the operator left
-///           it (later changes have been undone, and no garbage was collected), the result is the mesh before the
-///           operator.
-/// Requires: the elements still exist and are marked; left and right leave the survivor, and can be split; the mesh has
-///           status of every kind. All of this is checked.
+/// Effect:   as split_vertex(left, right) of the effect, with the removed elements in place of new ones. If the mesh is
+///           as the operator left it (later changes have been undone, and no garbage was collected), the result is the
+///           mesh before the operator.
+/// Requires: the elements still exist and are marked deleted; split_vertex_blocker(left, right, Keep::manifold) is
+///           empty, and both leave the survivor; the mesh has status of every kind. All of this is checked.
 /// Throws:   ContractViolation; the mesh is then unchanged.
 /// Δ:        the opposite of effect.delta().
 /// Cost:     the degree of the restored vertex; where the survivor is on the boundary, that of the survivor.
