@@ -12,8 +12,8 @@
 
 namespace meshops {
 
-/// Closed curve of the boundary halfedges through a given one, in the order of `next`. It is a view: it owns nothing,
-/// and is valid as long as the boundary does not change.
+/// The closed curve of the boundary halfedges through a given one, in the order of `next`. It is a view: it owns
+/// nothing, and is valid as long as the boundary does not change.
 class MESHOPS_API BoundaryCurve {
  public:
   class Iterator {
@@ -63,8 +63,7 @@ class MESHOPS_API BoundaryCurve {
   Iterator begin() const { return {*mesh_, through_, false}; }
   Iterator end() const { return {*mesh_, through_, true}; }
   Halfedge front() const { return through_; }
-  /// Returns whether a boundary halfedge is on this curve. Throws ContractViolation when `h` is not a boundary
-  /// halfedge.
+  /// Returns whether `h` is on this curve. Throws ContractViolation when `h` is not a boundary halfedge.
   /// Cost: the shorter way along the curve to `h`; the length of the shorter curve when `h` is on another.
   bool contains(Halfedge h) const;
 
@@ -76,8 +75,8 @@ class MESHOPS_API BoundaryCurve {
   Halfedge through_;
 };
 
-/// Returns the boundary curve that leaves a vertex, starting there; nothing when the vertex is inner or isolated.
-/// Requires: the vertex is live. Throws ContractViolation.
+/// Returns the boundary curve that leaves the vertex `v`, starting there; nothing when `v` is inner or isolated.
+/// Requires: `v` is live. Throws ContractViolation.
 /// Cost:     constant.
 MESHOPS_API std::optional<BoundaryCurve> boundary_curve_at(const Connectivity& mesh, Vertex v);
 

@@ -40,20 +40,20 @@ class EngineSide {
     front_.guard_.require_intact();
     return front_.waiting_.next();
   }
-  /// Makes an active halfedge inactive, unless it is deferred. Returns: whether it did.
+  /// Makes `h` inactive if it is active and not deferred. Returns: whether it was.
   bool take(Halfedge h) const {
     front_.guard_.require_intact();
     return front_.waiting_.release_queued(h);
   }
-  /// Makes the halfedge being processed active again, to wait until a triangle is inserted or detached.
+  /// Makes `h`, the halfedge being processed, active again, to wait until a triangle is inserted or detached.
   void defer(Halfedge h) const { front_.waiting_.defer(h, front_.revision()); }
   /// Queues the halfedges since whose deferral a triangle was inserted or detached. Returns: whether there were any.
   bool wake_deferred() const { return front_.waiting_.wake_deferred(front_.revision()); }
   /// Removes and returns the first deferred halfedge. It stays active.
   Halfedge next_deferred() const { return front_.waiting_.next_deferred(); }
-  /// After a throw, queues every active halfedge once that is not deferred: first the one being processed, if it is
-  /// still a boundary halfedge, then `next`, then those that were queued, then all others. Does nothing when the front
-  /// is not intact.
+  /// After a throw, queues every active halfedge that is not deferred, once: first `in_hand`, which was being
+  /// processed, if it is still a boundary halfedge, then `next`, then those that were queued, then all others. Does
+  /// nothing when the front is not intact.
   void requeue(Halfedge in_hand, std::span<const Halfedge> next) const { front_.requeue(in_hand, next); }
 
  private:

@@ -40,8 +40,8 @@ void Fitting::find_other_sides(Fit& fit) const {
   refuse_closed(fit);
 }
 
-/// Finds the boundary halfedge to which a side is glued, or none if no edge joins its sites. Returns: false, with a
-/// refusal, when the side is taken.
+/// Sets a side of `fit` to the boundary halfedge between its sites, if there is one. Returns: false, and sets the
+/// refusal, when there is none but an edge joins the two sites.
 bool Fitting::finds_side(Fit& fit, unsigned side) const {
   const Site from = fit.corners[side], to = fit.corners[(side + 1) % 3];
   if (is_new(from) || is_new(to) || vertices_.is_free(from) || vertices_.is_free(to)) return true;

@@ -12,7 +12,7 @@
 
 namespace meshops::detail {
 
-/// Lookups by sites. Requires: halfedges exist.
+/// Lookups by sites. Requires: halfedges that are arguments exist; not checked.
 class MESHOPS_API Fitting {
  public:
   Fitting(const Connectivity& mesh, const SiteVertices& vertices) : mesh_(mesh), vertices_(vertices) {}
@@ -26,14 +26,14 @@ class MESHOPS_API Fitting {
   Halfedge boundary_between(Site from, Site to) const;
   Face triangle_on(Site a, Site b, Site c) const;
 
-  /// Checks the requirements on every triangle: its corners are distinct, and exist or are the next new ones.
+  /// Sets the refusal of `fit`, unless its corners are distinct, and exist or are the next new sites.
   void check_corners(Fit& fit) const;
-  /// Finds the boundary halfedges to which the sides are glued, by sites alone, or sets the refusal. find_other_sides()
-  /// does so when side 0 is given.
+  /// Sets the sides of `fit` to the boundary halfedges to which they are glued, by sites alone, or sets the refusal.
+  /// find_other_sides() does so for sides 1 and 2, when side 0 is set.
   void find_sides(Fit& fit) const;
   void find_other_sides(Fit& fit) const;
-  /// Finds the boundary halfedges to which the sides are glued, for a caller that decides: glues(halfedge, apex) is
-  /// called for the boundary halfedges between the sites of a side until it returns true.
+  /// Sets the sides of `fit` for a caller that decides what is glued: calls glues(halfedge, apex) for the boundary
+  /// halfedges between the sites of a side until it returns true. Sets the refusal if the triangle exists already.
   template <typename Glues>
   void find_sides(Fit& fit, Glues glues) const;
 

@@ -76,10 +76,11 @@ class MESHOPS_API Front {
   /// Returns the number of edges or faces of the mesh.
   std::size_t edges() const { return edges_ - dead_edges_; }
   std::size_t faces() const { return faces_ - dead_faces_; }
-  /// Returns the number of sites, which are 0 to sites() − 1.
+  /// Returns the number of sites. They are 0 to sites() − 1, except vertices that were deleted before the front began.
   std::size_t sites() const { return vertices_.sites(); }
 
   /// Adds a site, for methods that place points while they run. Returns: its number, the old value of sites().
+  /// Throws: ContractViolation also when there are 2³¹ − 1 sites already.
   Site add_site() {
     guard_.require_changeable();
     return vertices_.add_site();
@@ -115,14 +116,14 @@ class MESHOPS_API Front {
     });
   }
 
-  /// Returns the halfedge from a site to another, on the boundary or not; an invalid handle when no edge joins them.
+  /// Returns the halfedge from site `from` to site `to`, on the boundary or not; an invalid handle when no edge joins
+  /// them.
   /// Cost: the lesser of the numbers of edges at both sites.
   Halfedge edge_between(Site from, Site to) const { return by_sites().edge_between(from, to); }
-  /// Returns all halfedges from a site to another, in any order. There are several only where the caller decides what
-  /// is glued.
-  /// Cost: the lesser of the numbers of edges at both sites, as for edge_between().
+  /// Returns all halfedges from site `from` to site `to`, in any order. There are several only where the caller decides
+  /// what is glued. Cost: as edge_between().
   std::vector<Halfedge> edges_between(Site from, Site to) const { return by_sites().edges_between(from, to); }
-  /// Returns the boundary halfedge from a site to another; an invalid handle when there is none.
+  /// Returns the boundary halfedge from site `from` to site `to`; an invalid handle when there is none.
   /// Cost: the lesser of the numbers of fans at both sites.
   Halfedge boundary_between(Site from, Site to) const { return by_sites().boundary_between(from, to); }
   /// Returns the triangle with these corners in this cyclic order; an invalid handle when there is none.
@@ -136,7 +137,7 @@ class MESHOPS_API Front {
   /// Cost: the logarithm of the number of levels.
   std::size_t level(Face f) const;
 
-  /// Return why create() or attach() would refuse, or nothing when they would not. A triangle needs three distinct
+  /// Returns why create() or attach() would refuse, or nothing when it would not. A triangle needs three distinct
   /// sites, which exist or are the next new ones; faces must not close around any of these; and between two of its
   /// sites there must be no face yet on the side of the edge where the triangle would lie.
   std::optional<Refusal> create_blocker(Site a, Site b, Site c) const { return fit(a, b, c).refusal; }
@@ -146,16 +147,17 @@ class MESHOPS_API Front {
   /// halfedges become active. A corner without an adjacent face at that site becomes a fan, and a vertex, of its own.
   /// The numbers that follow the last site stand for new sites, which are added by the call.
   /// Requires: create_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
-  /// Cost:     that of edge_between() for each of the three sides, plus the degree of vertices that become one.
+  /// Cost:     as edge_between() for each of the three sides, plus the degree of vertices that become one.
   InsertedTriangle create(Site a, Site b, Site c) { return insert_checked(fit(a, b, c), "create"); }
 
-  /// Attaches a triangle to a boundary halfedge a→b, with its apex on a site, on the left of the halfedge: create(a, b,
-  /// apex) for a caller that has the halfedge.
+  /// Attaches a triangle to the boundary halfedge `h`, on the left of `h`, with its third corner on the site `apex`.
+  /// The same as create() with the two sites of `h` and `apex`.
   /// Requires: attach_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
   InsertedTriangle attach(Halfedge h, Site apex) { return insert_checked(fit(h, apex), "attach"); }
 
-  /// Returns the place of a triangle, or the reason why it is refused; insert() then adds the triangle. The two do what
-  /// create() or attach() does, and check the triangle once for a caller that would call the blocker first.
+  /// Returns the place of a triangle, or the reason why it is refused; insert() then adds the triangle. fit() and
+  /// insert() together do what create() or attach() does; the triangle is checked once, where a blocker and create()
+  /// check it twice.
   Fit fit(Site a, Site b, Site c) const;
   Fit fit(Halfedge h, Site apex) const;
   /// Returns the place of a triangle for a caller that decides which sides are glued, where sites alone do not:
@@ -211,10 +213,10 @@ class MESHOPS_API Front {
   }
 
   /// Queues a boundary halfedge that was popped, frozen or deferred. Does nothing when it is queued already.
-  /// Requires: a boundary halfedge of the mesh. Throws ContractViolation.
+  /// Requires: `h` is a boundary halfedge of the mesh. Throws ContractViolation.
   void activate(Halfedge h);
   /// Freezes a boundary halfedge: nothing can be attached to it at this level. Does nothing when it is frozen.
-  /// Requires: a boundary halfedge of the mesh. Throws ContractViolation.
+  /// Requires: `h` is a boundary halfedge of the mesh. Throws ContractViolation.
   void freeze(Halfedge h);
   /// Returns the halfedges that were frozen at this level, in the order in which they were frozen. Some may have been
   /// activated or glued since.
@@ -228,8 +230,8 @@ class MESHOPS_API Front {
 
   /// Moves to the next level: frozen halfedges become active again. The mesh and its curves stay as they are, and sites
   /// that earlier transfers left behind are not read.
-  /// Cost:   linear in the sites that the previous transfer carried (all, the first time), and m log m for m frozen
-  ///         halfedges.
+  /// Cost:   linear in the sites that the previous transfer carried (all, the first time) or that were added since, n
+  ///         log n for n such sites if detach() reopened one; and m log m for m halfedges that are frozen or active.
   /// Source: Restricted BPA, section 6; it is an operation on the mesh alone.
   LevelTransfer next_level();
 
@@ -249,7 +251,7 @@ class MESHOPS_API Front {
   };
   void supply(std::size_t edges, std::size_t faces);
 
-  /// Returns the number of triangles attached and detached so far, plus those with which the front began.
+  /// Returns a number that grows with every triangle that is attached or detached.
   std::size_t revision() const { return faces_ + dead_faces_; }
 
   /// Returns the lookups by sites on the mesh as it is.
@@ -264,7 +266,7 @@ class MESHOPS_API Front {
     return h;
   }
   friend class detail::EngineSide;
-  /// Return a fit whose corners are checked and whose sides are still to be found.
+  /// Returns a fit whose corners are checked and whose sides are still to be found.
   Fit at(Site a, Site b, Site c) const;
   Fit at(Halfedge h, Site apex) const;
   template <typename Glues>
@@ -278,7 +280,7 @@ class MESHOPS_API Front {
   detail::Guard guard_;
   SiteVertices vertices_;
   std::size_t supply_;
-  bool keeps_handles_ = false;  // it began with a mesh of the user
+  bool keeps_handles_ = false;  // whether the front began with a mesh of the user
   std::size_t edges_ = 0;       // number in use, dead ones included; the supply may have more
   std::size_t faces_ = 0;
   std::size_t dead_edges_ = 0;

@@ -31,7 +31,7 @@ class MESHOPS_API Levels {
   /// Notes that a site that had become inner is on the boundary again, or free.
   void reopen(Site s) { reopened_.push_back(s); }
   /// Begins the next level. `on_boundary` holds the sites on the boundary, in any order and with repetitions; `faces`
-  /// is the number of faces, dead ones included. Returns: the transfer, except for the number of halfedges.
+  /// is the number of faces, dead ones included. Returns: the transfer, with LevelTransfer::reactivated 0.
   LevelTransfer begin_next(const SiteVertices& vertices, std::vector<Site> on_boundary, std::size_t faces);
   /// Frees the memory that only transfers need.
   void clear_sites();

@@ -42,8 +42,8 @@ class MESHOPS_API WaitingEdges {
     return was_queued;
   }
 
-  /// Removes and returns the next halfedge of the queue that is active and not deferred, which stays active; an invalid
-  /// handle when there is none.
+  /// Removes from the queue and returns its next halfedge that is active and not deferred, and that stays active; an
+  /// invalid handle when there is none.
   /// Throws: ContractViolation when other code has deleted it.
   Halfedge next();
   /// Queues every active halfedge once that is not deferred: first those of `first`, then those that were queued, then
@@ -96,7 +96,7 @@ class MESHOPS_API WaitingEdges {
   [[noreturn, gnu::cold, gnu::noinline]] static void deleted_by_others();
 
   const Connectivity& mesh_;
-  std::vector<State> state_;      // of the boundary halfedge of each edge, if it has one; past the end: neither
+  std::vector<State> state_;      // for each edge, that of its boundary halfedge; past the end: neither
   std::vector<Halfedge> active_;  // a queue from head_ on; halfedges that are no longer active are skipped
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;

@@ -41,8 +41,8 @@ Halfedge History::create_triangle() {
 void History::destroy_triangle(Face f) {
   perform<Delta>([this, f] {
     const Delta delta = meshops::destroy_triangle(mesh_, f);
-    // All records except the halfedges of the corners are as they were; the halfedge of a corner is its only one on the
-    // boundary.
+    // All records except the halfedges of the corners are as they were; the halfedge of a corner is the only boundary
+    // halfedge that leaves the corner.
     return std::pair(delta, [this, f] {
       mesh_.status(f).set_deleted(false);
       for (const Halfedge side : sides_of(mesh_, f)) {

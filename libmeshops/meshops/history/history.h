@@ -2,7 +2,7 @@
 // Law:  after undo() of a step, every record of the mesh, including those of elements marked deleted, is as it was
 //       before the step, and the elements that the step added are gone. After redo(), every record is as it was after
 //       the step. So any sequence of steps, all undone, is the identity.
-// Cost: that of the operator, and a few handles for each step.
+// Cost: as the operator, and a few handles for each step.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,7 @@ namespace meshops {
 /// Requires: the mesh has status of every kind, outlives the history, and is sound; no other code changes its links.
 /// Throws:   ContractViolation when the mesh lacks status, when the operator refuses (its blocker has the reason), and
 ///           when other code has added elements to the mesh or removed some; other changes of links are not noticed.
-///           The mesh and the history are then unchanged.
+///           What a hook throws. The history is then unchanged, and so is the mesh, except as split_hooks.h says.
 class MESHOPS_API History {
  public:
   explicit History(Connectivity& mesh);
@@ -88,7 +88,7 @@ class MESHOPS_API History {
   void undo();
   /// Performs again the step that was undone last. Requires: undone_steps() > 0. Throws ContractViolation.
   void redo();
-  /// Undoes steps until `steps` are left. Requires: there are at least that many. Throws ContractViolation.
+  /// Undoes steps until `steps` are left. Requires: steps() ≥ `steps`. Throws ContractViolation.
   void undo_to(std::size_t steps);
 
  private:

@@ -21,7 +21,7 @@ class MESHOPS_API AssembledPatches {
   const Connectivity& mesh() const { return mesh_; }
   std::size_t faces() const { return mesh_.n_faces(); }
   std::size_t sites() const { return vertices_.sites(); }
-  /// Returns whether no triangle has a corner on this site.
+  /// Returns whether no triangle has a corner on this site. Throws ContractViolation when the site does not exist.
   bool is_free(Site s) const { return vertices_.is_free(s); }
   /// Returns the site on which a vertex stands. Throws ContractViolation when the vertex does not exist.
   Site site(Vertex v) const { return vertices_.site(v); }
@@ -43,7 +43,7 @@ class MESHOPS_API AssembledPatches {
   ElementCounts counts_;
   SiteVertices vertices_;
   std::vector<Halfedge> open_;             // boundary halfedges beyond which a further patch could lie
-  std::vector<std::array<int, 2>> holes_;  // ranges [first, end) of edges; nothing lies beyond halfedge 1 of each
+  std::vector<std::array<int, 2>> holes_;  // ranges [first, end) of edges; halfedge 1 of each edge stays boundary
 };
 
 }  // namespace meshops

@@ -70,7 +70,7 @@ void PatchAssembler::place(const Patch& patch, const Outline& outline, Placement
   }
 }
 
-/// Announces the vertex of a further fan on a site. join() makes the vertex.
+/// Returns the handle of a further vertex on site `s`, which join() makes. The boundary halfedge `into` ends there.
 Vertex PatchAssembler::further_vertex(Site s, Halfedge into) {
   holes_.into.push_back(into);
   return vertices_.announce(s);
@@ -169,8 +169,8 @@ void PatchAssembler::lay(const Patch& patch, const Outline& outline) {
   fill(patch, outline, placement_);
 }
 
-/// Returns the boundary halfedge that follows `boundary` in the fan at its end. All fans at that end still share one
-/// vertex.
+/// Returns the boundary halfedge that leaves the end of `boundary`, on the other side of the same fan. All fans at this
+/// end still share one vertex.
 Halfedge PatchAssembler::next_on_boundary(Halfedge boundary) const {
   Halfedge out = mesh_.opposite_halfedge_handle(boundary);
   do out = mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(out));
@@ -206,7 +206,7 @@ AssembledPatches PatchAssembler::join() && {
     open.push_back(rim.boundary);
   });
   rims_.end();
-  // Some edges were made for seams that found their other side.
+  // The mesh grew by several edges at a time: the edges that are not in use are removed.
   const std::size_t first_further = vertices_.vertices() - holes_.into.size();
   mesh_.resize(vertices_.vertices(), edges_, faces_);
   for (std::size_t i = 0; i < holes_.into.size(); ++i)

@@ -1,8 +1,9 @@
 // What:   makes a mesh of patches of triangles: gluing in bulk.
 // Law:    the mesh equals, up to handles, the mesh that Front::create() makes of the same triangles.
-// How:    patches are placed one after another, which settles all that depends on other patches; the rest, nearly all
-//         of the work, is filled in and can run in parallel. There are three phases, each with a type: PatchAssembler
-//         lays patches, join() returns AssembledPatches, and these become a mesh, or a Front to be advanced.
+// How:    place() gives one patch after another its place, and decides all that depends on other patches; fill() writes
+//         the rest, nearly all of the work, and can run in parallel. There are three phases, each with a type:
+//         PatchAssembler lays patches, join() returns AssembledPatches, and these become a mesh, or a Front to be
+//         advanced.
 // Cost:   linear; about the time it takes to write the mesh.
 // Source: docs/explanation/architecture.md, section 10.
 #pragma once
@@ -35,7 +36,7 @@ class MESHOPS_API PatchAssembler {
   /// Returns the number of faces laid so far.
   std::size_t faces() const { return faces_; }
 
-  /// Lays a patch. Throws ContractViolation when survey() does. Cost: linear in the patch.
+  /// Lays a patch. Throws ContractViolation when survey() does; the mesh is then unchanged. Cost: linear in the patch.
   void lay(const Patch& patch);
   /// Lays a patch whose outline is known. Requires and throws as place().
   void lay(const Patch& patch, const Outline& outline);
@@ -43,9 +44,9 @@ class MESHOPS_API PatchAssembler {
   /// The work of lay() in three steps, for threads to share: survey() computes the outline, unless it is given; place()
   /// is called for one patch after another, in the order in which elements are to be numbered; fill() may run in
   /// parallel with other fills, surveys and place(), provided that reserve() made room for all patches.
-  /// Requires: `outline` is that of the patch; fill() gets the same arguments as place() before it.
-  /// Throws:   ContractViolation, by place(), when the outline and the patch differ in the numbers of their sides; the
-  ///           mesh is then unchanged.
+  /// Requires: survey() of `patch` gives `outline`; fill() gets the same arguments as place() before it.
+  /// Throws:   ContractViolation, by place(), when `outline` and `patch` differ in the numbers of their sides; the mesh
+  ///           is then unchanged.
   /// Cost:     place() is linear in the sides at the rim and at the holes of the patch, fill() in the patch.
   void reserve(std::size_t edges, std::size_t faces);
   void place(const Patch& patch, const Outline& outline, Placement& placement);
@@ -66,7 +67,7 @@ class MESHOPS_API PatchAssembler {
   /// The sides of patches beyond which nothing lies.
   struct Holes {
     std::vector<std::array<int, 2>> edges;  // ranges: the first edge, and one past the last
-    std::vector<bool> has_vertex;           // for each site: a fan between holes uses the vertex of the site
+    std::vector<bool> has_vertex;           // for each site, whether a fan between holes uses its vertex
     std::vector<Halfedge> into;             // for each further vertex, a boundary halfedge that ends there
     std::vector<Halfedge> loose;            // boundary halfedges whose successor another patch decides
   };

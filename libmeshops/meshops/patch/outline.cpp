@@ -11,7 +11,7 @@
 namespace meshops {
 namespace {
 
-/// Returns the side of the same triangle that ends where this side begins.
+/// Returns the side of the same triangle that ends where `side` begins.
 int last(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
 class Surveyor {

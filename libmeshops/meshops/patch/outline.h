@@ -31,7 +31,7 @@ struct Outline {
 /// Computes the outline of a patch and writes it to `outline`.
 /// Requires: `across` has an entry for each triangle and is symmetric: a side across which side j lies is itself across
 ///           side j.
-/// Throws:   ContractViolation. Cost: linear in the patch.
+/// Throws:   ContractViolation; `outline` is then empty or unchanged. Cost: linear in the patch.
 MESHOPS_API void survey(const Patch& patch, Outline& outline);
 
 /// Returns the entry of Outline::next_hole for the hole at side `hole`, for a caller that knows the holes.

@@ -1,5 +1,5 @@
 // What: finds sides of triangles that wait for the side of another triangle on the same edge, by their sites.
-// Cost: of a search, the number of sides that wait at the site.
+// Cost: a search takes time linear in the number of sides that wait at the site.
 #pragma once
 
 #include <cstddef>

@@ -19,9 +19,11 @@ namespace meshops {
 /// no list; every further vertex is listed at its site.
 class MESHOPS_API SiteVertices {
  public:
-  /// Lets vertex i stand on site i. Keeps a reference to the mesh, which has these vertices.
+  /// Maps vertex i to site i. Keeps a reference to the mesh, which has these vertices or gets them before the first
+  /// lookup.
   SiteVertices(Connectivity& mesh, std::size_t sites);
-  /// Lets vertex v stand on site_of[v].
+  /// Maps vertex v to site_of[v]; the sites are 0 to the greatest that a live vertex has.
+  /// Throws: ContractViolation unless `site_of` has one site, less than 2³¹ − 1, for each vertex.
   SiteVertices(Connectivity& mesh, std::span<const Site> site_of);
   /// Moves the map, which then has no sites any more. It cannot be copied: a mesh has one map.
   SiteVertices(SiteVertices&& other) noexcept
@@ -34,11 +36,12 @@ class MESHOPS_API SiteVertices {
         spare_(std::exchange(other.spare_, {})) {}
   SiteVertices(const SiteVertices&) = delete;
 
-  /// Returns the number of sites. They are 0 to sites() − 1, except those whose vertex was marked deleted before it had
-  /// a fan.
+  /// Returns the number of sites. They are 0 to sites() − 1; a number whose vertex was marked deleted before it had a
+  /// fan is no site.
   std::size_t sites() const { return first_ + listed_.size(); }
   bool exists(Site s) const { return is_first(s) ? is_live(mesh_, Vertex(static_cast<int>(s))) : s < sites(); }
-  /// Adds a site. Returns: its number, the old value of sites().
+  /// Adds a site. Returns: its number, the old value of sites(). Throws ContractViolation when there are 2³¹ − 1
+  /// already.
   Site add_site();
   /// Removes all sites and frees the memory.
   void clear();
@@ -63,9 +66,9 @@ class MESHOPS_API SiteVertices {
   void for_each(Site s, Visit visit) const {
     for (Vertex v = first(s); v.is_valid(); v = next(v)) visit(v);
   }
-  /// Returns the first vertex on the site; next() returns the one after `v`. Together they list the vertices that
-  /// for_each() visits, then an invalid handle. Both throw ContractViolation also when a listed vertex has lost its
-  /// faces to a change by other code.
+  /// Returns the first vertex with faces on the site; next() returns the vertex on the site after `v`. Both return an
+  /// invalid handle after the last; for_each() visits the same vertices. Both throw ContractViolation also when a
+  /// listed vertex has lost its faces to a change by other code.
   Vertex first(Site s) const {
     require(s < sites(), "Front: site ", s, " does not exist");
     return is_first(s) && has_own_fan(s) ? Vertex(static_cast<int>(s)) : listed(first_listed(s));
@@ -76,15 +79,17 @@ class MESHOPS_API SiteVertices {
   }
 
   /// Returns an isolated vertex for a further fan on the site, listed there, with the properties of the first vertex
-  /// that has faces there, if any. Throws ContractViolation if other code marked the returned vertex deleted.
+  /// that has faces there, if any. Requires: the site exists; not checked. Throws ContractViolation if other code
+  /// marked the returned vertex deleted, or took the faces of the first.
   Vertex take(Site s);
   /// Releases a vertex that is isolated again. The last vertex on its site waits for the next triangle there; others
-  /// can serve any site, and are marked deleted meanwhile if the mesh has status.
+  /// can serve any site, and are marked deleted meanwhile if the mesh has status. Throws ContractViolation if other
+  /// code changed the mesh so that the vertex is not listed at its site.
   void release(Vertex v);
 
   // announce(), vertices() and list_announced() are for callers that lay many triangles and list their fans at the end.
   /// Returns the handle of a further vertex on a site. The caller makes the vertex; list_announced() lists it.
-  /// Requires: no further vertex was used.
+  /// Requires: take() has made no further vertex yet.
   Vertex announce(Site s) {
     further_.push_back({s, none});
     return vertex(static_cast<int>(further_.size()) - 1);
@@ -125,9 +130,9 @@ class MESHOPS_API SiteVertices {
 
   Connectivity& mesh_;
   std::size_t first_;
-  bool has_dead_ = false;             // some first vertices were deleted when the map was made
-  std::vector<Further> further_;      // entry of vertex first_ + i
-  std::vector<int> listed_at_first_;  // for each first site, the start of its list; empty while all lists are
+  bool has_dead_ = false;             // whether some first vertices were deleted when the map was made
+  std::vector<Further> further_;      // entry i is for vertex first_ + i
+  std::vector<int> listed_at_first_;  // for each first site, the start of its list; empty while all lists are empty
   std::vector<int> listed_;           // start of the list of site first_ + i, or the vertex that waits there
   std::vector<Vertex> spare_;         // isolated vertices of no site
 };
