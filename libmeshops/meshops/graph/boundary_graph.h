@@ -29,8 +29,8 @@ struct Boundary {
 }  // namespace detail
 
 /// Graph of the boundary. edges() names an edge by its boundary halfedge, so that edges run along the curves, with the
-/// mesh on their right. An inner edge that joins two boundary vertices is not part of the graph. Indices are those of
-/// the mesh and have gaps: see num_vertices().
+/// mesh on their right. An inner edge that joins two boundary vertices is not part of the graph. Vertices and edges
+/// keep the indices of the mesh, which have gaps here: see num_vertices().
 using BoundaryGraph = GraphView<detail::Boundary, boost::undirected_tag>;
 
 }  // namespace meshops

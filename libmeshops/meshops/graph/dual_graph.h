@@ -1,6 +1,6 @@
 // What: the faces of a mesh as a graph of Boost, joined across its inner edges.
-// Law:  halfedge h runs from its face to the face of its opposite; components are those of the mesh, without isolated
-//       vertices.
+// Law:  halfedge h runs from its face to the face of its opposite; the components are the components of the mesh that
+//       have faces.
 #pragma once
 
 #include "meshops/core/live.h"

@@ -21,7 +21,7 @@ auto edge_map(OfEdge of_edge) {
 
 /// Returns the map from a halfedge to the distance between its ends, as double, computed at each read.
 /// Requires: `mesh` has point(Vertex), and the difference of two points has norm(); it outlives the map.
-/// Throws:   ContractViolation for an edge that is out of range.
+/// Throws:   ContractViolation when it is read for an edge that does not exist.
 template <typename Mesh>
 auto length_map(const Mesh& mesh) {
   return edge_map([&mesh](Edge e) {

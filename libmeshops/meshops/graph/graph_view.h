@@ -80,10 +80,10 @@ class GraphView {
     return adjacency_iterator::range(*g.mesh_, v);
   }
 
-  /// Return one more than the greatest index, which is the size of an array by index; 0 when there is no vertex (or
-  /// edge). It equals the number of vertices (or edges) when the indices have no gaps: nothing is marked deleted, and
-  /// the view has all vertices (or edges) of the mesh. Boost's algorithms allocate that many entries and address them
-  /// by index, as for boost::filtered_graph.
+  /// Returns one more than the greatest index, which is the size of an array by index; 0 when there is no vertex (or
+  /// edge). The result equals the number of vertices (or edges) when the indices have no gaps: nothing is marked
+  /// deleted, and the view has all vertices (or edges) of the mesh. Boost's algorithms allocate that many entries and
+  /// address them by index, as for boost::filtered_graph.
   /// Cost: the length of the gap at the end.
   friend vertices_size_type num_vertices(const GraphView& g) { return vertex_iterator::index_bound(*g.mesh_); }
   friend edges_size_type num_edges(const GraphView& g) {
@@ -91,7 +91,7 @@ class GraphView {
     return is_undirected ? (halfedges + 1) / 2 : halfedges;
   }
 
-  /// Return the numbers of edges at a vertex. Cost of each: the degree.
+  /// Returns the number of edges at a vertex. Cost: the degree.
   friend degree_size_type out_degree(vertex_descriptor v, const GraphView& g) {
     const auto [first, last] = out_edges(v, g);
     return static_cast<degree_size_type>(std::distance(first, last));

@@ -1,6 +1,6 @@
 // What: the graph of the vertices and edges of a mesh, as a graph of the Boost Graph Library.
 // Law:  a halfedge is an edge whose source is its from-vertex and whose target is its to-vertex. The connected
-//       components of the graph are those of the mesh.
+//       components of the graph are the components of the mesh.
 #pragma once
 
 #include "meshops/core/live.h"

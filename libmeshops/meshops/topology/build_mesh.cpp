@@ -36,8 +36,8 @@ std::vector<Halfedge> link_faces(Connectivity& mesh, const PolygonSoup& soup, co
   return side_of_corner;
 }
 
-/// Lets all edges of the fan around the start of `first`, which has a face, start at `v`. If the fan is open, the
-/// boundary is linked past `v`.
+/// Makes `v` the start of all edges of the fan around the start of `first`, a halfedge with a face. If the fan is open,
+/// the boundary is linked past `v`.
 void give_fan(Connectivity& mesh, Halfedge first, Vertex v) {
   Halfedge out = first;  // counter-clockwise, as long as there are faces
   do {

@@ -18,7 +18,7 @@ namespace meshops {
 
 /// Returns why the mesh cannot be cut along these edges, or nothing when it can: the reason of unglue_blocker() for one
 /// of them, or that an edge is named twice.
-/// Cost: the degrees of their ends; the number of edges, times its logarithm.
+/// Cost: the degrees of the ends of the edges; the number of edges, times its logarithm.
 MESHOPS_API std::optional<std::string> cut_open_blocker(const Connectivity& mesh, std::span<const Edge> edges);
 
 /// Unglues edges, in the order in which they are given.
@@ -27,14 +27,14 @@ MESHOPS_API std::optional<std::string> cut_open_blocker(const Connectivity& mesh
 /// Returns:  the effects, in the order of the edges.
 /// Requires: cut_open_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
 /// Inverse:  glue_back().
-/// Cost:     that of an unglue() for each edge.
+/// Cost:     as an unglue() for each edge.
 MESHOPS_API std::vector<UnglueEffect> cut_open(Connectivity& mesh, std::span<const Edge> edges);
 
 /// Cuts every component to one disc: along the cut graph, or, for a sphere, where the cut graph is empty, along its
 /// least edge.
 /// Returns:  the effects, in the order of the cuts.
 /// Requires: `homology` is the result of homology() for this mesh, which has not changed since. Throws
-///           ContractViolation when its edges cannot be cut; the mesh is then unchanged.
+///           ContractViolation when the edges of `homology` cannot be cut; the mesh is then unchanged.
 MESHOPS_API std::vector<UnglueEffect> cut_open(Connectivity& mesh, const Homology& homology);
 
 /// Glues together the edges that cut_open() cut, the last edge first.

@@ -19,10 +19,10 @@ namespace meshops {
 using Loop = std::vector<Halfedge>;
 
 struct Homology {
-  /// Loops that pass no vertex twice. The first halfedge of a loop is the first halfedge of the edge that closes it,
-  /// which is in no other loop. Loops are in ascending order of that halfedge.
+  /// Loops that pass no vertex twice. The first halfedge of a loop is the first halfedge of the edge that closes the
+  /// loop; this edge is in no other loop. Loops are in ascending order of their first halfedges.
   std::vector<Loop> generators;
-  /// Inner edges, ascending; without dangling edges: an inner vertex is an end of none or of at least two. Empty when
+  /// Inner edges, ascending; none dangles: an inner vertex is the end of none of them or of at least two. Empty when
   /// there is nothing to cut: for discs and also for spheres. (A sphere becomes a disc when any face is removed.)
   std::vector<Edge> cut_graph;
 };
@@ -36,11 +36,11 @@ MESHOPS_API Homology homology(const Connectivity& mesh, const GoOn& go_on = {});
 /// entries of deleted edges are not read. Among all bases of loops from and to the least vertex of their component,
 /// this one has the least total length if the path from that vertex to the loop and back is counted with the loop; the
 /// generators leave this path out.
-/// Requires: validate(mesh) is empty; a length for each edge, none negative, with a finite sum.
-/// Throws:   ContractViolation; Cancelled.
+/// Requires: validate(mesh) is empty; `lengths` has an entry for each edge, none negative, with a finite sum.
+/// Throws:   ContractViolation when `lengths` is not as required; Cancelled.
 MESHOPS_API Homology homology(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on = {});
 
-/// Returns only the generators of homology(), in about half the time. Requires and throws the same.
+/// Returns only the generators of homology(), in about half the time. Requires and throws as homology() with lengths.
 MESHOPS_API std::vector<Loop> homology_generators(const Connectivity& mesh, std::span<const double> lengths,
                                                   const GoOn& go_on = {});
 

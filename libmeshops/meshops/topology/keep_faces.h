@@ -19,8 +19,8 @@ struct SoupPart {
   std::vector<std::size_t> face_was;     ///< for each face: its number in the given soup; ascending
 };
 
-/// Returns the kept faces, in their old order, and the points that are corners of them.
-/// Requires: `kept` has a value for each face; every corner of a kept face is a point.
+/// Returns the faces f with kept[f], in their old order, and the points that are corners of them.
+/// Requires: as require_parted(); `kept` has a value for each face; every corner of a kept face is a point.
 /// Throws:   ContractViolation that names the requirement that is not met; Cancelled.
 MESHOPS_API SoupPart keep_faces(const PolygonSoup& soup, const std::vector<bool>& kept, const GoOn& go_on = {});
 

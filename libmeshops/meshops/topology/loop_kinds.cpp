@@ -157,7 +157,7 @@ class Lifting {
 /// For each component, whether it is closed and where its normals point; for each face, its component.
 struct Sides {
   std::vector<std::size_t> component;  // for each face
-  std::vector<double> volume;          // for each component
+  std::vector<double> volume;          // for each component; negative where its normals point inward
   std::vector<bool> is_closed;
 
   Sides(const Connectivity& mesh, std::span<const Vector> positions) : component(mesh.n_faces(), none) {

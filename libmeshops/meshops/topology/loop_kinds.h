@@ -1,7 +1,7 @@
 // What:   classifies loops of a closed surface in space as handle loops and tunnel loops.
 // How:    inside and outside are dual to each other by linking numbers (Alexander). A loop bounds a surface inside of
-//         its component if it links no loop of a basis that is lifted off the surface outward. It bounds a surface
-//         outside if no loop of the basis links it after it is lifted itself. A loop that links one of another
+//         its component if it links no loop of a basis after the basis is lifted off the surface outward. A loop bounds
+//         a surface outside if, lifted itself, it links no loop of the basis. A loop that links one of another
 //         component bounds on neither side, because the surface that it would bound crosses that other loop. Linking
 //         numbers are Gauss sums over pairs of segments, rounded.
 // Law:    a meridian of a torus is a handle loop, a loop around its hole is a tunnel loop; turning the surface inside
@@ -37,7 +37,7 @@ enum class LoopKind : std::uint8_t {
 /// Requires: validate(mesh) is empty; positions are finite; the surface does not cross itself; the loops include a
 ///           basis for each component that has loops, such as homology() finds.
 /// Throws:   ContractViolation if `positions` has fewer entries than the mesh has vertices, or a loop is empty, has a
-///           halfedge that does not exist, or does not close; Cancelled.
+///           halfedge that does not exist or is deleted, does not close, or passes from one fan to another; Cancelled.
 MESHOPS_API std::vector<LoopKind> loop_kinds(const Connectivity& mesh, std::span<const std::array<double, 3>> positions,
                                              std::span<const Loop> loops, const GoOn& go_on = {});
 

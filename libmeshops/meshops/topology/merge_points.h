@@ -22,9 +22,10 @@ struct MergedPoints : SoupPart {  ///< for merged points, point_was has their lo
 };
 
 /// Merges points with the same value of `least`. Points without a face stay.
-/// Requires: least[p] is the lowest index of the points that are merged with p, p included; every corner is a point.
-/// Throws:   ContractViolation that names the requirement that is not met, and when there are 2³⁰ corners, points or
-///           faces, or more; Cancelled.
+/// Requires: `least` has a value for each point: least[p] is the lowest index of the points that are merged with p, p
+///           included. Every corner is a point.
+/// Throws:   ContractViolation as require_parted(), when a requirement is not met, which it names, and when there are
+///           2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API MergedPoints merge_points(const PolygonSoup& soup, std::span<const std::uint32_t> least,
                                       const GoOn& go_on = {});
 

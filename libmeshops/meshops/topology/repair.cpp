@@ -23,7 +23,7 @@ class Repairer {
     take_faces();
     SoupSides oriented(result_.soup, go_on_);
     if (orient(oriented)) oriented = SoupSides(result_.soup, go_on_);
-    // The sides still have the points that were given.
+    // `oriented` names the given points also after part_fans(), which gives further fans new ones.
     part_fans(oriented);
     find_cuts(oriented);
     find_splits();
@@ -39,7 +39,8 @@ class Repairer {
     result_.steps.push_back({kind, std::move(points), std::move(faces)});
   }
 
-  /// Takes the faces worth keeping: without points named twice in a row, not degenerate, each once.
+  /// Copies the faces that are neither degenerate, duplicate nor out of range, without corners that equal the one
+  /// before. Reports the other faces and the dropped corners.
   void take_faces() {
     require_parted(given_);
     PolygonSoup cleaned;
@@ -78,7 +79,7 @@ class Repairer {
     }
   }
 
-  /// Reverses the smaller part of the faces of each piece. Returns: whether there were any.
+  /// Reverses, in each piece, the smaller of the two sets of faces that agree. Returns: whether any face was reversed.
   bool orient(const SoupSides& sides) {
     PolygonSoup& soup = result_.soup;
     auto pieces = detail::pieces_of(

@@ -32,7 +32,7 @@ bool has_several_fans_anywhere(const Connectivity& mesh, Steps& step) {
   return found || in_rings != halfedges;
 }
 
-/// Does the steps of SoupReporter on a mesh whose vertices have one fan each.
+/// Computes the report on a mesh whose vertices have one fan each, in the same steps as SoupReporter.
 class MeshReporter {
  public:
   MeshReporter(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex, Steps& step)

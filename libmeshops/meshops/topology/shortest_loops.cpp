@@ -59,7 +59,7 @@ class DualCycles {
  private:
   static constexpr std::size_t none = ~std::size_t{0};
 
-  /// Returns the face on a side of an edge, or the number that stands for the outside.
+  /// Returns the face on a side of an edge; the number of faces stands for the outside.
   std::size_t node(Edge e, unsigned side) const {
     const Face f = mesh_.face_handle(mesh_.halfedge_handle(e, side));
     return f.is_valid() ? static_cast<std::size_t>(f.idx()) : mesh_.n_faces();
@@ -113,7 +113,7 @@ class DualCycles {
 
   const Connectivity& mesh_;
   Steps step_;
-  std::vector<bool> is_used_;         // for each edge: it is in one of the forests
+  std::vector<bool> is_used_;         // for each edge, whether it is in one of the forests
   std::vector<Halfedge> reached_by_;  // for each face: a halfedge of the edge across which it was reached
   std::vector<std::size_t> depth_;
 };
@@ -151,7 +151,7 @@ struct Candidate {
   }
 };
 
-/// Chooses independent loops greedily. Requires: candidates in ascending order.
+/// Returns the candidates that are independent of those before them. Requires: `candidates` ascends.
 std::vector<Candidate> independent(std::vector<Candidate> candidates) {
   Z2Span span;
   std::vector<Candidate> chosen;

@@ -41,15 +41,15 @@ struct HomologySignature {
 MESHOPS_API HomologySignature homology_signature(const Connectivity& mesh, const GoOn& go_on = {});
 
 /// Returns a basis of shortest loops, by ascending length; loops of equal length are ordered by the vertex and then the
-/// edge from which they were found. A loop passes no vertex twice; its first halfedge is that of the edge across from
-/// the vertex.
+/// edge from which they were found. A loop passes no vertex twice; its first halfedge is the first halfedge of the edge
+/// across from the vertex.
 /// Requires: validate(mesh) is empty; `lengths` has a length for each edge, by edge index, none negative, with a finite
 ///           sum; entries of deleted edges are not read.
-/// Throws:   ContractViolation; Cancelled.
+/// Throws:   as homology() with lengths.
 MESHOPS_API std::vector<Loop> shortest_homology_basis(const Connectivity& mesh, std::span<const double> lengths,
                                                       const GoOn& go_on = {});
 
-/// Returns the loops of shortest_homology_basis() that are shorter than `below`. Requires and throws the same.
+/// Returns the loops of shortest_homology_basis() that are shorter than `below`. Requires and throws as that function.
 /// Cost: the searches end at half of `below`, which makes short loops of large meshes cheap.
 MESHOPS_API std::vector<Loop> shortest_homology_loops(const Connectivity& mesh, std::span<const double> lengths,
                                                       double below, const GoOn& go_on = {});

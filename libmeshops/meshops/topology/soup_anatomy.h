@@ -20,8 +20,8 @@ struct SoupAnatomy {
   const PolygonSoup& soup;
   FaceFaults faults;
   SoupSides sides;
-  bool has_non_manifold_edge = false;                    ///< more than two faces meet at some edge
-  std::vector<std::span<const SoupSide>> disagreeing{};  ///< edges at which no reversal of faces makes two agree
+  bool has_non_manifold_edge = false;                    ///< whether more than two faces meet at some edge
+  std::vector<std::span<const SoupSide>> disagreeing{};  ///< edges of two faces that no reversal makes agree
   DisjointSets pieces;                                   ///< sets of faces
   DisjointSets fans;                                     ///< sets of corners, joined at every edge
   std::vector<std::uint32_t> fans_at;                    ///< for each point: the number of fans

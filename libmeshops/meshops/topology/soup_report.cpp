@@ -150,7 +150,7 @@ class SoupReporter {
     total_.components = total_.isolated + joined_pieces();
   }
 
-  /// Returns the number of sets of connected pieces.
+  /// Returns the number of sets into which common points join the pieces.
   std::size_t joined_pieces() {
     const std::size_t pieces = total_.per_component.size();
     if (total_.pinches == 0 && !anatomy_.has_non_manifold_edge) return pieces;

@@ -24,8 +24,8 @@ FaceFault fault_of(std::span<const std::uint32_t> face, std::size_t points, std:
   return std::adjacent_find(scratch.begin(), scratch.end()) == scratch.end() ? FaceFault::none : FaceFault::degenerate;
 }
 
-/// Returns the cycle from its corner of lowest index on, in the direction of the lesser neighbor. The result is the
-/// same for every way to write a face.
+/// Sets `cycle` to the corners of `face`, from the lowest index on, in the direction of the lesser neighbor: the same
+/// cycle for every way to write a face.
 void canonical_cycle(std::span<const std::uint32_t> face, std::vector<std::uint32_t>& cycle) {
   cycle.assign(face.begin(), face.end());
   std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());

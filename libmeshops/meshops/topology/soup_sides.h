@@ -81,7 +81,7 @@ class SoupSides {
 
 /// Returns whether no edge has more than two sides, and two sides of an edge run in opposite directions and belong to
 /// faces with different corners.
-/// Requires: the sides of all faces of the soup. Throws Cancelled.
+/// Requires: `sides` has the sides of all faces of `soup`. Throws Cancelled.
 bool is_manifold(const PolygonSoup& soup, const SoupSides& sides, const GoOn& go_on);
 
 /// Returns the fans that corners form around points. The sides at an edge join corners if `joins(sides)`.
