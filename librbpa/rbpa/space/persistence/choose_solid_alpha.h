@@ -22,9 +22,10 @@ struct ChosenSolidAlpha {
   std::vector<SolidPlateau> plateaus = {};
 };
 
-/// Returns the given radius, or the radius that the rule chooses.
-/// Requires: the result of solid() of these points at infinity, with neighbors, and its circumradii. The triangulation
-///           may also be that of a periodic box (without_offsets()), unless the rule is `plateau`.
+/// Returns choice.radius if the rule is `given`, else the radius that the rule chooses.
+/// Requires: unless the rule is `given`: `delaunay` is solid() of `points` at infinity, with neighbors, and `radii` are
+///           its circumradii(). Unless the rule is `plateau`, `delaunay` may also be without_offsets() of a periodic
+///           solid.
 /// Throws:   InvalidInput when there are plateaus, but fewer than the rank; ContractViolation when the triangulation is
 ///           visibly of other points, or the cover is not above 0 and at most 1; Cancelled.
 RBPA_API ChosenSolidAlpha choose_solid_alpha(const AlphaChoice& choice, std::span<const Point3> points,

@@ -37,7 +37,8 @@ std::uint8_t obtuse_corner(std::span<const Point3> points, const Triangle& trian
   return 3;
 }
 
-/// Finds the radius of each edge: that of its least sphere if no corner around is inside, else of its first triangle.
+/// Fills in edge_alpha: the radius of an edge's least sphere if no corner of the triangles at the edge is inside; else
+/// the least radius of these triangles.
 void find_alpha_of_edges(std::span<const Point3> points, Threads& threads, Steps& step, SolidFiltration& filtration) {
   const auto& triangles = filtration.triangles;
   std::vector<std::uint8_t> obtuse(triangles.size());
@@ -74,7 +75,7 @@ std::vector<std::uint32_t> keep_below(std::size_t points, Rows& rows) {
   return number;
 }
 
-/// For points without a tetrahedron: fills in triangles, with radii, and edges, from the base of a cone over the
+/// Fills in the triangles, with radii, and the edges of points without a tetrahedron, from the base of a cone over the
 /// points.
 void take_flat(std::span<const Point3> points, const SolidOptions& options, Threads& threads, Steps& step,
                SolidFiltration& filtration) {

@@ -39,8 +39,8 @@ struct SolidFiltration {
   std::vector<std::array<std::uint32_t, 3>> edges_of;  ///< for each corner of each triangle, the edge across from it
 };
 
-/// Computes the filtration. Options are those of solid(); neighbors are always computed. Once the points are
-/// triangulated, `progress` is called with the number of all points.
+/// Computes the filtration. `options` are those of solid(), but neighbors are always computed. After the triangulation,
+/// options.progress is called with the number of distinct points as the number of finished ones.
 /// Requires: as solid(). Throws: as solid().
 RBPA_API SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOptions& options = {});
 

@@ -11,7 +11,8 @@
 namespace rbpa {
 namespace {
 
-/// Sorts by birth, death, and the simplices that make the pairs. Requires: sorted by birth.
+/// Sorts the pairs from number `first` on by birth, death, and the simplices that make them. Requires: these pairs are
+/// sorted by birth.
 void sort_equal_births(std::vector<SolidPair>& pairs, std::size_t first, Steps& step) {
   const auto is_before = [&](const SolidPair& a, const SolidPair& b) {
     step();
@@ -43,7 +44,7 @@ std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, cons
   };
   for (const auto& [point, edge] : pairing.components.all) add(0, 0, filtration.edge_alpha[edge], point, edge);
   if (filtration.delaunay.distinct > 0)
-    pairs.push_back({.dimension = 0, .birth = 0, .death = {}, .born_by = 0});  // the first point is the least of all
+    pairs.push_back({.dimension = 0, .birth = 0, .death = {}, .born_by = 0});  // the component of point 0 never ends
   sort_equal_births(pairs, 0, step);
 
   const std::size_t first_tunnel = pairs.size();

@@ -28,7 +28,7 @@ struct SolidPlateau {
   std::size_t components = 0;  ///< components of the tetrahedra, connected through points
   std::size_t covered = 0;     ///< number of distinct points in tetrahedra
   double volume = 0;           ///< of all tetrahedra, in cubed units
-  double effective_parts = 1;  ///< (Σ nᵢ)² / Σ nᵢ², with nᵢ the points of each component
+  double effective_parts = 1;  ///< (Σ nᵢ)² / Σ nᵢ², with nᵢ the number of points of component i
   double void_share = 0;       ///< volume of voids / volume of tetrahedra and voids
   /// Whether several parts, or voids, are of significant size; otherwise nearly all covered points are in one part.
   bool is_structured = false;

@@ -19,13 +19,13 @@ namespace {
 
 constexpr std::uint32_t none = Solid::none;
 
-/// Finds the tetrahedra of a void at one radius.
+/// A search for the tetrahedra of a void at one radius, and for the triangles around them.
 class VoidSearch {
  public:
   VoidSearch(std::span<const Point3> points, const SolidFiltration& filtration)
       : points_(points), filtration_(filtration), is_reached_(filtration.triangles_of.size(), false) {}
 
-  /// Returns the void that contains this tetrahedron at `alpha`. Requires: the void is bounded.
+  /// Returns the void that contains `tetrahedron` at `alpha`. Throws ContractViolation if it is not bounded.
   SolidRepresentative of(std::uint32_t tetrahedron, double alpha, Steps& step) {
     SolidRepresentative result;
     auto& reached = result.tetrahedra;
@@ -54,7 +54,7 @@ class VoidSearch {
  private:
   using Vector = space::Vector3<double>;
 
-  /// Adds the bounding triangles. A triangle with the void on both sides bounds nothing.
+  /// Adds the triangles that bound the tetrahedra of `result`. A triangle with the void on both sides bounds nothing.
   void add_faces(SolidRepresentative& result) const {
     struct Side {
       std::uint32_t triangle, tetrahedron;

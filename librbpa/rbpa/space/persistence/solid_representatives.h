@@ -39,7 +39,7 @@ struct SolidRepresentative {
 /// Returns one representative for each pair. A cycle that is not known to be the shortest was shortened: shortest paths
 /// between its points that are half of the cycle apart, a quarter, an eighth and so on replace parts of it. The cycle
 /// is never longer than that of the reduction.
-/// Requires: the filtration of these points, and pairs of it.
+/// Requires: `filtration` is solid_filtration() of `points`; `pairs` are some of its solid_persistence().
 /// Throws:   ContractViolation when the points, filtration and pairs visibly do not belong together; Cancelled.
 RBPA_API std::vector<SolidRepresentative> solid_representatives(std::span<const Point3> points,
                                                                 const SolidFiltration& filtration,

@@ -24,7 +24,7 @@
 namespace rbpa {
 namespace {
 
-/// Returns, for each triangle, the radius of the first tetrahedron at it.
+/// Returns, for each triangle, the least radius of a tetrahedron at it.
 std::vector<double> first_radii(std::span<const double> radii, const space::NumberedTriangles& triangles) {
   std::vector<double> first(triangles.corners.size(), std::numeric_limits<double>::infinity());
   for (std::size_t t = 0; t < radii.size(); ++t)
@@ -113,7 +113,7 @@ std::vector<std::uint32_t> nodes_of(const VoidTree& tree, const Solid& delaunay,
   meshops::require(
       radii.size() == delaunay.simplices.size() && radii.size() == tree.node_of.size(),
       "nodes_of: the tetrahedra, radii and tree.node_of differ in number, expected those that made the tree");
-  // One triangle of each void, turned outward from the tetrahedron in it, as boundaries are seen from within voids.
+  // One triangle of each void, reversed: counter-clockwise seen from outside of the tetrahedron that is in the void.
   std::map<Triangle, std::size_t> void_at;
   std::vector<bool> is_least(corner_bound<4>(delaunay.simplices), false);  // the lowest corner of such a triangle
   for (std::size_t i = 0; i < voids.size(); ++i) {

@@ -49,16 +49,16 @@ struct VoidTree {
   }
 };
 
-/// Builds the tree. Threads share the radii of triangles.
-/// Requires: the tetrahedra of solid() of these points at infinity, with neighbors, and their circumradii; or the
-///           tetrahedra and radii of solid_filtration(), which is faster.
+/// Builds the tree. `threads` is the maximum number of threads that share the radii of triangles; 0: all.
+/// Requires: `delaunay` is solid() of `points` at infinity, with neighbors, and `radii` are its circumradii(); or both
+///           are those of solid_filtration(), which is faster.
 /// Throws:   ContractViolation when points, tetrahedra and radii visibly do not belong together; Cancelled.
 RBPA_API VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                             ComplexKind walls = ComplexKind::full, MaxThreads threads = 0, const GoOn& go_on = {});
 
-/// Returns the node of each void. `voids` at alpha and their `boundary` are those of voids() for a tree of
-/// ComplexKind::solid, those of full_voids() for one of ComplexKind::full.
-/// Requires: the triangulation of the tree, and its radii.
+/// Returns the node of each of `voids`.
+/// Requires: `delaunay` and `radii` made the tree. `voids` at `alpha`, and their `boundary`, are those of voids() if
+///           the tree is of ComplexKind::solid, those of full_voids() if it is of ComplexKind::full.
 /// Throws:   ContractViolation when sizes differ or a void is not found.
 RBPA_API std::vector<std::uint32_t> nodes_of(const VoidTree& tree, const Solid& delaunay, std::span<const double> radii,
                                              double alpha, const Surface& boundary, std::span<const SolidVoid> voids);

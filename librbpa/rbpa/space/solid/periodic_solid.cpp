@@ -160,7 +160,7 @@ PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& t
   return found;
 }
 
-/// Returns whether there are tetrahedra, on both sides of each triangle: then they fill the periodic space.
+/// Returns whether there is a tetrahedron, and one on both sides of each triangle; then the tetrahedra fill the space.
 bool is_complete(const PeriodicSolid& solid) {
   const auto has_all = [](const Row& row) { return std::find(row.begin(), row.end(), Solid::none) == row.end(); };
   return !solid.neighbors.empty() && std::all_of(solid.neighbors.begin(), solid.neighbors.end(), has_all);

@@ -13,8 +13,9 @@
 
 namespace rbpa::space {
 
-/// Returns one point where all points are in a plane, two where they are on a line; none where they are in neither, or
-/// are all equal. The returned points are within twice the greatest coordinate.
+/// Returns one point outside of the plane if all points are in one plane; two if they are on one line; none if they are
+/// in no plane, or are all equal. No coordinate of a returned point exceeds the greatest absolute coordinate of
+/// `points`.
 /// Requires: finite points.
 std::vector<Point3> beside_flat(std::span<const Point3> points);
 

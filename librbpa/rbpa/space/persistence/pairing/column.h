@@ -20,10 +20,12 @@ inline std::uint32_t edge_of(ColumnEntry entry) { return static_cast<std::uint32
 
 class Column {
  public:
+  /// Replaces the entries.
   void assign(std::span<const ColumnEntry> ascending) {
     entries_.assign(ascending.begin(), ascending.end());
     is_heap_ = false;
   }
+  /// Adds a column: entries that are in both drop out.
   void add(std::span<const ColumnEntry> ascending) {
     constexpr std::size_t few = 64;
     if (!is_heap_ && entries_.size() + ascending.size() > few) {
@@ -39,7 +41,7 @@ class Column {
                                   std::back_inserter(sum_));
     entries_.swap(sum_);
   }
-  /// Returns the greatest entry, or 0 where the column is empty.
+  /// Returns the greatest entry, or 0 if the column is empty.
   ColumnEntry pivot() {
     if (!is_heap_) return entries_.empty() ? 0 : entries_.back();
     while (!entries_.empty()) {
@@ -52,7 +54,7 @@ class Column {
     }
     return 0;
   }
-  /// Returns all entries, ascending. Afterwards the column has no meaning until assign().
+  /// Returns all entries, ascending. Afterwards the entries are unspecified until assign().
   std::vector<ColumnEntry> ascending() {
     if (!is_heap_) return {entries_.begin(), entries_.end()};
     std::sort(entries_.begin(), entries_.end());

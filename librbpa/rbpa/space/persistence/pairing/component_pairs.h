@@ -15,7 +15,7 @@
 namespace rbpa::space {
 
 struct EndedComponent {
-  std::uint32_t point, edge;
+  std::uint32_t point, edge;  ///< numbers of the point that began it, and of the edge that ended it
 };
 
 struct PersistentComponents {
@@ -23,7 +23,7 @@ struct PersistentComponents {
   std::vector<bool> joins;          ///< for each edge: whether it ends a component; the others make a tunnel
 };
 
-/// Pairs points with edges. `order` has the edges sorted by alpha.
+/// Returns the pairs of points and edges. Requires: `order` has the edges of `filtration`, sorted by alpha.
 PersistentComponents find_components(const SolidFiltration& filtration, std::span<const std::uint32_t> order,
                                      Steps& step);
 

@@ -40,7 +40,7 @@ Cycles::Cycles(std::span<const Point3> points, const SolidFiltration& filtration
       arcs_(2 * filtration.edges.size()),
       parent_edge_(points.size(), Solid::none),
       depth_(points.size(), 0) {
-  // begin_[p + 1] is the beginning of p's arcs at first; each arc stored moves it on, in the end to their end.
+  // At first, begin_[p + 1] is the beginning of p's arcs; each arc stored moves it on, at last to the end of p's arcs.
   for (const auto& [a, b] : filtration.edges) {
     ++begin_[a + std::size_t{2}];
     ++begin_[b + std::size_t{2}];
@@ -112,8 +112,8 @@ std::uint32_t Cycles::across(std::uint32_t edge, std::uint32_t point) const {
   return a == point ? b : a;
 }
 
-/// Returns the cycle that contains these edges and no others of those that end no component. Points at an odd number of
-/// these edges are joined along the tree, the deepest first.
+/// Returns the cycle of `others`, which end no component, and of edges that end components. The latter join points at
+/// an odd number of edges along the tree, the deepest first.
 Cycles::Edges Cycles::with_joining_edges(const Edges& others) const {
   Edges edges = others;
   std::unordered_set<std::uint32_t> odd;
@@ -178,7 +178,7 @@ Cycles::Loops Cycles::loops(const Edges& edges, std::uint32_t first) const {
   return result;
 }
 
-/// Drops loops that do not belong to the tunnel: those that are boundaries before the triangle, alone or together.
+/// Drops loops that do not belong to the tunnel: boundaries of triangles up to `triangle`, alone or together.
 void Cycles::drop_boundaries(Loops& loops, std::uint32_t triangle) {
   std::erase_if(loops.others, [&](const Edges& loop) { return pairing_.tunnels.is_boundary(loop, triangle); });
   Edges all;
@@ -186,7 +186,8 @@ void Cycles::drop_boundaries(Loops& loops, std::uint32_t triangle) {
   if (loops.others.size() > 1 && pairing_.tunnels.is_boundary(all, triangle)) loops.others.clear();
 }
 
-/// Returns the shortest path along edges before `before`; nothing where none is shorter than the bound.
+/// Returns the shortest path from `from` to `to` along edges before `before`; nothing if it is not shorter than
+/// `bound`.
 std::optional<Cycles::Edges> Cycles::shorter_path(std::uint32_t from, std::uint32_t to, std::uint32_t before,
                                                   double bound) {
   constexpr double roundings = 1e-12;
@@ -225,7 +226,8 @@ std::optional<Cycles::Edges> Cycles::shorter_path(std::uint32_t from, std::uint3
   return std::nullopt;
 }
 
-/// Returns the loop from its first edge on, with parts replaced by shorter paths.
+/// Returns the loop from its first edge on. Parts are replaced by shorter paths where the difference is a boundary of
+/// triangles up to `triangle`.
 Cycles::Edges Cycles::shortened(const Edges& loop, std::uint32_t triangle) {
   const std::uint32_t first = loop.front();
   Edges path(loop.begin() + 1, loop.end());

@@ -31,10 +31,10 @@ struct Cycle {
 
 class Cycles {
  public:
-  /// Keeps references.
+  /// Keeps references to all arguments.
   Cycles(std::span<const Point3> points, const SolidFiltration& filtration, Pairing& pairing, Steps& step);
 
-  /// Returns a short cycle of the tunnel that an edge makes. Requires: the edge makes a tunnel.
+  /// Returns a short cycle around the tunnel that `edge` makes. Requires: a triangle ends this tunnel.
   Cycle of(std::uint32_t edge);
 
  private:

@@ -10,7 +10,7 @@ namespace {
 
 class EdgeTable {
  public:
-  /// Makes an empty table for the edges of these triangles.
+  /// Makes an empty table for the edges of `triangles`.
   EdgeTable(std::size_t points, std::span<const Triangle> triangles) : begin_(points + 1, 0) {
     for (const Triangle& triangle : triangles) {
       begin_[triangle[0]] += 2;

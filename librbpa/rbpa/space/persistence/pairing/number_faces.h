@@ -28,7 +28,8 @@ struct NumberedTriangles {
   std::vector<std::array<std::uint32_t, 4>> of;  ///< for each tetrahedron: the triangle across from each corner
 };
 
-/// Numbers the triangles. Throws: ContractViolation where neighbors are not mutual, or not as many as tetrahedra.
+/// Returns the triangles. Requires: one row of neighbors for each tetrahedron. Throws ContractViolation where a
+/// neighbor does not exist, or is visibly not mutual; Cancelled.
 NumberedTriangles number_triangles(const Solid& delaunay, Steps& step);
 
 struct NumberedEdges {
@@ -36,7 +37,8 @@ struct NumberedEdges {
   std::vector<std::array<std::uint32_t, 3>> of;    ///< for each triangle: the edge across from each corner
 };
 
-/// Numbers the edges. Requires: triangles with ascending corners below `points`.
+/// Returns the edges. Requires: corners of `triangles` ascend, and are below `points`; each edge is a side of two
+/// triangles at least.
 NumberedEdges number_edges(std::size_t points, std::span<const Triangle> triangles, Steps& step);
 
 }  // namespace rbpa::space

@@ -16,11 +16,12 @@
 
 namespace rbpa::space {
 
-/// Throws ContractViolation, whose message begins with the function's name, where the arrays do not belong together.
+/// Throws ContractViolation, with a message that begins with `function`, where arrays do not fit together.
 void check_filtration(const char* function, const SolidFiltration& filtration);
-/// Throws as above, and if the filtration is visibly not one of these points.
+/// Throws as above, and where an end of an edge is not an index of `points`.
 void check_filtration(const char* function, std::span<const Point3> points, const SolidFiltration& filtration);
 
+/// All pairs of a filtration. Requires: a filtration that passes check_filtration().
 struct Pairing {
   Pairing(const SolidFiltration& filtration, Steps& step)
       : edges(sorted_by_alpha(filtration.edge_alpha, step)),

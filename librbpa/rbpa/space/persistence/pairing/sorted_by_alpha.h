@@ -17,7 +17,7 @@
 
 namespace rbpa::space {
 
-/// Returns the numbers of the simplices, sorted by alpha, then by number.
+/// Returns the numbers of the simplices, sorted by alpha, then by number. Requires: each alpha is +0 or above.
 inline meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const double> alpha, Steps& step) {
   constexpr int digit_bits = 11, digits = 3, key_bits = 32;
   constexpr std::uint32_t mask = (1u << digit_bits) - 1;

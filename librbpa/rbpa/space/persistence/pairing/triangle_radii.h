@@ -15,8 +15,8 @@
 
 namespace rbpa::space {
 
-/// Returns the radius of each triangle. Requires: neighbors, the radii of the tetrahedra, and the result of
-/// number_triangles() for them.
+/// Returns the radius of each of `triangles`. Requires: `delaunay` is solid() of `points` at infinity, with neighbors;
+/// `radii` are its circumradii(), and `triangles` its number_triangles().
 std::vector<double> triangle_radii(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                                    const NumberedTriangles& triangles, Threads& threads, const GoOn& go_on);
 

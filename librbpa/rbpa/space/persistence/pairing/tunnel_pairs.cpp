@@ -115,7 +115,7 @@ void Tunnels::add_column_of(std::uint32_t edge) {
     column_.add(columns_[kept_[edge]]);
 }
 
-/// Stores the column of a triangle. An empty column stands for the triangle's boundary.
+/// Stores the reduced column of a triangle at its pivot, `edge`. An empty column stands for the triangle's boundary.
 void Tunnels::keep(std::uint32_t edge, std::uint32_t triangle, std::vector<ColumnEntry> column) {
   owner_[edge] = triangle;
   if (column.empty()) return;

@@ -25,7 +25,7 @@ namespace rbpa::space {
 class Tunnels {
  public:
   /// Reduces the matrix. `order` has the edges sorted by alpha; edges in `joins` make no tunnel; triangles in
-  /// `makes_void` end none. Keeps a reference to the filtration.
+  /// `makes_void` end none. Keeps a reference to `filtration`.
   Tunnels(const SolidFiltration& filtration, std::span<const std::uint32_t> order, const std::vector<bool>& joins,
           const std::vector<bool>& makes_void, Steps& step);
 
@@ -39,10 +39,11 @@ class Tunnels {
   }
   /// Returns whether an edge comes before another in the filtration.
   bool is_before(std::uint32_t edge, std::uint32_t other) const { return rank_[edge] < rank_[other]; }
-  /// Returns the edges, without those that end components, of a cycle that becomes a boundary with the triangle that
-  /// ends the tunnel that an edge makes.
+  /// Returns the edges, without those that end components, of a cycle around the tunnel that `edge` makes. The cycle
+  /// becomes a boundary with the triangle ended_by(edge). Requires: there is one.
   std::vector<std::uint32_t> cycle(std::uint32_t edge) const;
-  /// Returns whether a cycle is a boundary of triangles up to `triangle`. An edge given twice is not in the cycle.
+  /// Returns whether the cycle `edges` is a boundary of triangles up to `triangle` in the filtration. An edge that
+  /// occurs twice in `edges` is not in the cycle.
   bool is_boundary(std::span<const std::uint32_t> edges, std::uint32_t triangle);
 
  private:

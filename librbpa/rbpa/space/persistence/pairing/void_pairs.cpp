@@ -8,7 +8,8 @@
 namespace rbpa::space {
 namespace {
 
-/// Sets of tetrahedra and of the outside, which has the greatest number; each with its last element in the filtration.
+/// Sets of tetrahedra, each with its last element in the filtration. The outside is an element, too: it has the
+/// greatest number and is the last of all.
 class Basins {
  public:
   explicit Basins(std::span<const double> alpha) : alpha_(alpha), sets_(alpha.size() + 1), last_(alpha.size() + 1) {
@@ -22,7 +23,7 @@ class Basins {
   struct Joined {
     std::uint32_t ended, stays;  ///< the last tetrahedron of the set that ends, and of the other
   };
-  /// Joins two sets.
+  /// Joins two sets. Requires: they are different; a and b are from find().
   Joined join(std::uint32_t a, std::uint32_t b) {
     const bool is_a_first = is_before(last_[a], last_[b]);
     const Joined joined = {last(is_a_first ? a : b), last(is_a_first ? b : a)};
@@ -42,7 +43,7 @@ class Basins {
   std::vector<std::uint32_t> last_;
 };
 
-/// Joins each tetrahedron to the one across its last triangle, where that triangle has the same radius.
+/// Joins each tetrahedron to the one across the last of its triangles that have the radius of the tetrahedron, if any.
 void flow(const Solid& delaunay, std::span<const double> radii,
           std::span<const std::array<std::uint32_t, 4>> triangles_of, std::span<const double> triangle_radii,
           Steps& step, Basins& basins, std::vector<bool>& makes_one) {

@@ -22,8 +22,8 @@
 namespace rbpa::space {
 
 struct PersistentVoid {
-  std::uint32_t triangle, tetrahedron;
-  std::uint32_t parted_from;  ///< the last tetrahedron of the void that it was part of; none: the outside
+  std::uint32_t triangle, tetrahedron;  ///< the triangle that makes it; the last tetrahedron that fills it
+  std::uint32_t parted_from;            ///< the last tetrahedron of the void that it was part of; none: the outside
 };
 
 struct PersistentVoids {
@@ -32,8 +32,8 @@ struct PersistentVoids {
   std::vector<std::uint32_t> basin;  ///< for each tetrahedron, the last one of its basin; none: the outside
 };
 
-/// Finds the voids. Requires: `radii` of the tetrahedra; `triangles_of`: the numbers of the triangles of each;
-/// `triangle_radii`: each at most the radii of its tetrahedra.
+/// Returns the voids. Requires: `delaunay` has neighbors; `radii` are those of its tetrahedra; `triangles_of` is
+/// NumberedTriangles::of; the radius of a triangle is at most those of its tetrahedra.
 PersistentVoids find_voids(const Solid& delaunay, std::span<const double> radii,
                            std::span<const std::array<std::uint32_t, 4>> triangles_of,
                            std::span<const double> triangle_radii, Steps& step);
