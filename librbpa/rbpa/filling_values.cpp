@@ -25,7 +25,7 @@ void interpolate_edges(std::span<const Point> points, const Ring& ring, std::siz
   const auto at = [&](std::size_t i) { return ring.points[i % size]; };
   std::size_t first = 0;
   while (first < size && at(first) >= given) ++first;
-  if (first == size) return;  // too few values
+  if (first == size) return;  // no given point on the ring: nothing to interpolate between
   for (std::size_t a = first; a < first + size;) {
     std::size_t b = a + 1;
     while (at(b) >= given) ++b;

@@ -16,7 +16,7 @@ using Corners = std::vector<std::uint32_t>;
 
 int side_of(const Point& p, double x) { return p.x < x ? -1 : p.x > x ? 1 : 0; }
 
-/// Edges with the inside on their left, as rings.
+/// A set of directed edges, with the inside on their left, that are joined into rings.
 class Boundary {
  public:
   explicit Boundary(std::span<const Point> points) : points_(points) {}
@@ -64,8 +64,8 @@ class Boundary {
     bool leaves;
   };
 
-  /// Finds for each edge that comes to a corner the edge that leaves the corner after it on the ring: counter-clockwise
-  /// from the leaving edge to the coming one lies the inside.
+  /// Stores in `next`, for each edge that ends at `corner`, the edge that follows on the ring: the inside lies
+  /// counter-clockwise from the leaving edge to the coming one.
   void pair(std::uint32_t corner, std::vector<End>& ends, Corners& next) const {
     const Point& p = points_[corner];
     const auto is_below = [&](const End& end) {
@@ -113,12 +113,13 @@ class Boundary {
 /// The rings around the part left of the line.
 class LeftRings {
  public:
-  /// Takes rings as in PolygonCut, with the interior on their left and a corner at each crossing. `right_end` has, for
-  /// the points from `first_crossing` on, the end right of the line of the edge on which they are.
+  /// Takes the points of PolygonCut. Point `first_crossing` + i is the crossing of an edge whose end right of the line
+  /// is right_end[i].
   LeftRings(std::span<const Point> points, double x, std::uint32_t first_crossing, const Corners& right_end)
       : points_(points), x_(x), first_crossing_(first_crossing), right_end_(right_end), boundary_(points) {}
 
-  /// Returns the rings. Messages call the line x = `line`.
+  /// Returns the rings left of the line. `rings` have the interior on their left and a corner at each crossing.
+  /// Messages call the line x = `line`.
   std::vector<Ring> find(const std::vector<Corners>& rings, double line) {
     for (const Corners& ring : rings) take(ring);
     // Along the line from below, a part on its left begins at the end of a chain and ends where the next chain begins.
@@ -153,8 +154,8 @@ class LeftRings {
 
   int side(std::uint32_t i) const { return side_of(points_[i], x_); }
 
-  /// Adds the parts of a ring left of the line as chains, each from a point on the line to the next one; a ring that
-  /// does not meet the line is added whole if it lies left of it.
+  /// Adds the parts of a ring left of the line as chains, each from a point on the line to the next such point; a ring
+  /// that lies left of the line without meeting it is added whole.
   void take(const Corners& ring) {
     const auto is_on = [this](std::uint32_t i) { return side(i) == 0; };
     const auto first = std::find_if(ring.begin(), ring.end(), is_on);

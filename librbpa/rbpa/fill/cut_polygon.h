@@ -24,15 +24,14 @@ struct EdgeCrossing {
 
 struct PolygonCut {
   std::vector<Point> points;            ///< the input points under their indices, then one for each crossing
-  std::vector<EdgeCrossing> crossings;  ///< one for each point that was added, in their order
+  std::vector<EdgeCrossing> crossings;  ///< one for each added point, in the order of the points
   std::vector<Polygon> left, right;     ///< empty if no part of the polygon lies on that side
 };
 
-/// Cuts `polygon` along the line at `x`.
+/// Cuts `polygon` along the vertical line at `x`.
 /// Requires: a valid polygon (validity.h) on these points, whose shell is counter-clockwise and whose holes are
 ///           clockwise, as outline_polygons() returns them; a finite x.
-/// Throws:   InvalidInput that names the place if the polygon is seen to be invalid, or if rounded crossings would make
-///           a part invalid.
+/// Throws:   InvalidInput if the polygon is seen to be invalid, or if rounded crossings would make a part invalid.
 RBPA_API PolygonCut cut_at(std::span<const Point> points, const Polygon& polygon, double x);
 
 }  // namespace rbpa

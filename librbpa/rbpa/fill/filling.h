@@ -50,7 +50,7 @@ struct Filling {
   /// The input points under their indices, whether used or not; then the points inserted on edges of the boundary; then
   /// those inside.
   std::vector<Point> points;
-  /// Number of points that are of the input or on cut edges: the first in `points`.
+  /// Number of input points and points inserted on edges of the boundary: the first in `points`.
   std::size_t boundary_points = 0;
   /// The triangles, counter-clockwise, the smallest index first, in lexicographic order.
   std::vector<Triangle> triangles;
@@ -59,9 +59,9 @@ struct Filling {
   /// groups are neighbors along edges that the groups share; but where the groups overlap, so that two triangles have
   /// the same edge on their left, each group has neighbors in itself only.
   std::vector<Triangle> neighbors;
-  /// The polygons with the points inserted on their edges; areas are exact sums, rounded once.
+  /// The input polygons with the inserted boundary points in their rings; areas are exact sums, rounded once.
   std::vector<Polygon> polygons;
-  /// Number of times that the front removed a triangle again, as no good triangle fitted beside it.
+  /// Number of times that the front removed a triangle again, because no good triangle fitted beside that triangle.
   std::size_t retreats = 0;
   /// Number of triangles of the unfilled region that were created or crossed in locating points: a measure of the
   /// front's work.

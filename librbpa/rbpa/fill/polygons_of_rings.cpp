@@ -37,11 +37,12 @@ class ApartRings {
     return polygons;
   }
 
-  /// Returns the regions within holes as polygons, with the shells in them for their holes.
+  /// Returns the regions directly within holes as polygons: each hole becomes a shell, and the shells in it become
+  /// holes.
   std::vector<Polygon> holes() const { return regions(true); }
 
  private:
-  /// Returns the regions directly within holes, or within shells; the rings around them become counter-clockwise.
+  /// Returns the regions directly within holes, or within shells, as polygons with counter-clockwise shells.
   std::vector<Polygon> regions(bool within_holes) const {
     std::vector<Polygon> regions;
     std::vector<std::size_t> region_of(rings_.size());

@@ -16,9 +16,9 @@
 
 namespace rbpa {
 
-/// Returns the reason why the polygons do not form a valid multipolygon, or why one of them is invalid; nothing if they
-/// are valid. The reason is one line with the place, what was found and what was expected; polygons, holes and vertices
-/// are numbered from 0. Rings may begin anywhere and have either orientation.
+/// Returns the reason why the polygons do not form a valid multipolygon, or why a polygon is invalid; nothing if
+/// neither is so. The reason is one line with the place, what was found and what was expected; polygons, holes and
+/// vertices are numbered from 0. Rings may begin anywhere and have either orientation.
 /// Throws: Cancelled.
 RBPA_API std::optional<std::string> why_invalid(std::span<const Point> points, std::span<const Polygon> polygons,
                                                 const GoOn& go_on = {});

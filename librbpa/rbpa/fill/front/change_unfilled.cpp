@@ -10,9 +10,9 @@
 namespace rbpa {
 namespace {
 
-/// Returns how far the point on the paraboloid is below the plane through the triangle lifted to the paraboloid. While
-/// a corner rises from there, the triangles around it are replaced in this order by those of the triangulation without
-/// it. Rounding costs flips at most.
+/// Returns how far p, lifted to the paraboloid, is below the plane through a, b and c, lifted too; infinity if the
+/// result is not finite. While the lifted p rises, the triangles of the triangulation without p replace those around p
+/// in ascending order of this height. Rounding costs flips at most.
 double rise(const Point& a, const Point& b, const Point& c, const Point& p) {
   const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y, cx = c.x - p.x, cy = c.y - p.y;
   const double bc = bx * cy - by * cx, ca = cx * ay - cy * ax, ab = ax * by - ay * bx;
@@ -55,7 +55,7 @@ void Unfilled::remove(std::uint32_t triangle) {
   unused_.push_back(triangle);
 }
 
-/// Forgets removed triangles before their numbers are reused.
+/// Removes the sides of removed triangles from the queue, before the numbers of these triangles are reused.
 void Unfilled::forget_removed() {
   std::erase_if(queue_, [&](Side side) { return corner_[side - side % 3] == none; });
 }
@@ -78,8 +78,8 @@ void Unfilled::fill(const FrontEdge& edge, Site apex) {
   flip_all();
 }
 
-/// Updates the edge of a filled triangle, given as directed in that triangle: it becomes an edge of the front on the
-/// other side, or disappears.
+/// Updates an edge of a filled triangle, which runs from `from` to `to` in that triangle: the edge becomes one of the
+/// front for the triangle of side `beyond`, or, if `beyond` is none, is removed from the front.
 void Unfilled::bound(Side beyond, Site from, Site to) {
   if (beyond == none)
     border_.erase(key_of(from, to));
@@ -161,8 +161,9 @@ Unfilled::Side Unfilled::cut_ears(std::vector<Rim>& rim, bool is_right) {
   return rim.back().beyond;
 }
 
-/// Joins a new triangle to the triangle beyond an edge of the rim. If that was crossed as well, the rim passes the edge
-/// twice, in both directions, and both of its triangles are new.
+/// Joins side `inner` of a new triangle to the side beyond the edge of the rim from `from` to `to`. If the triangle
+/// beyond was crossed as well, the rim passes the edge twice, in both directions, and both of the edge's triangles are
+/// new.
 void Unfilled::close(Site from, const Rim& to, Side inner, bool is_right) {
   if (to.is_new || to.beyond == none || stamp_[to.beyond / 3] != looks_) return link(inner, to.beyond);
   const Site begin = is_right ? from : to.site, end = is_right ? to.site : from;
@@ -226,7 +227,7 @@ void Unfilled::empty(const std::array<Site, 3>& corners, const std::array<bool, 
   flip_all();
 }
 
-/// Returns whether no edge of the front ends in the corner across from a side any more: a walk around it meets none.
+/// Returns whether no edge of the front ends in the corner across from side `at`: a walk around the corner meets none.
 bool Unfilled::is_inner(Side at) const {
   Side side = after(at);
   do side = across_[side] == none ? none : before(across_[side]);

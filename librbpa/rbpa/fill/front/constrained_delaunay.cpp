@@ -105,7 +105,7 @@ class Constrained {
     return missing;
   }
 
-  /// Returns the side across from a of the triangle at a into which the way to b leads, or of one that has the edge.
+  /// Returns the side that the segment from a to b crosses first, across from a; no side if a triangle has the edge ab.
   Side first_crossed(Site a, Site b) {
     for (const bool clockwise : {false, true}) {
       std::uint32_t t = star_[a];
@@ -157,15 +157,15 @@ class Constrained {
     fill_cavities(a, b);
   }
 
-  /// A corner of the rim of a cavity, and what lies outside beyond the edge that leads to it: a triangle that stays,
-  /// or, if it was removed as well, the edge by which its successor is found.
+  /// A corner of the rim of a cavity, and the side outside, beyond the edge that leads to the corner. If the triangle
+  /// of that side was removed as well, close() finds the new triangle there by the edge.
   struct Rim {
     Site site;
     Side outside;
     bool is_new = false;  // whether the triangle outside was made for this cavity
   };
 
-  /// Returns the side of the triangle beyond.
+  /// Returns `side` as a side of the triangle across it, which lies outside of the cavity.
   Side out_of(const Side& side) const { return beyond(side); }
 
   void join(const Side& one, const Side& other) {
@@ -190,7 +190,8 @@ class Constrained {
     flip_all();
   }
 
-  /// A part of a rim: its base runs between its ends, and its triangle is to be joined to `beyond` the base.
+  /// A part of a rim, from corner `first` to corner `last`. Its base joins these corners; the triangle to be made on
+  /// the base is the neighbor of side `beyond`.
   struct Part {
     std::size_t first, last;
     Side beyond;
@@ -198,7 +199,7 @@ class Constrained {
 
   /// Cuts off a triangle wherever the rim turns towards its base, from one end to the other as in a scan for the convex
   /// hull. Every corner of the rim sees the inserted edge, so only that edge is left. Correctness does not depend on
-  /// it: triangles that turn left, and whose sides add up to the rim, cover what it bounds.
+  /// this: triangles that turn left, and whose sides add up to the rim, cover the cavity.
   void cut_ears(std::vector<Rim>& rim, bool is_right) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -262,8 +263,8 @@ class Constrained {
     }
   }
 
-  /// Fills the cavity behind a rim, which runs from one end of the inserted edge to the other. Returns the side on that
-  /// edge.
+  /// Fills the cavity behind a rim, which runs from one end of the inserted edge to the other. Returns the side of the
+  /// new triangle that lies on the inserted edge.
   Side fill_cavity(std::vector<Rim>& rim, bool is_right) {
     cut_ears(rim, is_right);
     Side base = rim.back().outside;
@@ -301,7 +302,7 @@ class Constrained {
     return base;
   }
 
-  /// Joins a new triangle to the one beyond an edge of the rim.
+  /// Joins side `inner` of a new triangle to the side beyond the edge of the rim from `from` to `to`.
   void close(Site from, const Rim& to, const Side& inner, bool is_right) {
     if (to.is_new || !std::binary_search(taken_.begin(), taken_.end(), to.outside.triangle)) {
       join(inner, to.outside);

@@ -12,7 +12,7 @@ namespace rbpa {
 namespace {
 
 constexpr int rounds = 6;            // rounds of flips, with moves between them
-constexpr int moves_in_a_round = 2;  // for each point
+constexpr int moves_in_a_round = 2;  // moves of each point between rounds of flips
 
 Point at(const Mesh& mesh, meshops::Vertex v) {
   const auto& p = mesh.point(v);
@@ -69,7 +69,7 @@ void flip_all(Mesh& mesh, const Checkpoint& checkpoint) {
   }
 }
 
-/// Finds the neighbors of an inner vertex, counter-clockwise.
+/// Replaces `ring` by the neighbors of an inner vertex, counter-clockwise.
 void ring_of(const Mesh& mesh, meshops::Vertex v, std::vector<Point>& ring) {
   ring.clear();
   for (const auto neighbor : mesh.vv_ccw_range(v)) ring.push_back(at(mesh, neighbor));

@@ -13,9 +13,10 @@
 
 namespace rbpa {
 
-/// Improves a mesh. Vertices from number `fixed` on are inner ones, and may move. Calls `checkpoint` repeatedly;
-/// it may throw.
-/// Requires: triangles that are counter-clockwise and do not overlap, z = 0.
+/// Improves a mesh by six rounds of moves and flips. Moves only vertices from number `fixed` on that are not on the
+/// boundary. Calls `checkpoint` repeatedly.
+/// Requires: triangles that are counter-clockwise and do not overlap, z = 0; `checkpoint` is not empty.
+/// Throws:   any exception of `checkpoint`.
 void improve(Mesh& mesh, std::size_t fixed, const SizeField& field, const Checkpoint& checkpoint);
 
 }  // namespace rbpa

@@ -33,7 +33,7 @@ std::vector<GroupSide> sorted_sides(const Filling& filling) {
   return sides;
 }
 
-/// Calls visit(first, last) for the sides at each edge.
+/// Calls visit(first, last) for each edge, with the range of its sides.
 template <typename Visit>
 void for_each_shared_edge(const std::vector<GroupSide>& sides, Visit visit) {
   for (auto first = sides.begin(); first != sides.end();) {
@@ -44,8 +44,8 @@ void for_each_shared_edge(const std::vector<GroupSide>& sides, Visit visit) {
   }
 }
 
-/// Returns for each group whether it has no neighboring group: it has an edge on its left that another group has on its
-/// left too.
+/// Returns for each group whether it overlaps another, as both have one edge on their left. Triangles of such a group
+/// have neighbors in that group only.
 std::vector<bool> are_apart(const std::vector<GroupSide>& sides) {
   std::size_t groups = 0;
   for (const GroupSide& side : sides) groups = std::max(groups, side.group + 1);

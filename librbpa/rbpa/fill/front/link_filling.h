@@ -5,8 +5,8 @@
 
 namespace rbpa {
 
-/// Fills in `neighbors`.
-/// Requires: points, triangles and their groups; the triangles of one group meet in whole edges.
+/// Replaces `filling.neighbors` by the neighbors of the triangles.
+/// Requires: `triangles` and `groups` are filled in; the triangles of one group meet in whole edges.
 /// Cost:     n log n.
 void link(Filling& filling);
 

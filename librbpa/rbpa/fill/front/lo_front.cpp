@@ -9,17 +9,17 @@
 namespace rbpa {
 namespace {
 
-/// A front point replaces the ideal apex if it is this near to it, in sides of the triangle.
+/// The maximum distance of a front point from the ideal apex that it replaces, as a multiple of Task::side.
 constexpr double near_enough = 0.75;
-/// Least distance of a new point from the front, in sides of the triangle; `tight_clearance` applies if `clearance`
-/// leaves no room.
+/// The least distance of a new point from the front, as a multiple of Task::side; `tight_clearance` applies if
+/// `clearance` leaves no room.
 constexpr double clearance = 0.5, tight_clearance = 0.35;
 /// The quality above which a triangle of front points is not replaced by one with a new point in a narrow place.
 constexpr double good = 0.6;
 /// The quality below which a triangle makes the front retreat.
 constexpr double bad = 0.25;
-/// The number of searches whose radius doubles. Corners farther away are seen past long edges, along which a front
-/// advances by the ends of the two edges beside its own: these ends are tried next, and then each search is `far_step`
+/// The number of searches whose radius doubles. Farther corners are seen past long edges, along which a front advances
+/// to the far ends of the two edges beside the current one: these ends are tried next. Then each search is `far_step`
 /// times as wide as the last.
 constexpr int near_looks = 8;
 constexpr double far_step = 16;
@@ -67,7 +67,7 @@ LoFront::Task LoFront::task_of(Site from, Site to) const {
   return task;
 }
 
-/// Returns the apex at this share of the height of the ideal triangle.
+/// Returns the apex at `share` of the height of the ideal triangle.
 Point LoFront::apex_at(const Task& task, double share) const {
   const double dx = task.b.x - task.a.x, dy = task.b.y - task.a.y, half = task.length / 2;
   const double height = std::sqrt(std::max(task.side * task.side - half * half, 0.0));
@@ -75,8 +75,8 @@ Point LoFront::apex_at(const Task& task, double share) const {
   return {task.a.x + dx / 2 - rise * dy, task.a.y + dy / 2 + rise * dx};
 }
 
-/// Finds the points of the front within `reach` of edge and ideal apex that make empty triangles, except those that
-/// were found before.
+/// Replaces task.candidates by the points of the front within `reach` of edge and ideal apex that make empty triangles,
+/// except points that an earlier search for this edge found.
 void LoFront::look_around(Task& task, double reach) const {
   Box box = common_box(common_box({task.a, task.a}, {task.b, task.b}), {task.ideal, task.ideal});
   box = {{box.low.x - reach, box.low.y - reach}, {box.high.x + reach, box.high.y + reach}};
@@ -86,7 +86,7 @@ void LoFront::look_around(Task& task, double reach) const {
                 box.high.y >= bounds_.high.y;
 }
 
-/// Returns the nearest point of the front that can replace the ideal apex.
+/// Returns the candidate nearest to the ideal apex, or nothing if none is within `reach` of it.
 std::optional<Site> LoFront::near_ideal(const Task& task, double reach) const {
   std::optional<std::pair<double, Site>> nearest;
   for (const Site s : task.candidates)
@@ -95,7 +95,8 @@ std::optional<Site> LoFront::near_ideal(const Task& task, double reach) const {
   return nearest ? std::optional(nearest->second) : std::nullopt;
 }
 
-/// Returns the candidate that makes the best triangle; of equal ones the one of the least number.
+/// Returns the candidate that makes the best-shaped triangle; on a tie, the one with the least site number; nothing if
+/// there is no candidate.
 std::optional<LoFront::Choice> LoFront::best_of(const Task& task) const {
   std::optional<Choice> best;
   for (const Site s : task.candidates) {
@@ -105,7 +106,8 @@ std::optional<LoFront::Choice> LoFront::best_of(const Task& task) const {
   return best;
 }
 
-/// Returns the better triangle with an end of one of the two edges beside this one on the front.
+/// Replaces task.candidates by the far ends of the two edges beside `h` on the front, as far as their triangles are
+/// empty. Returns best_of() them.
 std::optional<LoFront::Choice> LoFront::corner_of(const Front& front, Halfedge h, Task& task) const {
   task.candidates.clear();
   const meshops::Connectivity& mesh = front.mesh();
@@ -114,7 +116,8 @@ std::optional<LoFront::Choice> LoFront::corner_of(const Front& front, Halfedge h
   return best_of(task);
 }
 
-/// Returns a new apex, if its distance from the front is at least `wanted`.
+/// Returns the apex at `share` of the height if its triangle is empty and its distance from the front is at least
+/// `wanted` times task.side; otherwise nothing.
 std::optional<Point> LoFront::placed(const Task& task, double share, double wanted) const {
   const Point apex = apex_at(task, share);
   if (!is_finite(apex)) return std::nullopt;
@@ -168,7 +171,8 @@ meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
   return best->apex;
 }
 
-/// Returns a triangle that can be removed, behind the edge or behind its neighbors on the front.
+/// Returns a triangle that can be removed, behind `h` or one of the two edges beside it on the front; nothing if all
+/// three have a face that was there at the beginning.
 std::optional<meshops::Face> LoFront::behind(const Front& front, Halfedge h) const {
   const meshops::Connectivity& mesh = front.mesh();
   for (const Halfedge at : {h, mesh.next_halfedge_handle(h), mesh.prev_halfedge_handle(h)}) {

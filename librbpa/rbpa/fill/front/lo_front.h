@@ -32,9 +32,10 @@ using meshops::Site;
 
 class LoFront {
  public:
-  /// Takes the rings of the front and the places of its sites; places of sites on no ring are arbitrary. The mesh has
-  /// one face behind each edge of the rings. Keeps a reference to the field.
-  /// Throws: Cancelled.
+  /// Takes the rings of the front and the places of its sites; places of sites on no ring are arbitrary. Keeps a
+  /// reference to the field.
+  /// Requires: at least one ring; the mesh of the front has one face behind each edge of the rings, and no other face.
+  /// Throws:   Cancelled.
   LoFront(std::vector<Point> places, std::span<const std::vector<Site>> rings, const SizeField& field,
           const GoOn& go_on);
   LoFront(const LoFront&) = delete;
@@ -62,11 +63,11 @@ class LoFront {
   struct Task {
     Point a, b;
     Site from, to;
-    double length;                      ///< of the edge
+    double length;                      ///< length of the edge
     double side;                        ///< target length of the other two edges
     Point ideal;                        ///< the best place of the apex
     std::vector<Site> candidates = {};  ///< sites that make empty triangles
-    bool is_all = false;                ///< whether nothing lies outside of the last search
+    bool is_all = false;                ///< whether the last search covered the whole front
   };
   struct Choice {
     Site apex;
@@ -88,8 +89,8 @@ class LoFront {
   std::size_t given_faces_ = 0;  // number of faces of the mesh outside of the polygons: they stay
   const SizeField& field_;
   Unfilled unfilled_;
-  Box bounds_;                  // box of the front
-  double least_reach_ = 0;      // the least radius of a second search
+  Box bounds_;                  // box of the front when it began
+  double least_reach_ = 0;      // least radius of the second search for an edge
   double least_clearance_ = 0;  // least distance of a new point from the front
   std::size_t retreats_left_ = 0;
   std::size_t retreated_ = 0;

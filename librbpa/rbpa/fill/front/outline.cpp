@@ -17,7 +17,8 @@ namespace {
 
 using meshops::Site;
 
-/// Returns where to cut the edge from a to b, as fractions of its length, ascending.
+/// Returns the positions at which to cut the edge from a to b, as fractions of its length, ascending; none if the
+/// pieces would be too short for doubles.
 std::vector<double> cuts(const Point& a, const Point& b, const SizeField& field, Steps& step) {
   const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
   // Entries of a walk in steps of an eighth of the size: fraction of the edge so far, integral of 1 / size up to there.
@@ -44,7 +45,8 @@ std::vector<double> cuts(const Point& a, const Point& b, const SizeField& field,
   return shares;
 }
 
-/// The edges of rings, each once, in either direction, with the points on it from the lower end to the higher.
+/// The edges of all rings, each once for both directions, with the points to be added on each from its lower end to its
+/// higher one.
 class CutEdges {
  public:
   CutEdges(const Outline& outline, const SizeField& field, Steps& step) {
@@ -76,7 +78,7 @@ class CutEdges {
   std::size_t number(std::size_t ring, std::size_t i) const { return of_ring_[ring][i]; }
   const std::vector<Point>& points(std::size_t edge) const { return points_[edge]; }
 
-  /// Removes the points, and calls visit(group) for the groups that have the edge.
+  /// Removes the points to be added on an edge, and calls visit(group) for each group that has the edge.
   template <typename Visit>
   void keep_whole(std::size_t edge, Visit visit) {
     points_[edge].clear();
@@ -102,7 +104,7 @@ class CutEdges {
   std::vector<std::vector<std::size_t>> of_ring_{};  // for each edge of each ring, its number
 };
 
-/// Rings with the points on their edges.
+/// Rings that include the points added on their edges.
 struct CutRings {
   std::vector<Point> places = {};
   std::vector<Ring> rings = {};
@@ -110,7 +112,7 @@ struct CutRings {
   std::vector<std::vector<std::size_t>> edge_of = {};
 };
 
-/// Makes rings of the rings of an outline and the points on their edges.
+/// A builder of CutRings from the rings of an outline and the points to be added on their edges.
 class Assembly {
  public:
   Assembly(const Outline& outline, const CutEdges& edges)
@@ -170,7 +172,7 @@ class Assembly {
     bool runs_up = true;
   };
   std::vector<Site> number_;  // for each site of the outline, its new number
-  std::vector<First> first_;  // the first point on each edge, and the direction of their numbers
+  std::vector<First> first_;  // the first added point on each edge, and whether numbers ascend from its lower end
 };
 
 /// Returns the rings of each group; groups are in the order of their first rings.

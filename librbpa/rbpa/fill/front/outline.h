@@ -16,7 +16,7 @@ namespace rbpa {
 
 struct OutlineRing {
   std::vector<meshops::Site> sites;  ///< the polygon is on the left; the least of the corners first
-  std::size_t input = 0;             ///< the number of the input ring
+  std::size_t input = 0;             ///< number of the input ring
   bool is_reversed = false;          ///< whether the direction is opposite to the input's
   std::size_t group = 0;             ///< group of polygons that form a valid multipolygon (fill.h)
 };
@@ -24,19 +24,20 @@ struct OutlineRing {
 struct Outline {
   /// The place of each site: corners in lexicographic order, then points that were added on edges.
   std::vector<Point> places;
-  std::vector<std::uint32_t> input;  ///< for each corner the input point
+  std::vector<std::uint32_t> input;  ///< for each corner, the index of its input point
   std::vector<OutlineRing> rings;    ///< sorted by their first sites
 };
 
-/// Returns the outline of rings.
-/// Requires: noded rings, of which those of one group meet in single points at most; and the result of nest_rings() for
-///           the rings of each group.
+/// Returns the outline of rings. `places` are the positions of the rings among each other, `groups` their groups.
+/// Requires: noded rings; rings of one group meet in single points at most; places[r] is the place of ring r that
+///           nest_rings() finds among the rings of its group.
 Outline outline_of(std::span<const Point> points, std::span<const Ring> rings, std::span<const RingPlace> places,
                    std::span<const std::size_t> groups);
 
-/// Adds points on edges, so that none is much longer than the size field allows: an edge along which the field counts n
-/// of its lengths is cut into n pieces, n rounded. A point is rounded to doubles; an edge stays whole if its pieces
-/// would then meet others of its group. An edge that several rings have, in either direction, is cut once for all.
+/// Cuts edges into pieces that are not much longer than the size field allows: an edge is cut into as many pieces as
+/// the integral of 1 / size along the edge, rounded to a whole number. Added points are rounded to doubles. An edge
+/// stays whole if its pieces would be too short for doubles, or would meet other edges of the same group. An edge that
+/// several rings have, in either direction, is cut once for all of them.
 /// Throws: Cancelled.
 /// Cost:   n log n in the pieces.
 void cut(Outline& outline, const SizeField& field, const GoOn& go_on);
@@ -44,11 +45,11 @@ void cut(Outline& outline, const SizeField& field, const GoOn& go_on);
 /// The part of an outline that belongs to one group, as an outline of its own.
 struct OutlinePart {
   Outline outline;
-  std::vector<meshops::Site> site;  ///< for each of its sites, the site of the whole outline; ascending
+  std::vector<meshops::Site> site;  ///< for each site of the part, its site in the whole outline; ascending
   std::size_t group;
 };
 
-/// Returns the parts of all groups, ascending. Cost: n log n.
+/// Returns one part for each group, ascending by group. Cost: n log n.
 std::vector<OutlinePart> parts_of(const Outline& outline);
 
 }  // namespace rbpa

@@ -61,7 +61,8 @@ struct Stretch {
   std::array<Stretch, 2> halves() const { return {Stretch{a, middle()}, Stretch{middle(), b}}; }
 };
 
-/// The integral over one part, and a bound of its error.
+/// The integral over one part: an estimate `value`, a lower bound `least`, and `doubt`, how far an upper bound exceeds
+/// `least`.
 template <typename Part>
 struct Piece {
   Piece(const Part& of, std::size_t piece_of, const SizeField& field) : part(of), whole(piece_of) {
@@ -77,7 +78,7 @@ struct Piece {
   double value, least, doubt;
 };
 
-/// Returns the integral over each of the parts; a lower bound if there would be too many pieces.
+/// Returns the integral over each part; lower bounds if the tolerance would need too many pieces.
 template <typename Part>
 std::vector<double> integrate(const std::vector<Part>& parts, const SizeField& field, Steps& step) {
   std::vector<Piece<Part>> pieces;

@@ -16,7 +16,8 @@
 
 namespace rbpa {
 
-/// Returns the estimate for outlines before they are cut.
+/// Returns the estimated number of triangles. `groups` are the outlines of all groups, not cut yet. With
+/// `keep_boundary`, each boundary edge counts as one piece.
 /// Throws: Cancelled.
 double estimate_triangles(std::span<const OutlinePart> groups, const SizeField& field, bool keep_boundary,
                           const GoOn& go_on);

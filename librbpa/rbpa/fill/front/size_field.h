@@ -19,7 +19,7 @@ class SizeField {
 
   /// Returns a lower bound of all values.
   double least() const { return least_; }
-  /// Returns an upper bound: most() of the values, grade() of their slope.
+  /// Returns an upper bound: most() of all values, grade() of the slope.
   double most() const { return most_; }
   double grade() const { return grade_; }
 

@@ -16,7 +16,7 @@ bool is_within(const Box& box, const Point& p) {
   return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y;
 }
 
-/// Returns whether the box of the segment meets a box.
+/// Returns whether the bounding box of segment pq meets `box`.
 bool meets(const Box& box, const Point& p, const Point& q) {
   return std::max(p.x, q.x) >= box.low.x && std::min(p.x, q.x) <= box.high.x && std::max(p.y, q.y) >= box.low.y &&
          std::min(p.y, q.y) <= box.high.y;
@@ -127,7 +127,8 @@ bool Unfilled::is_free(const FrontEdge& edge, Site site) const {
   return false;
 }
 
-/// Returns the triangle around a point, by its side towards an edge with which the point makes an empty triangle.
+/// Returns the triangle that contains `p`, as its side towards `edge`; nothing if p and the edge form no empty
+/// triangle, p lies on the front, or the way to p passes more than `most` triangles.
 std::optional<Unfilled::Side> Unfilled::around(const FrontEdge& edge, const Point& p, std::size_t most) const {
   const Point &a = places_[edge.from], &b = places_[edge.to];
   if (quick_orientation(a, b, p) <= 0) return std::nullopt;
@@ -150,7 +151,8 @@ bool Unfilled::is_free(const FrontEdge& edge, const Point& apex, double clearanc
   return side && is_clear(*side, apex, clearance);
 }
 
-/// The nearest point of the front is seen from the point, so it suffices to look through sides that are as near.
+/// Returns whether every edge of the front is at least `clearance` from `p`, which lies in the triangle of side
+/// `around`. The nearest point of the front is visible from p, so a search through sides that are as near finds it.
 bool Unfilled::is_clear(Side around, const Point& p, double clearance) const {
   const double reach = (1 + 0x1p-40) * clearance;  // distances are rounded
   stack_ = {around - around % 3};

@@ -39,28 +39,30 @@ class Unfilled {
   using Site = meshops::Site;
   static constexpr std::size_t unlimited = ~std::size_t{0};
 
-  /// Triangulates the region left of the rings of a front, each given by its sites. Keeps a reference to the places, to
-  /// which others may be added.
+  /// Triangulates the region left of the rings of a front; a ring is a list of sites. Keeps a reference to `places`, to
+  /// which the caller may add places. The members below throw ContractViolation when an edge is not of the front.
   /// Throws: Cancelled.
   Unfilled(const std::vector<Point>& places, std::span<const std::vector<Site>> rings, const GoOn& go_on);
 
-  /// Begins a search from an edge of the front, for the functions below. The search passes at most `most` triangles;
-  /// the triangle beside the edge is always seen.
+  /// Begins a search from an edge of the front, for free_sites(). The search passes at most `most` triangles; it always
+  /// sees the triangle beside the edge.
   void look_from(const FrontEdge& edge, std::size_t most = unlimited) const;
-  /// Returns the sites in a box that make an empty triangle with that edge, except those that were found before; in any
-  /// order.
-  /// Requires: the box contains the edge and the boxes before; nothing was filled or emptied since look_from().
+  /// Returns the sites in `box` that make an empty triangle with the edge of look_from(), except sites that an earlier
+  /// call returned; in any order. When the search has passed `most` triangles, also sites outside of the box that it
+  /// has seen. The span is valid until the next call.
+  /// Requires: `box` contains the edge and the boxes of earlier calls; nothing was filled or emptied since look_from().
   std::span<const Site> free_sites(const Box& box) const;
-  /// Returns whether the triangle of an edge of the front and a site is empty.
+  /// Returns whether an edge of the front and a site of the front form an empty triangle.
   bool is_free(const FrontEdge& edge, Site site) const;
-  /// Returns whether the triangle of an edge and a new point is empty, and every edge of the front is at least
-  /// `clearance` from the point. Returns false if more than `most` triangles would be passed on the way.
+  /// Returns whether an edge of the front and a new point form an empty triangle, and every edge of the front is at
+  /// least `clearance` from the point. Returns false if the way to the point passes more than `most` triangles.
   bool is_free(const FrontEdge& edge, const Point& apex, double clearance, std::size_t most = unlimited) const;
 
-  /// Fills an empty triangle on an edge of the front. An apex that is not yet a site of the front becomes one.
+  /// Fills the triangle of an edge of the front and `apex`. An apex that is not yet a site of the front becomes one.
+  /// Throws: ContractViolation when the triangle is not empty.
   void fill(const FrontEdge& edge, Site apex);
-  /// Makes a triangle unfilled again. Side i, from corner i to corner i + 1, is then an edge of the front, or has an
-  /// unfilled region beyond it.
+  /// Makes a triangle unfilled again. `is_front[i]` says whether side i, from corner i to corner i + 1, is then an edge
+  /// of the front; otherwise the region beyond that side is unfilled.
   void empty(const std::array<Site, 3>& corners, const std::array<bool, 3>& is_front);
 
   /// Returns the number of triangles passed so far by searches and on the way to points, plus the number of those added
@@ -80,7 +82,8 @@ class Unfilled {
   Site from(Side side) const { return corner_[after(side)]; }
   Site to(Side side) const { return corner_[before(side)]; }
 
-  /// A corner of the cavity that a triangle cuts, and the side beyond the edge that leads to it.
+  /// A corner of the cavity that a filled triangle cuts, and the side beyond the edge of the rim that leads to the
+  /// corner.
   struct Rim {
     Site site;
     Side beyond;
@@ -136,7 +139,7 @@ class Unfilled {
   std::vector<Side> across_;           // the same edge as a side of the triangle beyond, or none if it is of the front
   std::vector<std::uint32_t> unused_;  // numbers of removed triangles, to be used again
   std::unordered_map<std::uint64_t, Side> border_;  // edges of the front as sides
-  Site next_ = 0;                                   // sites from this number on are new
+  Site next_ = 0;                                   // sites from this number on are not yet in the triangulation
   // used while a triangle is filled:
   std::vector<Rim> left_, right_;
   std::vector<std::uint32_t> crossed_;

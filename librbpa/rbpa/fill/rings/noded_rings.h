@@ -16,13 +16,13 @@
 namespace rbpa {
 
 struct NodedRings {
-  std::vector<Ring> rings;  ///< rings of the first points at their places
+  std::vector<Ring> rings;  ///< of the points at one place, only the least index is used
   /// For each edge of each ring, the edge of the input ring from which it comes.
   std::vector<std::vector<std::size_t>> edge_of;
 };
 
-/// Returns the noded rings. Of consecutive vertices at one place one is kept.
-/// Requires: check_points().
+/// Returns the noded rings. Of consecutive vertices at one place, one is kept.
+/// Requires: rings that check_points() accepts.
 /// Throws:   Cancelled.
 NodedRings node(std::span<const Point> points, std::span<const Ring> rings, Steps& step);
 

@@ -12,11 +12,12 @@
 
 namespace rbpa {
 
-/// Returns what is wrong with rings that meet, in terms of the input: the vertices are those of `rings`.
+/// Returns the text of an error about two rings that meet. `meet` is in terms of `noded`; the text numbers vertices as
+/// `rings` does, and calls ring r name(r).
 std::string text_of(const RingsMeet& meet, std::span<const Point> points, std::span<const Ring> rings,
                     const NodedRings& noded, const RingName& name);
 
-/// Returns which ring lies in which.
+/// Returns for each ring its position among the others.
 /// Throws: InvalidInput when rings cross, overlap, or one passes a place twice; Cancelled.
 std::vector<RingPlace> place_rings(std::span<const Point> points, std::span<const Ring> rings, const NodedRings& noded,
                                    const RingName& name, const GoOn& go_on);

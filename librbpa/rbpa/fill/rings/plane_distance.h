@@ -13,7 +13,7 @@ inline double distance(const Point& a, const Point& b) {
   return std::sqrt(dx * dx + dy * dy);
 }
 
-/// Returns the distance of a point from a segment.
+/// Returns the distance of `p` from the segment ab.
 inline double distance(const Point& p, const Point& a, const Point& b) {
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
   const double along = square > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / square : 0;
@@ -21,7 +21,7 @@ inline double distance(const Point& p, const Point& a, const Point& b) {
   return distance(p, {a.x + share * dx, a.y + share * dy});
 }
 
-/// Returns whether the point is farther than `reach` from the box of the segment.
+/// Returns whether `p` is farther than `reach` from the bounding box of the segment ab, in x or in y.
 inline bool is_surely_clear(const Point& p, const Point& a, const Point& b, double reach) {
   return p.x - std::max(a.x, b.x) > reach || std::min(a.x, b.x) - p.x > reach || p.y - std::max(a.y, b.y) > reach ||
          std::min(a.y, b.y) - p.y > reach;

@@ -13,7 +13,8 @@
 
 namespace rbpa {
 
-/// Returns whether a coordinate satisfies fits_double(): with all its 53 bits, none is lower than 2^least_in_double.
+/// Returns whether a coordinate is 0, or its absolute value is at least 2^−97 and below 2^150. Then it fits double
+/// (base/exact/magnitude.h), whatever its 53 bits are.
 inline bool fits_double(double x) {
   constexpr double least = 0x1p-97, most = 0x1p150;
   static_assert(least_in_double <= -97 - 52 && largest_in_double >= 150);
@@ -26,7 +27,7 @@ inline int plane_orientation(const Point& a, const Point& b, const Point& c) {
                                                             : Predicates<long double>::orientation(a, b, c);
 }
 
-/// Returns the orientation of (a, b, c), faster in nearly all cases, which are clear.
+/// Returns plane_orientation(a, b, c), faster where rounded numbers decide.
 inline int quick_orientation(const Point& a, const Point& b, const Point& c) {
   const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
   // A bound above the errors of differences, products and their difference; the last term is for underflow.
@@ -36,7 +37,7 @@ inline int quick_orientation(const Point& a, const Point& b, const Point& c) {
   return right - left > doubt ? -1 : plane_orientation(a, b, c);
 }
 
-/// Returns whether the closed triangle, which turns left, contains the point.
+/// Returns whether the closed triangle (a, b, c) contains `p`. Requires: (a, b, c) turns left.
 inline bool holds(const Point& a, const Point& b, const Point& c, const Point& p) {
   return quick_orientation(a, b, p) >= 0 && quick_orientation(b, c, p) >= 0 && quick_orientation(c, a, p) >= 0;
 }

@@ -41,7 +41,7 @@ struct Range {
   std::size_t first, last;
 };
 
-/// Fills in the places of a range, and checks its roles.
+/// Fills in rings.places for a range of rings, and checks that each ring lies where its role requires.
 void place(PolygonRings& rings, const Range& range, std::span<const Point> points, const GoOn& go_on) {
   const auto some = [&](auto& of) {
     return std::vector(of.begin() + static_cast<std::ptrdiff_t>(range.first),
@@ -103,7 +103,8 @@ std::vector<Range> groups_in(const PolygonRings& rings) {
   return ranges;
 }
 
-/// Returns the group of each ring: that of its polygon, which is the last one that begins at or before it.
+/// Returns for each ring the number of its group: the last group that begins at or before the polygon of the ring.
+/// Throws: InvalidInput when `begins` does not ascend from 0 to at most `polygons`.
 std::vector<std::size_t> groups_of(const PolygonRings& rings, std::span<const std::size_t> begins,
                                    std::size_t polygons) {
   if (begins.empty()) return std::vector<std::size_t>(rings.roles.size(), 0);

@@ -13,7 +13,7 @@
 
 namespace rbpa {
 
-/// The role of an input ring: the shell of a polygon, or one of its holes.
+/// The role of an input ring: the shell of a polygon, where `hole` is absent, or a hole of a polygon, by its number.
 struct RingRole {
   std::size_t polygon;
   std::optional<std::size_t> hole;
@@ -28,10 +28,10 @@ struct PolygonRings {
   std::vector<RingPlace> places = {};
 };
 
-/// Returns the rings after checking that the polygons of each group, which begin at the positions in `groups` (fill.h),
-/// are a valid multipolygon. Different groups may meet, which is not checked; but vertices of other groups on the edges
-/// of a group become its own.
-/// Throws: InvalidInput that names what is not valid, and where; Cancelled.
+/// Returns the rings after checking that the polygons of each group are a valid multipolygon. `groups` has the number
+/// of the first polygon of each group, as FillOptions::groups. Different groups may meet, which is not checked;
+/// vertices of one group on an edge of another become vertices of that edge's ring.
+/// Throws: InvalidInput that names the invalid ring or group, and the place; Cancelled.
 PolygonRings valid_polygons(std::span<const Point> points, std::span<const Polygon> polygons,
                             std::span<const std::size_t> groups, const GoOn& go_on);
 

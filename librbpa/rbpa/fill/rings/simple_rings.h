@@ -23,7 +23,7 @@ struct RingPlace {
   bool is_counter_clockwise = false;
   std::optional<std::size_t> inside = std::nullopt;  ///< number of the smallest other ring around it
   std::size_t depth = 0;                             ///< number of rings around it
-  bool is_hole() const { return depth % 2 != 0; }    ///< the inside is not part of the polygons
+  bool is_hole() const { return depth % 2 != 0; }    ///< whether the ring bounds a hole
 };
 
 /// Returns the text of a place: "(1.5, 2)".
@@ -32,7 +32,7 @@ std::string place_of(const Point& p);
 /// The name of a ring in messages: "hole 2 of polygon 0".
 using RingName = std::function<std::string(std::size_t)>;
 
-/// Two edges of rings that meet where they must not. A vertex is given as the edge that begins there.
+/// Two edges of rings that meet where they must not. A vertex is represented by the edge that begins there.
 struct RingsMeet {
   enum class How {
     edges_cross,
@@ -48,13 +48,16 @@ struct RingsMeet {
   Side first, second;
 };
 
-/// The nesting of rings, or two edges that meet. Rings may have a point in common, by its index, if they do not cross
-/// there. No two points may lie at one place.
-/// Requires: as check_points(), except for edges that meet.
+/// The result of nest_rings(): the position of each ring, or two edges that meet; `place` is unspecified if `meet` is
+/// set.
 struct NestedRings {
   std::vector<RingPlace> place = {};
   std::optional<RingsMeet> meet = std::nullopt;
 };
+/// Returns the position of each ring among the others, or two edges that meet where they must not. Rings may pass the
+/// same point (one index) if they do not cross there; two points at one place count as meeting.
+/// Requires: as check_points(); a ring without an area is allowed, as its edges meet.
+/// Throws:   Cancelled.
 NestedRings nest_rings(std::span<const Point> points, std::span<const Ring> rings, const GoOn& go_on = {});
 
 /// Checks the points of rings.
