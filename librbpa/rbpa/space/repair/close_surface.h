@@ -17,23 +17,23 @@
 
 namespace rbpa {
 
-/// A surface that is closed if every hole is filled. Its old triangles are the kept ones, in their order.
+/// The result of close_surface(): closed if every hole is filled. Its old triangles are the kept ones, in their order.
 struct ClosedSurface : FilledSurface {
   std::vector<bool> kept = {};  ///< for each triangle of the given surface, whether it is kept
   std::size_t given_up = 0;     ///< number of triangles removed; 0 unless the surface is closed
 };
 
-/// Fills all boundary curves. Triangles are removed only if this closes the surface; if it is closed without, only if
-/// it then touches itself at fewer points. At most a twentieth of the triangles are removed; none if the surface would
-/// have more components, or a curve of more than 256 edges stays open. Components that become islands() are removed
-/// too.
-/// Requires: an indexable_surface() of these points.
+/// Fills all boundary curves. Triangles are removed only if their removal closes the surface; if the filled surface is
+/// closed anyway, only if it touches itself at fewer points without them. At most a twentieth of the triangles are
+/// removed; none if the surface would have more components, or a curve of more than 256 edges stays open. Components
+/// that become islands() are removed too.
+/// Requires: `surface` is an indexable_surface() of `points`.
 /// Throws:   as fill_holes().
 RBPA_API ClosedSurface close_surface(std::span<const Point3> points, const Surface& surface,
                                      const SurfaceOptions& options = {});
 
 /// Returns for each point whether several fans of triangles meet there, so that the surface touches itself.
-/// Throws: as split_fans().
+/// Throws: as split_fans(); ContractViolation when a corner is not an index of a point.
 RBPA_API std::vector<bool> touching_points(std::span<const Point3> points, const Surface& surface,
                                            const GoOn& go_on = {});
 

@@ -165,13 +165,13 @@ class Closing {
   Threads threads_;
 };
 
-/// Closes loops together that cannot be closed one by one because an island lies in the hole. Strips of two triangles
-/// join them to one loop, which is then closed like any other.
+/// A second attempt: loops that cannot be closed one by one, because an island lies in the hole, are closed together.
+/// Strips of two triangles join them to one loop, which is then closed like any other.
 class Joining {
  public:
   using Loop = std::vector<std::uint32_t>;
 
-  /// Keeps all arguments except `result`, which is the result of closing the loops one by one.
+  /// Keeps references to all arguments except `result`, which is the result of closing the loops one by one.
   Joining(std::span<const Point3> points, std::span<const Loop> loops, const SurfaceOptions& options,
           HoleFilling result)
       : points_(points),
@@ -201,7 +201,7 @@ class Joining {
     bool is_closed = false;
   };
 
-  /// Returns the loops that are still boundary and visit no point twice, the longest first.
+  /// Returns the loops that are open because of crossings, still boundary, and visit no point twice; the longest first.
   std::vector<Open> open_loops() {
     std::vector<Open> open;
     if (std::count_if(result_.loops.begin(), result_.loops.end(), crosses) < 2) return open;
@@ -242,7 +242,7 @@ class Joining {
 
   static bool crosses(const HoleFill& fill) { return fill.outcome == HoleOutcome::crosses && fill.triangles == 0; }
 
-  /// Joins one near loop at a time, until the joined loop can be closed.
+  /// Joins near open loops to number `first`, one at a time, until the joined loop can be closed.
   void close_with_others(std::vector<Open>& open, std::size_t first) {
     Loop joined = loops_[open[first].number];
     space::Box box = open[first].box;
@@ -291,8 +291,8 @@ class Joining {
     tree_ = space::BoxTree(boxes, work_.steps());
   }
 
-  /// Returns whether a triangle crosses an existing one. Counts all near triangles as work, also after a hit, so that
-  /// the count does not depend on their order.
+  /// Returns whether a triangle crosses an existing one or has no area. Counts all near triangles as work, also after a
+  /// hit, so that the count does not depend on their order.
   bool is_in_the_way(const Triangle& triangle) {
     const space::Corners own = corners_of(triangle);
     if (space::are_collinear(own[0], own[1], own[2])) return true;

@@ -62,10 +62,11 @@ RBPA_API std::vector<std::vector<std::uint32_t>> boundary_loops(
     std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// Closes the given boundary loops. A loop that passes a point several times is cut there, and its parts are closed one
-/// by one. If it has different vertices there, the lowest of these replaces the others in all triangles.
-/// Requires: finite points; loops of these triangles, as boundary_loops() returns them.
-/// Throws:   InvalidInput when a point is not finite; ContractViolation when a corner is not an index of a point, or a
-///           loop is empty or has an edge that is not a boundary side or that loops pass twice; Cancelled.
+/// by one. If a closed part has different vertices at a point, the lowest of these replaces the others in all
+/// triangles.
+/// Requires: finite points; `loops` of `triangles`, in the form of boundary_loops().
+/// Throws:   InvalidInput when a point is not finite; ContractViolation when a corner is not an index of a point, a
+///           loop is empty or has an edge that is not a boundary side, or loops pass an edge twice; Cancelled.
 RBPA_API HoleFilling fill_holes(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
                                 std::span<const std::vector<std::uint32_t>> loops, const SurfaceOptions& options = {});
 
@@ -81,12 +82,12 @@ struct FilledSurface {
 };
 
 /// Closes the given boundary curves of a surface, as fill_holes() of loops does.
-/// Requires: an indexable_surface() (split_fans.h), and curves of it.
-/// Throws:   as fill_holes() of loops.
+/// Requires: `surface` is an indexable_surface() (split_fans.h) of `points`, and has these curves.
+/// Throws:   as fill_holes() of loops; ContractViolation when the curves are visibly of another surface.
 RBPA_API FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface, std::span<const Hole> curves,
                                   const SurfaceOptions& options = {});
 
-/// Closes the chosen boundary curves of the indexable_surface() of any surface of these points.
+/// Closes the boundary curves that `choice` chooses, of the indexable_surface() of any surface of `points`.
 /// Throws: as fill_holes() of loops.
 RBPA_API FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface, const HoleChoice& choice,
                                   const SurfaceOptions& options = {});

@@ -12,7 +12,7 @@
 namespace rbpa {
 namespace {
 
-/// Returns the vertex at an end of an edge, in the fan of the edge's triangle.
+/// Returns the vertex at `point` of the fan that contains `triangle`.
 std::uint32_t vertex_at(const Surface& surface, const SplitFans& fans, std::uint32_t triangle, std::uint32_t point) {
   const Triangle& corners = surface.triangles[triangle];
   const auto k = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), point) - corners.begin());

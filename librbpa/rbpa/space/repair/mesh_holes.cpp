@@ -35,7 +35,7 @@ std::vector<Triangle> triangles_of(const meshops::Connectivity& mesh) {
   return triangles;
 }
 
-/// Returns the vertices along a curve, the least first.
+/// Returns the vertices along a curve, the one of lowest index first.
 std::vector<std::uint32_t> loop_of(const meshops::Connectivity& mesh, const meshops::BoundaryCurve& curve) {
   std::vector<std::uint32_t> loop;
   for (const meshops::Halfedge h : curve) {
@@ -79,7 +79,7 @@ FilledMesh fill_holes(meshops::Connectivity& mesh, std::span<const Point3> place
                    "fill_holes: a curve is given twice, expected once");
   HoleFilling filling = fill_holes(places, triangles, loops, options);
 
-  // Vertices that are merged stand on one site of a front.
+  // Vertices that are merged are on one site of a front.
   std::vector<meshops::Site> site_of(mesh.n_vertices());
   for (std::size_t v = 0; v < site_of.size(); ++v) site_of[v] = static_cast<meshops::Site>(v);
   for (std::size_t t = 0; t < triangles.size(); ++t)

@@ -26,7 +26,8 @@ struct FilledMesh {
 /// Requires: a sound mesh of triangles, with status of every kind (request_vertex_status() and so on), in which no two
 ///           edges join the same vertices; `places` has a finite position for each vertex, by index; `curves` are of
 ///           this mesh, none twice.
-/// Throws:   as fill_holes(); the mesh is then unchanged.
+/// Throws:   as fill_holes() of loops; ContractViolation when a face is not a triangle, places or status are missing,
+///           or a curve is not of this mesh or given twice. The mesh is then unchanged.
 RBPA_API FilledMesh fill_holes(meshops::Connectivity& mesh, std::span<const Point3> places,
                                std::span<const meshops::BoundaryCurve> curves, const SurfaceOptions& options = {});
 template <meshops::HasPoints AnyMesh>

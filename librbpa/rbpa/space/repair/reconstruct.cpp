@@ -27,7 +27,7 @@ struct Cloud {
 
   std::span<const Point3> places() const { return unmoved.empty() ? points : unmoved; }
 
-  /// Appends the points with the means of the attributes around each.
+  /// Appends the added points. The attributes of each are means of those of the three points around it.
   void add(const AddedPoints& added) {
     for (std::vector<Point3>* all : {&points, &unmoved})
       if (!all->empty()) all->insert(all->end(), added.points.begin(), added.points.end());
@@ -64,7 +64,8 @@ struct WholeCloud {
     normals.resize(points.size());
   }
 
-  /// Returns `input` with `values` for the points that are not left out, and then those of added points.
+  /// Returns `input` with `values` at the points that are not left out, and then the values of added points. Returns
+  /// nothing if `values` is empty.
   template <typename Value>
   std::vector<Value> with(std::span<const Value> values, std::vector<Value> input) const {
     if (values.empty()) return {};
@@ -73,7 +74,7 @@ struct WholeCloud {
     return input;
   }
 
-  /// Replaces the numbers and values of the cloud in the reconstruction by those of the input.
+  /// Replaces the numbers and values of the cloud in `made` by those of the whole input.
   void take_back(Reconstruction& made) && {
     const std::size_t input = points.size();
     made.normals = with<Point3>(made.normals, std::move(normals));
@@ -84,7 +85,7 @@ struct WholeCloud {
   }
 };
 
-/// Returns the curves with the causes that `known` has for their edges.
+/// Returns `curves` with the causes that `known` has for their edges.
 std::vector<Hole> with_causes(std::vector<Hole> curves, std::span<const Hole> known) {
   const auto key = [](const RimEdge& edge) { return std::make_pair(edge.triangle, edge.from); };
   std::map<std::pair<std::uint32_t, std::uint32_t>, RimEdge> edges;

@@ -129,8 +129,8 @@ struct Reconstruction {
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API Reconstruction reconstruct(std::vector<Point3> points, ReconstructionOptions options = {});
 
-/// Replaces each point number i in the reconstruction by number[i]; arrays keep their order.
-/// Requires: ascending numbers, one for each point of `made`; they are not checked.
+/// Replaces each point number i in `made` by number[i]; arrays keep their order.
+/// Requires: `number` ascends and has an entry for each point of `made`; neither is checked.
 RBPA_API void renumber(Reconstruction& made, std::span<const std::uint32_t> number);
 
 }  // namespace rbpa

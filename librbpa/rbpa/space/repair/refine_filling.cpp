@@ -91,7 +91,7 @@ double distance(const Vector& u, const Vector& v) {
   return std::sqrt(dot(d, d));
 }
 
-/// A patch in the form that the refinement takes: it depends on places, not on numbers.
+/// The input for the refinement of a patch, which depends on places, not on numbers.
 class PatchInput {
  public:
   PatchInput(const Fans& fans, const Patch& patch, const std::vector<bool>& is_new, meshops::Steps& step)
@@ -141,7 +141,8 @@ class PatchInput {
     rim_.triangles.neighbors = std::move(linked.neighbors);
   }
 
-  /// Takes the edges at a vertex whose triangles are outside of the patch.
+  /// Adds to rim_ what is at vertex v outside of the patch: curvature, edges to other rim vertices, mean length of
+  /// edges.
   void take_outside(std::uint32_t v, const std::vector<bool>& is_new) {
     Indices around, outside;
     for (const std::uint32_t t : fans_.triangles_at(v)) {
@@ -166,7 +167,7 @@ class PatchInput {
                                           : sum / static_cast<double>(lengths.size()));
   }
 
-  /// Returns the curvature, summed in an order that does not depend on the numbers of triangles.
+  /// Returns the curvature at v of `triangles`, summed in an order that does not depend on their numbers.
   space::FanCurvature curvature_at(std::uint32_t v, std::span<const std::uint32_t> triangles) const {
     std::vector<std::pair<Point3, Point3>> across;
     for (const std::uint32_t t : triangles) {
@@ -180,8 +181,8 @@ class PatchInput {
     return fan;
   }
 
-  /// Returns the bend of the two rings of vertices next to a vertex of the rim. Only vertices count that have triangles
-  /// all around, none of them in the patch.
+  /// Returns twice the mean curvature over the two rings of vertices next to rim vertex v; nothing if no vertex counts.
+  /// Vertices count if triangles surround them, none of them in the patch.
   std::optional<double> bend_outside(std::uint32_t v) const {
     const auto neighbors_of = [&](const Indices& of) {
       Indices others;
@@ -274,7 +275,7 @@ class Refining {
   }
 
   void refine(Patch& patch, meshops::Steps& step) const {
-    constexpr std::size_t most = std::size_t{1} << 20U;  // maximum number of points added to a patch
+    constexpr std::size_t most = std::size_t{1} << 20U;  // added points at which refining a patch stops
     // A filling with two vertices at one place is not a disk with distinct corners.
     const auto is_same = [&](std::uint32_t v, std::uint32_t w) { return fans_.place(v) == fans_.place(w); };
     if (std::adjacent_find(patch.rim.begin(), patch.rim.end(), is_same) != patch.rim.end()) return;
@@ -338,7 +339,7 @@ class Refining {
     return result;
   }
 
-  /// Returns whether some patch crosses another triangle; such a patch is refined less from then on.
+  /// Lowers the stage of each patch that crosses another triangle. Returns whether a stage was lowered.
   bool lower_crossing(const RefinedSurface& result) {
     std::vector<Point3> all(points_.begin(), points_.end());
     all.insert(all.end(), result.points.begin(), result.points.end());

@@ -39,19 +39,20 @@ struct RefinedSurface : AddedPoints {
 };
 
 /// Refines each filling: each connected set of triangles t with is_new[t].
-/// Requires: an indexable_surface() of the points, which are finite; one flag for each triangle; fewer than 2^31 points
-///           and triangles, the added ones included.
-/// Throws:   InvalidInput when a point is not finite; ContractViolation when another requirement is not met; Cancelled.
+/// Requires: `surface` is an indexable_surface() of `points`, which are finite; one flag for each triangle; fewer than
+///           2^31 points and triangles, the added ones included.
+/// Throws:   InvalidInput when a point is not finite; ContractViolation when another requirement is visibly not met;
+///           Cancelled.
 RBPA_API RefinedSurface refine_filling(std::span<const Point3> points, const Surface& surface,
                                        const std::vector<bool>& is_new, const SurfaceOptions& options = {});
 
-/// Refines the fillings in place, and returns the added points.
-/// Requires and throws: as above.
+/// Refines the fillings of `filled` in place, except `holes`. Returns the added points.
+/// Requires and throws: as above; after an exception `filled` is unchanged.
 RBPA_API AddedPoints refine_filling(std::span<const Point3> points, FilledSurface& filled,
                                     const SurfaceOptions& options = {});
 
-/// Returns unit normals for the added points: the mean direction of the normals at the three points `between` which a
-/// point was put, or the first of the three if they cancel each other.
+/// Returns a unit normal for each added point: the mean direction of the normals at the three points in its row of
+/// `between`, or the first of the three if they cancel each other.
 /// Requires: `normals` has the normals of the points that were not added, none of length 0; points lie between points
 ///           of lower numbers.
 /// Throws:   ContractViolation when a point lies between others that follow it.

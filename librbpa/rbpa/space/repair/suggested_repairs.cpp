@@ -49,7 +49,7 @@ double diagonal_of(const Hole& hole, std::span<const Point3> points) {
   return std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z);
 }
 
-/// Returns the least double that is not below the circumradius. Requires: `enough` is not below it.
+/// Returns the least double that is not below the circumradius of (a, b, c). Requires: `enough` is not below it.
 double least_radius(const Point3& a, const Point3& b, const Point3& c, double enough) {
   // Positive doubles are ordered like their bits
   std::uint64_t too_small = 0, large = std::bit_cast<std::uint64_t>(enough);
@@ -64,11 +64,12 @@ double least_radius(const Point3& a, const Point3& b, const Point3& c, double en
 /// The effect of a larger ball on a hole.
 class LargerBall {
  public:
-  /// Keeps all arguments. Balls must not be larger than the radius of `near`.
+  /// Keeps references. Requires: no ball is larger than the radius of `near`.
   LargerBall(const space::LocalSurfaces& surfaces, const space::NeighborhoodFinder& near, std::uint32_t level)
       : surfaces_(surfaces), near_(near), level_(level) {}
 
-  /// Returns, if the ball closes the hole, the least radius at which it may rest on all triangles that close it.
+  /// Returns the least radius at which the ball may rest on all triangles that close the hole, if it closes the hole at
+  /// `radius`; else nothing.
   std::optional<double> closes(const Hole& hole, double radius) const {
     constexpr std::size_t most_points = 4096;
     Indices wanted = rim_of(hole);
@@ -212,8 +213,8 @@ class Repairs {
     for_each_left(radii_.back(), is_wanted, attempt);
   }
 
-  /// Returns whether the hole is closed when the normals of `turned` are reversed. Adds to `turned` the points equal to
-  /// one of them.
+  /// Returns whether the hole is closed when the normals of `turned` are reversed. Adds to `turned` all points equal to
+  /// a point in it.
   bool is_closed_with(Indices& turned, const Hole& hole, const space::NeighborhoodFinder& near) const {
     Indices at = rim_of(hole);
     at.insert(at.end(), turned.begin(), turned.end());
@@ -258,7 +259,7 @@ class Repairs {
     });
   }
 
-  /// Calls visit(from, to, is_boundary) for the sides with an end at one of the points, directed like boundary curves.
+  /// Calls visit(from, to, is_boundary) for the sides with an end in `is_at`, directed like boundary curves.
   template <typename Visit>
   static void for_each_side(const Surface& surface, const std::vector<char>& is_at, const Visit& visit) {
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -284,8 +285,8 @@ class Repairs {
     for_each_left(radius, is_wanted, attempt);
   }
 
-  /// Returns the least radius found that closes the hole, up to `radius`, which does: `least`, at which the ball may
-  /// rest on all triangles that close it, unless such a ball contains another point; else by bisection.
+  /// Returns the least radius found that closes the hole, at most `radius`, which closes it. Tries `least` first, at
+  /// which the ball may rest on all triangles that close the hole; if such a ball contains another point, bisects.
   static double least_closing(const LargerBall& ball, const Hole& hole, double too_small, double radius, double least) {
     while (least < radius && radius > too_small * (1 + close_enough)) {
       const double smaller = least > too_small ? least : too_small + (radius - too_small) / 2;

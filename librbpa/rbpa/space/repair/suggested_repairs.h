@@ -25,7 +25,7 @@ enum class SuggestedRepairKind : std::uint8_t {
   /// Reverses the normals at `points` only. Then surface() of the same radii closes the hole and has no new boundary;
   /// it may have other triangles at these points.
   turn_normals,
-  /// Adds `radius` to the radii. Then surface() closes the hole: no edge of it, or of an added triangle beside it, is
+  /// Adds `radius` to the radii. Then surface() closes the hole: no edge of it, or of an added triangle next to it, is
   /// boundary.
   larger_ball,
   filling,  ///< fills the hole by fill_holes()
@@ -40,11 +40,12 @@ struct SuggestedRepair {
   friend bool operator==(const SuggestedRepair&, const SuggestedRepair&) = default;
 };
 
-/// Returns a suggested repair for each of the given holes. Balls are at most fourteen times as large as the last
-/// radius, and not larger than the hole. The radius of a larger ball is the least at which it rests on all triangles
-/// that close the hole, if only their circumradii decide; otherwise it is at most a thousandth larger. A ball that
-/// closes the hole may be missed if its radius is between one that fails and 1.25 times that radius.
-/// Requires: the surface() of these points, normals and radii, and some of its holes().
+/// Returns a suggested repair for each of `holes`. Larger balls have at most 14.6 times the last radius, and at most
+/// the diagonal of the hole's bounding box, or 1.25 times the last radius if that is more. The radius of a larger ball
+/// is the least at which it rests on all triangles that close the hole, if only their circumradii decide; otherwise it
+/// is at most a thousandth larger. A ball that closes the hole may be missed if its radius is between one that fails
+/// and 1.25 times that radius.
+/// Requires: `surface` is the surface() of these points, normals and radii, and `holes` are some of its holes().
 /// Throws:   InvalidInput as surface(); ContractViolation when the holes are visibly of another surface; Cancelled.
 RBPA_API std::vector<SuggestedRepair> suggested_repairs(std::span<const Point3> points, std::span<const Point3> normals,
                                                         std::span<const double> radii, const Surface& surface,

@@ -50,7 +50,7 @@ struct WatertightSurface : ClosedSurface {
 
 /// Drops islands and the components that may not stay, and closes the surface as far as possible. The result lists what
 /// was dropped, what stays open and what crosses.
-/// Requires: a surface of these points; options of matching sizes.
+/// Requires: `surface` is a surface of `points`; sizes in `options` match it.
 /// Throws:   as close_surface(), refine_filling() and crossing_triangles(); ContractViolation when sizes do not match.
 RBPA_API WatertightSurface make_watertight(std::span<const Point3> points, const Surface& surface,
                                            const WatertightOptions& options = {}, const SurfaceOptions& run = {});

@@ -14,7 +14,7 @@
 
 namespace rbpa::space {
 
-/// A pair of edges, one of each loop, each given by its first corner.
+/// A pair of edges, one of each loop, each given by the position of its first corner in the loop.
 struct Bridge {
   std::uint32_t edge, other;
 };
@@ -25,11 +25,11 @@ struct Bridge {
 std::vector<Bridge> nearest_bridges(std::span<const Point3> points, std::span<const std::uint32_t> loop,
                                     std::span<const std::uint32_t> other, std::size_t most, Work& work);
 
-/// Returns the two triangles of the strip.
+/// Returns the two triangles of the strip between the edges of `bridge`.
 std::array<std::array<std::uint32_t, 3>, 2> strip_of(const Bridge& bridge, std::span<const std::uint32_t> loop,
                                                      std::span<const std::uint32_t> other);
 
-/// Returns the one loop that bounds the hole without the strip.
+/// Returns the loop that bounds the hole without the strip of `bridge`.
 std::vector<std::uint32_t> joined_loop(const Bridge& bridge, std::span<const std::uint32_t> loop,
                                        std::span<const std::uint32_t> other);
 

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t all_up_to = 256;  // corners; up to this number all chords are candidates
 constexpr std::size_t nearest = 24, along = 8;
 
-/// Adds the chords of one level, a subset of the corners: from each to the nearest ones and to the next along the rim.
+/// Adds the chords of one level: from each of `corners` to the 24 nearest of them, and to the next 8 along the rim.
 void add_level(const Rim& rim, std::span<const std::uint32_t> corners, std::vector<Chord>& chords,
                meshops::Steps& step) {
   std::vector<std::pair<double, std::uint32_t>> others;

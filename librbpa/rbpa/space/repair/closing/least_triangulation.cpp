@@ -68,12 +68,13 @@ class Search {
   struct Best {
     FillingWeight weight{.turn = impossible, .area = 0};
     Part part{};
-    double enough = -1;  // lower bound of the area; the search ends there if the turn is least, too
+    double enough = -1;  // lower bound of the area; the search ends at this area if the turn is least, too
 
     bool is_final() const { return weight.area <= enough && weight.turn <= part.least; }
   };
 
-  /// Returns the triangle; nothing where its corners are on a line.
+  /// Returns the unit normal and the area of the triangle, both 0 if it is too thin for double; nothing if its corners
+  /// are on a line.
   std::optional<Facet> facet(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const Vector u = rim_.places[b] - rim_.places[a], v = rim_.places[c] - rim_.places[a], n = cross(u, v);
     const double length = std::sqrt(dot(n, n));
@@ -84,7 +85,8 @@ class Search {
     return Facet{{n.x / length, n.y / length, n.z / length}, length / 2};
   }
 
-  /// Finds a lower bound of the turn over each side: that of its best triangle alone.
+  /// Sets least_turns_ to a lower bound of the turn over each side: the least of all triangles at the side; 0 if not
+  /// all chords are known.
   void find_least_turns() {
     least_turns_.assign(rim_.size(), 0);
     if (!chords_.are_all()) return;

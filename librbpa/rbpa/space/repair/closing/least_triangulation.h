@@ -26,7 +26,7 @@ using RimTriangle = std::array<std::uint32_t, 3>;
 
 /// The quality of a filling; less is better.
 struct FillingWeight {
-  float turn = 0;
+  float turn = 0;   ///< the greatest turn_between() at an edge
   double area = 0;  ///< in units of places squared
   friend auto operator<=>(const FillingWeight&, const FillingWeight&) = default;
 };
@@ -38,8 +38,8 @@ struct RimFilling {
 
 /// Returns a triangulation without degenerate triangles (corners on a line) and without the forbidden chords and
 /// triangles; nothing where there is none.
-/// Requires: at least three corners; `candidates` from candidate_chords() of the rim; sorted forbidden chords and
-/// triangles. Throws: Cancelled.
+/// Requires: at least three corners; `candidates` are candidate_chords(rim); forbidden chords and triangles are sorted.
+/// Throws:   Cancelled.
 std::optional<RimFilling> least_triangulation(const Rim& rim, std::vector<Chord> candidates,
                                               std::span<const Chord> forbidden_chords,
                                               std::span<const RimTriangle> forbidden_triangles, meshops::Steps& step);

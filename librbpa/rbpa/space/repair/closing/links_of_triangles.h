@@ -18,8 +18,8 @@ struct LinkedTriangles {
   std::vector<std::uint32_t> order;  ///< for each triangle, its number among the given ones
 };
 
-/// Links the triangles; `point` has the point of each vertex. A side stays unglued where more than two triangles share
-/// it, or two in the same direction. Throws: Cancelled.
+/// Returns the triangles `of_vertices`, linked; `point` has the point of each vertex. A side stays unglued where more
+/// than two triangles share it, or two in the same direction. Throws: Cancelled.
 LinkedTriangles linked_triangles(std::span<const std::array<std::uint32_t, 3>> of_vertices,
                                  std::span<const std::uint32_t> point, meshops::Steps& step);
 

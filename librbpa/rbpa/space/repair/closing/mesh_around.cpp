@@ -21,7 +21,7 @@ std::vector<Box> boxes_of(std::span<const Point3> points, std::span<const Simple
   return boxes;
 }
 
-/// Returns the triangles whose boxes meet the box of a loop.
+/// Returns the triangles that have an area and whose boxes meet the box of a loop.
 std::vector<Corners> near(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
                           const BoxTree& loops, meshops::Steps& step) {
   std::vector<Corners> result;

@@ -29,13 +29,14 @@ struct Faults {
 
 class MeshAround {
  public:
-  /// Keeps the spans. `loops` has all loops that may be filled. Throws: Cancelled.
+  /// Keeps the span `loops`, which has all loops that may be filled. Throws: Cancelled.
   MeshAround(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
              std::span<const SimpleLoop> loops, meshops::Steps& step);
 
-  /// Returns the chords of a loop that are edges of the mesh, sorted.
+  /// Returns the chords of a loop that are edges of the mesh, sorted. Requires: `loop` is an element of `loops`.
   std::vector<Chord> taken_chords(const SimpleLoop& loop) const;
-  /// Returns the faults of a filling of loop `number`; none: it may be added. Spends work for each pair of triangles.
+  /// Returns the faults of `filling`, which fills loop `number` with this rim. Without faults it may be added. Spends
+  /// work for each pair of triangles.
   Faults faults(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling, Work& work) const;
   /// Adds the filling of loop `number` to the mesh.
   void add(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling);

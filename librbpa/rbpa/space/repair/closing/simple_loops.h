@@ -24,8 +24,7 @@ struct SimpleLoop {
 };
 
 /// Cuts each loop at points that it visits again: the part in between becomes a loop of its own, perhaps of two
-/// corners. Returns the simple
-/// loops, sorted by number of corners, then by their points.
+/// corners. Returns the simple loops, sorted by number of corners, then by their points.
 std::vector<SimpleLoop> simple_loops(std::span<const Point3> points, std::span<const std::vector<std::uint32_t>> loops);
 
 }  // namespace rbpa::space

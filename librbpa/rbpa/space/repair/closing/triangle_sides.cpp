@@ -16,7 +16,7 @@ constexpr std::uint32_t none = 0xffffffff;
 
 auto key(const TriangleSide& side) { return std::tie(side.from, side.to); }
 
-/// Returns the side between two vertices in this direction, or the end.
+/// Returns the side from `from` to `to`, or the end.
 std::vector<TriangleSide>::const_iterator find(const std::vector<TriangleSide>& sides, std::uint32_t from,
                                                std::uint32_t to) {
   const auto found = std::lower_bound(sides.begin(), sides.end(), std::tie(from, to),

@@ -17,7 +17,7 @@ struct TriangleSide {
   std::uint32_t triangle;
 };
 
-/// Returns the sides whose two ends are both wanted, or all sides if `is_wanted` is empty; sorted by from, then to.
+/// Returns the sides of which both ends are wanted, or all sides if `is_wanted` is empty; sorted by from, to, triangle.
 /// Throws: Cancelled.
 std::vector<TriangleSide> sorted_sides(std::span<const std::array<std::uint32_t, 3>> triangles,
                                        const std::vector<bool>& is_wanted, meshops::Steps& step);
@@ -29,8 +29,8 @@ std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std:
 /// The triangles at the edges of given boundary loops.
 class BoundarySides {
  public:
-  /// Throws: ContractViolation if a loop is empty or has an edge that is not a boundary side, or loops pass an edge
-  ///         twice; Cancelled.
+  /// Finds the triangles. Throws: ContractViolation if a loop is empty or has an edge that is not a boundary side, or
+  /// loops pass an edge twice; Cancelled.
   BoundarySides(std::span<const std::array<std::uint32_t, 3>> triangles,
                 std::span<const std::vector<std::uint32_t>> loops, meshops::Steps& step);
 

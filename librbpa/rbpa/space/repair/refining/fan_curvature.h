@@ -49,8 +49,8 @@ struct FanCurvature {
     normal = plus(normal, of.normal);
     area += of.area;
   }
-  /// Returns twice the mean curvature times the area: below 0 if the surface bends away from its normal, as that of a
-  /// ball.
+  /// Returns twice the mean curvature times the area: below 0 if the surface bends away from its normal, as the surface
+  /// of a ball does.
   double bend() const {
     const double size = length(normal);
     return size > 0 ? dot(sum, normal) / size : 0;

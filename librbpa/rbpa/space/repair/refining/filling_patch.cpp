@@ -52,7 +52,7 @@ void FillingPatch::refine(std::size_t most, meshops::Steps& step) {
   while (between_.size() < most && split_large(step)) flip_all(step);
 }
 
-/// Splits the large ones among the current triangles. Returns whether there were any.
+/// Splits the triangles that are large at the beginning of the call. Returns whether there were any.
 bool FillingPatch::split_large(meshops::Steps& step) {
   bool has_split = false;
   const std::size_t count = mesh_.n_faces();
@@ -142,8 +142,8 @@ bool FillingPatch::is_better_flipped(Edge e) const {
   return dot(new_from, mean) > 0 && dot(new_to, mean) > 0 && dot(new_from, new_to) > 0;
 }
 
-/// Returns twice the mean curvature wanted at each name: the given one along the rim where it is known, harmonic
-/// elsewhere.
+/// Returns twice the mean curvature wanted at each name: the given one, at most most_bend(), where the rim has one, and
+/// harmonic elsewhere. Returns nothing if the equations do not determine it.
 std::optional<std::vector<double>> FillingPatch::bends() const {
   std::vector<double> bends(rim_.places.size() + between_.size(), 0);
   const std::optional<double> most = most_bend();
@@ -218,7 +218,8 @@ bool FillingPatch::make_smooth(meshops::Steps& step) {
   return has_moved;
 }
 
-/// Does one round: moves the added vertices to where the curvature is as wanted, by the current weights and normals.
+/// Does one round: moves the added vertices to where the curvature is as wanted, by the current weights and normals,
+/// and sets `farthest` to the longest move. Returns false, and moves nothing, if this determines no places.
 bool FillingPatch::bend_like(const std::vector<double>& bends, meshops::Steps& step, double& farthest) {
   const std::size_t rim = rim_.places.size();
   std::vector<FanCurvature> fans(bends.size());

@@ -33,9 +33,11 @@ struct FillingRim {
 
 class FillingPatch {
  public:
+  /// Keeps a reference to `rim`.
   explicit FillingPatch(const FillingRim& rim);
 
-  /// Adds vertices, at most `most`, until triangles are about as large as the rim's edges suggest.
+  /// Adds vertices until triangles are about as large as the rim's edges suggest, or there are at least `most`.
+  /// Throws: Cancelled.
   void refine(std::size_t most, meshops::Steps& step);
   /// Moves the added vertices so that the surface is smooth across the rim and as curved there as it is outside, with
   /// harmonic curvature inside. Returns false, and moves nothing, if this determines no places. Throws: Cancelled.

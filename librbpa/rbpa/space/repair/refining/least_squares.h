@@ -17,11 +17,12 @@ class LeastSquares {
 
   /// Begins another equation. Terms added from now on sum up to `known`.
   void add_equation(const Vector3<double>& known) { known_.push_back(known); }
+  /// Adds the term factor · place to the last equation.
   void add(std::uint32_t place, double factor) {
     entries_.push_back({static_cast<std::uint32_t>(known_.size()) - 1, place, factor});
   }
 
-  /// Returns the places; nothing where the equations do not determine them.
+  /// Returns the places; nothing if the equations do not determine them.
   std::optional<std::vector<Vector3<double>>> solution() const;
 
  private:
