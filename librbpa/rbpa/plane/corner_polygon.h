@@ -37,8 +37,8 @@ struct CornerPolygon {
   /// Number of input points in the triangles of the polygon, duplicates included. A point at which several polygons
   /// touch counts in the first of these polygons.
   std::uint64_t points = 0;
-  /// Number of holes that take_holes() removed before the polygon was finished, and the names under which they were
-  /// returned, ascending. Area and perimeter include these holes.
+  /// Number of holes that take_holes() removed before the polygon was finished, and the component names under which
+  /// take_holes() returned them, ascending. Area and perimeter take account of these holes.
   std::uint64_t taken_holes = 0;
   std::vector<ComponentName> names = {};
   friend bool operator==(const CornerPolygon&, const CornerPolygon&) = default;

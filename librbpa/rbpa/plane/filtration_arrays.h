@@ -26,8 +26,8 @@ struct FreeEdge {
   friend bool operator==(const FreeEdge&, const FreeEdge&) = default;
 };
 
-/// A persistence pair of the solid complex, located by a triangle. For a component, the triangle is part of it from its
-/// birth on. For a hole, the triangle is part of it until its death, which this triangle causes.
+/// A persistence pair of the solid complex, located by a triangle. A component contains the triangle from the
+/// component's birth on. A hole contains the triangle until the hole's death, which the triangle causes.
 struct PlacedPair {
   PersistencePair pair = {};
   std::uint32_t triangle = 0;

@@ -38,14 +38,16 @@ struct Groups {
 inline constexpr std::uint32_t no_group = 0xffffffff;
 
 /// Returns the groups 0 to count − 1 of the points with these labels. A group may be empty.
-/// Throws: InvalidInput when a label is neither below `count` nor no_group.
+/// Throws: InvalidInput when a label is neither below `count` nor no_group, or there are too many labels
+///         (alpha_complex.h).
 /// Cost:   linear.
 RBPA_API Groups groups_of(std::span<const std::uint32_t> labels, std::size_t count);
 
 struct GroupOptions {
   MaxThreads threads = 0;
   /// Callback that is called with the number of finished groups, one call at a time but from any thread of the run.
-  /// Returning false ends the run with Cancelled. for_each_group() calls it only between groups.
+  /// Returning false ends the run with Cancelled. for_each_group() calls it only between chunks of groups: at most
+  /// 1,024 groups with at most 4,096 points together, or one larger group.
   std::function<bool(std::size_t)> go_on = {};
 };
 
@@ -58,8 +60,9 @@ struct Group {
 
 /// Calls visit(group) once for each group, in any order; several threads may call it at the same time. The group is
 /// valid until visit() returns.
-/// Throws: InvalidInput when the offsets or members are not valid Groups of these points; any exception of `visit`,
-///         after which some groups are not visited; Cancelled.
+/// Throws: InvalidInput when the offsets or members are not valid Groups of these points, or there are too many points
+///         (alpha_complex.h); any exception of `visit`; Cancelled. After Cancelled or an exception of `visit`, some
+///         groups are not visited.
 /// Cost:   linear in the members, and the calls of visit().
 RBPA_API void for_each_group(std::span<const Point> points, const Groups& groups,
                              const std::function<void(const Group&)>& visit, const GroupOptions& options = {});
@@ -68,9 +71,9 @@ RBPA_API void for_each_group(std::span<const Point> points, const Groups& groups
 struct GroupAlpha {
   /// One radius for all groups, or one for each; empty: `choice` has the radius or the rule.
   std::span<const double> given = {};
-  /// The radius of all groups, or the rule that chooses a radius for each. By default the least radius at which all
-  /// points of the group are in one solid component. A rank above the number of a group's plateaus means its last
-  /// plateau.
+  /// The radius of all groups, or the rule that chooses a radius for each group; its rank must be at least 1. By
+  /// default the least radius at which all points of the group are in one solid component. A rank above the number of a
+  /// group's plateaus means its last plateau.
   AlphaChoice choice = {.rule = AlphaRule::automatic};
 };
 
@@ -106,9 +109,11 @@ struct GroupShapes {
 
 /// Computes the solid alpha complex of each group. Groups may overlap. Each group that has no polygon is listed in
 /// `problems`, also if a point is not finite or the group's own radius is not above 0.
-/// Requires: 0 < alpha ≤ infinity, if one radius is given for all groups; 0 < cover ≤ 1, if a rule uses it.
-/// Throws:   InvalidInput as for_each_group(), when the number of radii is not 0, 1 or the number of groups, and when
-///           the one radius is not above 0; ContractViolation when cover is out of its bounds; Cancelled.
+/// Requires: 0 < alpha ≤ infinity, if one radius is given for all groups; 0 < cover ≤ 1 and 1 ≤ rank, if the rule uses
+///           them.
+/// Throws:   InvalidInput as for_each_group(), when the number of radii is not 0, 1 or the number of groups, when the
+///           one radius is not above 0, and when a bound of the filter is negative or not a number; ContractViolation
+///           when cover is out of its bounds; Cancelled.
 RBPA_API GroupShapes shapes_of_groups(std::span<const Point> points, const Groups& groups, const GroupAlpha& alpha,
                                       const GroupShapesOptions& options = {});
 

@@ -14,7 +14,7 @@ struct Hierarchy;  // rbpa/hrbpa.h
 
 /// Returns the counts after each level.
 /// Requires: `hierarchy` is the result of hrbpa().
-/// Throws:   ContractViolation when it visibly is not.
+/// Throws:   ContractViolation when `hierarchy` visibly is not.
 RBPA_API std::vector<ComplexCounts> level_topology(const Hierarchy& hierarchy);
 
 }  // namespace rbpa

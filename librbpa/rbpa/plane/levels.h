@@ -19,20 +19,21 @@ struct Level {
   double alpha = 0;  ///< the radius: 2^number α₀, or on the last level the alpha of the whole run
   int number = 0;    ///< exponent of the radius; levels without a triangle between the first and the last are left out
   std::size_t transferred = 0;  ///< number of points transferred from the level before: isolated or on the boundary
-  /// Number of points with a triangle of this level; in rbpa::paper, which examines all transferred points, the number
-  /// of these.
+  /// Number of points with a triangle of this level; in rbpa::paper, which examines all transferred points, equal to
+  /// `transferred`.
   std::size_t taking_part = 0;
   std::size_t advancing = 0;  ///< number of halfedges on the front when the level began
-  /// Number of triangles of the mesh when the level ended; those of this level are the last.
+  /// Number of triangles of the mesh when the level ended; the triangles of this level have the last numbers.
   std::size_t triangles = 0;
-  /// Time in seconds, including what precedes the level: the computation of α₀ or the transfer, and levels left out.
-  /// Without HierarchyOptions::level_ended all levels are computed at once: the first then has the time of all of them,
-  /// and the others have 0.
+  /// Time in seconds, including the work before the level: the computation of α₀ or the transfer, and levels left out.
+  /// Without HierarchyOptions::level_ended all levels are computed at once: the first level then has the time of all
+  /// levels, and the others have 0.
   double seconds = 0;
 };
 
-/// A level that has just ended, and the mesh so far: exactly the complex of `level.alpha`, an oriented 2-manifold whose
-/// boundary halfedges are all frozen. Valid during the call only.
+/// A level that has just ended, and the mesh so far: exactly the complex of `level.alpha`, an oriented 2-manifold. All
+/// boundary halfedges are frozen: no triangle of this level can be attached (meshops/front/front.h). Valid during the
+/// call only.
 struct EndedLevel {
   const Level& level;
   /// The front with its mesh. Faces 0 … front.faces() − 1 of the mesh are the triangles of the complex, with their
@@ -44,7 +45,7 @@ struct EndedLevel {
 
 struct HierarchyOptions {
   /// Maximum number of points in a leaf of the quadtree whose smallest leaf determines α₀. At least 1. Absent:
-  /// usual_leaf_capacity.
+  /// usual_leaf_capacity (triangles_by_level.h).
   std::optional<std::size_t> leaf_capacity = std::nullopt;
   MaxThreads threads = 0;
   /// Callback for progress and cancellation, with the intervals of Options::progress (rbpa.h).

@@ -29,7 +29,7 @@ struct LocateOptions {
 /// The method of interpolation between points. Both methods reproduce linear functions, and are continuous.
 enum class Interpolation {
   linear,  ///< linear in each triangle
-  /// Sibson's: also smooth, except at the points, so triangles leave no trace; see Locator::interpolate().
+  /// Sibson's: smooth except at the points, so that the sides of triangles are not visible; see Locator::interpolate().
   natural_neighbor
 };
 
@@ -46,9 +46,9 @@ class RBPA_API Locator {
   /// unchanged.
   /// Requires: finite points and all triangles of their Delaunay triangulation, as alpha_complex() returns them for an
   ///           infinite alpha with neighbors.
-  /// Throws:   InvalidInput when a point is not finite, or when there are too many; ContractViolation as
-  ///           require_linked(), or when the number of triangles is not that of a triangulation of all points;
-  ///           Cancelled.
+  /// Throws:   InvalidInput when a point is not finite, or when there are too many points (alpha_complex.h);
+  ///           ContractViolation as require_linked(), or when there are triangles, but not as many as a triangulation
+  ///           of all points has; Cancelled.
   Locator(std::span<const Point> points, const TriangleArrays& delaunay, const LocateOptions& options = {});
   Locator(Locator&&) noexcept;
   Locator& operator=(Locator&&) noexcept;
@@ -59,9 +59,9 @@ class RBPA_API Locator {
   /// Throws: Cancelled; ContractViolation when a walk shows that the triangulation is not Delaunay.
   std::vector<std::uint32_t> find(std::span<const Point> queries, const LocateOptions& options = {}) const;
 
-  /// Interpolates at each query. `values` is n × columns: a row for each of the n points, in their order. The result
-  /// has such a row for each query, of NaNs where find() finds no triangle. Of equal points, the row of the first
-  /// counts.
+  /// Interpolates at each query. `values` is n × columns: a row for each of the n points, in the order of the points.
+  /// The result has a row of `columns` numbers for each query, NaNs where find() finds no triangle. Of equal points,
+  /// the row of the first counts.
   ///
   /// Natural neighbors: if the query were inserted as a point, its Voronoi cell would take area from the cells of some
   /// points. The value is the mean over these points, weighted by these areas; on the convex hull it is linear.

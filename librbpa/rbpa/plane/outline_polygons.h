@@ -64,8 +64,8 @@ RBPA_API std::vector<Polygon> outline_polygons(std::span<const Point> points, co
 
 struct PolygonTotals {
   std::size_t holes = 0;
-  double area = 0;       ///< exact sum of the members `area`, rounded once; infinite if one of them is
-  double perimeter = 0;  ///< exact sum of the members `perimeter`, likewise
+  double area = 0;       ///< exact sum of the areas of the polygons, rounded once; infinite if one area is
+  double perimeter = 0;  ///< exact sum of the perimeters of the polygons, likewise
 };
 
 /// Returns the number of holes of all polygons, and the sums of their areas and perimeters.

@@ -11,8 +11,8 @@
 
 namespace rbpa {
 
-/// Returns the boundary sides, directed as in their triangles, in lexicographic order. Calls tick() at each triangle;
-/// it may throw.
+/// Returns the boundary sides, each directed as in its triangle, in lexicographic order. Calls tick() for each
+/// triangle; tick() may throw. Requires: neighbors.
 template <typename Tick>
 std::vector<std::array<std::uint32_t, 2>> boundary_sides(const TriangleArrays& of, Tick tick) {
   std::vector<std::array<std::uint32_t, 2>> boundary;

@@ -13,12 +13,13 @@
 namespace rbpa {
 
 /// Returns the edges of the alpha complex that are in no triangle of it, in lexicographic order.
-/// Requires: the Delaunay triangulation with neighbors; for points on one line, without a triangle.
+/// Requires: `delaunay` is alpha_complex(points, infinity, {.neighbors = true}); 0 < alpha ≤ infinity.
 /// Cost:     linear; for points on one line, that of a sort.
 std::vector<std::array<std::uint32_t, 2>> dangling_edges(std::span<const Point> points, double alpha,
                                                          const AlphaComplex& delaunay);
 
-/// Removes the triangles of circumradius > alpha, also from the neighbors.
+/// Removes the triangles of circumradius > alpha, also from the neighbors; leaves `isolated` as it is.
+/// Requires: neighbors.
 void keep_within(std::span<const Point> points, double alpha, AlphaComplex& delaunay);
 
 }  // namespace rbpa

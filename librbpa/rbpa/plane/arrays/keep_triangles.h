@@ -10,7 +10,8 @@
 
 namespace rbpa {
 
-/// Removes the triangles t for which is_kept(t) is false, also from the neighbors; the others keep their order.
+/// Removes the triangles t for which is_kept(t) is false, also from the neighbors; the others keep their order. Leaves
+/// `isolated` and `boundary` as they are.
 /// Requires: neighbors.
 template <typename IsKept>
 void keep_triangles(AlphaComplex& of, const IsKept& is_kept) {
@@ -29,7 +30,7 @@ void keep_triangles(AlphaComplex& of, const IsKept& is_kept) {
       if (neighbor != AlphaComplex::none) neighbor = number[neighbor];
 }
 
-/// Returns the distinct points that are not marked, ascending.
+/// Returns the distinct points i for which marked[i] is 0, ascending.
 inline std::vector<std::uint32_t> unmarked(const std::vector<std::uint8_t>& marked,
                                            const std::vector<Duplicate>& duplicates) {
   std::vector<std::uint32_t> found;
@@ -39,7 +40,7 @@ inline std::vector<std::uint32_t> unmarked(const std::vector<std::uint8_t>& mark
   return found;
 }
 
-/// Returns AlphaComplex::isolated for this number of points.
+/// Returns the distinct ones of `points` input points that are in no triangle, ascending.
 inline std::vector<std::uint32_t> isolated_in(const AlphaComplex& of, std::size_t points) {
   std::vector<std::uint8_t> covered(points, 0);
   for (const Triangle& triangle : of.triangles)

@@ -22,14 +22,14 @@ class LinkedTriangles {
  public:
   static constexpr std::uint32_t none = TriangleArrays::none;
 
-  /// Prepares for triangles on `sites` sites. names[s], less than `bound`, is the number that stands for site s in the
-  /// result. Keeps the span.
+  /// Prepares for triangles on `sites` sites. names[s] is the number of site s in the result, and less than `bound`.
+  /// Keeps the span.
   LinkedTriangles(std::size_t sites, std::span<const std::uint32_t> names, std::size_t bound, const Threads& threads);
 
   /// The state of one patch between the steps.
   struct Place {
-    std::size_t first = 0;            // the number of its first triangle
-    std::vector<int> open;            // its open sides
+    std::size_t first = 0;            // number of the patch's first triangle
+    std::vector<int> open;            // open sides of the patch
     std::vector<std::uint8_t> turns;  // for each triangle, the corner that comes first
   };
   /// Prepares a patch; called in any thread, before place().
@@ -41,17 +41,18 @@ class LinkedTriangles {
 
   /// Returns the number of triangles placed.
   std::size_t size() const { return size_; }
-  /// Returns the triangles; called once, after all patches. Calls `checkpoint`, if any, repeatedly, one call at a
-  /// time; it may throw.
+  /// Returns the triangles; called once, after all patches. Calls `checkpoint`, if any, repeatedly, one call at a time;
+  /// `checkpoint` may throw.
   OwnedTriangles sorted(Threads& threads, const Checkpoint& checkpoint = {});
 
  private:
-  /// An open side that waits for the side beyond: its end, and the place to which to write the triangle beyond.
+  /// An open side that waits for the side beyond: the site at its end, and the entry of neighbors_ for the triangle
+  /// beyond.
   struct Open {
     meshops::Site to;
     std::uint32_t triangle, corner;
   };
-  /// Returns the place, in the list of neighbors, of the neighbor across a side of a triangle.
+  /// Returns which entry of a triangle's neighbors belongs to a side, if corner `turn` of the triangle comes first.
   static std::size_t across_from(std::size_t side, std::size_t turn) { return (side + 5 - turn) % 3; }
 
   std::span<const std::uint32_t> names_;

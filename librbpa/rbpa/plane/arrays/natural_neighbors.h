@@ -38,7 +38,7 @@ class NaturalNeighbors {
   std::span<const PointShare> find(const Point& query, std::uint32_t t);
 
  private:
-  /// A side of a triangle: the one across from a corner.
+  /// The side of a triangle across from corner `across`.
   struct Side {
     std::uint32_t triangle;
     std::size_t across;

@@ -23,8 +23,8 @@ class OutlinedTriangles {
   /// A directed side, by the names of its points.
   using Side = std::array<std::uint32_t, 2>;
 
-  /// Keeps a reference to an empty list of triangles on `sites` sites, and the span: names[s] is the number that stands
-  /// for site s in the result.
+  /// Keeps a reference to an empty list of triangles on `sites` sites, and the span: names[s] is the number of site s
+  /// in the result.
   OutlinedTriangles(std::size_t sites, std::span<const std::uint32_t> names, List& list) : names_(names), list_(list) {
     seams_.begin(sites);
   }
@@ -58,7 +58,7 @@ class OutlinedTriangles {
   std::span<const std::uint32_t> names_;
   List& list_;
   meshops::Seams<Open> seams_;
-  std::vector<Side> outer_, rim_;  // boundary sides; some of those in rim_ turn out to be closed
+  std::vector<Side> outer_, rim_;  // boundary sides; entries of rim_ that meet another patch become `closed`
 };
 
 template <typename List>

@@ -16,8 +16,8 @@ namespace rbpa {
 
 class TriangleList {
  public:
-  /// Prepares for triangles on `sites` sites. names[s], less than `bound`, is the number that stands for site s in the
-  /// result. Keeps the span.
+  /// Prepares for triangles on `sites` sites. names[s] is the number of site s in the result, and less than `bound`.
+  /// Keeps the span.
   TriangleList(std::size_t sites, std::span<const std::uint32_t> names, std::size_t bound, const Threads& threads)
       : names_(names), order_(bound, 2 * sites, threads.count()) {}
 
@@ -37,7 +37,7 @@ class TriangleList {
   /// Returns the number of triangles placed.
   std::size_t size() const { return size_; }
   /// Returns the triangles in order; called once, after all patches. Calls `checkpoint`, if any, repeatedly, one call
-  /// at a time; it may throw.
+  /// at a time; `checkpoint` may throw.
   std::vector<Triangle> sorted(Threads& threads, const Checkpoint& checkpoint = {}) {
     return order_.sorted(threads, nullptr, checkpoint);
   }

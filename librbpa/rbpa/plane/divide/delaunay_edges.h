@@ -59,27 +59,27 @@ class DelaunayEdges {
  public:
   /// Triangulates the points, and reorders `places`: corners of edges are positions in the new order. If `threads` is
   /// null, the calling thread does all the work. Calls working(), if any, repeatedly, in any thread and one call at a
-  /// time; it may throw.
+  /// time; working() may throw.
   /// Requires: at least two distinct points, as divide_and_conquer() does.
   DelaunayEdges(std::span<SitePoint> places, Threads* threads, const Checkpoint& working)
       : places_(places), edges_(places.size()), hull_(places.size()), threads_(threads), steps_(working) {
     open_hull(triangulate(0, places_.size()).first_x);
   }
 
-  /// Returns the edges. Those in use have a triangle on their left, whose next edge is lnext(), or are numbered
-  /// `no_triangle` and lead nowhere.
+  /// Returns the edges. An edge in use has a triangle on its left, whose next side is lnext(); or it has none, its
+  /// number is `no_triangle` and its lnext() is 0.
   QuadEdges& edges() { return edges_; }
   static constexpr int no_triangle = -2;
 
  private:
-  /// The extreme corners of a hull: the first and the last in either order.
+  /// The extreme corners of a hull: the first and the last along x, and along y (halve.h).
   struct Extremes {
     Corner first_x, last_x, first_y, last_y;
   };
   /// The memory of a part of the points, so that another thread can work on another part.
   struct Own {
     QuadEdges::Unused unused;
-    std::size_t steps;  // since the last time that `working` was called
+    std::size_t steps;  // number of steps since the last call of `working`
   };
   struct Part : Extremes, Own {};
 
@@ -157,9 +157,9 @@ class DelaunayEdges {
     return extremes;
   }
 
-  /// Joins two triangulations that a line separates; `left_corner` and `right_corner` are the corners of their hulls
-  /// next to the line. Seen with the first triangulation on the left, edges between the two are added from the lowest
-  /// to the highest. Places from `middle` on are on the right.
+  /// Joins two triangulations that a line separates; `left_corner` and `right_corner` are the corners of the two hulls
+  /// next to the line. Adds the edges between the two from the lowest to the highest, as seen with the triangulation of
+  /// `left_corner` on the left. Places from `middle` on are on the right.
   void merge(Corner left_corner, Corner right_corner, Corner middle, Own& own) {
     Edge edge = lower_tangent(left_corner, right_corner, own.unused);
     hull_[edges_.dest(edge)] = sym(edge);
@@ -211,7 +211,8 @@ class DelaunayEdges {
     }
   }
 
-  /// Marks the outside of the hull as no triangle: from now on its edges lead nowhere.
+  /// Marks the outside of the hull as no triangle: edges with the outside on their left get the number `no_triangle`
+  /// and the lnext() 0.
   void open_hull(Corner on_hull) {
     const Edge first = sym(hull_[on_hull]);
     Edge outer = first;

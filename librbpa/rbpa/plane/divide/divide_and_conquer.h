@@ -18,13 +18,15 @@
 
 namespace rbpa {
 
-/// The fate of a triangle: 0 if it is kept; otherwise the number that the patch stores for its neighbors.
-/// Called in any thread, several at a time. Without a function all triangles are kept.
+/// A function that returns 0 if the triangle of three points is kept; otherwise Patch::open or Patch::nothing, which
+/// the patch then stores in `across` of the triangle's neighbors. Several threads call it at the same time. An empty
+/// function keeps all triangles.
 using Fate = std::function<int(const SitePoint&, const SitePoint&, const SitePoint&)>;
 
-/// Returns the kept triangles, counter-clockwise, with sites for corners; `nothing` lies across the sides of the hull.
-/// There is no triangle if all points are on a line. Puts the places into another order. `outline`, if given, becomes
-/// that of the patch. Calls working() repeatedly, in any thread and one at a time; it may throw to end the run.
+/// Returns the kept triangles, counter-clockwise, with sites for corners; Patch::nothing is across the sides of the
+/// hull. There is no triangle if all points are on a line. Reorders `places`. Replaces `outline`, unless null, by the
+/// outline of the patch. Calls working(), if any, repeatedly, in any thread and one call at a time; working() may throw
+/// to end the run.
 /// Requires: distinct points, at most as many as rbpa() accepts, that the predicates of `Real` can decide: double if
 ///           they fit (fits_double()), long double for any.
 template <typename Real>

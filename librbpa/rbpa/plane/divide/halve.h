@@ -45,8 +45,8 @@ struct AlongY {
 
 inline constexpr std::size_t few = 16;
 
-/// Sorts up to `few` points. The place of a point is the number of points that come before it, counted without a branch
-/// that could be mispredicted.
+/// Sorts at most `few` points. The new place of a point is the number of points that come before that point, counted
+/// without a branch that could be mispredicted.
 template <typename Order>
 void sort_few(std::span<SitePoint> places, Order before) {
   std::array<std::size_t, few> rank;
@@ -64,8 +64,8 @@ void sort_few(std::span<SitePoint> places, Order before) {
   std::copy_n(sorted.begin(), places.size(), places.begin());
 }
 
-/// A sample of 5 or 15 points at equal distances in the sequence, to estimate the longer side of the box and a middle
-/// point.
+/// A sample of points at equal distances in the sequence, 5 of fewer than 160 points and otherwise 15, to estimate the
+/// longer side of the box and a middle point.
 class Sample {
  public:
   explicit Sample(std::span<const SitePoint> places) : count_(places.size() < 32 * some ? some : many) {
@@ -96,8 +96,9 @@ class Sample {
   bool is_wide_;
 };
 
-/// Divides the points into two parts, the first before the second, and returns the beginning of the second. Neither
-/// part is less than an eighth of all.
+/// Divides the points into two parts, the first before the second in the order `before`, and returns the position at
+/// which the second begins. Each part has at least n / 8 of the n points, rounded down. Requires: `sample` is of these
+/// points.
 template <typename Order>
 std::size_t halve(std::span<SitePoint> places, const Sample& sample, Order before) {
   const std::size_t n = places.size();

@@ -17,7 +17,8 @@ class QuadEdges {
   using Edge = std::uint32_t;
   using Corner = std::uint32_t;
 
-  /// Unused edges that are in no other list: threads with lists of their own may add and remove edges at the same time.
+  /// A list of unused edges. No edge is in two lists, so threads with a list each may add and remove edges at the same
+  /// time.
   struct Unused {
     Edge first, last;
   };
@@ -25,8 +26,7 @@ class QuadEdges {
   /// Reserves memory for the edges of a triangulation of `points` points.
   explicit QuadEdges(std::size_t points) : size_(6 * points), edges_(std::make_unique_for_overwrite<Links[]>(size_)) {}
 
-  /// Returns unused edges for a triangulation of the points from `first` up to `last`, excluded; called once for each
-  /// point.
+  /// Returns the unused edges for a triangulation of the points `first` to `last` − 1; each point belongs to one call.
   /// Requires: at least one point.
   Unused unused_for(std::size_t first, std::size_t last) {
     const Unused all = {static_cast<Edge>(6 * first), static_cast<Edge>(6 * last - 2)};
@@ -47,8 +47,7 @@ class QuadEdges {
   /// Returns the next edge that leaves the same point, counter-clockwise or clockwise.
   Edge onext(Edge e) const { return edges_[e].onext; }
   Edge oprev(Edge e) const { return edges_[e].oprev; }
-  /// Returns the next edge along the left face, or the one before along the right face; both leave the point to which
-  /// `e` leads.
+  /// Returns the next edge along the left face, or the edge before along the right face; both leave the point dest(e).
   Edge lnext(Edge e) const { return oprev(sym(e)); }
   Edge rprev(Edge e) const { return onext(sym(e)); }
 
@@ -83,10 +82,10 @@ class QuadEdges {
     edges_[before].oprev = e;
   }
 
-  /// Removes the left face of `e`: lnext() is then 0.
+  /// Removes the left face of `e`: lnext(e) is then 0.
   void open(Edge e) { edges_[sym(e)].oprev = 0; }
 
-  /// Stores a number in the place of onext().
+  /// Stores a number in the place of onext(e), which is lost.
   void number(Edge e, int n) { edges_[e].onext = static_cast<Edge>(n); }
   int number(Edge e) const { return static_cast<int>(edges_[e].onext); }
 

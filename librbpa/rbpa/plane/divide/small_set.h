@@ -13,13 +13,14 @@
 
 namespace rbpa {
 
-/// Number of points from which tiles are used: from there on several threads can share them, and a single thread loses
-/// no time by them.
+/// The least number of points for which tiles are used: several threads can share the tiles of so many points, and a
+/// single thread loses no time by them.
 inline constexpr std::size_t small_set_limit = 10000;
 
-/// Fills in `result`, except for the members of a full complex. Returns false and does nothing if the points do not fit
-/// double (base/exact/magnitude.h).
-/// Requires: fewer than `small_set_limit` finite points.
+/// Fills in `result`, which must be empty, except for `boundary` and the members of a full complex; `neighbors` only if
+/// options.neighbors or options.boundary. Returns false and does nothing if the points do not fit double
+/// (base/exact/magnitude.h).
+/// Requires: fewer than `small_set_limit` finite points; 0 < alpha ≤ infinity.
 /// Throws:   Cancelled.
 bool triangulate_small_set(std::span<const Point> points, double alpha, const AlphaComplexOptions& options,
                            AlphaComplex& result);

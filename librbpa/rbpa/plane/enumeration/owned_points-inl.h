@@ -34,7 +34,7 @@ class OwnedPoints {
 
   explicit OwnedPoints(EnumerationWorkspace& own) : labels_(own.labels), bits_(own.owned_bits) {}
 
-  /// Finds the points that the tile owns. Requires: the coordinates of this tile; fewer than 2³⁰ points.
+  /// Finds the points that the tile owns. Requires: `at` are the coordinates of `tile`; fewer than 2³⁰ points.
   void find(const Tile& tile, const TileCoordinates& at) {
     const std::size_t n = tile.points.size();
     if (labels_.size() < n + padding) labels_.resize(n + padding);
@@ -59,16 +59,17 @@ class OwnedPoints {
             hn::GetLane(hn::MinOfLanes(d, y_low)), hn::GetLane(hn::MaxOfLanes(d, y_high))};
   }
 
-  /// Returns their box, in the coordinates of the tile; low = ∞, high = −∞ if there are none.
+  /// Returns the box of the owned points, in TileCoordinates; low = ∞, high = −∞ if there are none.
   const Box& box() const { return box_; }
 
-  /// Returns the owned bits of `word` points, from `point` on; 0 after the last.
+  /// Returns a bit for each of `word` points, the lowest for `point`: 1 if the tile owns the point, 0 after the last
+  /// point.
   HWY_INLINE Bits from(std::size_t point) const {
     const std::size_t first = point / word, skipped = point % word;
     return bits_[first] >> skipped | bits_[first + 1] << 1 << (word - 1 - skipped);
   }
 
-  /// Returns for each point its number with, as the lowest bit, whether it is owned. Labels ascend with the points.
+  /// Returns for each point its label: twice its number, plus 1 if the tile owns the point.
   const std::int32_t* labels() const { return labels_.data(); }
   static std::size_t point_of(std::int32_t label) { return static_cast<std::size_t>(label) / 2; }
 

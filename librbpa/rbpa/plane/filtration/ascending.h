@@ -11,7 +11,7 @@
 
 namespace rbpa {
 
-/// Returns the numbers of faces sorted by radius; those of equal radius ascend.
+/// Returns the numbers of the faces, sorted by radius, then by number.
 inline std::vector<std::uint32_t> ascending(std::span<const double> radii, Steps& step) {
   std::vector<std::pair<double, std::uint32_t>> sorted(radii.size());
   for (std::uint32_t face = 0; face < sorted.size(); ++face) sorted[face] = {radii[face], face};

@@ -1,6 +1,7 @@
 // What:   the elder rule, while the cells of a triangulation are added in ascending order: births and deaths of
-//         components and holes, each with a cell that is in it at its birth, or just before its death.
-// Law:    when two meet the younger dies; of two with the same alpha of birth, the one with the greater number.
+//         components, each with its first vertex, and of holes, each with its last face.
+// Law:    when two components meet, the younger dies; of two with the same alpha of birth, the one whose first vertex
+//         has the greater number.
 // Cost:   near-linear.
 // Source: Edelsbrunner, Letscher, Zomorodian (2002); Delfinado, Edelsbrunner (1995);
 //         docs/explanation/filtration_and_persistence.md, section 5.
@@ -32,7 +33,7 @@ struct Arrival {
 template <typename Pair>
 void pair_components(const FilteredCells& cells, Steps& pulse, const Pair& pair) {
   meshops::DisjointSets components(cells.vertices.size());
-  std::vector<Arrival> first;  // of each component, its first vertex; at the number of the vertex that represents it
+  std::vector<Arrival> first;  // first vertex of each component, at the number of its representative vertex
   first.reserve(cells.vertices.size());
   for (std::uint32_t v = 0; v < cells.vertices.size(); ++v) first.push_back({cells.vertices[v], v});
   for (const FilteredCells::Edge& edge : cells.edges) {

@@ -16,10 +16,10 @@ namespace rbpa {
 struct FilteredCells {
   struct Edge {
     double alpha;
-    std::array<std::uint32_t, 2> ends;   ///< numbers of the vertices at its ends
-    std::array<std::uint32_t, 2> sides;  ///< faces; outside() beyond the hull
+    std::array<std::uint32_t, 2> ends;   ///< numbers of the vertices at the ends
+    std::array<std::uint32_t, 2> sides;  ///< numbers of the faces on both sides; outside() beyond the hull
   };
-  std::vector<double> vertices;  ///< for each distinct point, its alpha, by input index
+  std::vector<double> vertices;  ///< for each distinct point, ascending by input index, its alpha
   std::vector<Edge> edges;
   std::vector<double> faces;  ///< for each triangle, its alpha
   std::uint32_t outside() const { return static_cast<std::uint32_t>(faces.size()); }
@@ -33,8 +33,9 @@ struct DistinctPoints {
 };
 DistinctPoints distinct_points(const Delaunay& delaunay);
 
-/// Returns the cells with their alphas. Counts each edge as a step.
-/// Requires: the filtration and the distinct points of `of`.
+/// Returns the cells with their alphas. Counts each edge as a step. If there is no triangle, a solid complex has no
+/// cell.
+/// Requires: `filtration` is filtration(of); `distinct` is distinct_points(of).
 FilteredCells filtered_cells(const Delaunay& of, const DistinctPoints& distinct, const Filtration& filtration,
                              ComplexKind kind, Steps& pulse);
 

@@ -1,4 +1,5 @@
-// What: the corners and areas of the triangles of a filtration, and the check that it is that of a triangulation.
+// What: the corners and areas of the triangles of a filtration, and a check that a filtration belongs to a
+//       triangulation.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +21,8 @@ inline Corners corners_of(std::span<const Point> points, const Triangle& triangl
   return {points[triangle[0]], points[triangle[1]], points[triangle[2]]};
 }
 
-/// Returns the area of a triangle with corners in any order, always rounded alike; long double, as it is a product of
-/// two coordinates.
+/// Returns the area of a triangle, rounded in the same way for every order of the corners; long double, as products of
+/// two coordinates may exceed double.
 inline long double area(Corners corners) {
   std::sort(corners.begin(), corners.end());
   const auto& [a, b, c] = corners;
@@ -31,7 +32,7 @@ inline long double area(Corners corners) {
   return std::abs(cross) / 2;
 }
 
-/// Checks the filtration.
+/// Checks that `filtration` can be the filtration of `delaunay`, by the numbers of triangles and of distinct points.
 /// Throws: ContractViolation, whose message begins with `function`, when the filtration is visibly of another
 ///         triangulation.
 inline void require_same(const Filtration& filtration, const AlphaComplex& delaunay, const std::string& function) {

@@ -17,8 +17,8 @@ namespace rbpa {
 
 class Growth {
  public:
-  /// Begins with the empty complex on `vertices` vertices. Vertex v has the point point_of_vertex[v]; without such a
-  /// list each vertex is a point. The arrays must outlive the object.
+  /// Begins with the empty complex on `vertices` vertices. Vertex v is on point point_of_vertex[v]; if that list is
+  /// empty, each vertex is a point of its own. Triangles and neighbors must outlive the object.
   /// Requires: corners below `vertices`; `point_of_vertex` is empty or has an entry for each vertex.
   Growth(const TriangleArrays& arrays, std::size_t vertices, const std::vector<std::uint32_t>& point_of_vertex = {});
 
@@ -35,7 +35,7 @@ class Growth {
   std::vector<std::uint32_t> gaps_;            // for each vertex, its triangles not added yet, plus one at the boundary
   meshops::DisjointSets solids_;               // solid components, as sets of triangles
   meshops::DisjointSets pieces_;               // components, as sets of vertices
-  std::vector<bool> in_, on_, point_on_;       // triangles added; vertices and first vertices in one of them
+  std::vector<bool> in_, on_, point_on_;       // added triangles; vertices, and first vertices, that are in one
   ComplexCounts now_;
   std::size_t fans_ = 0;
 };

@@ -8,12 +8,12 @@
 
 namespace rbpa {
 
-/// Returns the triangles in a given order: triangle i is number order[i] of the arrays, and neighbors are numbers in
-/// this order. A pass over them then reads memory sequentially. Requires: each triangle once in `order`. Cost: linear.
+/// Returns the triangles in a given order: triangle i is number order[i] of `arrays`, and neighbors are numbers in the
+/// new order. A pass over them then reads memory sequentially. Requires: each triangle once in `order`. Cost: linear.
 OwnedTriangles in_order(const TriangleArrays& arrays, const std::vector<std::uint32_t>& order);
 
-/// Returns for each point the number of gaps around it before any triangle is there: one for each triangle, and one for
-/// each fan of triangles that ends at the boundary. Cost: linear.
+/// Returns for each point the number of gaps around the point before any triangle is added: one for each triangle at
+/// the point, and one for each fan of triangles there that ends at the boundary. Cost: linear.
 std::vector<std::uint32_t> gaps_of(const TriangleArrays& arrays, std::size_t points);
 
 }  // namespace rbpa

@@ -12,11 +12,12 @@ namespace rbpa {
 
 class PartSizes {
  public:
+  /// Begins without a component. Requires: sizes from 1 to `greatest`.
   explicit PartSizes(std::uint32_t greatest)
       : count_(greatest + std::size_t{1}), sum_(greatest + std::size_t{1}), top_(std::bit_floor(greatest)) {}
 
   void add(std::uint32_t size) { change(size, 1); }
-  /// Removes a component of this size. Requires: there is one.
+  /// Removes a component of this size. Requires: a component of this size.
   void remove(std::uint32_t size) { change(size, -1); }
 
   std::size_t count() const { return parts_; }

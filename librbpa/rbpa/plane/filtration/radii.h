@@ -14,11 +14,12 @@ namespace rbpa {
 /// Returns for each triangle the least double alpha that admits it, as Filtration::triangle_alpha has it.
 std::vector<double> radii_of(const Delaunay& delaunay, Steps& step);
 
-/// Computes smallest_covering() from the radii.
+/// Returns smallest_covering() for `radii` = radii_of(delaunay).
+/// Throws: ContractViolation when the share is out of its bounds; Cancelled.
 std::optional<double> smallest_covering(const Delaunay& delaunay, std::span<const double> radii,
                                         const Covering& covering, Steps& step);
 
-/// Computes complex_at() from the radii.
+/// Returns complex_at() for `radii` = radii_of(delaunay). Requires: 0 < alpha ≤ infinity.
 AlphaComplex complex_at(const Delaunay& delaunay, std::span<const double> radii, double alpha);
 
 }  // namespace rbpa

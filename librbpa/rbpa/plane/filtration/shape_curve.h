@@ -14,14 +14,14 @@ namespace rbpa {
 
 /// The state at one step of the filtration.
 struct ShapeState {
-  long double change;      ///< never less than at the step before
-  double effective_parts;  ///< (Σ nᵢ)² / Σ nᵢ², of the vertices in solid components
+  long double change;      ///< the change up to here, as plateaus() defines it: never less than at the step before
+  double effective_parts;  ///< (Σ nᵢ)² / Σ nᵢ², with nᵢ the vertices of each solid component
   double hole_share;       ///< area of holes / area of triangles and holes
 };
 
-/// Returns the state after each step, in order. Calls pulse() for each triangle.
-/// Requires: as plateaus().
-/// Throws:   as plateaus().
+/// Returns the state after each step, in order; empty without a triangle. Counts each triangle as steps.
+/// Requires: `filtration` is filtration(of).
+/// Throws:   Cancelled.
 std::vector<ShapeState> shape_curve(const Delaunay& of, const Filtration& filtration, Steps& pulse);
 
 }  // namespace rbpa

@@ -16,13 +16,13 @@ namespace rbpa {
 
 class SolidParts {
  public:
-  /// Prepares for the triangles of a Delaunay triangulation of `points` points, in the order in which they are added.
-  /// Keeps the spans.
+  /// Prepares for the triangles of a Delaunay triangulation of `points` points, in the order in which add_next() adds
+  /// them. Keeps the spans.
   SolidParts(const TriangleArrays& arrays, std::size_t points);
 
-  /// Adds the next triangle. Calls left(size) for every component that the triangle joins, and come(size) for the
-  /// component that they become.
-  /// Requires: there is a next one.
+  /// Adds the next triangle. Calls left(size) for every component that the triangle joins, then come(size) for the new
+  /// component; `size` is a number of vertices.
+  /// Requires: a triangle that was not added yet.
   template <typename Left, typename Come>
   void add_next(const Left& left, const Come& come);
 
@@ -41,7 +41,7 @@ class SolidParts {
 template <typename Left, typename Come>
 void SolidParts::add_next(const Left& left, const Come& come) {
   std::uint32_t part = next_, vertices = 0;
-  std::array<bool, 3> glued;  // whether it is glued along the side across from the corner
+  std::array<bool, 3> glued;  // for each corner, whether the side across from it is glued
   for (unsigned k = 0; k < 3; ++k) {
     const std::uint32_t neighbor = arrays_.neighbors[next_][k];
     glued[k] = neighbor < next_;  // `none` is the greatest number

@@ -20,14 +20,14 @@ inline Box common_box(const Box& a, const Box& b) {
           {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};
 }
 
-/// Returns the least box around points. Requires: at least one.
+/// Returns the least box around points. Requires: at least one point.
 inline Box box_of(std::span<const Point> points) {
   Box box{points[0], points[0]};
   for (const Point& p : points) box = common_box(box, {p, p});
   return box;
 }
 
-/// Returns the least box around points, computed by several threads.
+/// Returns the least box around points, computed by several threads. Requires: at least one point.
 inline Box box_of(std::span<const Point> points, Threads& threads) {
   constexpr std::size_t at_a_time = 1u << 16;  // points for one thread
   std::vector<Box> boxes((points.size() + at_a_time - 1) / at_a_time);

@@ -1,6 +1,6 @@
 // What: points that are not in a grid, with their places, for searches that must not miss them.
-// Law:  in_box() reports every hidden point of a box. are_left() and its siblings report every side of the grid's box
-//       on which a hidden point lies outside of the box.
+// Law:  in_box() reports every hidden point of a box. are_left(), are_right(), are_below() and are_above() report every
+//       side of the grid's box on which a hidden point lies outside of the box, or on its border.
 #pragma once
 
 #include <span>
@@ -14,8 +14,8 @@ class HiddenPoints {
  public:
   /// Constructs an empty set of hidden points.
   HiddenPoints() = default;
-  /// Keeps the places, some of which may lie outside of `box`. The places may be rounded by amounts that are negligible
-  /// against a cell.
+  /// Copies the places of the hidden points; `box` is the grid's box, and places may lie outside of it. The places may
+  /// be rounded by amounts that are negligible against a cell.
   HiddenPoints(std::span<const Point> places, const Box& box) : places_(places) {
     for (const Point& p : places) {
       left_ |= p.x <= box.low.x;
@@ -31,7 +31,7 @@ class HiddenPoints {
   bool are_below() const { return below_; }
   bool are_above() const { return above_; }
 
-  /// Calls visit(place) for the points in a box, and for others near it.
+  /// Calls visit(place) for all hidden points in a box, and for some near the box.
   template <typename Visit>
   void in_box(const Box& box, Visit visit) const {
     places_.scan(box, [&](std::uint32_t first, std::uint32_t last) {

@@ -24,24 +24,26 @@ namespace rbpa {
 
 class PointGrid {
  public:
-  /// Lays out finite points, fewer than 2³⁰. Without `threads`, the calling thread does it. Calls `checkpoint`, if any,
-  /// after each level; it may throw.
+  /// Lays out finite points, fewer than 2³⁰. Without `threads`, the calling thread lays out all of them. Calls
+  /// `checkpoint`, if any, before each level is refined; `checkpoint` may throw.
   PointGrid(std::span<const Point> input, Threads& threads, const Checkpoint& checkpoint = {})
       : PointGrid(NamedPoints{input}, threads, checkpoint) {}
   explicit PointGrid(std::span<const Point> input);
   /// Lays out points that have names of their own, in ascending order.
   PointGrid(const NamedPoints& input, Threads& threads, const Checkpoint& checkpoint = {});
 
-  /// Returns the distinct points in the order of their cells. A position in it is called a site.
+  /// Returns the distinct points in the order of their cells. A position in this list is called a site.
   std::span<const Point> points() const { return points_; }
-  /// Returns the (lowest) input index, or name, of each site.
+  /// Returns for each site the name of the point there, of equal points the lowest; names are input indices unless
+  /// given.
   std::span<const std::uint32_t> input_index() const { return index_; }
   const std::vector<Duplicate>& duplicates() const { return duplicates_; }
 
   /// Returns an upper bound of the distance of any two points.
   double diameter_bound() const { return levels_.empty() ? 0 : 2 * (levels_[0].width + levels_[0].height); }
 
-  /// Calls visit(first, last) for ranges of sites that together hold every point of the box, and others near it.
+  /// Calls visit(first, last) for ranges of sites, first to last − 1, that together hold every point of the box and
+  /// some near the box.
   template <typename Visit>
   void scan(const Box& box, Visit visit) const {
     if (!levels_.empty()) scan_level(levels_[0], box, visit);
@@ -50,17 +52,18 @@ class PointGrid {
   struct Child {
     std::uint32_t cell, level;
   };
-  /// A grid of cells; the first is over all points.
+  /// A grid of square cells over the box from (x, y) to (x + width, y + height); the first is over all points. `cell`
+  /// is the side of a cell, `per_unit` is 1 / cell.
   struct Level {
     double x, y, width, height, cell, per_unit;
-    double slack;  ///< an upper bound of the error of rounding in the side of a cell
+    double slack;  ///< upper bound of the rounding error in the coordinates of a cell's sides
     int columns, rows;
-    std::vector<std::uint32_t> start;  // for each cell, row by row, the first site; and the end
+    std::vector<std::uint32_t> start;  // for each cell, row by row, its first site; then the end
     std::vector<Child> children;       // the cells that are grids of their own, ascending
     std::vector<std::uint32_t> child;  // for each row, the first of its children; and the end. Empty without children
 
-    /// Returns the first child that is not before the cell, among the children up to the end of the cell's row; their
-    /// end if there is none.
+    /// Returns the first child whose cell is `from` or a later cell of the same row; if there is none, the end of the
+    /// row's children.
     auto child_at(std::uint32_t from) const {
       if (children.empty()) return children.end();
       const std::size_t row_number = from / static_cast<std::uint32_t>(columns);
@@ -73,7 +76,7 @@ class PointGrid {
       return cells >= double(count) ? count - 1 : static_cast<int>(cells);
     }
     // The functions are monotone in the coordinate, rounding included: a point between two bounds is in a cell between
-    // theirs.
+    // the cells of the bounds.
     int column(double at) const { return clamp((at - x) * per_unit, columns); }
     int row(double at) const { return clamp((at - y) * per_unit, rows); }
     std::uint32_t cell_of(const Point& p) const {
@@ -85,11 +88,11 @@ class PointGrid {
 
  private:
   static constexpr double points_per_cell = 2;
-  static constexpr std::uint32_t max_in_cell = 24;  ///< a cell with more is a grid of its own
-  /// Number of preceding points with which each point is compared in any case.
+  static constexpr std::uint32_t max_in_cell = 24;  ///< a cell with more points is a grid of its own
+  /// Number of preceding points with which each point is always compared.
   static constexpr std::uint32_t nearby = 3;
 
-  /// Duplicates found together: the sites that are left out, and the list entries.
+  /// Duplicates found in some cells: the sites to be left out, and the entries of duplicates().
   struct Repeated {
     std::vector<std::uint32_t> sites;
     std::vector<Duplicate> duplicates;

@@ -1,6 +1,6 @@
 // What: the distinct points of the input, numbered: sites. Those in the window of doubles come first, in the order of a
 //       grid's cells and scaled to fit; then those beyond it.
-// Law:  at(s) is the input point that input_index()[s] names, the least of its equals.
+// Law:  at(s) is the input point input_index()[s], of equal points the one with the lowest index.
 // Cost: that of PointGrid; and a sort of the points beyond.
 #pragma once
 
@@ -20,7 +20,7 @@ namespace rbpa {
 
 class Sites {
  public:
-  /// Sorts the points. Calls `checkpoint`, if any, repeatedly; it may throw.
+  /// Sorts the points. Calls `checkpoint`, if any, repeatedly; `checkpoint` may throw.
   Sites(std::span<const Point> input, Threads& threads, const Checkpoint& checkpoint = {});
 
   std::size_t size() const { return grid_.points().size() + beyond_.size(); }
@@ -29,7 +29,7 @@ class Sites {
   const Window& window() const { return window_; }
   /// Returns the points beyond the window, unscaled; the first of them is the site after those of the grid.
   std::span<const Point> beyond() const { return beyond_; }
-  /// Returns the places of the points beyond, in the scale of the window.
+  /// Returns the points beyond the window in the window's scale, with coordinates limited to ±2^200.
   const HiddenPoints& hidden() const { return hidden_; }
 
   /// Returns a point in the user's coordinates.
@@ -44,7 +44,7 @@ class Sites {
   std::vector<Duplicate> duplicates() const;
   /// Returns an upper bound of the distance of any two points.
   long double diameter_bound() const;
-  /// Returns the radius alpha, or none if it is certainly above every circumradius.
+  /// Returns the radius alpha, or the infinite one if alpha is certainly above every circumradius.
   Radius reachable(double alpha) const {
     const Radius radius = Radius::of(alpha);
     return beyond_.empty() && window_.scaled(radius).is_infinite() ? Radius() : radius;

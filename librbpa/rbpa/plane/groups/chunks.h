@@ -1,4 +1,4 @@
-// What: divides groups into chunks, so that a thread takes some work at a time.
+// What: divides groups into chunks, each of which is work for one thread.
 // Law:  chunks depend on the groups alone, not on the threads.
 #pragma once
 
@@ -15,7 +15,7 @@ struct Chunk {
   std::size_t first = 0, last = 0;  // groups first ≤ g < last
 };
 
-/// Returns runs of groups with some thousand points together, or one group with more.
+/// Returns runs of consecutive groups: at most 1,024 groups with at most 4,096 points together, or one larger group.
 inline std::vector<Chunk> chunks_of(const Groups& groups) {
   constexpr std::uint64_t enough = 4096;
   std::vector<Chunk> chunks;
@@ -29,10 +29,10 @@ inline std::vector<Chunk> chunks_of(const Groups& groups) {
   return chunks;
 }
 
-/// Checks that the groups are those of the points. Throws: InvalidInput as for_each_group().
+/// Checks that `groups` are valid Groups of these points. Throws: InvalidInput as for_each_group().
 void check(std::span<const Point> points, const Groups& groups);
 
-/// The points of one group after another, contiguous in the same memory.
+/// Memory for the points of one group, which the next call of of() replaces.
 class GroupPoints {
  public:
   Group of(std::span<const Point> points, const Groups& groups, std::size_t number) {

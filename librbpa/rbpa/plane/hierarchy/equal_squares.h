@@ -49,11 +49,11 @@ class EqualSquares {
 
   std::size_t max_held() const { return *std::max_element(held_.begin(), held_.end()); }
 
-  /// Calls visit(std::span<Point>, Square) with every square that holds more than `bound` of the points. Requires: the
-  /// points that were counted.
+  /// Calls visit(std::span<Point>, Square) for every square that holds more than `bound` points, with the points in it.
+  /// Requires: `points` are those that were counted.
   template <typename Visit>
   void for_each_above(std::size_t bound, std::span<const Point> points, Visit visit) const {
-    std::vector<std::uint32_t> end(held_.size());  // for each such square, the end of its points in a common list
+    std::vector<std::uint32_t> end(held_.size());  // for each such square, the end of its points in `sorted`
     std::uint32_t size = 0;
     for (std::size_t i = 0; i < held_.size(); ++i) {
       end[i] = size;

@@ -10,7 +10,7 @@
 namespace rbpa {
 
 /// Returns the first level whose radius admits the triangle (a, b, c). `SomeLadder` is Ladder or ScaledLadder; the
-/// corners are in its scale.
+/// corners are in the scale of `ladder`.
 /// Requires: the last level admits the triangle.
 template <typename Real, typename SomeLadder>
 int first_level(const Point& a, const Point& b, const Point& c, const SomeLadder& ladder) {

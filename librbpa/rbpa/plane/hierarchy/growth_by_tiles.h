@@ -1,9 +1,9 @@
 // What:   builds the complex level by level, with a whole mesh after each level; LevelsAtOnce builds only the last
 //         mesh.
-// Law:    grow() turns a mesh that is the complex of the previous level's radius into that of the given level's radius,
-//         with every boundary halfedge frozen.
-// How:    adds the triangles of the first level at once, those of tiles and remainder as rbpa() does; the triangles of
-//         later levels wait and are inserted on their level.
+// Law:    grow() turns the complex of the previous level's radius into the complex of the given level's radius, with
+//         every boundary halfedge frozen.
+// How:    adds the triangles of the first level at once, from tiles and remainder as rbpa() does; the triangles of
+//         later levels wait, and each is inserted on its level.
 // Cost:   that of rbpa(), and one insertion for each triangle of a later level.
 // Source: docs/explanation/plane.md, sections 16 and 17.
 #pragma once
@@ -53,7 +53,7 @@ class GrowthByTiles {
   Monitor& monitor_;
   WaitingTriangles waiting_;
   std::size_t open_sites_ = 0;
-  std::vector<std::uint16_t> seen_;  // for each site, the last level, other than the first, that had a triangle there
+  std::vector<std::uint16_t> seen_;  // for each site, the last level after the first that had a triangle there
 };
 
 }  // namespace rbpa

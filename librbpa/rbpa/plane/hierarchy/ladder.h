@@ -20,7 +20,8 @@ class Ladder {
   using Real = long double;             ///< its exponents hold the circumradii of all doubles
   static constexpr int never = 0xffff;  ///< above all levels
 
-  /// Builds the radii from `least` to `last`. If `last` is infinite, only the last level has a radius above `largest`.
+  /// Builds the radii from `least` to `last`. If `last` is infinite, only the last level may have a radius above
+  /// `largest`.
   /// Requires: 0 < least < ∞.
   Ladder(double least, Radius last, Real largest) : least_(least), last_(last) {
     const Real bound =
@@ -35,7 +36,7 @@ class Ladder {
   Radius radius(int level) const { return is_last(level) ? last_ : Radius(std::ldexp(least_, level)); }
 
   /// Returns the first level whose radius is at least `radius`, or seldom the level before, never a later one; so
-  /// `radius` may be rounded. The result is above end() if a finite last radius is less than `radius`.
+  /// `radius` may be rounded. The result may be above end() if a finite last radius is less than `radius`.
   int first_reaching(Real radius) const {
     constexpr Real deflated = 1 - Real(1e-5);
     const Real ratio = radius / Real(least_) * deflated;
@@ -46,8 +47,8 @@ class Ladder {
   }
 
  private:
-  /// Returns the exponent as frexp() does, or one more if rounding to double makes it so; by two instructions if the
-  /// ratio is in the range of double.
+  /// Returns the exponent of `ratio` as frexp() does, or one more where rounding to double carries; by two instructions
+  /// if the ratio is in the range of double.
   static int exponent_of(Real ratio) {
     int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(static_cast<double>(ratio)) >> 52) - 1022;
     if (!(ratio < Real(0x1p1000))) std::frexp(ratio, &exponent);

@@ -23,10 +23,10 @@ struct LevelPatch {
   /// Patch::nothing.
   meshops::Patch first;
   std::vector<WaitingTriangle> later;  ///< the other triangles, in the order of the patch
-  /// For each triangle of the patch, the number of its first side in `first`; negative if it waits.
+  /// For each triangle of the patch, the number of its first side in `first`; negative if the triangle waits.
   std::vector<int> number;
 
-  /// Replaces all members. `first` is left empty if no triangle waits, as it would be the patch itself.
+  /// Replaces all members. `first` stays empty if no triangle waits: it would equal `patch`.
   /// Requires: triangles within the last radius of the ladder.
   void split(const meshops::Patch& patch, const SiteLevels& levels);
 };

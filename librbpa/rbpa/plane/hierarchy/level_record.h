@@ -19,8 +19,8 @@ class LevelRecord {
               std::span<const std::uint32_t> input_index, Hierarchy& result)
       : alpha_(alpha), ended_(ended), input_index_(input_index), result_(result) {}
 
-  /// Records the end of a level. Requires: the mesh of the front is the complex of `radius`. Rethrows the exceptions of
-  /// the caller's function.
+  /// Records the end of a level. Requires: the mesh of the front is the complex of `radius`. Throws: any exception of
+  /// `ended`.
   void end(Level level, const Radius& radius, bool is_last, const meshops::Front& front) {
     // The last level has the user's alpha: a radius beyond all circumradii is infinite to the run.
     level.alpha = is_last ? alpha_ : radius.value();

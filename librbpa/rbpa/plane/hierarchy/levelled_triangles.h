@@ -19,7 +19,7 @@ namespace rbpa {
 
 class LevelledTriangles {
  public:
-  /// Keeps references, which sorted() does not use. The names of corners are input indices, less than `bound`.
+  /// Keeps references, which sorted() does not use. The corners in the result are input indices, less than `bound`.
   LevelledTriangles(const Sites& sites, const Ladder& ladder, std::size_t bound, const Threads& threads)
       : sites_(sites), levels_(sites, ladder), order_(bound, 2 * sites.size(), threads.count()) {}
 
@@ -38,7 +38,7 @@ class LevelledTriangles {
 
   std::size_t size() const { return size_; }
   /// Returns the triangles in order; called once, after all patches. `numbers` becomes the levels of the triangles, in
-  /// the same order. Calls `checkpoint`, if any, repeatedly, one call at a time; it may throw.
+  /// the same order. Calls `checkpoint`, if any, repeatedly, one call at a time; `checkpoint` may throw.
   std::vector<Triangle> sorted(Threads& threads, meshops::FreshVector<std::uint32_t>& numbers,
                                const Checkpoint& checkpoint = {}) {
     numbers.resize(size_);

@@ -1,9 +1,9 @@
 // What:   the complex of the last radius, laid at once, with its faces in the order of their levels; and the counts of
 //         a run from level to level.
 // Law:    faces and levels are those of GrowthByTiles, which stops at every level.
-// How:    patches are laid whole, as rbpa() lays them, and the thread that lays a triangle notes its level. Then faces
-//         get new numbers. A site takes part on the levels of its triangles and is done on the last of them if its fan
-//         is closed; an edge exists from the first level of its triangles on.
+// How:    patches are laid whole, as rbpa() lays them, and the thread that lays a triangle notes the triangle's level.
+//         Then faces get new numbers. A site takes part on the levels of its triangles, and is closed after the last of
+//         these levels if its fan is closed; an edge exists from the first level of its triangles on.
 // Cost:   that of rbpa(), a comparison of the circumradius for each triangle, and, unless all triangles are of the
 //         first level, two passes over the mesh.
 // Source: docs/explanation/plane.md, sections 16 and 17.
@@ -57,7 +57,7 @@ class LevelsAtOnce {
   const Ladder& ladder_;
   Threads& threads_;
   Monitor& monitor_;
-  meshops::FreshVector<std::uint16_t> level_;  // for each face, its level, in the order in which faces were laid
+  meshops::FreshVector<std::uint16_t> level_;  // for each face, in the order in which faces were laid, its level
   std::vector<std::uint16_t> seen_;  // for each site, the last level so far on which it has a triangle, or none
   std::vector<Growth> growth_;       // for each level
 };

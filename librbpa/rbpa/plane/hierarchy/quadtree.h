@@ -25,8 +25,8 @@ class Quadtree {
   Quadtree(std::span<const Point> points, std::size_t capacity)
       : points_(points), capacity_(std::max<std::size_t>(capacity, 1)) {}
 
-  /// Returns the side of the smallest leaf, or of the root if there is no other. Calls `checkpoint`, if any, for every
-  /// square with many points; it may throw.
+  /// Returns the side of the smallest leaf, or of the root if the root is not cut; 0 without points. Calls
+  /// `checkpoint`, if any, for every square with more than 4,096 points; `checkpoint` may throw.
   Real smallest_side(const Checkpoint& checkpoint = {}) const {
     if (points_.empty()) return 0;
     const auto [low, high] = box_of(points_);
@@ -39,7 +39,8 @@ class Quadtree {
  private:
   static constexpr std::size_t many = 4096;  ///< number of points from which counting pays
 
-  /// Returns the smallest square below this one that holds all its points, without touching them.
+  /// Returns the smallest square of the tree within `square` that holds all of `points`, computed from the points' box
+  /// alone.
   Square<Real> around(std::span<const Point> points, Square<Real> square) const {
     const auto [low, high] = box_of(points);
     while (square.can_be_cut()) {

@@ -1,4 +1,4 @@
-// What: the circumradius in rounded numbers, for scheduling only: no decision depends on it.
+// What: a rounded lower bound of the circumradius, for scheduling only: no decision depends on it.
 #pragma once
 
 #include <cmath>
@@ -7,8 +7,9 @@
 
 namespace rbpa {
 
-/// Returns at most the circumradius of (a, b, c), up to the last digits, and at least half of it, unless the corners
-/// are so near a line that rounding hides their area.
+/// Returns a lower bound of the circumradius of (a, b, c), up to rounding; at least half of the circumradius unless the
+/// corners are so near a line that rounding hides their area.
+/// Requires: coordinates in the range of `Real` (fits_double() for double); corners that are not all equal.
 template <typename Real>
 Real circumradius(const Point& a, const Point& b, const Point& c) {
   using P = Predicates<Real>;

@@ -21,8 +21,8 @@ class WaitingTriangles {
     added_.insert(added_.end(), triangles.begin(), triangles.end());
   }
 
-  /// Sorts the triangles by level after all have been added; those of a level stay in the order in which they were
-  /// added. Requires: levels from 0 to `last`; one call.
+  /// Sorts the triangles by level; triangles of one level stay in the order in which they were added. Requires: all
+  /// triangles were added, with levels from 0 to `last`; called once.
   void sort(int last) {
     start_.assign(static_cast<std::size_t>(last) + 2, 0);
     for (const WaitingTriangle& t : added_) ++start_[static_cast<std::size_t>(t.level) + 1];

@@ -91,7 +91,7 @@ class Assembly {
     return found;
   }
 
-  // 1 in the debug build, where meshes are validated: they then have no spare elements
+  // 1 in the debug build, where meshes are validated: a validated mesh must have no spare elements
   static constexpr std::size_t elements_at_a_time = debug ? 1 : 4096;
 
   SolidAlphaComplex& begin(SolidAlphaComplex& complex) const {

@@ -28,15 +28,15 @@ class Monitor : public meshops::FrontVisitor {
   void seeded(const meshops::Front& front, const meshops::InsertedTriangle&) { count(front); }
   void attached(const meshops::Front& front, meshops::Halfedge, const meshops::InsertedTriangle&) { count(front); }
 
-  /// Reports that many triangles were added at once, and their number so far.
+  /// Reports that triangles were added at once; `triangles` is their number so far. Throws: Cancelled.
   void worked(std::size_t triangles) { stop_if_cancelled(progress_, {triangles, points_}); }
 
-  /// Reports a mesh that was made at once.
+  /// Validates a mesh that was made at once, in the debug build.
   void completed(const meshops::Connectivity& mesh) {
     if (debug) validate(mesh);
   }
 
-  /// Counts a step of a search that finds no triangle.
+  /// Counts a step of a search that finds no triangle. Throws: Cancelled.
   void searched(const meshops::Front& front) { step(front); }
 
  private:
