@@ -12,7 +12,7 @@ namespace rbpa::space {
 
 class BoxScale {
  public:
-  /// Requires: finite corners, low <= high.
+  /// Scales relative to the box from `low` to `high`. Requires: finite corners, low <= high.
   BoxScale(const Point3& low, const Point3& high) : low_(low) {
     // Extreme coordinates are halved, so that their differences are finite.
     std::frexp(std::max({high.x / 2 - low.x / 2, high.y / 2 - low.y / 2, high.z / 2 - low.z / 2}), &exponent_);

@@ -19,7 +19,7 @@ class BoxTree {
   /// Builds the tree. Throws: Cancelled.
   BoxTree(std::span<const Box> boxes, meshops::Steps& step);
 
-  /// Calls visit(i) for each box that meets `box`, in some order.
+  /// Calls visit(i) for each box i that meets `box`, in some order.
   template <typename Visit>
   void for_each_meeting(const Box& box, const Visit& visit) const {
     if (nodes_.empty()) return;

@@ -11,7 +11,8 @@
 namespace rbpa::space {
 namespace {
 
-/// Numbers coordinates. The numbers of two coordinates that differ by at most two radii differ by at most two.
+/// The numbers of cells along an axis. Coordinates that differ by at most two radii have numbers that differ by at most
+/// two.
 class Numbering {
  public:
   explicit Numbering(double radius) : radius_(radius), inverse_(1 / (radius * (1 + 0x1p-6))) {}
@@ -21,7 +22,7 @@ class Numbering {
       return static_cast<std::int64_t>(std::floor(quotient));
     const long double quotient = std::floor(coordinate / (radius_ * (1 + 0x1p-6L)));
     if (std::abs(quotient) < 0x1p57L) return static_cast<std::int64_t>(quotient);
-    // No other double is within two radii of it: only equal coordinates need the same number.
+    // No other double is within two radii of this coordinate: only equal coordinates need the same number.
     return std::bit_cast<std::int64_t>(coordinate + 0.0);
   }
   std::array<std::int64_t, 3> operator()(const Point3& p) const { return {(*this)(p.x), (*this)(p.y), (*this)(p.z)}; }
@@ -44,7 +45,7 @@ struct Keyed {
 
 constexpr std::size_t at_a_time = 1u << 14;
 
-/// Packs the keys within a box into integers of bits() bits.
+/// A packing of the keys within a box into integers of bits() bits.
 class Packing {
  public:
   Packing(const Key& low, const Key& high) : low_(low) {
@@ -64,7 +65,7 @@ class Packing {
   std::array<int, 3> width_;
 };
 
-/// Sorts the points by cell: distributes them by the digits above `shift`, of 2^digits values, then sorts each part.
+/// Returns the points sorted by cell: distributes them by the highest eleven of `bits` bits, then sorts each part.
 std::vector<Keyed> sorted(std::vector<Keyed> input, int bits, Threads& threads) {
   constexpr int digits = 11;
   const std::size_t n = input.size();

@@ -1,4 +1,4 @@
-// What: sorts points in space into cubic cells, somewhat larger than the ball's radius. Empty cells are not stored.
+// What: sorts points in space into cubic cells, whose side is a radius and a little more. Empty cells are not stored.
 // Law:  every point within two radii of a point is in the 125 cells around its cell, for coordinates of any exponents.
 //       Equal points are one site. The order of the cells is a function of the set of points.
 //       docs/explanation/surfaces.md, section 16.
@@ -26,7 +26,7 @@ class Cells {
     std::uint32_t index;  // index of another input point at the site
   };
 
-  /// Requires: finite points, fewer than 2^32 − 1; a finite radius above 0.
+  /// Sorts the points. Requires: finite points, fewer than 2^32 − 1; a finite radius above 0.
   Cells(std::span<const Point3> points, double radius, Threads& threads);
 
   double radius() const { return radius_; }
@@ -47,13 +47,13 @@ class Cells {
   /// Returns the cell that contains a site.
   std::size_t cell_of(Site site) const;
 
-  /// Finds the cells around a cell; cheap when cells are queried in ascending order.
+  /// A search for the cells around a cell; cheap when cells are queried in ascending order.
   class Around {
    public:
     explicit Around(const Cells& cells) : cells_(cells) {}
 
     /// Calls visit(first, last) for runs of sites, in the order of sites. Together the runs contain all sites in the
-    /// cells at most `reach` cells away from cell i, cell i included.
+    /// cells at most `reach` cells away from cell i, cell i included. Requires: reach is at most 2.
     template <std::int64_t reach = 2, typename Visit>
     void for_each_run(std::size_t i, Visit visit) {
       const Key& key = cells_.cells_[i].key;

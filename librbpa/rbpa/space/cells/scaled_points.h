@@ -13,7 +13,7 @@
 
 namespace rbpa::space {
 
-/// Points and a radius, scaled. Refers to the given points where no copy is needed.
+/// Points and a radius, scaled. Refers to the given points where no copy is needed. Requires: as scale_to_double().
 class ScaledPoints {
  public:
   ScaledPoints(std::span<const Point3> points, double radius) : points_(points), radius_(radius) {
@@ -32,6 +32,7 @@ class ScaledPoints {
 
   std::span<const Point3> points() const { return points_; }
   double radius() const { return radius_; }
+  /// Returns whether points and radius fit double; if not, they are not scaled.
   bool fits_double() const { return fits_double_; }
 
  private:

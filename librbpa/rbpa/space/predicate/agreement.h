@@ -17,7 +17,7 @@
 
 namespace rbpa::space {
 
-/// Tests oriented triangles with an area. Corners are indices of places.
+/// A test of oriented triangles with an area. Corners are indices of places.
 class Agreement {
  public:
   /// The normal of another point at a place.
@@ -26,8 +26,8 @@ class Agreement {
     Point3 normal;
   };
 
-  /// Keeps the spans. Without normals, every triangle agrees. Requires: no normals, or one for each place;
-  /// `fits_double` only if the places are scaled as scale_to_double() says.
+  /// Keeps the spans. Without normals, every triangle agrees. Requires: no normals, or one for each place; if
+  /// `fits_double`, the places are scaled as scale_to_double() says.
   Agreement(std::span<const Point3> places, std::span<const Point3> normals, std::vector<Further> further,
             bool fits_double)
       : places_(places), normals_(normals), further_(std::move(further)), fits_double_(fits_double) {
@@ -36,7 +36,7 @@ class Agreement {
               [](const Further& a, const Further& b) { return a.place < b.place; });
   }
 
-  /// Tests triangles of unscaled input points. Requires: `duplicates` of the points.
+  /// Makes a test of triangles of unscaled input points. Requires: `duplicates` are those of `points`.
   Agreement(std::span<const Point3> points, std::span<const Point3> normals, std::span<const Duplicate> duplicates)
       : Agreement(points, normals, further_of(normals, duplicates), false) {}
 
@@ -65,7 +65,8 @@ class Agreement {
     return {disagrees_at(a, normal), disagrees_at(b, normal), disagrees_at(c, normal)};
   }
 
-  /// Returns false only if no triangle (v, x, y) agrees, where x follows y in `cycle`, a cycle of places around v.
+  /// Returns false only if no triangle (v, x, y) agrees for any x that follows y in `cycle`, a cycle of places around
+  /// v.
   bool may_agree(std::uint32_t v, std::span<const std::uint32_t> cycle) const {
     if (!fits_double_ || normals_.empty()) return true;
     for (std::size_t k = 0; k < cycle.size(); ++k) {

@@ -30,8 +30,8 @@ class Circumradii {
     Number x, y, z;
   };
 
-  /// Returns the radii. `coordinates` has 12 rows of lanes, the corners' coordinates. A radius is 0 where double-double
-  /// does not decide.
+  /// Returns the radii of the simplices in the lanes. `coordinates` has 12 rows of lanes, the corners' coordinates. A
+  /// radius is 0 where double-double does not decide.
   static HWY_INLINE V rounded_up(const double* coordinates) {
     const D d;
     const auto edge = [&](std::size_t corner) HWY_ATTR {

@@ -14,7 +14,8 @@
 
 namespace rbpa::space {
 
-/// Computes the radius of each simplex. Requires: corners are indices of points; `radii` has room for one each.
+/// Sets `radii` to the radius of each simplex. Requires: corners are indices of `points`; no simplex is in a plane;
+/// `radii` has one element for each simplex.
 void circumradii_rounded_up(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 4>> simplices,
                             std::span<double> radii);
 

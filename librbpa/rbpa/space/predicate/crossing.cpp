@@ -68,7 +68,8 @@ bool cross_at_corner(const Corners& s, const Corners& t) {
   return meets(s[1], side_a, s[2], side_b, t) || meets(t[1], side_c, t[2], side_d, s);
 }
 
-/// Finds the sides of t on which the corners of s are. Returns false when all are on the same side.
+/// Sets `sides` to the sides of the plane of t on which the corners of s are. Returns false if all are strictly on one
+/// side.
 bool straddles(const Corners& s, const Corners& t, std::array<int, 3>& sides) {
   for (std::size_t k = 0; k < 3; ++k) sides[k] = side_of(t, s[k]);
   return sides[0] * sides[1] <= 0 || sides[1] * sides[2] <= 0;

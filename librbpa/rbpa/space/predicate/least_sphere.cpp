@@ -14,14 +14,14 @@ using Real = long double;
 using Vector = Vector3<Real>;
 constexpr Real unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
 
-/// Returns the sign of a value with an error of at most `error`, or else of exact(). An overflow yields no sign, so
-/// that exact() decides.
+/// Returns the sign of `value` if it is certain for an error of at most `error`, else the sign from exact(). An
+/// overflow makes no sign certain.
 template <typename Exact>
 int sign(Real value, Real error, Exact exact) {
   return value > error ? 1 : value < -error ? -1 : exact();
 }
 
-/// A power of a point; negative inside, if beyond the error.
+/// The power of a point, and a bound of its error. If `value` is below −error, the point is certainly inside.
 template <typename Number>
 struct Power {
   Number value, error;
@@ -32,8 +32,9 @@ int sign(const Power<Number>& power, Exact exact) {
   return power.value > power.error ? 1 : power.value < -power.error ? -1 : exact();
 }
 
-/// Returns the power, with an infinite error where a part of it may underflow, so that the next type of number decides.
-/// Squares of edges must be far above the least normal number, and so must the error's square.
+/// Returns `value` with `error`; with an infinite error if a part of `value` may underflow, so that the next type of
+/// number decides. `least_square`, the least square of an edge, must be far above the least normal number, and the
+/// square of `error` above that number.
 template <typename Number>
 Power<Number> within_range(Number value, Number error, Number least_square) {
   constexpr Number least = std::numeric_limits<Number>::min();
@@ -64,8 +65,8 @@ double rounded_up(Real value) {
   return nearest < value ? std::nextafter(nearest, std::numeric_limits<double>::infinity()) : nearest;
 }
 
-/// Rounds up a radius with an error of at most `error`. If both ends of the interval round up to the same double, it is
-/// the result.
+/// Returns the radius, with an error of at most `error`, rounded up. If both ends of its interval round up to the same
+/// double, the result is this double; else reaches() decides.
 template <typename Reaches>
 double rounded_up(Real radius, Real error, const Reaches& reaches) {
   const double low = rounded_up(radius - error), high = rounded_up(radius + error);

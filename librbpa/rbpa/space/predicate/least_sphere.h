@@ -26,8 +26,9 @@ struct PowerByLeastSphere {
   PowerByLeastSphere(const Point3& a, const Point3& b, const Point3& c);
 
   Vector3<Number> axis;
-  Number square;                                     ///< n²
-  Number product_of_squares, lengths, least_square;  ///< of the two edges from the first point: for the error bound
+  Number square;  ///< n²
+  // For the error bound: u² v², |u| + |v| and min(u², v²), with u and v the edges from a.
+  Number product_of_squares, lengths, least_square;
 };
 
 /// The least sphere through three points that are on no line. Keeps references to them.
@@ -37,6 +38,7 @@ class LeastSphere {
 
   /// Returns whether the radius of the sphere is at most `radius`. Requires: a finite radius.
   bool is_within(double radius) const;
+  /// Returns the least double that is not below the radius; infinity above all doubles.
   double radius_rounded_up() const;
   bool has_inside(const Point3& q) const;
 

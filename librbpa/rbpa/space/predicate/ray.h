@@ -12,7 +12,8 @@
 
 namespace rbpa::space {
 
-/// Returns how the ray from the tetrahedron crosses the triangle: 1 from behind, −1 from the front, 0 not at all.
+/// Returns how the ray from within the tetrahedron `from` crosses the triangle: 1 from behind, −1 from the front, 0 not
+/// at all.
 /// Requires: a tetrahedron that is not flat.
 inline int ray_crossing(const std::array<Point3, 3>& triangle, const std::array<Point3, 4>& from) {
   const auto& [a, b, c] = triangle;
@@ -20,7 +21,7 @@ inline int ray_crossing(const std::array<Point3, 3>& triangle, const std::array<
   if (from[0].y < low_y || from[0].y > high_y) return 0;
   const auto [low_z, high_z] = std::minmax({a.z, b.z, c.z});
   if (from[0].z < low_z || from[0].z > high_z) return 0;
-  // The ray begins at p + ε q + ε² r + ε³ s for corners p, q, r, s: a sign is the first of theirs that is not 0.
+  // The ray begins at p + ε q + ε² r + ε³ s for corners p, q, r, s: the first of them on either side decides.
   const auto side_of_line = [&](const Point3& u, const Point3& v) {
     for (const Point3& p : from)
       if (const int side = orientation_along(u, v, p, 0); side != 0) return side;

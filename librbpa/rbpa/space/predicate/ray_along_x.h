@@ -11,8 +11,8 @@
 
 namespace rbpa::space {
 
-/// Returns the side of pq, seen along x, on which the moved ray passes: `side`, that of the ray's point, if it is not
-/// 0. Returns 0 only if pq is along x.
+/// Returns the side of pq, seen along x, on which the moved ray passes. `side` is the side of the ray's point, which
+/// decides unless it is 0. Returns 0 only if pq is along x.
 inline int moved_side(int side, const Point3& p, const Point3& q) {
   if (side != 0) return side;
   if (p.z != q.z) return p.z < q.z ? -1 : 1;
