@@ -192,7 +192,7 @@ meshops::PolygonSoup soup_of(std::span<const Triangle> triangles, std::size_t po
   return soup;
 }
 
-/// Moves vertex v to the place of point[v].
+/// Moves each vertex v to places[point[v]].
 void place(Mesh& mesh, std::span<const Point> places, std::span<const std::uint32_t> point) {
   for (std::size_t v = 0; v < point.size(); ++v)
     mesh.set_point(meshops::Vertex(static_cast<int>(v)), {places[point[v]].x, places[point[v]].y, 0});
@@ -225,7 +225,7 @@ void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, co
   drop_unused(pieces, outline);
 }
 
-/// Returns the triangles of one group, on places that begin with those of its part of the outline.
+/// Returns the triangles of `outline`, on places that begin with those of `outline`. Adds no point if `field` is null.
 Pieces pieces_of(const Outline& outline, const SizeField* field, const FillOptions& options, const GoOn& go_on) {
   if (field == nullptr) return {.places = outline.places, .triangles = constrained_delaunay(outline, go_on)};
   Pieces pieces = advance_from(outline, *field, options, go_on);
@@ -234,7 +234,8 @@ Pieces pieces_of(const Outline& outline, const SizeField* field, const FillOptio
   return pieces;
 }
 
-/// Appends the triangles of a part, on points of the whole.
+/// Appends `pieces`, the triangles of a part, to `triangles`, and their new points to `filling`. number[s] is the point
+/// of site s of the whole outline.
 void add(const OutlinePart& part, const Pieces& pieces, std::span<const std::uint32_t> number, const Scale& scale,
          std::vector<std::pair<Triangle, std::size_t>>& triangles, Filling& filling) {
   std::vector<std::uint32_t> point;

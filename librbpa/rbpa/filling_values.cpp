@@ -44,7 +44,7 @@ struct SweepEdge {
   std::uint32_t above;
 };
 
-/// Orders edges from below, where both exist; edges meet in their ends only.
+/// Orders edges from below to above, at an x that both have; edges meet in their ends only.
 struct IsBelow {
   using is_transparent = void;
   bool operator()(const SweepEdge& a, const SweepEdge& b) const {
@@ -55,7 +55,7 @@ struct IsBelow {
   bool operator()(const SweepEdge& edge, const Point& p) const { return !(*this)(p, edge); }
 
  private:
-  /// Returns the side of `edge` on which the other one lies, which does not begin earlier.
+  /// Returns 1 if `other` lies above `edge`, −1 if below. Requires: `other` does not begin before `edge`.
   static int turn(const SweepEdge& edge, const SweepEdge& other) {
     const int begin = plane_orientation(edge.from, edge.to, other.from);
     return begin != 0 ? begin : plane_orientation(edge.from, edge.to, other.to);

@@ -16,9 +16,9 @@
 namespace rbpa {
 
 /// Returns a value for each point of the filling.
-/// Requires: a filling of fill() with these groups (FillOptions::groups), and a value for each point that was given to
-///           fill().
-/// Throws:   InvalidInput when there are more values than points; Cancelled.
+/// Requires: `filling` is the result of fill() with `groups` as FillOptions::groups; `values` has a value for each
+///           point that was given to fill(). Fewer values are not noticed; results may then be NaN.
+/// Throws:   InvalidInput when there are more values than filling.boundary_points; Cancelled.
 RBPA_API std::vector<double> values_on_filling(const Filling& filling, std::span<const double> values,
                                                std::span<const std::size_t> groups = {}, const GoOn& go_on = {});
 

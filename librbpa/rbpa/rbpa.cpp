@@ -26,7 +26,8 @@ struct MeshSink {
   Monitor& monitor;
 };
 
-/// Assembles the complex: tiles find the triangles that they can decide, and the remainder the missing ones.
+/// Returns the assembled complex: tiles find the triangles that they can decide, and the remainder adds the missing
+/// ones.
 meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, meshops::PatchAssembler assembler,
                                    Threads& threads, Monitor& monitor) {
   assembler.reserve(3 * sites.size(), 2 * sites.size());

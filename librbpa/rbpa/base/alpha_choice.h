@@ -25,7 +25,7 @@ struct AlphaChoice {
   double radius = std::numeric_limits<double>::infinity();  ///< for `given`
   std::size_t max_components = 1;                           ///< for `automatic`; in space always 1
   double cover = 1;      ///< share of the distinct points, above 0 and at most 1, for `automatic` and `least`
-  std::size_t rank = 1;  ///< for `plateau`: 1 is the best
+  std::size_t rank = 1;  ///< for `plateau`: which plateau is meant, from 1, the best
   friend bool operator==(const AlphaChoice&, const AlphaChoice&) = default;
 };
 
@@ -43,8 +43,8 @@ RBPA_API std::optional<AlphaChoice> parse_alpha_rule(std::string_view text);
 RBPA_API std::string name_of(const AlphaChoice& choice);
 
 /// Checks that one of `plateaus` plateaus has the rank of the choice.
-/// Throws: InvalidInput when the rank is 0, or, as "alpha plateau:4: there are only 3 plateaus", when it is above the
-///         number of plateaus.
+/// Throws: InvalidInput when the rank is 0, or when it is above the number of plateaus ("alpha plateau:4: there are
+///         only 3 plateaus").
 RBPA_API void require_rank(const AlphaChoice& choice, std::size_t plateaus);
 
 /// Returns the alpha of the plateau that has the rank of the choice; nothing if there is no plateau. `plateaus` is

@@ -8,7 +8,7 @@ enum class ComplexKind {
   /// Delaunay triangles of circumradius ≤ alpha (in space: tetrahedra), with their edges and corners.
   solid,
   /// The solid complex, and the dangling simplices: edges and points in no triangle of it (in space: also triangles in
-  /// no tetrahedron) whose corners lie on a ball of radius alpha with no point inside.
+  /// no tetrahedron) whose corners lie on the boundary of a ball of radius alpha with no point inside.
   full
 };
 

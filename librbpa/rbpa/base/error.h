@@ -8,13 +8,13 @@
 
 namespace rbpa {
 
-/// Thrown when the caller's data or parameters violate the function's requirements; nothing was computed.
+/// Exception for data or parameters of the caller that violate the function's requirements; there is no result.
 class RBPA_API InvalidInput : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-/// Thrown when the progress callback returned false.
+/// Exception that ends a run after its progress callback returned false.
 using meshops::Cancelled;
 
 }  // namespace rbpa

@@ -24,7 +24,7 @@ double persistence_of(const Pair& pair) {
 
 /// Returns the chosen pairs in the order of `pairs`. A pair that never dies is more persistent than any other; of
 /// equally persistent pairs the first is preferred.
-/// Requires: pairs sorted by dimension. `Pair` is PersistencePair, SolidPair, or a type with the same members
+/// Requires: `pairs` is sorted by dimension. `Pair` is PersistencePair, SolidPair, or a type with the same members
 ///           `dimension`, `birth` and `death`.
 template <typename Pair>
 std::vector<Pair> chosen(const std::vector<Pair>& pairs, const PairChoice& choice) {

@@ -19,7 +19,7 @@ template <typename Item>
 class ReadAhead {
  public:
   /// Starts a thread that calls make(item) for one item after another until it returns false. The thread pauses while
-  /// `most` items wait.
+  /// `most` items wait. Requires: most ≥ 1.
   ReadAhead(std::size_t most, std::function<bool(Item&)> make) : most_(most), make_(std::move(make)) {
 #ifndef RBPA_SERIAL
     thread_ = std::jthread([this] { run(); });
@@ -34,7 +34,7 @@ class ReadAhead {
   ReadAhead(const ReadAhead&) = delete;
   ReadAhead& operator=(const ReadAhead&) = delete;
 
-  /// Takes the next item; blocks until there is one. Returns false at the end.
+  /// Moves the next item to `item`; blocks until there is one. Returns false at the end; `item` is then unspecified.
   /// Throws: the exception of make(), when no item before it waits any more.
   bool next(Item& item) {
 #ifdef RBPA_SERIAL

@@ -1,6 +1,6 @@
 // What:   the ball of radius α among points of the plane: it pivots on an edge, and it rolls around a point.
 // Law:    exact; each answer is a function of the set of points alone, not of their order or of a mesh.
-// Cost:   one look at V_p, the points in nine cells of side 2α.
+// Cost:   each call reads V_p, the points in nine cells of side 2α.
 // Source: Restricted BPA, sections 3.1, "Geometric step", and 3.2; rolling: docs/explanation/paper.md, section 3.
 #pragma once
 
@@ -13,24 +13,26 @@ namespace rbpa::paper {
 
 class Ball {
  public:
-  /// Makes a ball that sees the given sites only. Refers to the points, which are distinct.
+  /// Makes a ball among `sites` alone, which are indices of points. Keeps the span `points`, in which all are distinct.
   Ball(std::span<const Point> points, std::span<const Site> sites, Radius alpha)
       : points_(points), alpha_(alpha), grid_(points, sites, alpha) {}
 
   const Radius& alpha() const { return alpha_; }
 
-  /// Pivots on the Delaunay edge a→b, to its left, until the ball touches a point: the one that sees the edge under the
-  /// largest angle (figure 3), ties perturbed. Returns nothing if there is none, or only beyond the ball: R > α.
+  /// Returns the point that the ball touches first when it pivots on the Delaunay edge a→b, to the left of the edge:
+  /// the point that sees the edge under the largest angle (figure 3), ties perturbed. Returns nothing if no point is
+  /// left of the edge, or the circumradius of the triangle is above α.
   /// Requires: |ab| ≤ 2α.
   std::optional<Site> pivot(Site a, Site b) const;
 
-  /// Returns the nearest other point, any of several, unless the ball cannot touch both because it is farther than 2α.
+  /// Returns the point nearest to v other than v, any of several; nothing if the distance is above 2α, so that the ball
+  /// cannot touch both.
   std::optional<Site> nearest(Site v) const;
 
-  /// Rolls counter-clockwise around v off the point `from` until the ball rests on the next point, which it returns:
-  /// `from` after a full turn. Of points that it touches at once, it returns the first counter-clockwise around v.
-  /// Requires: a finite radius; at the start, resting on v and `from` with its center left of v→from, the ball is empty
-  ///           and touches no other point.
+  /// Returns the point on which the ball rests next when it rolls counter-clockwise around v off the point `from`:
+  /// `from` after a full turn. Of several points that it touches at once, returns the first counter-clockwise around v.
+  /// Requires: α is finite; the ball that rests on v and `from` with its center left of v→from contains no point and
+  ///           touches no other.
   Site roll(Site v, Site from) const;
 
  private:

@@ -1,6 +1,6 @@
 // What:   the uniform grid of the method: cells of side 2α, and the sites in the nine cells around a place.
 // Law:    every site within 2α of a site is in the nine cells around it; every site that the ball can touch together
-//         with both ends of an edge is in those around the middle of the edge. For any exponents:
+//         with both ends of an edge is in the nine cells around the middle of the edge. For any exponents:
 //         docs/explanation/paper.md, section 2.
 // Cost:   linear to build, without sorting; a query costs the number of sites in the nine cells, #V_p, which grows with
 //         α².
@@ -26,7 +26,7 @@ using Real = long double;  ///< one arithmetic for the whole method: its exponen
 
 class Grid {
  public:
-  /// Builds the grid of the given sites. Refers to the points, of which a site is the index.
+  /// Builds the grid of `sites`, which are indices of points. Keeps the span `points`.
   Grid(std::span<const Point> points, std::span<const Site> sites, Radius alpha)
       : points_(points), side_(alpha.is_infinite() ? infinity : 2 * Real(alpha.value()) * widened) {
     for (const Site s : sites) cells_[cell_at(Real(points[s].x), Real(points[s].y))].push_back(s);
@@ -63,8 +63,8 @@ class Grid {
 
   Cell cell_at(Real x, Real y) const { return {std::floor(x / side_), std::floor(y / side_)}; }
 
-  /// Returns the number of neighboring cells on each side. From 2⁵⁴ on a number stands for a single coordinate, and no
-  /// other double is within 2α of it.
+  /// Returns how many neighbors on each side of a cell are searched: 1, but 0 from 2⁶² on. Already from 2⁵⁴ on, a cell
+  /// number stands for a single coordinate, and no other double is within 2α of it.
   static int neighbors(Real number) { return std::abs(number) < 0x1p62L ? 1 : 0; }
 
   template <typename Visit>

@@ -30,7 +30,7 @@ class Radii {
   int last_ = 0;
 };
 
-/// RBPA that finds out whether there is a triangle, and attaches none.
+/// A policy that sets `found` if `rbpa` has a triangle to insert, and inserts none.
 struct Look {
   RestrictedBallPivoting& rbpa;
   bool found = false;
@@ -67,15 +67,16 @@ class Run {
   }
 
  private:
-  /// Returns RBPA on the points transferred to a level. The first time all points are isolated.
+  /// Moves the front to level i and returns RBPA on the points transferred to it. The first time all points are
+  /// isolated.
   RestrictedBallPivoting input_of(int i) {
     meshops::LevelTransfer transfer = front_.next_level();
     level_ = {i, radii_[i], i == radii_.last(), transfer.carried.size(), transfer.reactivated};
     return {points_, std::move(transfer.carried), level_.radius, [&](const Front& seen) { monitor_.searched(seen); }};
   }
 
-  /// Returns the first level with a triangle to attach, or the last, given one up to which there is none: by steps that
-  /// double until they are too long, and then halve.
+  /// Returns the first level above `none` with a triangle to insert, or the last level, by steps that double until they
+  /// are too long, and then halve. Requires: no level up to `none` has a triangle to insert.
   int next_with_a_triangle(int none) {
     int some = radii_.last();
     for (int step = 1; none + step < some; step *= 2) {

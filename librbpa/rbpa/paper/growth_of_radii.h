@@ -1,7 +1,7 @@
 // What:   HRBPA: RBPA with the radii α₀, 2α₀, 4α₀ … up to α, where each level continues the front of the one before.
 // Law:    after level i the mesh is the solid alpha complex of its radius.
-// Cost:   that of the quadtree; that of RBPA on the points transferred to each level with a triangle; for a sequence of
-//         levels without any, that of testing a logarithmic number of them.
+// Cost:   the quadtree; RBPA on the points transferred to each level with a triangle; for a sequence of levels without
+//         a triangle, tests of a logarithmic number of them.
 // Source: Restricted BPA, section 6.
 #pragma once
 

@@ -1,6 +1,6 @@
 // What:   RBPA: restricted ball pivoting as a policy of the advancing-front engine.
 // Law:    Theorem 1: an empty front becomes the solid alpha complex. A front that is the complex of a smaller radius
-//         becomes that of this one, although only its boundary and isolated points are read.
+//         becomes the complex of this radius, although only its boundary and isolated points are read.
 // Cost:   a pivot for each triangle and each boundary edge, a roll or two for each boundary or isolated point: linear
 //         if #V_p is bounded (section 5).
 // Source: Restricted BPA, sections 3 and 4.
@@ -26,21 +26,22 @@ using Triangle = std::array<Site, 3>;  ///< counter-clockwise
 
 class RestrictedBallPivoting {
  public:
-  /// Takes the `sites` of the front that are isolated or on its boundary. Refers to the points, which are distinct and
-  /// not all on a line. Calls observe(front) at each call of a member; an exception that it throws ends the run.
+  /// Takes `sites`, which are the sites of the front that are isolated or on the boundary. Keeps the span `points`,
+  /// which are distinct and not all on a line. Calls observe(front) at each call of a member; an exception that it
+  /// throws ends the run.
   RestrictedBallPivoting(std::span<const Point> points, std::vector<Site> sites, Radius alpha,
                          std::function<void(const Front&)> observe = {})
       : sites_(std::move(sites)), ball_(points, sites_, alpha), observe_(std::move(observe)) {}
   RestrictedBallPivoting(const RestrictedBallPivoting&) = delete;
   RestrictedBallPivoting& operator=(const RestrictedBallPivoting&) = delete;
 
-  /// Performs the geometric step (section 3.1): returns the point that the ball touches first when it pivots on a
-  /// boundary edge.
+  /// Returns the point that the ball touches first when it pivots on the boundary edge of `h` (the geometric step,
+  /// section 3.1); nothing when it touches none.
   std::optional<Site> propose(const Front& front, Halfedge h);
 
   /// Returns an ideal seed (section 4): a triangle of the complex with no edge in the mesh; nothing if and only if
   /// there is none.
-  /// Requires: the front has run dry.
+  /// Requires: no halfedge of the front is active.
   std::optional<Triangle> seed(const Front& front);
 
  private:
@@ -56,7 +57,7 @@ class RestrictedBallPivoting {
 };
 
 /// Computes the solid alpha complex of the points, by RBPA with one radius.
-/// Requires: distinct points, not all on a line; an empty front on which site i is point i.
+/// Requires: `points` are distinct and not all on a line; `front` is empty, and site i is point i.
 /// Throws:   any exception of `monitor`.
 void rbpa(std::span<const Point> points, Radius alpha, Front& front, Monitor& monitor);
 

@@ -17,24 +17,24 @@ struct Box {
   long double width, height;
 };
 
-/// Returns the least box around points. Requires: at least one.
+/// Returns the least box around `points`. Requires: `points` is not empty.
 Box box_of(std::span<const Point> points);
 
 /// A square that is not cut.
 struct Leaf {
   long double x, y;  ///< the lower left corner
   long double side;
-  std::size_t points;
+  std::size_t points;  ///< number of points in the square
 };
 
 /// Returns the leaves of a quadtree. The root is the least square that begins at the lower left corner of the points'
-/// box and covers it. A square with more points than `capacity` is cut into quarters, unless it is so small that long
-/// double has no corner between its own. A point on a cut is in the upper or right square.
-/// Requires: distinct points, at least one; capacity ≥ 1.
+/// box and covers it. A square with more points than `capacity` is cut into quarters, unless long double has no
+/// coordinate between its sides. A point on a cut is in the upper or right square.
+/// Requires: `points` are distinct and at least one; capacity ≥ 1.
 std::vector<Leaf> quadtree(std::span<const Point> points, std::size_t capacity);
 
 /// Returns the minimal radius α₀: half the side of the smallest leaf, empty ones included; the least double above 0 if
-/// that rounds to 0. Requires: at least one leaf.
+/// the half rounds to 0. Requires: there is a leaf.
 double minimal_radius(std::span<const Leaf> leaves);
 
 }  // namespace rbpa::paper

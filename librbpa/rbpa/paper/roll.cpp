@@ -15,7 +15,7 @@ Site Ball::roll(Site v, Site from) const {
   return next;
 }
 
-/// Returns whether the ball arrives at q before p, of two points that are not hidden.
+/// Returns whether the ball arrives at q before p. Requires: neither is hidden behind `from`.
 bool Ball::met_before(Site v, Site from, Site q, Site p) const {
   // A point inside the ball that arrives at the other is met before it.
   if (in_arriving_ball(v, p, q)) return true;

@@ -14,12 +14,12 @@ namespace rbpa {
 /// The side of a triangle across from a corner.
 struct BoundarySide {
   std::uint32_t triangle;
-  std::size_t across;
+  std::size_t across;  ///< number of the corner, 0 to 2
 };
 
 class BoundaryWalk {
  public:
-  /// Keeps the spans. Requires: as require_linked().
+  /// Keeps the spans. Requires: `of` is as require_linked() demands; not checked.
   explicit BoundaryWalk(const TriangleArrays& of) : of_(of), seen_(of.triangles.size(), 0) {}
 
   /// Returns whether the side is a boundary side that no curve has passed yet.

@@ -10,7 +10,7 @@
 namespace rbpa {
 
 /// Calls visit(index) for each of the indices below `points` that is not a duplicate, ascending.
-/// Requires: duplicates ascend by index.
+/// Requires: `duplicates` ascends by index, and all its indices are below `points`.
 template <typename Visit>
 void for_each_distinct(std::size_t points, std::span<const Duplicate> duplicates, Visit visit) {
   std::uint32_t i = 0;

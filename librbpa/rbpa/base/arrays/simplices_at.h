@@ -12,7 +12,7 @@
 
 namespace rbpa {
 
-/// Returns one more than the greatest corner.
+/// Returns one more than the greatest corner; 0 without simplices.
 template <std::size_t corners>
 std::size_t corner_bound(std::span<const std::array<std::uint32_t, corners>> simplices) {
   std::size_t bound = 0;
@@ -25,7 +25,7 @@ template <std::size_t corners>
 class SimplicesAt {
  public:
   SimplicesAt() = default;
-  /// Sorts the simplices by corner. Requires: corners below `points`.
+  /// Sorts the simplices by corner. Requires: every corner is below `points`; not checked.
   SimplicesAt(std::span<const std::array<std::uint32_t, corners>> simplices, std::size_t points)
       : begin_(points + 2, 0) {
     // While simplices are put in place, begin_[p + 1] is the place of the next one at point p: first where those at p
@@ -38,7 +38,8 @@ class SimplicesAt {
       for (const std::uint32_t corner : simplices[t]) simplices_[begin_[corner + std::size_t{1}]++] = t;
   }
 
-  /// Returns the simplices at a point, ascending.
+  /// Returns the indices of the simplices that have a corner at `point`, ascending. Requires: `point` is below
+  /// `points` of the constructor.
   std::span<const std::uint32_t> operator[](std::size_t point) const {
     return std::span(simplices_).subspan(begin_[point], begin_[point + 1] - begin_[point]);
   }

@@ -10,7 +10,7 @@
 
 namespace rbpa {
 
-/// The number high + low, with |low| ≤ u |high|.
+/// The number high + low, with |low| ≤ u |high|, where u = 2⁻⁵³.
 struct DoubleDouble {
   double high, low;
 

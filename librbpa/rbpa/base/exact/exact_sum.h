@@ -13,7 +13,7 @@ namespace rbpa {
 
 class ExactSum {
  public:
-  /// Adds a value. Requires: a finite one.
+  /// Adds `value`, or the product of `a` and `b`. Requires: the numbers are finite; not checked.
   void add(double value);
   void add_product(double a, double b);
 
@@ -24,7 +24,7 @@ class ExactSum {
   using Digits = std::array<std::int64_t, 142>;
   /// Returns the digits; they are a function of the sum alone.
   Digits digits() const;
-  /// Returns the sum with these digits. Requires: digits as above.
+  /// Returns the sum with these digits. Requires: `digits` is a result of digits().
   static ExactSum of(const Digits& digits);
 
   /// Returns the double nearest to the sum times 2^exponent (one next to the nearest if that is subnormal); infinity

@@ -67,7 +67,8 @@ Expansion<N> operator-(const Expansion<N>& e) {
   return result;
 }
 
-/// Merges the components by size and adds them up (Shewchuk, fast expansion sum with zero elimination).
+/// Returns e + f, exactly: merges the components by size and adds them up (Shewchuk, fast expansion sum with zero
+/// elimination).
 template <int N, int M>
 Expansion<N + M> operator+(const Expansion<N>& e, const Expansion<M>& f) {
   Expansion<N + M> result;
@@ -93,7 +94,7 @@ Expansion<N + M> operator-(const Expansion<N>& e, const Expansion<M>& f) {
   return e + (-f);
 }
 
-/// Multiplies an expansion by one double (Shewchuk, scale expansion with zero elimination).
+/// Returns e · b, exactly (Shewchuk, scale expansion with zero elimination).
 template <int N>
 Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
   Expansion<2 * N> result;

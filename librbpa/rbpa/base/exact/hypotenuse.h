@@ -10,7 +10,7 @@
 
 namespace rbpa {
 
-/// Returns √(x² + y²) of numbers that are no NaN; infinity where it is beyond the range of double.
+/// Returns √(x² + y²); infinity where the root is beyond the range of double. Requires: `x` and `y` are no NaN.
 inline double hypotenuse(double x, double y) {
   const double larger = std::max(std::abs(x), std::abs(y));
   if (larger == 0 || std::isinf(larger)) return larger;

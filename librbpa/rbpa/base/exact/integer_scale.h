@@ -14,7 +14,7 @@ using Integer = boost::multiprecision::cpp_int;
 
 class IntegerScale {
  public:
-  /// Includes a value in the scale. Requires: called for all values before the first conversion.
+  /// Includes a finite value in the scale. Requires: all values are included before the first conversion; not checked.
   void include(double value) {
     if (value == 0) return;
     int exponent;
@@ -22,7 +22,8 @@ class IntegerScale {
     unit_ = std::min(unit_, exponent - 53);
   }
 
-  /// Returns the value as an integer. Requires: the value was included.
+  /// Returns `value` divided by the power of two that makes all included values integers. Requires: `value` was
+  /// included.
   Integer operator()(double value) const {
     if (value == 0) return 0;
     int exponent;

@@ -22,7 +22,7 @@ class IntegerSum {
     high_ += static_cast<std::int64_t>(middle >> 64);
   }
 
-  /// Adds the sum times 2^exponent to another one. Requires: |exponent| < 1700.
+  /// Adds the sum times 2^exponent to `sum`. Requires: |exponent| < 1700.
   void add_to(ExactSum& sum, int exponent) const {
     add_digits(sum, low_, exponent, 1);
     add_digits(sum, middle_, exponent + 64, 1);

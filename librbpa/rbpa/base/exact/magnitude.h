@@ -9,17 +9,19 @@
 
 namespace rbpa {
 
-/// The span of bits of coordinates: every nonzero one is a multiple of 2^lowest and below 2^highest in absolute value.
+/// The span of bits of coordinates: every coordinate but 0 is a multiple of 2^lowest and below 2^highest in absolute
+/// value.
 struct Magnitude {
   int lowest = 0;
   int highest = 0;
 };
 
+/// Returns the narrowest such span; 0 and 0 if every coordinate is 0. Requires: the points are finite.
 Magnitude magnitude(std::span<const Point> points);
 
 /// Returns a bound on the magnitude in a third of the time: `lowest` is computed as if every coordinate used all its
 /// bits, so it may be lower than the exact one.
-/// Requires: finite points.
+/// Requires: the points are finite.
 Magnitude magnitude_bound(std::span<const Point> points);
 
 /// The bounds on coordinates within which double is enough. Differences of such coordinates are 0 or between 2^−150 and

@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rbpa::HWY_NAMESPACE {
 namespace {
 
-/// The numbers high + low, with |low| ≤ u |high| in each lane.
+/// The numbers high + low, with |low| ≤ u |high| in each lane, where u = 2⁻⁵³.
 template <typename D>
 struct DoubleDoubleLanes {
   using V = hwy::HWY_NAMESPACE::Vec<D>;

@@ -23,7 +23,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <typename D>
 using MaskBits = std::conditional_t<hn::MaxLanes(D()) == 16, std::uint16_t, std::uint8_t>;
 
-/// Returns the mask as bits: bit i is that of lane i. Requires: at most 16 lanes.
+/// Returns the mask as bits: bit i is set if lane i is. Requires: at most 16 lanes.
 template <typename D>
 HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
   std::uint8_t bytes[8];  // StoreMaskBits may write all of them

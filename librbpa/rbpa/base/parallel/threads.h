@@ -60,7 +60,8 @@ void for_each_index(Threads& threads, std::size_t count, Visit visit) {
   for (std::size_t i = 0; i < count; ++i) visit(i);
 }
 
-/// Calls visit(first, last) for parts of the range from 0 to `size` of at most `part`, in any order and thread.
+/// Calls visit(first, last) for ranges from `first` to `last`, excluded, of at most `part` ≥ 1 numbers, which together
+/// cover 0 … size − 1, in any order and thread. Rethrows an exception of a call.
 template <typename Visit>
 void for_each_part(Threads& threads, std::size_t size, std::size_t part, Visit visit) {
   for_each_index(threads, (size + part - 1) / part,

@@ -6,7 +6,7 @@
 
 namespace rbpa {
 
-/// Returns the cube root of a finite number, which is not negative.
+/// Returns the cube root of `x`. Requires: `x` is finite and not negative.
 template <typename Real>
 Real cube_root(Real x) {
   if (x == 0) return x;

@@ -24,7 +24,7 @@ class StillRanges {
   StillRanges(std::span<const double> alpha, std::vector<long double> change, double reach)
       : alpha_(alpha), change_(std::move(change)), reach_(reach) {}
 
-  /// Returns the ratio of the ends, at least 1.
+  /// Returns the ratio of the radii at the ends of a range, at least 1. Requires: the range is not empty.
   double ratio_of(const StepRange& range) const {
     const double to = range.last == alpha_.size() ? reach_ : std::min(reach_, alpha_[range.last]);
     return std::max(1.0, to / alpha_[range.first]);

@@ -11,7 +11,7 @@
 
 namespace rbpa {
 
-/// Returns the shortest text that reads back to the number.
+/// Returns the shortest text that reads back to `value`.
 std::string text(double value);
 
 /// Maximum number of points: OpenMesh numbers halfedges in int, and a triangulation of n points has fewer than 6n of

@@ -212,7 +212,7 @@ void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t firs
 }
 
 /// Sorts all buckets and returns the triangles in order. For each bucket, calls put_numbers(place, numbers) in any
-/// thread: `numbers` are those of its triangles in order, `place` that of the first of them.
+/// thread: `numbers` are the numbers of the bucket's triangles in order, `place` is the place of the first of these.
 template <typename Item>
 template <typename PutNumbers>
 std::vector<Triangle> CanonicalOrder<Item>::sort_all(Threads& threads, PutNumbers put_numbers,

@@ -30,7 +30,7 @@ class CanonicalOrder {
   /// time.
   CanonicalOrder(std::size_t bound, std::size_t most, std::size_t threads);
 
-  /// Adds items, in one thread at a time.
+  /// A writer of items, for one thread at a time. Requires: each item has its smallest corner first; not checked.
   class Writer {
    public:
     void add(const Item& item) {
@@ -60,8 +60,8 @@ class CanonicalOrder {
     std::vector<Block> blocks_;  // all blocks that were begun
   };
 
-  /// Calls write(Writer&) with a writer that no other thread uses meanwhile. At most the announced number of threads
-  /// may call it at a time.
+  /// Calls write(Writer&) with a writer that no other thread uses meanwhile. At most as many threads may call
+  /// with_writer() at a time as the constructor was told.
   template <typename Write>
   void with_writer(Write write) {
     Writer* const writer = take();
@@ -70,11 +70,12 @@ class CanonicalOrder {
     idle_.push_back(writer);
   }
 
-  /// Returns all triangles in order. Nothing may be added afterwards. If `rank` is given, rank[n] becomes the place of
-  /// the triangle with number n. Calls `checkpoint`, if any, after each bucket, one call at a time; it may throw.
+  /// Returns all triangles in order. Nothing may be added afterwards. For NumberedTriangle, rank[n] becomes the place
+  /// of the triangle with number n, and `rank` must not be null; for Triangle, `rank` is not used. Calls `checkpoint`,
+  /// if any, after each bucket, one call at a time; it may throw.
   std::vector<Triangle> sorted(Threads& threads, std::uint32_t* rank = nullptr, const Checkpoint& checkpoint = {});
-  /// Returns all triangles in order; numbers[i] becomes the number of triangle i. Unlike for `rank`, several triangles
-  /// may have the same number.
+  /// Returns all triangles in order, for NumberedTriangle; numbers[i] becomes the number of triangle i of the result.
+  /// Several triangles may have the same number, which sorted() does not allow.
   std::vector<Triangle> sorted_with_numbers(Threads& threads, std::uint32_t* numbers,
                                             const Checkpoint& checkpoint = {});
   /// Frees the memory.

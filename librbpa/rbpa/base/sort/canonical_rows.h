@@ -20,7 +20,7 @@ namespace rbpa {
 using Row = std::array<std::uint32_t, 4>;
 
 /// Replaces `sorted` by the rows in order, and returns for each row its place in `sorted`.
-/// Requires: distinct rows, whose first numbers are below `bound`.
+/// Requires: the rows are distinct, and their first numbers are below `bound`; not checked.
 meshops::FreshVector<std::uint32_t> sort_rows(std::span<const Row> rows, std::size_t bound, Threads& threads,
                                               std::vector<Row>& sorted);
 

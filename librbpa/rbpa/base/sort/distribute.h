@@ -11,8 +11,9 @@
 
 namespace rbpa {
 
-/// Calls put(i, place) for each of the items 0 … `items` − 1, `part` of them at a time in one thread. bucket_of(i) is
-/// below `buckets`; it is called twice for each item, as storing its result would take longer.
+/// Calls put(i, place) for each of the items 0 … `items` − 1, `part` of them at a time in one thread. `place` is the
+/// number of items in lower buckets plus the number of earlier items in the same bucket. bucket_of(i) is below
+/// `buckets`; it is called twice for each item, as storing its result would take longer.
 /// Returns: the first place of each bucket, and the end.
 template <typename BucketOf, typename Put>
 std::vector<std::uint32_t> distribute(std::size_t items, std::size_t buckets, std::size_t part, Threads& threads,

@@ -29,7 +29,7 @@ inline Triangle from_least(std::span<const std::uint32_t> names, const std::arra
   return {first, second, a ^ b ^ c ^ first ^ second};
 }
 
-/// Calls visit(Triangle) for each triangle of a patch, in order.
+/// Calls visit(Triangle) for each triangle of a patch, in order, with the names of its corners, the least first.
 template <typename Visit>
 void for_each_triangle(const meshops::Patch& patch, std::span<const std::uint32_t> names, Visit visit) {
   constexpr std::size_t ahead = 32;  // names are prefetched this many triangles before

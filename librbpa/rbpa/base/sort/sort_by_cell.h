@@ -18,8 +18,8 @@
 namespace rbpa {
 
 /// Sorts points, all in the cells `first_cell` … `last_cell` − 1 of a level, by cell. Writes them to `sorted` and their
-/// names to `names`, which are as long as the input and do not overlap it. Sets level.start of these cells: `first` for
-/// the first one.
+/// names to `names`, which are as long as the input and do not overlap it. Sets level.start of each of these cells to
+/// `first` plus the position of its first point in `sorted`.
 template <typename Level>
 void sort_by_cell(const NamedPoints& input, Level& level, std::size_t first_cell, std::size_t last_cell,
                   std::uint32_t first, Point* sorted, std::uint32_t* names) {
