@@ -71,7 +71,8 @@ int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3
   return exponent;
 }
 
-/// Removes the gaps of points on no surface, and of points among mostly such neighbors, which are flat by chance.
+/// Removes the gaps of points on no surface, if these are few, and of points that seem flat by chance among mostly such
+/// neighbors.
 void leave_out_strangers(Gaps& gaps, const std::vector<char>& on_surface) {
   const auto all = std::count(on_surface.begin(), on_surface.end(), 0);
   if (static_cast<double>(all) > most_strangers * static_cast<double>(on_surface.size())) return;
@@ -118,7 +119,7 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   return gaps;
 }
 
-/// Returns the largest gap of at most `largest` in the neighborhood of each point; none where there is none.
+/// Returns for each point the largest gap of at most `largest` in its neighborhood; `none` if there is none.
 std::vector<double> needs(const Gaps& gaps, double largest) {
   std::vector<double> need(gaps.gap.size(), none);
   for (std::size_t i = 0; i < need.size(); ++i) {

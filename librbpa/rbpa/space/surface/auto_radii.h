@@ -24,8 +24,8 @@ namespace rbpa {
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API std::vector<double> auto_radii(std::span<const Point3> points, const SurfaceOptions& options = {});
 
-/// Returns the first radius of auto_radii() at which surface() has triangles, if there is one. If `normals` is empty,
-/// it tries exposed_triangles() instead.
+/// Returns the least radius of auto_radii() at which surface() has triangles; nothing if there is none. If `normals` is
+/// empty, exposed_triangles() takes the place of surface().
 /// Throws: as surface().
 RBPA_API std::optional<double> radius_with_triangles(std::span<const Point3> points, std::span<const Point3> normals,
                                                      const SurfaceOptions& options = {});

@@ -1,4 +1,5 @@
-// What: classifies boundary curves of a surface as holes, outer rims, or those of small islands; finds the islands.
+// What: classifies boundary curves of a surface as holes, outer rims, or boundaries of small islands; finds the
+//       islands.
 // Law:  the result depends on the points and the triangles only, not on any order. The area that a curve encloses is
 //       that of a flat cap over it: its vector area.
 // Cost: linear in the edges of the curves.
@@ -40,14 +41,14 @@ struct HoleChoice {
   }
 };
 
-/// Returns the chosen curves, in their order.
-/// Requires: the kind of each curve, as curve_kinds() returns it.
+/// Returns the curves that `choice` chooses, in their order.
+/// Requires: `kinds` are the curve_kinds() of `curves`.
 /// Throws:   ContractViolation when there are fewer or more kinds than curves.
 RBPA_API std::vector<Hole> chosen_curves(std::span<const Hole> curves, std::span<const CurveKind> kinds,
                                          const HoleChoice& choice = {});
 
 /// Returns the kind of each curve.
-/// Requires: the holes() of a surface of these points, and its components.
+/// Requires: `curves` are all holes() or surface_curves() of a surface of `points`, and `components` its components.
 /// Throws:   ContractViolation when a curve has no edge, or an edge has a point or a triangle that does not exist.
 RBPA_API std::vector<CurveKind> curve_kinds(std::span<const Point3> points, const SurfaceComponents& components,
                                             std::span<const Hole> curves);

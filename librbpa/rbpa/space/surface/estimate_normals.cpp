@@ -25,7 +25,7 @@ const Point3& viewpoint_of(std::size_t i, std::span<const Point3> viewpoints) {
   return viewpoints[viewpoints.size() == 1 ? 0 : i];
 }
 
-/// Returns the height of the viewpoint above the plane, along a unit normal.
+/// Returns the height of the viewpoint `from` above the plane through p with the unit normal n.
 Wide height(const Point3& p, const Point3& from, const Point3& n) {
   return (Wide(from.x) - p.x) * n.x + (Wide(from.y) - p.y) * n.y + (Wide(from.z) - p.z) * n.z;
 }

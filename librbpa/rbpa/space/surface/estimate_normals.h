@@ -76,7 +76,7 @@ RBPA_API EstimatedNormals estimate_normals_and_confidence(std::span<const Point3
 /// Turns each normal to the side of its plane on which the viewpoint is. If the viewpoint is in the plane, the first
 /// nonzero coordinate of the normal among z, y, x becomes positive.
 /// Requires: a normal for each point; one viewpoint, or one for each point; all finite.
-/// Throws:   InvalidInput.
+/// Throws:   InvalidInput when sizes do not fit or a viewpoint is not finite; then no normal is turned.
 /// Cost:     linear.
 RBPA_API void turn_toward(std::span<const Point3> points, std::span<const Point3> viewpoints,
                           std::span<Point3> normals);

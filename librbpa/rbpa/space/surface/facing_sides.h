@@ -23,8 +23,8 @@ struct EdgeSide {
   std::uint32_t across;    ///< the position of apex among the corners of that triangle
 };
 
-/// Sorts the sides by edge, and around each edge, and pairs those that face each other.
-/// Returns:  pairs of positions in the sorted `sides`.
+/// Sorts `sides` by edge, and around each edge. Returns the pairs of positions in the sorted `sides` that face each
+/// other.
 /// Requires: the corners of a triangle are distinct points, and no two triangles lie in the same direction from an
 ///           edge; triangles of a Delaunay triangulation never do.
 RBPA_API std::vector<std::pair<std::size_t, std::size_t>> facing_sides(std::span<const Point3> points,

@@ -75,8 +75,8 @@ class Exposed {
       of = {near.input[of.at], near.input[of.second], near.input[of.third], near.input[of.beyond]};
   }
 
-  /// Returns the triangle to which the ball rolls over the edge's side of a triangle; nothing where the ball does not
-  /// rest on that triangle.
+  /// Returns the triangle to which the ball rolls from `triangle` over its side at `edge`; nothing if the ball does not
+  /// rest on `triangle`.
   std::optional<Triangle> next(const Triangle& triangle, const RimEdge& edge) const {
     const auto k = static_cast<std::size_t>(std::find(triangle.begin(), triangle.end(), edge.from) - triangle.begin());
     const space::ExposedAt wanted{triangle[k % 3], triangle[(k + 1) % 3], triangle[(k + 2) % 3], 0};
@@ -93,8 +93,8 @@ class Exposed {
   std::vector<space::ExposedAt> exposed_;
 };
 
-/// Fills in the cause of an edge and the place of the cause. Requires: edge.next; the interior of the smaller radii, if
-/// there are smaller radii.
+/// Fills in the cause of an edge and the place of the cause. Requires: edge.next is set; `smaller` is the interior of
+/// the smaller radii, if there are smaller radii.
 void explain(RimEdge& edge, const space::Agreement& agreement, const std::optional<space::Interior>& smaller) {
   edge.corners = agreement.disagreeing(edge.next);
   const auto disagreeing = std::count(edge.corners.begin(), edge.corners.end(), true);

@@ -47,7 +47,7 @@ struct Hole {
 };
 
 /// Returns all boundary curves, sorted by their first edges. At a point with several fans, a curve stays at its fan.
-/// Requires: the surface() of these points, normals and radii.
+/// Requires: `surface` is the surface() of these points, normals and radii.
 /// Throws:   InvalidInput as surface(); ContractViolation when the surface is visibly not that of the points, normals
 ///           and radii; Cancelled.
 /// Cost:     for each radius, that of the exposed triangles of the points near the boundary.

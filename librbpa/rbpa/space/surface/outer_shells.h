@@ -22,9 +22,9 @@ namespace rbpa {
 
 /// Returns for each component whether it is outer: neither another component nor it itself encloses the ball that rolls
 /// on it. A scan of a closed object has an outer shell, and an inner one, on which the ball rolls inside.
-/// Requires: the exposed_triangles() of these points and radius, and its components.
-/// Throws:   ContractViolation when a component is open, an index does not exist, or the components are not those of
-///           `shells`; Cancelled.
+/// Requires: `shells` are the exposed_triangles() of `points` and `radius`, and `components` its components.
+/// Throws:   InvalidInput when the radius is not finite and above 0; ContractViolation when a component is open, an
+///           index does not exist, or the components are not those of `shells`; Cancelled.
 RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
                                         const SurfaceComponents& components, const GoOn& go_on = {});
 
@@ -39,7 +39,7 @@ RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points,
                                                  std::span<const std::vector<std::array<std::uint32_t, 3>>> surfaces,
                                                  const GoOn& go_on = {});
 /// Returns for each closed component of a surface in how many others it lies; 0 for components that are not closed.
-/// Requires: a surface of these points, and its components.
+/// Requires: `surface` is a surface of `points`, and `components` are its components.
 /// Throws:   ContractViolation when an index does not exist or the components are not those of `surface`; Cancelled.
 RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points, const Surface& surface,
                                                  const SurfaceComponents& components, const GoOn& go_on = {});

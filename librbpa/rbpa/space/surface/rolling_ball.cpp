@@ -20,7 +20,7 @@ using space::Cells;
 
 constexpr space::Site no_site = 0xffffffff;
 
-/// Returns the site of each input point; none for duplicates.
+/// Returns the site of each input point; no_site for duplicates.
 std::vector<space::Site> sites_of(const Cells& cells, std::size_t points) {
   std::vector<space::Site> site(points, no_site);
   for (space::Site s = 0; s < cells.sites().size(); ++s) site[cells.input_index()[s]] = s;

@@ -16,8 +16,8 @@
 namespace rbpa {
 namespace {
 
-/// Moves the points. Returns the noise: by how many spacings the median point moves differently from its neighbors, as
-/// curvature moves neighbors together. Returns 0 for a single point.
+/// Moves the points by one step. Returns the noise: the median distance between a point's move and the mean move of its
+/// neighbors, in spacings; 0 for a single point. Curvature moves neighbors together, so it is no noise.
 template <typename Real>
 double step(std::vector<Point3>& points, const ScaleSpaceOptions& options, const Checkpoint& go_on) {
   space::DistinctPoints sites = space::distinct_points(points);

@@ -35,14 +35,14 @@ struct SurfaceComponents {
 };
 
 /// Computes the components of a surface.
-/// Requires: a surface of these points.
+/// Requires: `surface` is a surface of `points`.
 /// Throws:   ContractViolation when a corner does not exist, or a triangle is not a neighbor of its neighbor;
 ///           Cancelled.
 RBPA_API SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface,
                                               const GoOn& go_on = {});
 
 /// Returns the genus of each component, its number of handles. Each fan of triangles counts as one vertex.
-/// Requires: the components of this surface.
+/// Requires: `components` are those of `surface`.
 /// Throws:   ContractViolation when components and surface differ in size, or a triangle is not a neighbor of its
 ///           neighbor; Cancelled.
 /// Cost:     linear.
@@ -70,7 +70,7 @@ struct ComponentChoice {
 };
 
 /// Returns for each component whether it is kept. A component is kept if it is a chosen shell, is not too small, and is
-/// among the `max_components` of largest area for which this holds.
+/// among the `max_components` of largest area of this kind.
 /// Requires: `outer` has for each component whether it is outer, as outer_shells() returns it; it is not read if the
 ///           choice is all shells.
 /// Throws:   ContractViolation when `outer` is needed and of another size.
@@ -91,7 +91,8 @@ struct DroppedComponents {
 };
 
 /// Counts the components that are not kept, their triangles, and the points that are in no kept triangle.
-/// Requires: a surface of these points, its components, and for each component whether it is kept.
+/// Requires: `surface` is a surface of `points`, `components` are its components, and `kept` says for each whether it
+///           is kept.
 /// Throws:   ContractViolation when sizes differ, or a triangle is not a neighbor of its neighbor; Cancelled.
 /// Cost:     linear.
 RBPA_API DroppedComponents dropped_components(std::span<const Point3> points, const std::vector<bool>& kept,
@@ -99,7 +100,7 @@ RBPA_API DroppedComponents dropped_components(std::span<const Point3> points, co
                                               const GoOn& go_on = {});
 
 /// Returns the triangles of the components that are kept, with the same gluing and in the same order.
-/// Requires: the components of this surface, and for each component whether it is kept.
+/// Requires: `components` are those of `surface`, and `kept` says for each whether it is kept.
 /// Throws:   ContractViolation when sizes differ.
 RBPA_API Surface keep_components(const Surface& surface, const SurfaceComponents& components,
                                  const std::vector<bool>& kept);

@@ -25,11 +25,11 @@ struct SurfaceMesh {
 };
 
 /// Builds the halfedge mesh of a surface.
-/// Requires: a surface of these points.
+/// Requires: `surface` is a surface of `points`.
 /// Throws:   InvalidInput when it has more than 357,913,941 triangles, whose halfedges OpenMesh can number;
 ///           ContractViolation when a corner is none of these points, or a triangle is not a neighbor of its neighbor.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface);
-/// Builds the same mesh, and frees the memory of the surface on the way.
+/// Builds the same mesh, and empties `surface` on the way to free its memory.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface);
 
 /// Returns the position of each vertex of an OpenMesh mesh, by index; the origin for vertices marked deleted.

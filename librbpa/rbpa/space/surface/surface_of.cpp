@@ -59,7 +59,7 @@ std::vector<std::uint32_t> lowest_equal(std::span<const Point3> points, Surface&
   return lowest;
 }
 
-/// Sorts the sides of more than two triangles at an edge by their order around it.
+/// Sorts the sides at an edge of more than two triangles by their angle around the edge.
 class EdgeTurn {
  public:
   EdgeTurn(std::span<const Point3> points, std::span<SideInSpace> sides)
@@ -140,7 +140,7 @@ std::vector<Triangle> glued_by_place(std::span<const Point3> points, std::span<c
   return neighbors;
 }
 
-/// Sorts triangles and their neighbors.
+/// Appends the triangles, with their neighbors, to `surface` in canonical order.
 void put_in_order(SurfaceOfTriangles& surface, std::span<const Triangle> triangles, std::vector<Triangle>& neighbors) {
   std::vector<Triangle> rotated(triangles.begin(), triangles.end());
   for (std::size_t t = 0; t < rotated.size(); ++t) {

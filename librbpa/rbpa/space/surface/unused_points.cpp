@@ -36,7 +36,7 @@ std::vector<UnusedPoint> without_triangle(std::size_t points, const Surface& sur
   return unused;
 }
 
-/// Raises the causes of unused points that are corners of the exposed triangles of one radius.
+/// Raises the causes of points that are corners of `exposed`, the exposed triangles of one radius near unused points.
 void raise_causes(const space::NeighborhoodSubset& near, std::span<const space::ExposedAt> exposed,
                   const space::Agreement& agreement, std::vector<UnusedCause>& causes, Steps& step) {
   for (const space::ExposedAt& local : exposed) {

@@ -28,9 +28,9 @@ struct UnusedPoint {
 };
 
 /// Returns the distinct points that are in no triangle, ascending; Surface::duplicates lists the points equal to them.
-/// If radii give several causes, the last one in the list above is returned.
-/// Requires: the surface() of these points, normals and radii; or, without normals, the exposed_triangles() of one
-///           radius.
+/// If radii give several causes, the last one in the list of UnusedCause is returned.
+/// Requires: `surface` is the surface() of these points, normals and radii; or, without normals, the
+///           exposed_triangles() of one radius.
 /// Throws:   InvalidInput as these functions; ContractViolation when a corner is not an index of a point; Cancelled.
 /// Cost:     for each radius, that of the exposed triangles of the points near the unused ones.
 RBPA_API std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span<const Point3> normals,

@@ -16,7 +16,7 @@ namespace {
 
 constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
 
-/// Adds the triangles of one radius to a surface, whose triangles are sorted before and after:
+/// The addition of the triangles of one radius to a surface, whose triangles are sorted before and after:
 ///   1. find the surface of the radius near open points that are not interior;
 ///   2. add those of its triangles that touch no interior point or edge, the candidates;
 ///   3. glue sides that face each other at the candidates' edges;

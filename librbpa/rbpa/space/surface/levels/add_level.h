@@ -13,8 +13,8 @@
 namespace rbpa::space {
 
 /// Adds the triangles of `radius` with level `number`. Triangles without an open corner may be missing or wrong.
-/// Requires: a surface with levels below `number`, sorted as by surface(); `open` has for each point whether it is
-///           open, and of equal points the first decides.
+/// Requires: `surface` has levels below `number`, and is sorted as by surface(); `open` has for each point whether it
+///           is open, and of equal points the first decides.
 void add_level(std::span<const Point3> points, std::span<const Point3> normals, std::uint32_t number, double radius,
                std::vector<std::uint8_t> open, Surface& surface, const SurfaceOptions& options);
 

@@ -13,13 +13,13 @@ namespace rbpa::space {
 
 class Interior {
  public:
-  /// Requires: linked triangles whose corners are below `points`.
+  /// Finds the interior points and edges. Requires: linked triangles whose corners are below `points`.
   Interior(const TriangleArrays& of, std::size_t points);
 
   bool has_point(std::uint32_t point) const { return points_[point] != 0; }
-  /// Requires: neither end is an interior point.
+  /// Returns whether the edge is interior. Requires: neither end is an interior point.
   bool has_edge(std::uint32_t from, std::uint32_t to) const;
-  /// For each point by index: not 0 if it is interior.
+  /// Returns a value for each point by index: not 0 if the point is interior.
   const std::vector<std::uint8_t>& points() const { return points_; }
 
  private:

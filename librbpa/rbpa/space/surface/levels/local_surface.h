@@ -25,7 +25,7 @@ struct LocalSurface {
 
 class LocalSurfaces {
  public:
-  /// Keeps the spans and the surface. Requires: triangles and normals of the points.
+  /// Keeps the spans, and a reference to `surface`. Requires: a normal for each point; corners are indices of `points`.
   LocalSurfaces(std::span<const Point3> points, std::span<const Point3> normals, const Surface& surface);
 
   /// Returns the part around `points`: these, the triangles with a corner among them, and the corners of the triangles.

@@ -32,7 +32,7 @@ struct NeighborhoodSubset {
   std::vector<Point3> normals;  ///< empty when no normals were given
 };
 
-/// Returns the points around those with wanted[index] != 0. For duplicates, wanted[stands_for] decides.
+/// Returns the points that NeighborhoodFinder::around() finds for the distinct points i with wanted[i] != 0.
 NeighborhoodSubset neighborhood_subset(std::span<const Point3> points, std::span<const Point3> normals,
                                        std::span<const Duplicate> duplicates, const std::vector<std::uint8_t>& wanted,
                                        double radius);

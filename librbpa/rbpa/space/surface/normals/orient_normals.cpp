@@ -119,12 +119,12 @@ Graph graph_of(const Neighborhoods& points, const std::vector<Number>& seeds) {
   std::vector<std::size_t> begin(root + std::size_t{2});
   for_each_edge([&](Number from, Number) { ++begin[from + std::size_t{1}]; });
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<std::pair<Number, Number>> edges(begin.back());  // sorted by their first ends
+  std::vector<std::pair<Number, Number>> edges(begin.back());  // sorted by the vertices at which they begin
   for_each_edge([&](Number from, Number to) { edges[begin[from]++] = {from, to}; });
   return {boost::edges_are_sorted, edges.begin(), edges.end(), root + Number{1}, edges.size()};
 }
 
-/// Turns the normal of each vertex that the tree reaches to the side of its parent's normal.
+/// A visitor that turns the normal of each vertex that the tree reaches to the side of its parent's normal.
 template <typename Real>
 class Turn : public boost::default_dijkstra_visitor {
  public:

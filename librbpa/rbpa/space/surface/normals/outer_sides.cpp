@@ -66,8 +66,8 @@ Seen look(const Neighborhoods& near, std::span<const Point3> normals, double rad
 
 /// The view of a ball on one component.
 struct Verdict {
-  // All points; those that the ball touches; of these, those whose side is known; and those whose side is not the
-  // normal's.
+  // Numbers of points: of all; of those that the ball touches; of the touched ones whose side is known; of the known
+  // ones whose side is not the normal's.
   std::size_t points = 0, seen = 0, known = 0, opposed = 0;
   double one_sided = 0;                     // sum over the points that the ball touches
   std::size_t pairs = 0, contradicted = 0;  // neighbors whose sides are known and whose planes are hardly tilted

@@ -22,17 +22,18 @@
 
 namespace rbpa::space {
 
-/// The outer side of each point.
+/// The outer side of each point. The lists are empty if nothing suggests that normals are wrong.
 struct OuterSides {
   /// For each point, 1: its normal points outward; −1: inward; 0: not known, or the normals of the component are right.
   std::vector<std::int8_t> side;
-  /// For each point, |sum of the triangles' normals along its normal| / their area; 0 if the side is 0.
+  /// For each point, the sum of the area vectors of its triangles along its normal, without sign, divided by the sum of
+  /// their areas; 0 if the side is 0.
   std::vector<double> vote;
 
-  bool empty() const { return side.empty(); }  ///< whether all sides are 0
+  bool empty() const { return side.empty(); }  ///< whether the lists are empty; then all sides are 0
 };
 
-/// Finds the outer sides. Requires: unit normals, in the order of the neighborhoods. Throws: Cancelled.
+/// Returns the outer sides. Requires: unit normals, in the order of the neighborhoods. Throws: Cancelled.
 OuterSides outer_sides(const Neighborhoods& near, std::span<const Point3> normals, const SurfaceOptions& options);
 
 }  // namespace rbpa::space

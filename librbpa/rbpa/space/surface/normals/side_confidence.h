@@ -16,9 +16,9 @@
 
 namespace rbpa::space {
 
-/// Returns the confidence at each point: 1 if all votes agree; 0 if as many contradict, or there is no vote. In the
-/// middle of a part, it is OuterSides::vote of the point at which the part begins, if the side of this point is known,
-/// else 1. Calls go_on(), if any, repeatedly.
+/// Returns the confidence at each point: 1 if all votes agree; 0 if half of their weight or more contradicts, or there
+/// is no vote. In the middle of a part, it is OuterSides::vote of the point at which the part begins, if the side of
+/// this point is known, else 1. Calls go_on(), if any, repeatedly.
 template <typename Real>
 std::vector<double> side_confidence(const Neighborhoods& near, std::span<const Point3> normals,
                                     const OrientationTree& tree, const OuterSides& sides, const Checkpoint& go_on);

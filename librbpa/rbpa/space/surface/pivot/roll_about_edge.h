@@ -21,7 +21,7 @@ class EdgeRoll {
  public:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-  /// Rolls a ball of the radius about the edge from a to points[b].
+  /// Prepares to roll a ball of the radius about the edge from a to points[b]. Keeps the span.
   /// Requires: distinct points, without a; all points that any such ball can touch or contain. It is faster when near
   /// points come first.
   EdgeRoll(const Point3& a, std::size_t b, double radius, std::span<const Point3> points)
@@ -51,9 +51,10 @@ class EdgeRoll {
   std::size_t holder(const Ball<Real>& ball, std::size_t p) const;
   /// Returns the position of a point that the ball leaves into a free arc, or none.
   std::size_t first_left_free() const;
-  /// Returns the first such point after the ball has come to `from`. Requires: there is one.
+  /// Returns the position of the first such point from `from` on. Requires: the ball has come to `from`; there is one.
   std::size_t next_left_free(std::size_t from) const;
-  /// Returns the point that the ball touches first after it has left `left`. Requires: the ball is free there.
+  /// Returns the position of the point that the ball touches first after it has left `left`. Requires: it is free
+  /// there.
   std::size_t first_touched(std::size_t left) const;
 
   Point3 a_;

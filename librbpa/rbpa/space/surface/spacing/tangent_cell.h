@@ -11,13 +11,14 @@
 namespace rbpa::space {
 
 /// Returns the distance to the farthest corner of the section: about the circumradius of the largest triangle around
-/// the point. Returns nothing if the distance is above `reach`, as at the end of a surface.
+/// the point. Returns nothing if the distance is above `reach`, as at the end of a surface, or there are fewer than
+/// three neighbors.
 /// Requires: neighbors relative to the point, none at it, the farthest last; a unit normal; no square overflows or
-/// underflows.
+///           underflows.
 std::optional<double> gap_around(std::span<const Point3> neighbors, const Point3& normal, double reach);
 
 /// Returns the circumradius of the point, its first neighbor, and the next neighbor that is not on a line with these
-/// two; nothing where all are on a line.
+/// two; nothing if all neighbors are on a line with the point.
 std::optional<double> nearest_circumradius(std::span<const Point3> neighbors);
 
 }  // namespace rbpa::space

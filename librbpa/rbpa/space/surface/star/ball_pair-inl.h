@@ -95,11 +95,12 @@ class BallPair {
   V nn_, product_, whole_, clearance_;  // n², p²q², 4r²n² and D
 };
 
-/// The two balls that rest on v, p and q. The circles of p and q cross at their centers.
+/// The centers of the two balls that rest on v, p and q: there the circles of p and q cross.
 struct Crossing {
   Vector3<double> left{}, right{};  // centers of the balls on (v, p, q) and (v, q, p)
-  double error = 0;
-  // An integer instead of bool, so that a copy is of whole registers: this avoids a store-forwarding stall.
+  double error = 0;                 // BallPair::error()
+  // Whether both balls exist, with accurate centers; whether certainly none exists. Integers instead of bool, so that a
+  // copy is of whole registers: this avoids a store-forwarding stall.
   std::uint32_t is_certain = 0, is_impossible = 0;
 };
 inline Crossing crossing_of(const Neighbor& p, const Neighbor& q, double radius) {

@@ -66,8 +66,8 @@ class BoundingCones {
       for (auto* of : {&x_, &y_, &z_}) hn::Store(hn::Zero(d), d, of->data() + i);
   }
 
-  /// Adds a part of the region. Its corners are the set bits of `part`; `sum` is their sum. If the part has no cone, no
-  /// point is rejected from then on.
+  /// Adds a part of the region. Its corners are the set bits of `part`; `sum` is the sum of these corners. If the part
+  /// has no cone, no point is rejected from then on.
   void add(const Corners& corners, std::uint64_t part, const Vector3<double>& sum) {
     is_bounded_ = is_bounded_ && cone_count_ < most_cones && lengthen(corners, part, sum);
   }

@@ -60,7 +60,7 @@ class CapUnion {
     return true;
   }
 
-  /// Returns whether some cap covers a point of the circle of p.
+  /// Returns whether some cap covers place_on_circle(p), a point of the circle of p.
   bool meets_circle_of(const Neighbor& p) const {
     if (!has_circle(p)) return false;
     const Vector place = place_on_circle(p);
@@ -73,13 +73,13 @@ class CapUnion {
     return false;
   }
 
-  /// Returns whether no cap covers the same point of the circle of p.
+  /// Returns whether no cap covers place_on_circle(p).
   bool misses_circle_of(const Neighbor& p) const {
     return has_circle(p) && misses(place_on_circle(p), limits::slack * radius_);
   }
 
   /// Removes the caps that lie within p's cap. Returns false if this is not certain for some cap; then the caps may not
-  /// be used further. Requires: p's circle is free, so that every other cap is disjoint from p's.
+  /// be used further. Requires: p's circle is free, so that every other cap is disjoint from p's cap.
   bool forget_within(const Neighbor& p) {
     for (std::size_t i = 0; i < count_; ++i) {
       if (points_[i].power == forgotten) continue;

@@ -11,12 +11,13 @@
 
 namespace rbpa::space {
 
-/// The extremes of the depth c · p − p²/2 for all c on the circle of q, along which the depth is a cosine.
+/// The extremes of the depth c · p − p²/2 for all c on the circle of q, along which the depth is a cosine; and a bound
+/// of their errors.
 struct CircleDepths {
   double greatest, least, error;
 };
 
-/// Computes the extremes. Requires: `size` is the size() of p.
+/// Returns the extremes. Requires: `size` is p.size().
 inline CircleDepths depths_on_circle(const Neighbor& p, double size, const Neighbor& q, double radius) {
   const double along = dot(p.at, q.at), qq = 2 * q.power;
   const double across = std::sqrt(std::max(0.0, 2 * p.power - along * along / qq));

@@ -20,8 +20,8 @@ struct ExposedAt {
   friend auto operator<=>(const ExposedAt&, const ExposedAt&) = default;
 };
 
-/// Returns the exposed triangles at points with wanted[i] != 0, sorted. Of equal points the lowest decides, and stands
-/// for them.
+/// Returns the exposed triangles at points i with wanted[i] != 0, sorted. Of equal points the lowest index decides, and
+/// stands for them.
 /// Requires: as exposed_triangles(). Throws: Cancelled.
 std::vector<ExposedAt> exposed_at(std::span<const Point3> points, double radius,
                                   const std::vector<std::uint8_t>& wanted, const SurfaceOptions& options);

@@ -23,7 +23,7 @@ HWY_BEFORE_NAMESPACE();
 namespace rbpa::space::HWY_NAMESPACE {
 namespace {
 
-/// Finds the rings of sites, one after the other, by caps.
+/// A search for the rings of sites, one after the other, by caps.
 class RegionSearch {
  public:
   explicit RegionSearch(const Cells& cells) : cells_(cells) {}
@@ -35,7 +35,7 @@ class RegionSearch {
   ///      shrinks;
   ///   4. retry the caps whose circles were free as a whole;
   ///   5. read the rings off the corners.
-  /// Returns false where the region is lost. Requires: the surroundings of v's cell.
+  /// Returns false where the region is lost. Requires: `around` has the surroundings of v's cell.
   bool find(Surroundings& around, Site v, Rings& found) {
     const std::span<const Point3> sites = cells_.sites();
     const auto is_in_ball = [&](std::size_t x, std::size_t y, std::size_t p) {

@@ -76,8 +76,8 @@ class FreeRegion {
   /// Returns whether the region is empty, whatever is subtracted later.
   bool is_empty() const { return has_begun_ && boundary_.live() == 0; }
 
-  /// Subtracts the cap of p. `is_in_ball(x, y, p)` decides exactly whether p is in the ball on (v, x, y); all are given
-  /// by Neighbor::site. Returns false when the region is lost.
+  /// Subtracts the cap of p. `is_in_ball(x, y, p)` decides exactly whether p is in the ball on (v, x, y), all given by
+  /// Neighbor::site. Returns false when the region is lost; then only reset() may follow.
   template <typename IsInBall>
   bool subtract(const Neighbor& p, IsInBall is_in_ball) {
     const std::size_t before = caps_.count();
@@ -102,7 +102,7 @@ class FreeRegion {
     return true;
   }
 
-  /// Replaces the cones by cones that bound the region.
+  /// Replaces the cones in `bound` by cones that bound the region.
   void update_bound(BoundingCones& bound) {
     const BoundingCones::Corners corners = boundary_.corners();
     static_assert(BoundingCones::most_corners == RegionBoundary::capacity);
@@ -153,8 +153,8 @@ class FreeRegion {
   struct Cut {
     std::uint64_t covered;  // corners that are in the cap
     std::uint64_t crossed;  // arcs with one end in the cap
-    std::uint64_t bitten;   // arcs with no end in the cap, but part of the interior
-    std::uint64_t spared;   // arcs with both ends in the cap, but not all of the interior
+    std::uint64_t bitten;   // arcs with no end in the cap, but with a part of their interior in it
+    std::uint64_t spared;   // arcs with both ends in the cap, but not with their whole interior
 
     std::uint64_t arcs() const { return crossed | bitten | spared; }
     bool enters(std::uint64_t arc) const { return ((bitten | spared | ~covered) & arc) != 0; }
@@ -214,8 +214,8 @@ class FreeRegion {
             .spared = signs.covered & ends & signs.reverse_on};
   }
 
-  /// Step 2b: tests the extremes of arcs whose interior p may cut although their ends do not show it. Drops the arcs
-  /// that p does not cut. Returns whether all signs are certain.
+  /// Step 2b: tests the extremes of arcs whose interior p's cap may cut although their ends do not show it. Drops the
+  /// arcs that the cap does not cut. Returns whether all signs are certain.
   bool test_interiors(const Neighbor& p, double size, Cut& cut) const {
     for (std::uint64_t left = cut.bitten; left != 0; left &= left - 1) {
       const int k = std::countr_zero(left);
@@ -323,9 +323,9 @@ class FreeRegion {
     return boundary_.subdivide(own.entries[0], p);
   }
 
-  /// Handles a circle of p that is free as a whole; it stays free unless another circle crosses it. If a waiting circle
-  /// does, the two begin a cycle; if a waiting cap contains p's cap, nothing changes; otherwise p waits as well.
-  /// Returns false when the region is lost.
+  /// Handles a point p whose circle is free as a whole; the circle stays free unless another one crosses it. If a
+  /// waiting circle crosses it, the two begin a cycle; if a waiting cap contains p's cap, nothing changes; otherwise p
+  /// waits as well. Returns false when the region is lost.
   template <typename IsInBall>
   bool await_crossing(const Neighbor& p, IsInBall is_in_ball) {
     const double size = p.size();
@@ -367,7 +367,8 @@ class FreeRegion {
     return boundary_.subdivide(a, p) && boundary_.subdivide(b, q);
   }
 
-  /// Tries the waiting caps with is_wanted(q) again, the nearest first. Returns false when the region is lost.
+  /// Tries again the caps of waiting points q with is_wanted(q), the nearest first. Returns false when the region is
+  /// lost.
   template <typename IsInBall, typename IsWanted>
   bool retry_waiting(IsInBall is_in_ball, IsWanted is_wanted) {
     for (std::size_t i = 0; i < waiting_.count();) {

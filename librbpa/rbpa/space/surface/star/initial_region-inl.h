@@ -39,7 +39,7 @@ class InitialRegion {
   static constexpr std::size_t most = 8;                          // number of points: as many as AVX-512 has lanes
   static constexpr std::size_t most_corners = most * (most - 1);  // two for each pair of points
   /// A corner: the ball rests on (v, about, left) with its center at `at`. From there the boundary follows the circle
-  /// of `about` to the corner `next`. Points are positions in the list.
+  /// of `about` to the corner `next`. `about` and `left` are positions in the list of points.
   struct Corner {
     Vector3<double> at;
     double error;
@@ -144,7 +144,7 @@ class InitialRegion {
     return deepest;
   }
 
-  /// The wanted lanes whose sign is certain.
+  /// The wanted lanes that are certainly in no cap, and those that certainly are in one.
   struct Sides {
     std::uint64_t free, covered;
   };

@@ -72,7 +72,7 @@ class RegionBoundary {
     return cycle;
   }
 
-  /// Returns the arcs that end at one of these corners.
+  /// Returns the arcs that end at one of `corners`.
   std::uint64_t arcs_to(std::uint64_t corners) const {
     std::uint64_t arcs = 0;
     if (corners != 0)
@@ -100,7 +100,7 @@ class RegionBoundary {
     return k;
   }
 
-  /// Removes corners. Their numbers are not reused before release(), as arcs may still refer to them.
+  /// Removes corners. Their numbers are not used again before release(), as arcs may still refer to them.
   void retire(std::uint64_t corners) {
     live_ &= ~corners;
     retired_ = corners;

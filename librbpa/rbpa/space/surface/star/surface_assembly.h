@@ -51,7 +51,7 @@ class SurfaceAssembly {
   template <typename Keep, typename IsNeeded>
   std::size_t add(std::size_t part, const Rings& rings, Keep keep, IsNeeded is_needed, Part& scratch);
 
-  /// Fills in all triangles and their neighbors. Requires: all parts have been added.
+  /// Fills in all triangles and their neighbors. Requires: all parts have been added; there were `input_points` points.
   /// Throws: InvalidInput when there are too many triangles for 32 bits.
   void finish(std::size_t input_points, Threads& threads, std::vector<Triple>& triangles,
               std::vector<Triple>& neighbors) const;

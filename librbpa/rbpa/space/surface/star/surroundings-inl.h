@@ -50,12 +50,13 @@ class Surroundings {
   /// Returns all sites around the cell.
   std::span<const Site> sites() const { return {site_.data(), count_}; }
 
-  /// The sites whose squared distance from v is at most `square`, in squared radii, v included; and the number of sites
-  /// within about two radii. The span is valid until the next call.
+  /// Sites near a point, which is among them; and the number of sites within about two radii of it.
   struct Near {
     std::span<const Site> sites;
     std::size_t all;
   };
+  /// Returns the sites whose squared distance from v is at most `square`, in squared radii. They are valid until the
+  /// next call.
   Near within(const Point3& v, float square) {
     set_viewpoint(v);
     near_.resize(count_ + lanes);
@@ -69,9 +70,9 @@ class Surroundings {
     return {{near_.data(), near}, all};
   }
 
-  /// Calls visit(site) for the sites whose squared distance from v of the last within() is above `from` and at most
-  /// `to`, in squared radii, and whose cap may meet a cone of the bound; visit() may shrink the bound. Stops and
-  /// returns false when visit() returns false.
+  /// Calls visit(site) for the sites whose squared distance from the v of the last within() is above `from` and at most
+  /// `to`, in squared radii, and whose cap may meet a cone of `bound`; visit() may shrink `bound`. Stops and returns
+  /// false when visit() returns false.
   template <typename Visit>
   bool for_each_candidate(const BoundingCones& bound, float from, float to, Visit visit) {
     // A vector of at most 16 sites is tested against each cone: lane k is the site i + k, relative to v.
