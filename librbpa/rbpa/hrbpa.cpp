@@ -29,7 +29,7 @@ void run_levels(const Ladder& ladder, GrowthByTiles& growth, meshops::Front& fro
     if (is_last) return;
 
     // Front::next_level() counts the same on a front to whose halfedges triangles are attached. Here triangles are put
-    // at frozen halfedges, and the cost of a level is that of its triangles.
+    // at frozen halfedges, and the cost of a level is linear in its triangles.
     level = {.number = std::clamp(growth.next(level.number), level.number + 1, ladder.end()),
              .transferred = growth.open_sites(),
              .advancing = 2 * front.edges() - 3 * front.faces()};

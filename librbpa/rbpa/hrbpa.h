@@ -1,7 +1,7 @@
 // What:   the solid alpha complex from the bottom up: restricted ball pivoting with radii α₀, 2α₀, 4α₀ … up to alpha.
-// Law:    the triangles are those of rbpa(); after each level the mesh is exactly the complex of its radius.
-// Cost:   about that of rbpa(), and more with a callback at the end of each level: docs/explanation/plane.md, sections
-//         16 and 17.
+// Law:    the triangles equal those that rbpa() finds; after each level the mesh is exactly the complex of its radius.
+// Cost:   about as rbpa(), and more with a callback at the end of each level: docs/explanation/plane.md, sections 16
+//         and 17.
 // Source: Medeiros, Velho, Lopes, Restricted BPA, section 6.
 #pragma once
 
@@ -15,7 +15,7 @@
 namespace rbpa {
 
 /// Computes the solid alpha complex of `points` by hierarchical restricted ball pivoting.
-/// Requires: 0 < alpha ≤ infinity; finite points, at most 357,913,941 of them, as OpenMesh numbers halfedges in int.
+/// Requires: 0 < alpha ≤ infinity; the points are finite, at most 357,913,941 (OpenMesh numbers halfedges in int).
 /// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; ContractViolation when
 ///           the leaf capacity is 0; Cancelled; any exception of the functions in `options`.
 RBPA_API Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOptions& options = {});

@@ -26,8 +26,9 @@ struct Options {
 
 /// Computes the solid alpha complex of `points`: their Delaunay triangles of circumradius ≤ `alpha`. Cocircular points
 /// are triangulated by the symbolic perturbation that docs/explanation/exact_decisions.md defines.
-/// Requires: 0 < alpha ≤ infinity; finite points, at most 357,913,941 of them, as OpenMesh numbers halfedges in int.
-/// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled.
+/// Requires: 0 < alpha ≤ infinity; the points are finite, at most 357,913,941 (OpenMesh numbers halfedges in int).
+/// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled; any
+///           exception of `options.progress`.
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
 
 /// Returns the number of threads that rbpa() or hrbpa() uses on `points` points when its option `threads` is `wanted`:

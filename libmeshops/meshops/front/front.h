@@ -144,7 +144,7 @@ class MESHOPS_API Front {
   std::optional<Refusal> attach_blocker(Halfedge h, Site apex) const { return fit(h, apex).refusal; }
 
   /// Adds a triangle, counter-clockwise, and glues it to the boundary halfedges between its sites. Its new boundary
-  /// halfedges become active. A corner without an adjacent face at that site becomes a fan, and a vertex, of its own.
+  /// halfedges become active. At a corner where nothing is glued, the triangle begins a fan with a vertex of its own.
   /// The numbers that follow the last site stand for new sites, which are added by the call.
   /// Requires: create_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
   /// Cost:     as edge_between() for each of the three sides, plus the degree of vertices that become one.

@@ -20,7 +20,7 @@ class Run {
   /// Runs until every boundary halfedge is frozen.
   /// Throws: whatever the policy or the visitor throws; the halfedges that waited are then in the front's queue.
   void advance() {
-    Halfedge h;  // the one being processed
+    Halfedge h;  // the halfedge being processed
     try {
       do {
         for (h = order_.next(); h.is_valid(); h = order_.next())
@@ -106,7 +106,7 @@ class Run {
       freeze(h);
       return;
     }
-    front_.activate(h);  // it may be deleted with the triangle
+    front_.activate(h);  // waits again, unless detach() deletes it
     std::size_t before = 0;
     if constexpr (Visitor::follows_curves) before = DistinctCurves(front_.mesh(), corners(front_.mesh(), f)).count();
     const DetachedTriangle triangle = front_.detach(f);

@@ -14,8 +14,8 @@ void WaitingEdges::set_state(Halfedge h, State state) {
 }
 
 void WaitingEdges::queue(Halfedge h) {
-  // The part before head_ is used up. It is removed when it is most of the queue, so that the length of the queue is
-  // that of the front and not that of the run.
+  // The entries before head_ are used up. They are removed when they are most of the queue, so that the queue is as
+  // long as the front and not as the run.
   if (active_.size() == active_.capacity() && head_ > active_.size() / 2) {
     active_.erase(active_.begin(), active_.begin() + static_cast<std::ptrdiff_t>(head_));
     head_ = 0;

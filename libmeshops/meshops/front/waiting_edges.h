@@ -46,8 +46,8 @@ class MESHOPS_API WaitingEdges {
   /// invalid handle when there is none.
   /// Throws: ContractViolation when other code has deleted it.
   Halfedge next();
-  /// Queues every active halfedge once that is not deferred: first those of `first`, then those that were queued, then
-  /// all others.
+  /// Queues every active halfedge that is not deferred, once: first the halfedges of `first`, then the queue as it was,
+  /// then all others.
   void requeue(std::span<const Halfedge> first);
 
   /// Defers a boundary halfedge until the revision of the front, which only grows, has changed.
@@ -96,7 +96,7 @@ class MESHOPS_API WaitingEdges {
   [[noreturn, gnu::cold, gnu::noinline]] static void deleted_by_others();
 
   const Connectivity& mesh_;
-  std::vector<State> state_;      // for each edge, that of its boundary halfedge; past the end: neither
+  std::vector<State> state_;      // for each edge, the state of its boundary halfedge; past the end: neither
   std::vector<Halfedge> active_;  // a queue from head_ on; halfedges that are no longer active are skipped
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;

@@ -14,12 +14,12 @@
 namespace meshops {
 
 struct CloseCurveEffect {
-  Face face{};  ///< new, with as many sides as the curve had edges
+  Face face{};  ///< the new face, with as many sides as the curve had edges
   Delta delta() const { return delta_of_close_curve(); }
 };
 
 struct OpenCurveEffect {
-  Halfedge curve{};  ///< on the new curve: the former halfedge of the face
+  Halfedge curve{};  ///< a halfedge on the new curve: the former halfedge of the face
   Delta delta() const { return delta_of_open_curve(); }
 };
 

@@ -46,8 +46,8 @@ MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedg
 /// Cost:        as glue_case().
 MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second);
 
-/// Glues as above, for a caller that has determined the case already, for example a tracker (topology/tracker.h).
-/// Requires: as above; `what` is glue_case(), which is not checked.
+/// Glues for a caller that has determined the case `what` already, for example a tracker (topology/tracker.h).
+/// Requires: as glue() without `what`; `what` is the result of glue_case(), which is not checked.
 /// Cost:     the degrees of the ends.
 MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what);
 

@@ -13,11 +13,11 @@ namespace meshops {
 struct Outline {
   std::vector<int> rim;    ///< sides across which no triangle of the patch lies but one of another patch may; ascending
   std::vector<int> holes;  ///< sides beyond which nothing lies; ascending
-  /// For each entry of `holes`, the side of the hole whose boundary halfedge follows that of this hole, or −1 where the
-  /// next one depends on another patch.
+  /// For each entry of `holes`, the hole whose boundary halfedge follows the boundary halfedge of this hole, as a side,
+  /// or −1 where the next boundary halfedge depends on another patch.
   std::vector<int> next_hole;
-  /// One side for each inner site, around which triangles of the patch close, in any order: of the sides that leave the
-  /// site and whose number is less than that of the side across, the one with the greatest number.
+  /// One side for each inner site, around which triangles of the patch close, in any order: the greatest of the sides
+  /// that leave the site and have a lower number than the side across.
   std::vector<int> inside;
 
   void clear() {

@@ -20,7 +20,7 @@ class Placement {
     if (of_side_.size() < sides) of_side_.resize(sides);
   }
   /// Returns the entry of a side, or of `open` or `nothing`, which receive values that nobody reads. place() sets the
-  /// entries at the rim; fill() sets those at holes, and that of the side across each side that it fills.
+  /// entries of sides at the rim; fill() sets the entries of holes, and of the side across each side that it fills.
   Halfedge& at(int side) { return *(of_side_.data() - Patch::nothing + side); }
 
   int first_face_ = 0, first_edge_ = 0, first_hole_ = 0;

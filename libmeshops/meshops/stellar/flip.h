@@ -33,7 +33,7 @@ MESHOPS_API std::optional<std::string> flip_blocker(const Connectivity& mesh, Ed
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: nothing.
 /// Inverse:     flip(), which leaves the edge reversed; undo(), exactly.
-/// Δ:           all 0; the degrees of a and b fall by one, those of c and d rise.
+/// Δ:           all 0; the degrees of a and b fall by one, the degrees of c and d rise by one.
 /// Cost:        constant; Keep::simplicial: the lesser degree of c and d.
 MESHOPS_API FlipEffect flip(Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 

@@ -67,7 +67,7 @@ SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge ri
 ///           `right`.
 void open_vertex_again(Connectivity& mesh, const WeldEffect& effect);
 
-/// Returns why the vertex cannot be opened, or nullptr when it can. The reasons are those of split_vertex_blocker().
+/// Returns why split_vertex(left, right, keep) is refused, or nullptr when it is not.
 const char* open_refusal(const Connectivity& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,
                          Keep keep);
 /// Merges the start of h into its end and closes the faces of h. Marks the removed elements deleted.

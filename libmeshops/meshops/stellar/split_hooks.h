@@ -86,11 +86,10 @@ Effect with_hook(Mesh& mesh, const Effect& effect, Hook& hook) {
 
 /// Copies all properties of the mesh, OpenMesh's own and added ones, from old elements to the new elements made of
 /// them:
-/// - split_edge(): the new half of the edge gets those of the edge and its halfedges; each new face gets those of the
-///   face from which it was cut;
-/// - split_face(): the new faces get those of the face;
-/// - split_vertex(): the new vertex gets those of the old one; where an edge opens to two, both have the old
-///   properties.
+/// - split_edge(): from the edge and its halfedges to the new half of the edge, and to each new face from the face from
+///   which it was cut;
+/// - split_face(): from the face to the new faces;
+/// - split_vertex(): from the old vertex to the new one; where an edge opens to two, both have the old properties.
 /// Edges across a face, and the faces of split_vertex(), have no old element and get default values. In a mesh with
 /// points, the new vertex is also placed (PlaceVertex).
 struct CarryOver {

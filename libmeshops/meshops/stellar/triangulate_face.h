@@ -25,8 +25,8 @@
 namespace meshops {
 
 struct TriangulateFaceEffect {
-  std::vector<Halfedge> diagonals;  ///< new, each with a new face on its left
-  std::vector<Face> faces;          ///< new; the given face is the triangle at mesh.halfedge_handle(face)
+  std::vector<Halfedge> diagonals;  ///< halfedges of the new edges, each with a new face on its left
+  std::vector<Face> faces;          ///< the new faces; the old one is the triangle at its halfedge
   Delta delta() const { return {.edges = static_cast<int>(diagonals.size()), .faces = static_cast<int>(faces.size())}; }
 };
 

@@ -17,7 +17,7 @@ namespace meshops {
 ///           empty, and both leave the survivor; the mesh has status of every kind. All of this is checked.
 /// Throws:   ContractViolation; the mesh is then unchanged.
 /// Δ:        the opposite of effect.delta().
-/// Cost:     the degree of the restored vertex; where the survivor is on the boundary, that of the survivor.
+/// Cost:     the degree of the restored vertex, or of the survivor where the survivor is on the boundary.
 MESHOPS_API void undo(Connectivity& mesh, const WeldEffect& effect);
 
 }  // namespace meshops

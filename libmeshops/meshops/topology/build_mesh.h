@@ -12,9 +12,9 @@
 
 namespace meshops {
 
-/// Fills an empty mesh. Vertex i stands on point i and has the first fan there; it is isolated if no face has the
-/// point. Vertices of further fans follow. Face i is face i of the soup; its halfedge is its first side. Edges
-/// ascend by the lesser point at their ends, then by the greater.
+/// Fills an empty mesh. Vertex i has the point i and the first fan at this point; it is isolated if no face has the
+/// point. Vertices of further fans follow. Face i is face i of the soup; its halfedge is its first side. Edges ascend
+/// by the lesser point at their ends, then by the greater.
 /// Returns:  the point of each vertex.
 /// Requires: the mesh is empty; the only defects of the soup are pinches (find_defects()).
 /// Throws:   ContractViolation when the mesh is not empty, when the soup has another defect than pinches, of which it

@@ -14,7 +14,7 @@ struct TopologyCounts {
   std::size_t vertices = 0;
   std::size_t edges = 0;
   std::size_t faces = 0;
-  std::size_t components = 0;  ///< pieces connected through edges
+  std::size_t components = 0;  ///< pieces connected through edges; an isolated vertex is one
   std::size_t boundary_curves = 0;
 
   long euler() const { return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(faces); }

@@ -1,5 +1,5 @@
 // What: computes report() and find_defects() of a soup together.
-// Cost: little more than one of them.
+// Cost: little more than report() or find_defects() alone.
 #pragma once
 
 #include <vector>

@@ -15,7 +15,7 @@
 
 namespace meshops {
 
-/// Closed walk: its halfedges, each starting where the one before ends, and the first where the last ends.
+/// Closed walk: halfedges, each of which starts where the one before it ends; the first starts where the last ends.
 using Loop = std::vector<Halfedge>;
 
 struct Homology {

@@ -172,7 +172,7 @@ std::uint32_t TopologyTracker::new_node() {
   return nodes_.add();
 }
 
-/// Renumbers nodes, one for each set in use, so that a long run does not need more and more of them.
+/// Renumbers nodes, one for each set in use, so that the number of nodes does not grow through a long run.
 void TopologyTracker::forget_old_nodes() {
   constexpr auto none = static_cast<std::uint32_t>(-1);
   std::vector<std::uint32_t> renumbered(nodes_.size(), none);

@@ -40,15 +40,15 @@ class MESHOPS_API TopologyTracker {
   /// Sews as zip_curves() does (handle/zip_curves.h), and notes the effect.
   ZipCurvesEffect zip_curves(Halfedge first, Halfedge second);
 
-  void note_created(Halfedge first_side);  ///< takes the result of create_triangle()
-  void note_destroyed();                   ///< notes a destroy_triangle()
+  void note_created(Halfedge first_side);  ///< for create_triangle(): takes its result
+  void note_destroyed();                   ///< for destroy_triangle()
   void note(const GlueEffect& effect);
   void note(const UnglueEffect& effect);
   void note(const CloseCurveEffect& effect);
   void note(const OpenCurveEffect& effect);
   void note(const SplitEffect& effect);
   void note(const WeldEffect& effect);
-  void note_undone(const WeldEffect& effect);  ///< for undo(): takes the effect of the weld or collapse
+  void note_undone(const WeldEffect& effect);  ///< for undo(): takes the effect that was undone
 
  private:
   void change(const Delta& delta);
@@ -60,7 +60,7 @@ class MESHOPS_API TopologyTracker {
 
   Connectivity& mesh_;
   TopologyCounts counts_;
-  std::vector<std::uint32_t> node_of_;  // for each vertex; vertices that are separated from others get another node
+  std::vector<std::uint32_t> node_of_;  // for each vertex; a component that splits off gets a new node
   DisjointSets nodes_;
 };
 

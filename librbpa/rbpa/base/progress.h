@@ -9,8 +9,8 @@
 
 namespace rbpa {
 
-/// Maximum number of threads of a run, the calling one included. 0 = all processors; a larger number than that of the
-/// processors counts as that number. Results do not depend on it.
+/// Maximum number of threads of a run, the calling one included; never more are used than there are processors. 0 means
+/// one for each processor. Results do not depend on it.
 using MaxThreads = unsigned;
 
 /// Counts that show how far a run is.

@@ -16,9 +16,9 @@ namespace rbpa::paper {
 /// A level that has ended.
 struct Level {
   int number;     ///< the index i of the level, from 0
-  Radius radius;  ///< 2ⁱ α₀, or α on the last
+  Radius radius;  ///< 2ⁱ α₀, or α on the last level
   bool is_last;
-  std::size_t transferred;  ///< number of points: boundary and isolated ones
+  std::size_t transferred;  ///< number of points that are isolated or on the boundary
   std::size_t advancing;    ///< number of halfedges of the front when the level began
 };
 

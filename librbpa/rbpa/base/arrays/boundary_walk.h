@@ -45,8 +45,7 @@ class BoundaryWalk {
   }
 
  private:
-  /// Returns the boundary side that ends where `side` begins: the one at the other end of the fan of triangles around
-  /// that point.
+  /// Returns the boundary side that ends where `side` begins, at the other end of the same fan of triangles.
   BoundarySide side_before(const BoundarySide& side) const {
     const std::uint32_t pivot = of_.triangles[side.triangle][(side.across + 1) % 3];
     BoundarySide at{side.triangle, (side.across + 2) % 3};

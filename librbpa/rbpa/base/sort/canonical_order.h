@@ -60,8 +60,8 @@ class CanonicalOrder {
     std::vector<Block> blocks_;  // all blocks that were begun
   };
 
-  /// Calls write(Writer&) with a writer that no other thread uses meanwhile. At most as many threads may call
-  /// with_writer() at a time as the constructor was told.
+  /// Calls write(Writer&) with a writer that no other thread uses meanwhile. Requires: at most `threads` calls at a
+  /// time (see the constructor).
   template <typename Write>
   void with_writer(Write write) {
     Writer* const writer = take();
