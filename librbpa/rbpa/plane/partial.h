@@ -35,11 +35,11 @@ struct PartialCounts {
   std::uint64_t boundary_curves = 0;
   friend bool operator==(const PartialCounts&, const PartialCounts&) = default;
 
-  /// Returns the number of holes. Requires: the whole plane is merged.
+  /// Returns the number of holes. Requires: counts of the whole plane.
   std::uint64_t holes() const { return components + edges - vertices - triangles; }
 };
 
-/// The size of the part that depends on regions not merged yet.
+/// The size of the part of a Partial that depends on regions not merged yet.
 struct RimSize {
   std::uint64_t triangles = 0;   ///< triangles with corners both in merged regions and in others
   std::uint64_t components = 0;  ///< solid components with such triangles
@@ -121,11 +121,11 @@ RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoi
 RBPA_API Partial merge(Partial&& a, Partial&& b);
 
 /// Removes the finished polygons from `partial` and returns them, sorted as by comes_before(); counts do not change. A
-/// polygon that touches an unfinished one is held back until it is certain which of the two counts the common points.
+/// polygon that touches an unfinished component stays until it is certain in which of the two the common points count.
 RBPA_API std::vector<CornerPolygon> take_settled(Partial& partial);
 
 struct TakenHoles {
-  /// The name of the component. One polygon may get holes under several names, and several times under the same name.
+  /// The name of the component. Holes of one polygon may come under several names, and under one name several times.
   ComponentName component;
   std::vector<CornerRing> holes;  ///< by first point, then by second
 };

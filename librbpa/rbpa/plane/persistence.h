@@ -1,7 +1,7 @@
 // What:   births and deaths of components and holes while alpha grows from 0 to infinity.
-// Law:    the components at alpha are the pairs of dimension 0 with birth ≤ alpha < death; the holes are those of
-//         dimension 1. For the solid complex these are the numbers in the steps of filtration(). A pair never has birth
-//         = death.
+// Law:    the complex at alpha has as many components as there are pairs of dimension 0 with birth ≤ alpha < death, and
+//         as many holes as there are such pairs of dimension 1. For the solid complex, the steps of filtration() have
+//         the same numbers. No pair has birth = death.
 // Cost:   sorts the edges; the rest is near-linear.
 // Source: Edelsbrunner, Letscher, Zomorodian, Topological persistence and simplification (2002): the elder rule;
 //         Delfinado, Edelsbrunner, An incremental algorithm for Betti numbers (1995): holes by duality.

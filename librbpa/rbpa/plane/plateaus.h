@@ -1,7 +1,7 @@
 // What:   finds plateaus: ranges of alpha, long as a ratio of their ends, over which the parts and holes of the solid
 //         alpha complex hardly change; and recommends an alpha in each.
 // Law:    a function of the set of points alone; scaled points have the same plateaus, scaled. A few outliers, or dust,
-//         change it in proportion to their share of the points.
+//         change the plateaus in proportion to the share of these points.
 // Cost:   a sort of the triangles; the rest is near-linear. About the time of the filtration.
 // Source: docs/explanation/filtration_and_persistence.md, sections 6 and 7. Longest is most persistent: Edelsbrunner,
 //         Letscher, Zomorodian (2002); Betti curves that stand still mark the scale of a sample: Robins, Meiss, Bradley
@@ -30,8 +30,8 @@ enum class PlateauKind {
 struct Plateau {
   double from = 0;
   std::optional<double> to = std::nullopt;  ///< absent for the last plateau, which has no end
-  /// Length of the plateau as a ratio: to / from; for the last plateau, half the diagonal of the points' box / from, at
-  /// least 1.
+  /// Length of the plateau as a ratio: to / from; for the last plateau, half the diagonal of the points' box divided by
+  /// `from`, but at least 1.
   double ratio = 1;
   double alpha = 0;            ///< the recommended alpha: from · √ratio, but at most plateau_settles · from
   FiltrationStep step = {};    ///< the complex at `alpha`

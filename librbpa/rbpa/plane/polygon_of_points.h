@@ -28,8 +28,10 @@ RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(const Solid
                                                                      std::span<const Point> points,
                                                                      const GoOn& go_on = {});
 
-/// Computes the same for a solid complex in arrays.
-/// Requires: neighbors were computed; `duplicates` are those of the complex, ascending by index.
+/// Returns the same for a solid complex in arrays.
+/// Requires: neighbors were computed; `duplicates` are those of the complex, ascending by index; `polygons` is the
+///           result of outline_polygons(points, complex, filter).
+/// Throws:   Cancelled.
 RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(
     std::span<const Point> points, const TriangleArrays& complex, std::span<const Duplicate> duplicates,
     std::span<const Polygon> polygons, const PolygonFilter& filter, const GoOn& go_on = {});

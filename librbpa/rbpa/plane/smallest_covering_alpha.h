@@ -40,10 +40,11 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const GoOn& go_on = {});
 /// Computes the same without a filtration, from the circumradii of the triangles alone, in about half the time.
+/// Throws: ContractViolation when the share is out of its bounds; Cancelled.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Covering& covering,
                                                  const GoOn& go_on = {});
 /// Computes the same from a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
-/// Throws: also ContractViolation as require_linked(), which checks neighbors if they are used.
+/// Throws: also ContractViolation as require_linked(), which checks the neighbors if the computation uses them.
 RBPA_API std::optional<double> smallest_covering(const AlphaComplex& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const GoOn& go_on = {});
 

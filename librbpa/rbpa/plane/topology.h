@@ -30,13 +30,13 @@ struct ComplexCounts {
 /// Cost: about linear.
 RBPA_API ComplexCounts count(const SolidAlphaComplex& complex);
 
-/// Counts the same for a complex in arrays, from its boundary if it was computed, otherwise from its neighbors.
+/// Counts the same for a complex in arrays, from `boundary` if that was computed, otherwise from `neighbors`.
 /// AlphaComplexOptions::boundary alone costs least.
 ///
 /// With ComplexKind::full, edges in no triangle count as well, `points_covered` counts points in a triangle or an edge,
 /// every other distinct point is a component, and components − holes = distinct points − edges + triangles.
 /// Requires: a complex on these points, whose boundary or neighbors were computed.
-/// Throws:   ContractViolation when neither was, or when boundary sides do not form closed curves; Cancelled.
+/// Throws:   ContractViolation when neither was computed, or when boundary sides do not form closed curves; Cancelled.
 /// Cost:     that of sorting the boundary; by neighbors, linear in the triangles.
 RBPA_API ComplexCounts count(std::span<const Point> points, const AlphaComplex& complex,
                              ComplexKind kind = ComplexKind::solid, const GoOn& go_on = {});

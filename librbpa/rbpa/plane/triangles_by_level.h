@@ -42,7 +42,7 @@ struct TrianglesByLevel {
   AlphaComplex complex;
   std::vector<std::uint16_t> level;  ///< for each triangle, a position in `levels`
   double least_radius = 0;           ///< α₀; 0 if there can be no triangle
-  std::vector<ArrayLevel> levels;    ///< ascending in alpha
+  std::vector<ArrayLevel> levels;    ///< ascending in alpha; empty if there can be no triangle
 };
 
 /// Computes the solid alpha complex with the level of each triangle.

@@ -2,7 +2,7 @@
 // How:  the sum of the indicator functions of the regions is a sum of quadrants, one at each corner of each region,
 //       with a sign. Where regions lie side by side, corners cancel: the rest are the corners of the covered part.
 // Law:  the quadrants are a function of the covered part, not of its division into regions.
-// Cost: as many corners as that part has; n log n to check them.
+// Cost: as many corners as the covered part has; n log n to check the corners.
 #pragma once
 
 #include <optional>
@@ -34,7 +34,7 @@ class Cover {
   std::span<const Quadrant> quadrants() const { return quadrants_; }
   bool is_whole() const;
   /// Returns the lower left corner of an area that is covered more than once, or a negative number of times; nothing if
-  /// there is none.
+  /// no area is.
   std::optional<Point> wrong() const;
   /// Returns the lower left corner of an area that is not covered; nothing if the whole plane is covered.
   std::optional<Point> missing() const;

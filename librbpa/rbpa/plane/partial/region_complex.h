@@ -20,8 +20,8 @@ class RegionComplex {
   RegionComplex(const RegionComplex&) = delete;
   RegionComplex& operator=(const RegionComplex&) = delete;
 
-  /// Returns the triangulation, with neighbors; indices are positions among the points, and ascend as those into the
-  /// whole input do.
+  /// Returns the triangulation, with neighbors. Its indices count the region's points in ascending order of their
+  /// indices in the whole input.
   const AlphaComplex& triangulation() const { return triangulation_; }
   std::size_t points() const { return points_.size(); }
   const Point& at(std::uint32_t i) const { return points_[i]; }
@@ -29,14 +29,14 @@ class RegionComplex {
   Corner corner(std::uint32_t i) const { return {indices_[i], points_[i]}; }
   bool owns(std::uint32_t i) const { return owned_[i] != 0; }
 
-  /// Returns a bit for each corner of the triangle, set if the region owns it.
+  /// Returns a number whose bit k is 1 if the region owns corner k of the triangle.
   unsigned owned_corners(std::uint32_t t) const {
     const auto& [a, b, c] = triangulation_.triangles[t];
     return owned_[a] | static_cast<unsigned>(owned_[b]) << 1U | static_cast<unsigned>(owned_[c]) << 2U;
   }
-  /// Returns whether the region owns the lexicographically least corner. Requires: it owns a corner.
+  /// Returns whether the region owns the lexicographically least corner. Requires: `owned` is owned_corners(t), not 0.
   bool owns_triangle(std::uint32_t t, unsigned owned) const;
-  /// Returns whether the region owns the lesser end of a side.
+  /// Returns whether the region owns the lexicographically lesser one of `a` and `b`.
   bool owns_edge(std::uint32_t a, std::uint32_t b) const { return owns(points_[a] < points_[b] ? a : b); }
 
  private:

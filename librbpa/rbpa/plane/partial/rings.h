@@ -9,23 +9,23 @@
 
 namespace rbpa {
 
-/// Adds the rings of a closed boundary curve, triangles on the left.
-/// Throws: InvalidInput when it is not a boundary curve of triangles. Cost: n log n.
+/// Adds the rings of a closed boundary curve, triangles on the left, to `component`.
+/// Throws: InvalidInput when a ring has fewer than three points, so the curve bounds no triangles. Cost: n log n.
 void add_curve(OpenComponent& component, std::vector<Corner>&& curve);
 
-/// Returns whether `a` comes before `b`: by first point, then by second. An edge is on one ring, so no two compare
-/// equal.
+/// Returns whether `a` comes before `b`: by first point, then by second. An edge is on one ring, so no two rings are
+/// equal in this order.
 bool ring_before(const CornerRing& a, const CornerRing& b);
 
 /// Returns the polygon of a component all of whose curves are closed.
-/// Throws: InvalidInput when the rings are not those of a component.
+/// Throws: InvalidInput when no ring is counter-clockwise, so the rings do not bound a component.
 CornerPolygon polygon_of(OpenComponent&& component);
 
 /// Removes the holes of a component and returns them in order, if together they have at least `min_corners` corners.
 /// The component keeps the sums of these holes, under `name`.
 std::vector<CornerRing> holes_out_of(OpenComponent& component, const ComponentName& name, std::size_t min_corners);
 
-/// Adds the sums of removed holes when two components are merged.
+/// Adds the sums of the holes removed from `from` to those of `to`, when the two components are merged.
 void add_taken(OpenComponent& to, OpenComponent&& from);
 
 }  // namespace rbpa

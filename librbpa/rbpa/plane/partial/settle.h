@@ -6,10 +6,10 @@
 
 namespace rbpa {
 
-/// Brings a state into canonical form. Calls `checkpoint`, if any, repeatedly; it may throw.
+/// Brings a state into canonical form. Calls `checkpoint`, if any, repeatedly; `checkpoint` may throw.
 /// Requires: shared triangles sorted by corners, none twice; chains that do not join; components and groups in any
 ///           numbering; the members of pinches after the components are numbers of held polygons.
-/// Throws:   InvalidInput when a component without shared triangles has a chain, or no polygon.
+/// Throws:   InvalidInput when a component without shared triangles has a chain, or no counter-clockwise ring.
 /// Cost:     n log n in the open rims.
 void settle(PartialState& state, const Checkpoint& checkpoint = {});
 

@@ -18,7 +18,7 @@ namespace rbpa {
 struct SharedTriangle {
   std::array<std::uint64_t, 3> corners;  // counter-clockwise, the smallest index first
   std::uint32_t component;
-  std::uint32_t owned;  // number of its corners in merged regions
+  std::uint32_t owned;  // number of the corners in merged regions
 };
 
 /// A path of boundary edges, triangles on the left. All its points are in merged regions, except the first and the
@@ -35,20 +35,21 @@ struct HoleSums {
   BoundaryMeasure measure = {};
 };
 
-/// A solid component that is not complete, as regions are missing: it has a shared triangle.
+/// A solid component that has a shared triangle, and is not complete, as regions are missing.
 struct OpenComponent {
-  /// Number of the group: components that are connected through points have the same one.
+  /// Number of the group: components that are connected through points are in one group.
   std::uint32_t group = 0;
   std::uint64_t points = 0;  // input points of the component, without those at undecided pinches
-  /// The lexicographically least point of its chains and rings; at infinity if there are none.
+  /// The lexicographically least point of the component's chains and rings; (∞, ∞) if there are none.
   Point least = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   std::vector<CornerRing> rings = {};
   std::vector<HoleSums> taken = {};  // none or one: sums are large
 };
 
-/// A set of points at which the same components touch: they count in the component whose polygon comes first.
+/// Points at which the same components touch. The points count in the component whose polygon comes first.
 struct Pinch {
-  /// Numbers of open components, and after these of held polygons: those that may come first, ascending.
+  /// The components that may come first, ascending: numbers of open components, then, after the last of these numbers,
+  /// of held polygons.
   std::vector<std::uint32_t> members;
   std::uint64_t points;
 };
@@ -61,7 +62,7 @@ struct PartialState {
   std::vector<OpenComponent> open = {};
   std::vector<Chain> chains = {};            // by first edge
   std::vector<Pinch> pinches = {};           // by members
-  std::vector<CornerPolygon> held = {};      // finished, but in pinches whose first polygon is not known yet; in order
+  std::vector<CornerPolygon> held = {};      // finished, but at pinches whose first polygon is unknown; in order
   std::vector<CornerPolygon> polygons = {};  // finished
 };
 

@@ -13,7 +13,7 @@ struct FinderWorkspace {
   PivotWorkspace pivots;
 };
 
-/// Replaces `found` by the patch of a tile, which is empty if no finder decides anything.
+/// Replaces `found` by the patch of a tile; the patch is empty if both finders give up.
 inline void find_patch(const Tile& tile, const Radius& alpha, FinderWorkspace& workspace, TilePatch& found) {
   if (tile.points.empty()) return found.clear();
   workspace.tile.coordinates.assign(tile);

@@ -25,7 +25,7 @@ struct ListSink {
   const OnProgress& progress;
 };
 
-/// Puts all triangles of the solid alpha complex into `list`. Calls `progress`, unless it is empty, after each patch.
+/// Puts all triangles of the solid alpha complex into `list`. Calls `progress`, if any, after each patch.
 /// Requires: sites that are not all on one line.
 /// Throws:   Cancelled.
 template <typename List>

@@ -1,4 +1,4 @@
-// What: the tiles that are left to the remainder unseen, because those before them settled hardly any star.
+// What: the tiles that are left to the remainder unseen, because the tiles before them settled hardly any star.
 // Why:  along curves, tiles decide nothing, and are cut in vain: the remainder triangulates all points once more.
 // How:  a tile is in vain if it settles less than one in 64 of its stars. After four tiles in vain in a row the next 4
 //       are skipped; after each further tile in vain the next 8, 16, 32, 64. The first other tile ends this.
@@ -13,12 +13,12 @@ namespace rbpa {
 
 class SkippedTiles {
  public:
-  /// Returns whether a tile is skipped; called in any thread. The answer is final once all tiles before have been
-  /// joined; earlier, only true is final.
+  /// Returns whether a tile is skipped; called in any thread. The answer is final when all earlier tiles are joined;
+  /// before, only `true` is final.
   bool contains(std::size_t tile) const { return tile < next_.load(std::memory_order_relaxed); }
 
-  /// Records a tile that is joined and not skipped, one after another: it owns `owned` sites and settles `settled`
-  /// stars.
+  /// Records that a tile was joined that is not skipped, owns `owned` sites and settles `settled` stars. Requires:
+  /// ascending tiles, one call at a time.
   void joined(std::size_t tile, std::size_t owned, std::size_t settled) {
     in_vain_ = few * settled >= owned ? 0 : in_vain_ + 1;
     gap_ = in_vain_ < patience ? 0 : std::clamp(2 * gap_, patience, most);

@@ -50,10 +50,10 @@ class ApexSearch {
 
   EdgeBatch& edges() { return edges_; }
 
-  /// Returns the cost of edges that needed more than the first window, in points scanned.
+  /// Returns the cost so far of edges that needed more than the first window, as a number of points scanned.
   std::size_t work() const { return work_; }
 
-  /// Finds the apexes of the first `size` edges, at least one:
+  /// Finds the apexes of the first `size` edges, at least one, and stores them in edges().apex:
   ///   1. open a window of cells at each edge;
   ///   2. bound what rounding can do there;
   ///   3. find the apex among the window's points, edge by edge;
@@ -81,7 +81,7 @@ class ApexSearch {
       if (!edges_.is_verified[i]) edges_.apex[i] = search(i);
   }
 
-  /// Finds the apex of one edge.
+  /// Returns the apex of one edge, or `none` if the tile's points do not decide it.
   Index operator()(Index from, Index to) {
     edges_.a[0] = from;
     edges_.b[0] = to;
@@ -105,7 +105,7 @@ class ApexSearch {
   // exact decision.
   static constexpr std::size_t work_of_window = 64, work_of_apex = 192, work_of_candidate = 16;
 
-  /// Bounds the rounding errors in the numbers of an edge, in a box of this width.
+  /// Bounds the rounding errors in the numbers of an edge and of points in a box of this width.
   void bound_errors(std::size_t edge, float width) {
     constexpr float two = 2 * TileCoordinates::rounding;
     const float extent = width * (1 + slack) + slack;
@@ -138,7 +138,8 @@ class ApexSearch {
             hn::Set(d, right_of_[i])};
   }
 
-  /// Bounds of k for the points from `first` on; whether each point is left of the chord, and whether it may be.
+  /// Bounds of k for points, one in each lane; whether each point is certainly left of the chord, and whether it may
+  /// be.
   struct Bounds {
     V low, high;
     hn::Mask<D> left, perhaps;
@@ -155,7 +156,7 @@ class ApexSearch {
     return {k - error, k + error, hn::And(valid, cross > e.left_of), hn::And(valid, cross >= e.right_of)};
   }
 
-  /// Returns the places of the ends of an edge among the points of three rows.
+  /// Returns a bit for each point of the three rows, as among_three_rows() counts them: 1 for the ends of the edge.
   HWY_INLINE std::uint64_t ends_of(std::size_t edge) const {
     std::uint64_t ends = 0;
     for (std::size_t row = 0; row < rows_at_once; ++row)
@@ -163,7 +164,8 @@ class ApexSearch {
     return ends;
   }
 
-  /// Returns the apex among the points of at most three short rows; none: search again. Every point has a bit:
+  /// Returns the apex among the points of at most three short rows, or `none` if no point is certainly left of the
+  /// chord. Every point has a bit:
   ///     47 … 32  third row    31 … 16  second row    15 … 0  first row, its first point last
   HWY_NOINLINE Index among_three_rows(std::size_t edge) {
     const D d;
@@ -204,21 +206,21 @@ class ApexSearch {
     return least < std::numeric_limits<float>::max() ? least : infinity;
   }
 
-  /// Decides exactly among the points that the bounds leave undecided.
+  /// Returns the apex among candidates_, decided exactly.
   HWY_NOINLINE Index decide(std::size_t edge) const {
     const auto a = static_cast<std::size_t>(edges_.a[edge]), b = static_cast<std::size_t>(edges_.b[edge]);
     return error_cross_[edge] == 0 ? exact_.winner_on_lattice(a, b, candidates_)
                                    : exact_.winner(a, b, candidates_, none);
   }
 
-  /// Searches a first window of more than three short rows.
+  /// Returns the apex in a first window of more than three short rows, or `none`.
   Index among_more(std::size_t edge) {
     const auto [winner, high] = among(edge, {edges_.c0[edge], edges_.c1[edge], edges_.r0[edge], edges_.r1[edge], true});
     edges_.high[edge] = high;
     return winner;
   }
 
-  /// Searches from near to far, as far as necessary.
+  /// Returns the apex, searched from near to far, as far as necessary; `none` if the tile's points do not decide it.
   HWY_NOINLINE Index search(std::size_t edge) {
     const float dx = edges_.bx[edge] - edges_.ax[edge], dy = edges_.by[edge] - edges_.ay[edge];
     const float length = std::sqrt(dx * dx + dy * dy);
@@ -242,11 +244,11 @@ class ApexSearch {
     }
   }
 
-  /// The apex among the points of some cells, with an upper bound of how far left of the chord's middle its circle's
-  /// center is.
+  /// The apex among the points of some cells, and an upper bound, in half-chords, of how far left of the chord's middle
+  /// the center of the apex's circle is.
   struct Winner {
     Index point;
-    float high;  // infinity when there is none
+    float high;  // infinity without an apex
   };
   /// The ends of loops are unpredictable; within them nothing branches.
   HWY_NOINLINE Winner among(std::size_t edge, const Cells& cells) {

@@ -14,13 +14,13 @@ struct EdgeBatch {
   static constexpr std::size_t rows_at_once = 3,
                                row_length = 16;  ///< rows of cells, and points of one, in the first window
 
-  /// The edges, and the radius to try first: that of a triangle at the edge. One more entry each, so that a loop may
-  /// write before it tests.
+  /// The ends of each edge, and the radius to try first: the circumradius of the triangle behind the edge. There is one
+  /// more entry, so that a loop may write before it tests.
   alignas(64) std::int32_t a[size + 1], b[size + 1];
   alignas(64) float expected[size + 1];
 
   alignas(64) float ax[size], ay[size], bx[size], by[size];
-  /// The cells to search, their extent, and whether the tile has all points there, except those of unknown cells.
+  /// The cells to search; their extent; and whether the tile has all points there, except in unknown cells.
   alignas(64) std::int32_t c0[size], c1[size], r0[size], r1[size], is_inside[size];
   alignas(64) float extent[size];
   /// Whether these cells are at most three rows of at most sixteen points; the points of each row, and which are ends
@@ -28,12 +28,12 @@ struct EdgeBatch {
   alignas(64) std::int32_t fits[size];
   alignas(64) std::int32_t first[rows_at_once][size], count[rows_at_once][size], ends[rows_at_once][size];
 
-  /// The distance left of the chord's middle, in half-chords, up to which centers of circles are of interest; an upper
-  /// bound of the apex's, infinite without an apex; and whether no other point can win.
+  /// In half-chords left of the chord's middle: how far centers of circles are of interest, and an upper bound for the
+  /// center of the apex's circle, infinite without an apex. Then whether no other point can win.
   alignas(64) float k[size], high[size];
   alignas(64) std::int32_t is_verified[size];
 
-  /// The apexes that were found, and the radii of the circles through edge and apex.
+  /// The apex of each edge, or `none`, and the radius of the circle through edge and apex.
   Index apex[size];
   alignas(64) float found_radius[size];
 };

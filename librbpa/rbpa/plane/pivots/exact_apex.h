@@ -20,8 +20,8 @@ class ExactApex {
   /// Keeps references to both arguments.
   ExactApex(const Tile& tile, const TileCoordinates& coordinates) : tile_(tile), at_(coordinates) {}
 
-  /// Returns the candidate that the ball touches first. Candidates may lie on either side of the chord. The result is
-  /// `none` if all lie right of the chord or on it.
+  /// Returns the candidate that the ball touches first. Candidates may lie on either side of the chord; returns `none`
+  /// if none lies left of it.
   Index winner(std::size_t a, std::size_t b, std::span<const Index> candidates, Index none) const {
     const Chord<double> chord(tile_.points[a], tile_.points[b]);
     Index best = none;
@@ -36,7 +36,7 @@ class ExactApex {
   }
 
   /// Returns the candidate that the ball touches first.
-  /// Requires: candidates left of the chord, in a box of at most `lattice_extent`.
+  /// Requires: at least one candidate; all left of the chord; a, b and candidates in a box of at most `lattice_extent`.
   Index winner_on_lattice(std::size_t a, std::size_t b, std::span<const Index> candidates) const {
     Index best = candidates[0];
     for (const Index i : candidates.subspan(1))
@@ -45,7 +45,7 @@ class ExactApex {
   }
 
  private:
-  /// Returns whether p is in the circle of a, b, q. In double precision products of four differences are exact.
+  /// Returns whether p is in the circle of a, b, q, ties perturbed. Products of four differences are exact in double.
   bool beats_on_lattice(std::size_t a, std::size_t b, std::size_t p, std::size_t q) const {
     struct Ratio {
       double dot, cross;

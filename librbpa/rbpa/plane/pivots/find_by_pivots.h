@@ -20,8 +20,9 @@ struct PivotWorkspace {
   std::vector<float> circumradius;         // for each triangle
 };
 
-/// Finds the patch of a tile. Returns false if points lie along curves: their triangles reach across empty regions,
-/// where a search from near to far takes long.
+/// Finds the patch of a tile. Returns false, and leaves `found` unspecified, if points lie along curves, as triangles
+/// then reach across empty regions, where a search from near to far takes long; or if searches have taken too long.
+/// Requires: workspace.coordinates are those of the tile, which has points.
 bool find_by_pivots(const Tile& tile, const Radius& alpha, TileWorkspace& workspace, PivotWorkspace& own,
                     TilePatch& found);
 

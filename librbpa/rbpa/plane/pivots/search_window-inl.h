@@ -1,8 +1,8 @@
 // What: the search window of a pivot: the cells to search for the apex, for sixteen edges at a time, and the test that
 //       they were enough. Compiled once for each kind of vector unit; the only include guard is the compiler's own per
 //       kind.
-// Law:  a verified apex has no rival: the circle, left of the edge, lies in the cells that were searched, and in the
-//       region where the tile has all points.
+// Law:  no other point can be the apex instead of a verified one: the part left of the edge of its circle lies in the
+//       searched cells, where the tile has all points.
 #if defined(RBPA_PIVOTS_SEARCH_WINDOW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_PIVOTS_SEARCH_WINDOW_INL_H_
 #undef RBPA_PIVOTS_SEARCH_WINDOW_INL_H_
@@ -34,7 +34,7 @@ class SearchWindow {
   /// Keeps references to both arguments.
   SearchWindow(EdgeBatch& edges, const TileCoordinates& coordinates) : edges_(edges), at_(coordinates) {}
 
-  /// Opens the first window of every edge.
+  /// Computes the first window of every edge: its cells, its extent, and its points if it fits three short rows.
   HWY_NOINLINE void open() {
     const D d;
     const I di;
@@ -80,8 +80,9 @@ class SearchWindow {
     }
   }
 
-  /// Verifies apexes: the circle must lie in the cells of the window, and where the tile has all points. For the
-  /// others, leaves the cells in which to search.
+  /// Verifies the apex of every edge: the part of its circle left of the edge must lie in the cells of the window,
+  /// where the tile has all points. Replaces the cells of the window by the cells that this part meets, in which to
+  /// search on.
   HWY_NOINLINE void verify() {
     const D d;
     const I di;
@@ -116,7 +117,7 @@ class SearchWindow {
   bool is_known(const Cells& cells) const {
     return cells.inside && at_.is_known(cells.c0, cells.c1, cells.r0, cells.r1);
   }
-  /// The cells of the part left of the chord of the disc whose center is k half-chords left of the chord's middle.
+  /// Returns the cells that a disc meets left of the chord. Its center is k half-chords left of the chord's middle.
   Cells cells_for(std::size_t edge, float k) const {
     const D d;
     const Box box = box_of(hn::Set(d, edges_.ax[edge]), hn::Set(d, edges_.ay[edge]), hn::Set(d, edges_.bx[edge]),
@@ -144,7 +145,7 @@ class SearchWindow {
     V radius;
     hn::Mask<D> inside;  // the tile has all points there, except those of unknown cells
   };
-  /// The cells of the part left of the chord of the disc whose center is k half-chords left of the chord's middle.
+  /// Returns the cells that a disc meets left of the chord. Its center is k half-chords left of the chord's middle.
   HWY_INLINE Box box_of(V ax, V ay, V bx, V by, V k) const {
     const D d;
     const I di;

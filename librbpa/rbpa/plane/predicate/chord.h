@@ -24,7 +24,7 @@ class Chord {
     const Point* at;
     Two<Real> dot_and_cross, magnitude;
   };
-  /// Computes the products of a point, and keeps a reference to the point.
+  /// Returns the products of p and the chord. The result keeps a pointer to p.
   Candidate candidate(const Point& p) const {
     const Two<Real> at = of(p), ap = at - a_, bp = at - b_;
     const Two<Real> dot = ap * bp, cross = mirrored_ * swapped(ap);
@@ -60,7 +60,7 @@ class Chord {
   }
 
   Point from_, to_;
-  Two<Real> a_, b_, mirrored_;  // the ends; b − a, except for the sign of y
+  Two<Real> a_, b_, mirrored_;  // the ends; (b − a) with the sign of y reversed
 };
 
 }  // namespace rbpa

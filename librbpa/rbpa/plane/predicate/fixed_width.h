@@ -25,11 +25,12 @@ struct FixedVector {
   std::int64_t cross(const FixedVector& v) const { return x * v.y - y * v.x; }
 };
 
-/// A set of N vectors from one point to others.
+/// The vectors from one point to N others, as integers times a common power of two.
 template <std::size_t N>
 class FixedVectors {
  public:
-  /// Computes the vectors. Requires: points that fit double (base/exact/magnitude.h).
+  /// Computes the vectors from `from` to each point of `to`, with integers below 2^bits in absolute value. Requires:
+  /// points that fit double (base/exact/magnitude.h).
   FixedVectors(int bits, const Point& from, const std::array<const Point*, N>& to) {
     std::array<double, 2 * N> difference;
     double greatest = 0;
@@ -53,7 +54,7 @@ class FixedVectors {
     are_exact_ = true;
   }
 
-  /// Returns whether the vectors times some power of two are integers below 2^bits. Otherwise there are no vectors.
+  /// Returns whether integers below 2^bits in absolute value suffice. Otherwise the vectors are unspecified.
   bool are_exact() const { return are_exact_; }
   const FixedVector& operator[](std::size_t i) const { return vector_[i]; }
 

@@ -93,10 +93,9 @@ class Predicates {
     return side != 0 ? side : perturbed_side(a, b, p, q);
   }
 
-  /// Returns the side on which the perturbation puts q, which is on the circle of (a, b, p). The lexicographically
-  /// largest of the four is lifted most. If that is q, it leaves the circle; if it is a corner, the side depends on
-  /// where the lift of that corner tilts the circle. Three points of a circle are not on a line, so the sign is never
-  /// zero.
+  /// Returns 1 if the perturbation puts q inside the circle of (a, b, p), −1 if outside; never 0. The lexicographically
+  /// largest of the four points is lifted most. If q is the largest, q leaves the circle; if a corner is, the side
+  /// depends on how the corner's lift tilts the circle. Requires: q is on the circle, and none of the three.
   static int perturbed_side(const Point& a, const Point& b, const Point& p, const Point& q) {
     if (a < q && b < q && p < q) return -1;
     if (b < a && p < a) return orientation(q, b, p);
@@ -118,7 +117,7 @@ class Predicates {
       return difference > 0 ? 1 : -1;
     return compare_to_close_alpha(a, b, c, alpha);
   }
-  /// Compares the circumradius with alpha without the filter: faster for an alpha that the filter would not decide.
+  /// Returns compare_circumradius() without its filter: faster where the filter would not decide.
   static int compare_to_close_alpha(const Point& a, const Point& b, const Point& c, double alpha) {
     if (const int finer = compare_circumradius_finely(a, b, c, alpha); finer != 0) return finer;
     return exact_integer::compare_circumradius(a, b, c, alpha);

@@ -8,12 +8,13 @@
 
 namespace rbpa {
 
-/// Alpha as used in computations: absent if a ball of any size passes (α = ∞, or above every circumradius).
+/// Alpha as used in computations: a positive number, or infinite, which also stands for a number above every
+/// circumradius.
 class Radius {
  public:
   Radius() = default;
   explicit Radius(double alpha) : alpha_(alpha) {}
-  /// Returns the radius of a number that may be infinite.
+  /// Returns the radius `alpha`, which may be infinity.
   static Radius of(double alpha) { return std::isinf(alpha) ? Radius() : Radius(alpha); }
 
   bool is_infinite() const { return !alpha_; }

@@ -30,12 +30,13 @@ class Remainder {
   /// Returns whether every triangle of the complex at the site is in a patch; called after all tiles.
   bool is_settled(std::uint32_t site) const { return missing_[site] == 0; }
 
-  /// Returns the sites that are not settled or have a neighbor that may not be, ascending; called after all tiles.
+  /// Returns the sites that are not settled, or that may have a neighbor that is not, ascending; called after all
+  /// tiles.
   std::vector<std::uint32_t> not_done() const;
 
-  /// Returns in `rest` the triangles of the complex that are in no patch, on the sites, and their outline if wanted;
-  /// the other members of `rest` are undefined. Called after all tiles. Calls working() repeatedly, in any thread and
-  /// one at a time; it may throw to end the run.
+  /// Replaces rest.patch by the triangles of the complex that are in no patch of a tile, on the sites, and
+  /// rest.outline, if rest.with_outline, by their outline; empties the other lists of `rest`. Called after all tiles.
+  /// Calls working() repeatedly, in any thread and one call at a time; working() may throw to end the run.
   void complete(Threads& threads, const Checkpoint& working, TilePatch& rest) const;
 
  private:

@@ -1,5 +1,5 @@
 // What: computes areas, exactly summed and rounded once, and lengths of rings.
-// Law:  a function of the ring's edges, not of their order.
+// Law:  a function of the set of edges, not of their order.
 #pragma once
 
 #include <cmath>
@@ -42,7 +42,8 @@ class LengthSum {
   bool infinite_ = false;
 };
 
-/// The area that the edges of a polygon's rings enclose, each with the polygon on its left, and their length.
+/// The area that the edges of a polygon's rings enclose, and the total length of the edges. Every edge has the polygon
+/// on its left.
 class BoundaryMeasure {
  public:
   BoundaryMeasure() = default;
@@ -71,7 +72,7 @@ void add_twice_area(ExactSum& sum, const Ring& ring, std::span<const Point> poin
 /// Returns the area that the ring encloses, in either orientation, rounded once.
 double enclosed_area(const Ring& ring, std::span<const Point> points);
 
-/// Fills in area and perimeter. `points` are those of the input, by index.
+/// Fills in area and perimeter of `polygon`, whose rings are indices into `points`.
 void measure(Polygon& polygon, std::span<const Point> points);
 
 }  // namespace rbpa

@@ -22,14 +22,16 @@ struct HoleOf {
   friend bool operator==(const HoleOf&, const HoleOf&) = default;
 };
 
-/// Returns for each polygon the smallest hole that it lies in, if any.
+/// Returns for each polygon the smallest hole that contains the polygon; nothing if no hole does.
 /// Requires: `polygons` are those of a solid alpha complex, `points` the input by index.
-/// Throws:   Cancelled. Comparisons of sorts and points of the sweep are steps, here and below.
+/// Throws:   Cancelled, from `step`, which counts comparisons of sorts and points of the sweep.
 std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, std::span<const Point> points,
                                            Steps& step);
 
-/// Returns for each of `queries`, which are indices of points, the polygon that it lies in, if any.
-/// Requires: as nesting(), and no query on a ring.
+/// Returns for each of `queries`, which are indices of points, the number of the polygon that contains the point;
+/// nothing if none does.
+/// Requires: as nesting(); no query is on a ring.
+/// Throws:   as nesting().
 std::vector<std::optional<std::uint32_t>> polygons_around(std::span<const Polygon> polygons,
                                                           std::span<const Point> points,
                                                           std::span<const std::uint32_t> queries, Steps& step);

@@ -8,7 +8,10 @@
 
 namespace rbpa {
 
-/// Returns the polygons. Requires: as require_linked(), which is not checked.
+/// Returns the polygons.
+/// Requires: as require_linked(), which is not checked.
+/// Throws:   InvalidInput when a bound of the filter is negative or not a number; ContractViolation when the points are
+///           visibly not those of the complex; Cancelled.
 std::vector<Polygon> polygons_of_linked(std::span<const Point> points, const TriangleArrays& complex,
                                         const PolygonFilter& filter, const GoOn& go_on = {});
 

@@ -19,13 +19,13 @@ class CurveSplitter {
   /// Prepares for curves whose points are below `points`.
   explicit CurveSplitter(std::size_t points) : place_(points, nowhere) {}
 
-  /// Appends the rings of a closed curve to `rings`. Cost: linear in the curve.
+  /// Appends the rings of a closed curve to `rings`; a ring may begin at any of its points. Cost: linear in the curve.
   void split(std::span<const std::uint32_t> curve, std::vector<Ring>& rings);
 
  private:
   static constexpr std::uint32_t nowhere = std::numeric_limits<std::uint32_t>::max();
 
-  /// Makes a ring of the points walked from `first` on.
+  /// Removes the points from position `first` on from walked_, and returns them as a ring.
   Ring take(std::size_t first);
 
   std::vector<std::uint32_t> walked_;  // the points passed since the last ring was cut off; no point twice

@@ -19,7 +19,8 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Returns the error bound of a component of a difference of two points; no computed component is larger than `extent`.
+/// Returns a bound of the error in a component of the difference of two points, if no computed component exceeds
+/// `extent`.
 template <typename D, typename V = hn::Vec<D>>
 HWY_INLINE V error_of_difference(D d, V extent) {
   return hn::Set(d, 2 * TileCoordinates::rounding) + hn::Set(d, 1.1f * TileCoordinates::unit_roundoff) * extent;
@@ -31,7 +32,7 @@ struct Filtered {
   hn::Vec<D> cross;  ///< ab × ac; its sign is right where `inside` is set
 };
 
-/// Tests triangles, one in each lane. Requires: factor = 4 α², in the tile's scale, at most 2³⁰.
+/// Tests triangles, one in each lane. Requires: `factor` is 4 α² in the tile's scale, at most 2³⁰.
 template <typename D, typename V = hn::Vec<D>>
 HWY_INLINE Filtered<D> filter_circumradius(D d, V ax, V ay, V bx, V by, V cx, V cy, V factor) {
   const auto set = [&](float value) { return hn::Set(d, value); };

@@ -15,8 +15,8 @@ namespace rbpa {
 
 enum class CircumradiusFilter : std::uint8_t { outside, inside, uncertain };
 
-/// Replaces `filtered` by an entry for each triangle of the front, by its number; further entries are undefined.
-/// Requires: alpha > 0, the coordinates of the front's points.
+/// Writes filtered[t] for each triangle t of the front; other entries are undefined.
+/// Requires: finite alpha > 0, not scaled; `at` are the coordinates of the tile on which the front stands.
 void filter_circumradii(const TileCoordinates& at, const LocalFront& front, double alpha,
                         std::vector<CircumradiusFilter>& filtered);
 

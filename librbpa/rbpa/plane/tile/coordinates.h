@@ -29,7 +29,7 @@ struct TileCoordinates {
   /// single precision; 0 if the points are not on a lattice.
   float lattice_extent = 0;
 
-  /// Replaces the coordinates. Requires: a tile with points.
+  /// Replaces all members by those of a tile. Requires: a tile with points.
   void assign(const Tile& tile);
 
   int column(float at) const { return clamp((at - x0) * per_cell, columns); }

@@ -13,16 +13,16 @@
 
 namespace rbpa {
 
-/// Cells of a level of the point grid. One tile owns their points, except those of cells that are grids of more than
-/// `merged` points.
+/// A rectangle of cells of a level of the point grid. One tile owns the `points` points in these cells, without the
+/// points in cells that are grids of more than `merged` points.
 struct Block {
   std::uint32_t level;
   int column, row, columns, rows;
   std::uint32_t points, merged;
 };
 
-/// Returns blocks that together have every cell. Each has at least one point and, unless it is a single cell, at most
-/// `max_points`.
+/// Returns blocks that together have every point. Each block has at least one point and, unless it is a single cell, at
+/// most `max_points`.
 std::vector<Block> blocks(const PointGrid& grid, std::uint32_t max_points);
 
 /// A cutter of tiles from a grid, one after another in the same memory.

@@ -32,8 +32,9 @@ struct ExtractionWorkspace {
   std::vector<int> outer;
 };
 
-/// Replaces `result` by the triangles on the front within alpha that the tile owns, and the sites that are settled.
-/// Requires the tile's coordinates.
+/// Replaces `result` by the triangles on the front, of circumradius at most alpha, that the tile owns, and the sites
+/// that the tile settles.
+/// Requires: `coordinates` are those of the tile.
 void extract_patch(const Tile& tile, const TileCoordinates& coordinates, const LocalFront& front, const Radius& alpha,
                    ExtractionWorkspace& workspace, TilePatch& result);
 

@@ -11,8 +11,9 @@
 
 namespace rbpa {
 
-/// The result of a tile. The star of a site is the triangles of the complex around it. A tile has seen it when it owns
-/// the site and found all of them; the star is settled when all of them are in the tile's patch.
+/// The result of a tile. The star of a site is the set of triangles of the complex around the site. A tile has seen the
+/// star when the tile owns the site and found all these triangles; the star is settled when all of them are in the
+/// tile's patch.
 struct TilePatch {
   bool with_outline = true;  ///< whether to compute the outline
   meshops::Patch patch;      ///< on the sites
@@ -26,8 +27,8 @@ struct TilePatch {
   std::vector<SharedStar> shared;              ///< other stars seen, and how many of their triangles other tiles own
   std::vector<std::uint32_t> ghost_corners;    ///< corners of the patch that are ghosts, once for each triangle
   std::vector<std::uint32_t> loose_triangles;  ///< triangles of the patch none of whose corners is settled
-  /// Pairs of a site whose star is seen and a Delaunay neighbor of it whose star is not settled. If the triangles were
-  /// found by enumeration, also pairs with any other such site nearer than 2 alpha.
+  /// Pairs of a site whose star is seen and a Delaunay neighbor whose star is not settled. If the triangles were found
+  /// by enumeration, also pairs with other sites at most about 2 alpha away.
   using Neighbors = std::array<std::uint32_t, 2>;
   std::vector<Neighbors> unsettled_neighbors;
 
