@@ -42,7 +42,7 @@ struct Growth {
   std::size_t begin = 0;  // the first radius at which enough points are covered
 };
 
-/// Components of the tetrahedra so far, connected through points, counted by their numbers of points.
+/// The components of the tetrahedra added so far, connected through points, with their numbers of points.
 class Parts {
  public:
   explicit Parts(std::size_t of_all) : sets_(of_all), size_(of_all, 0) {}

@@ -47,8 +47,7 @@ struct SolidPlateau {
 ///   P  Σ nᵢ², the greatest so far;
 ///   H  the product over all steps so far of the factor ≥ 1 by which 1 − void_share rises or falls;
 ///   E  the volume of tetrahedra and voids.
-/// Requires: `delaunay` is the result of solid() of these points at infinity, with neighbors; `radii` are the
-///           circumradii of its tetrahedra.
+/// Requires: `delaunay` is solid() of `points` at infinity, with neighbors; `radii` are its circumradii().
 /// Throws:   ContractViolation when points, tetrahedra and radii visibly do not belong together; Cancelled.
 RBPA_API std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const Solid& delaunay,
                                                   std::span<const double> radii, const GoOn& go_on = {});

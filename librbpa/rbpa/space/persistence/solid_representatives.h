@@ -37,8 +37,8 @@ struct SolidRepresentative {
 };
 
 /// Returns one representative for each pair. A cycle that is not known to be the shortest was shortened: shortest paths
-/// between its points that are half of the cycle apart, a quarter, an eighth and so on replace parts of it. The cycle
-/// is never longer than that of the reduction.
+/// between its points that are half of the cycle apart, a quarter, an eighth and so on replace parts of it. A cycle is
+/// never longer than the cycle that the reduction gives.
 /// Requires: `filtration` is solid_filtration() of `points`; `pairs` are some of its solid_persistence().
 /// Throws:   ContractViolation when the points, filtration and pairs visibly do not belong together; Cancelled.
 RBPA_API std::vector<SolidRepresentative> solid_representatives(std::span<const Point3> points,

@@ -15,7 +15,7 @@ bool has(const Corners& t, const Point3& p) { return p == t[0] || p == t[1] || p
 /// Tests of points in the plane of a triangle, seen along an axis that is not parallel to the plane.
 class InPlane {
  public:
-  /// Requires: a triangle with an area.
+  /// Keeps a reference to t. Requires: t has an area.
   explicit InPlane(const Corners& t) : t_(t) {
     while (axis_ < 2 && turn(t[0], t[1], t[2]) == 0) ++axis_;
   }

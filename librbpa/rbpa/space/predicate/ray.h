@@ -14,7 +14,7 @@ namespace rbpa::space {
 
 /// Returns how the ray from within the tetrahedron `from` crosses the triangle: 1 from behind, −1 from the front, 0 not
 /// at all.
-/// Requires: a tetrahedron that is not flat.
+/// Requires: the tetrahedron is not flat.
 inline int ray_crossing(const std::array<Point3, 3>& triangle, const std::array<Point3, 4>& from) {
   const auto& [a, b, c] = triangle;
   const auto [low_y, high_y] = std::minmax({a.y, b.y, c.y});

@@ -55,7 +55,8 @@ struct HoleFilling {
 
 /// Returns the boundary loops of triangles as lists of vertices, with the triangles to the right and a hole to the
 /// left. Each loop begins with its least vertex; the loops are sorted.
-/// Requires: an oriented manifold: each directed side has one triangle, and the triangles at a vertex form one fan.
+/// Requires: `triangles` are an oriented manifold: each directed side has one triangle, and the triangles at a vertex
+///           form one fan.
 /// Throws:   ContractViolation when triangles have a side in the same direction, or several boundary curves pass a
 ///           vertex.
 RBPA_API std::vector<std::vector<std::uint32_t>> boundary_loops(

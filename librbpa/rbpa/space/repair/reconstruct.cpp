@@ -22,7 +22,7 @@ using Numbers = std::vector<std::uint32_t>;
 /// The points over which the ball rolls, with their normals.
 struct Cloud {
   std::vector<Point3> points, normals;
-  std::vector<Point3> unmoved = {};  // places in the result; empty: those of `points`
+  std::vector<Point3> unmoved = {};  // places in the result; empty: as `points`
   std::vector<double> confidence = {};
 
   std::span<const Point3> places() const { return unmoved.empty() ? points : unmoved; }
@@ -276,7 +276,7 @@ class Reconstructing {
     if (std::find(kept.begin(), kept.end(), false) == kept.end()) return;
     const GoOn go_on = counting();
     made_.dropped = dropped_components(cloud_.points, kept, made_.surface, made_.components, go_on);
-    Numbers number;  // new number of each kept triangle; for others that of the next kept one
+    Numbers number;  // new number of each kept triangle; for others, of the next kept one
     std::uint32_t next = 0;
     for (const std::uint32_t c : made_.components.number) {
       number.push_back(next);

@@ -65,7 +65,7 @@ RBPA_API Solid without_offsets(const PeriodicSolid& solid);
 /// Returns the triangles that have a tetrahedron on one side only, each with three corners of that tetrahedron:
 /// positions in `vertices`, counter-clockwise seen from outside. The triangles form a closed surface if all images of
 /// an edge count as one edge.
-/// Requires: a solid with neighbors.
+/// Requires: `solid` has neighbors.
 /// Throws:   ContractViolation when neighbors are missing.
 RBPA_API std::vector<Triangle> periodic_boundary(const PeriodicSolid& solid);
 

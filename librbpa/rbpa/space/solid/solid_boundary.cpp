@@ -54,7 +54,7 @@ class OpenFaces {
     neighbors_.assign(triangles_.size(), no_neighbors);
   }
 
-  /// Step 2: glues each side to the one that ends the same wedge of tetrahedra.
+  /// Step 2: glues each side to the side that ends the same wedge of tetrahedra.
   void glue() {
     for (std::uint32_t i = 0; i < triangles_.size(); ++i)
       for (std::uint32_t j = 0; j < 3; ++j)
@@ -73,7 +73,7 @@ class OpenFaces {
   }
 
  private:
-  /// Walks through the tetrahedra around side j of triangle i, and glues the side to the one where the walk ends. A
+  /// Walks through the tetrahedra around side j of triangle i, and glues the side to the side where the walk ends. A
   /// neighbor is entered only if it shares the face; so no two tetrahedra have the same next one, and the walk ends.
   void glue(std::uint32_t i, std::uint32_t j) {
     constexpr const char* not_shared =

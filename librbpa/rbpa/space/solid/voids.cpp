@@ -80,7 +80,7 @@ class Nesting {
     return {points_[a], points_[b], points_[c], points_[d]};
   }
 
-  /// Returns the one of `surfaces`, all of one component, that encloses the component.
+  /// Returns which of `surfaces`, all of one component, encloses the component.
   std::uint32_t outer_surface(std::span<const std::uint32_t> surfaces) const {
     const auto& [a, b, c, d] = solid_.simplices[boundary_.tetrahedra[surfaces_.items(surfaces.front()).front()]];
     const Tetrahedron from = {points_[a], points_[b], points_[c], points_[d]};

@@ -41,7 +41,7 @@ struct Gaps {
 };
 
 /// Returns whether a point is on a surface, as far as its neighbors show. An outlier is farther from its neighbors than
-/// they are from theirs, or has neighbors on all sides.
+/// they are from their own neighbors, or has neighbors on all sides.
 bool is_on_surface(const space::Neighborhoods& near, std::size_t i, double flatness) {
   if (flatness < least_flatness) return false;
   const auto squared = [&](std::uint32_t p, std::uint32_t q) {

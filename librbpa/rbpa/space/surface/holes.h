@@ -48,9 +48,9 @@ struct Hole {
 
 /// Returns all boundary curves, sorted by their first edges. At a point with several fans, a curve stays at its fan.
 /// Requires: `surface` is the surface() of these points, normals and radii.
-/// Throws:   InvalidInput as surface(); ContractViolation when the surface is visibly not that of the points, normals
-///           and radii; Cancelled.
-/// Cost:     for each radius, that of the exposed triangles of the points near the boundary.
+/// Throws:   InvalidInput as surface(); ContractViolation when `surface` is visibly of other points, normals or radii;
+///           Cancelled.
+/// Cost:     for each radius, the cost of the exposed triangles of the points near the boundary.
 RBPA_API std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> normals,
                                  std::span<const double> radii, const Surface& surface,
                                  const SurfaceOptions& options = {});

@@ -27,7 +27,8 @@ struct SurfaceMesh {
 /// Builds the halfedge mesh of a surface.
 /// Requires: `surface` is a surface of `points`.
 /// Throws:   InvalidInput when it has more than 357,913,941 triangles, whose halfedges OpenMesh can number;
-///           ContractViolation when a corner is none of these points, or a triangle is not a neighbor of its neighbor.
+///           ContractViolation when a corner is not an index of a point, or a triangle is not a neighbor of its
+///           neighbor.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface);
 /// Builds the same mesh, and empties `surface` on the way to free its memory.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface);

@@ -1,13 +1,13 @@
 // What: finds a short cycle of edges around each tunnel.
-// Law:  a cycle whose last edge in the filtration makes a tunnel, and that is a boundary of triangles up to the one
-//       that ends the tunnel, is no boundary of earlier triangles: otherwise its last edge would be paired with one of
-//       these.
+// Law:  if a cycle's last edge in the filtration makes a tunnel, and the cycle is a boundary of triangles up to the
+//       triangle that ends the tunnel, it is no boundary of earlier triangles alone: otherwise the last edge would be
+//       paired with an earlier triangle.
 // How:  the column of the reduction is such a cycle. The shortest of all cycles with this last edge is the edge and a
 //       shortest path between its ends among earlier edges; columns decide whether this cycle is a boundary when the
 //       tunnel ends. If it is not, parts of the column's cycle are replaced by shortest paths where the difference is a
 //       boundary.
-// Cost: for each cycle, the number of edges in a ball around its ends that is as large as the cycle; where parts are
-//       replaced, several times that number.
+// Cost: for each cycle, the number of edges in a ball as large as the cycle around the ends of its last edge; where
+//       parts are replaced, several times that number.
 // Source: Dijkstra (1959); Hart, Nilsson, Raphael (1968).
 #pragma once
 

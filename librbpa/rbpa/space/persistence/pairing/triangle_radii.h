@@ -1,6 +1,6 @@
 // What: computes the radius at which each triangle of a Delaunay triangulation enters the full alpha complex.
-// How:  the radius of the triangle's least sphere if no corner across from the triangle is inside, else that of the
-//       first tetrahedron at the triangle; rounded up.
+// How:  the radius of the triangle's least sphere if no corner across from the triangle is inside, else the least
+//       radius of a tetrahedron at the triangle; rounded up.
 // Cost: linear; shared among threads.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4.
 #pragma once

@@ -1,4 +1,4 @@
-// What:   finds the triangulation of a rim with the least turn over its worst edge; of several, that of least area.
+// What:   finds the triangulation of a rim with the least turn over its worst edge; of several, the one of least area.
 // How:    dynamic programming over the parts of the rim behind each chord (Barequet and Sharir 1995) with the weight of
 //         Liepa (2003): the greatest turn over any edge, edges of the rim included, then the area. The turn over a
 //         chord depends on the triangle behind it. Only the best triangulation of the part behind the chord is kept, as

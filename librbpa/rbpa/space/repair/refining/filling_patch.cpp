@@ -200,7 +200,7 @@ std::optional<double> FillingPatch::most_bend() const {
 }
 
 bool FillingPatch::make_smooth(meshops::Steps& step) {
-  constexpr int rounds = 20;  // each uses the weights and normals of the one before
+  constexpr int rounds = 20;  // each uses the weights and normals of the round before
   constexpr double still = 0x1p-10;
   const auto wanted = bends();
   if (!wanted) return false;

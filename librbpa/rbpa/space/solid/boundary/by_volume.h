@@ -1,6 +1,6 @@
 // What: sorts the pieces of a boundary by absolute volume, the largest first.
-// Law:  among pieces of equal volume, the one with the least triangle by coordinates is first; no two closed pieces
-//       share a triangle, so there are no ties.
+// Law:  among pieces of equal volume, the piece with the lexicographically least triangle is first; no two closed
+//       pieces share a triangle, so there are no ties.
 // Cost: a sort.
 #pragma once
 

@@ -22,8 +22,8 @@ namespace rbpa::space {
 /// A position among the points in the order of leaves and cells: a site, unless its point repeats an earlier one.
 using Place = std::uint32_t;
 
-/// Assigns points to cubic cells. The cell is a monotone function of each coordinate, so that any value between two
-/// coordinates is in the cells between theirs.
+/// A map from points to cubic cells. The cell is a monotone function of each coordinate, so that a value between two
+/// coordinates is in the cells between the cells of these two.
 struct CellGrid {
   Point3 low;
   double size = 1, inverse = 1;

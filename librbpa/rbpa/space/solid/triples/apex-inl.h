@@ -1,7 +1,7 @@
 // What: finds the fourth corner of the tetrahedron on a side of a triangle (v, q, r), among the points near v, in
 //       double precision.
-// Law:  a result is certain or `open`. The quotients are those of clip_triples-inl.h, whose derivation holds for any
-//       precision; here each lane is a point, and lengths are in units of the input.
+// Law:  a result is certain or `open`. The quotients are derived in clip_triples-inl.h for numbers of any precision;
+//       here each lane is a point, and lengths are in units of the input.
 #if defined(RBPA_SPACE_TRIPLES_APEX_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TRIPLES_APEX_INL_H_
 #undef RBPA_SPACE_TRIPLES_APEX_INL_H_

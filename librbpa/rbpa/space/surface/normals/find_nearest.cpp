@@ -52,8 +52,8 @@ template <typename Real>
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<Stored<Real>, Cloud<Real>>, Cloud<Real>,
                                                  3, std::uint32_t>;
 
-/// The nearest points so far, without the query point. Unlike nanoflann's own set, it does not prefer the first found
-/// of equal distances.
+/// The nearest points found so far, without the query point. Unlike the set of nanoflann, this one does not prefer the
+/// first found of equal distances.
 template <typename Real>
 class Nearest {
  public:

@@ -25,7 +25,7 @@ std::size_t EdgeRoll<Real>::first_left_free() const {
 
   std::size_t end = start;
   Ball<Real> ball = beginning;
-  std::size_t reach = none;  // of the points so far that the ball at the beginning contains, the one left last
+  std::size_t reach = none;  // of the points so far in the ball at the beginning: the one that it leaves last
   while (true) {
     const std::size_t q = holder(ball, end);
     if (q == none) return end;

@@ -35,7 +35,7 @@ class RegionSearch {
   ///      shrinks;
   ///   4. retry the caps whose circles were free as a whole;
   ///   5. read the rings off the corners.
-  /// Returns false where the region is lost. Requires: `around` has the surroundings of v's cell.
+  /// Returns false if the region is lost (FreeRegion). Requires: `around` has the surroundings of v's cell.
   bool find(Surroundings& around, Site v, Rings& found) {
     const std::span<const Point3> sites = cells_.sites();
     const auto is_in_ball = [&](std::size_t x, std::size_t y, std::size_t p) {
@@ -52,7 +52,7 @@ class RegionSearch {
   }
 
  private:
-  /// Step 1: fills near_. Returns the squared distance, in squared radii, up to which near_ has all points.
+  /// Does step 1: fills near_. Returns the squared distance, in squared radii, up to which near_ has all points.
   float find_near(Surroundings& around, Site v) {
     constexpr double wanted = 8;  // about six of these bound a region
     constexpr std::size_t least = 4;
@@ -72,7 +72,7 @@ class RegionSearch {
     }
   }
 
-  /// Step 2. Returns false where the region is lost.
+  /// Does step 2. Returns false if the region is lost.
   template <typename IsInBall>
   bool subtract_near(IsInBall is_in_ball) {
     const std::size_t few = std::min<std::size_t>(near_.size(), InitialRegion::most);
@@ -87,8 +87,8 @@ class RegionSearch {
     return true;
   }
 
-  /// Step 3, for points whose squared distance is above `from`: all at once where the region is bounded, otherwise
-  /// shell by shell, each of twice the squared distance. Returns false where the region is lost.
+  /// Does step 3, for points whose squared distance is above `from`: all at once where the region is bounded, otherwise
+  /// shell by shell, each of twice the squared distance. Returns false if the region is lost.
   template <typename IsInBall>
   bool subtract_far(Surroundings& around, Site v, float from, IsInBall is_in_ball) {
     const std::span<const Point3> sites = cells_.sites();
