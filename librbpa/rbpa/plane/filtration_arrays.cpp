@@ -16,7 +16,7 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;
 
-/// Returns the numbers 0 … count − 1, sorted.
+/// Returns the numbers 0 … count − 1, sorted by `less`.
 template <typename Less>
 Numbers sorted_numbers(std::size_t count, Steps& pulse, const Less& less) {
   Numbers numbers(count);
@@ -34,7 +34,7 @@ Numbers inverse(const Numbers& order) {
   return place;
 }
 
-/// Returns the place of each distinct point among the points of the arrays.
+/// Adds the distinct points to the arrays, in lexicographic order. Returns the place of each.
 Numbers add_points(FiltrationArrays& arrays, const Numbers& index, std::span<const Point> points, Steps& pulse) {
   const Numbers order = sorted_numbers(
       index.size(), pulse, [&](std::uint32_t a, std::uint32_t b) { return points[index[a]] < points[index[b]]; });
@@ -42,7 +42,7 @@ Numbers add_points(FiltrationArrays& arrays, const Numbers& index, std::span<con
   return inverse(order);
 }
 
-/// Returns the triangles with the places of their corners, the smallest first.
+/// Returns the triangles with the places of the points as corners, the smallest first.
 std::vector<Triangle> on_places(std::vector<Triangle> triangles, const Numbers& number, const Numbers& place) {
   for (auto& corners : triangles) {
     for (std::uint32_t& corner : corners) corner = place[number[corner]];
@@ -51,7 +51,7 @@ std::vector<Triangle> on_places(std::vector<Triangle> triangles, const Numbers& 
   return triangles;
 }
 
-/// Returns the place of each triangle among those of the arrays.
+/// Adds the triangles to the arrays, sorted by alpha, then by corners. Returns the place of each.
 Numbers add_triangles(FiltrationArrays& arrays, const std::vector<Triangle>& triangles,
                       const std::vector<double>& alpha, Steps& pulse) {
   const Numbers order = sorted_numbers(triangles.size(), pulse, [&](std::uint32_t a, std::uint32_t b) {
@@ -64,7 +64,8 @@ Numbers add_triangles(FiltrationArrays& arrays, const std::vector<Triangle>& tri
   return inverse(order);
 }
 
-/// Returns the cells with the numbers of the arrays, the edges sorted; the result depends on the points alone.
+/// Returns the cells, numbered as in the arrays, with the edges sorted by alpha and ends; the result depends on the
+/// points alone.
 FilteredCells renumbered(FilteredCells cells, const Numbers& vertices, const Numbers& faces, Steps& pulse) {
   FilteredCells result = cells;
   for (std::size_t v = 0; v < vertices.size(); ++v) result.vertices[vertices[v]] = cells.vertices[v];

@@ -29,7 +29,7 @@ bool is_triangulation_of_all(std::size_t points, const TriangleArrays& of) {
   return of.triangles.size() + sides + 2 == 2 * points;
 }
 
-/// The corners of a triangle relative to a point in it, scaled if differences would overflow.
+/// The corners of a triangle relative to a query in the triangle, halved if differences would overflow.
 struct SeenFrom {
   std::array<Point, 3> at;
   std::array<double, 3> size;  // the larger of |x| and |y|
@@ -50,14 +50,15 @@ struct SeenFrom {
 
 using Areas = std::array<double, 3>;
 
-/// Returns the areas, calling cross(i, j) for the two corners next to each corner.
+/// Returns for each corner the area across from the corner: cross(i, j) of the two other corners, or 0 if that is
+/// negative.
 template <typename Cross>
 Areas areas(Cross cross) {
   return {std::max(0.0, cross(1, 2)), std::max(0.0, cross(2, 0)), std::max(0.0, cross(0, 1))};
 }
 
-/// Returns the areas if products would overflow or underflow: corners are scaled to size one, each with an exponent of
-/// its own.
+/// Returns the areas, up to a common factor, where products would overflow or underflow: each corner is scaled to about
+/// size one by an exponent of its own.
 Areas areas_of_any_size(const SeenFrom& seen) {
   std::array<int, 3> exponent;
   for (std::size_t k = 0; k < 3; ++k) exponent[k] = std::ilogb(seen.size[k]);
@@ -74,7 +75,7 @@ Areas areas_of_any_size(const SeenFrom& seen) {
   return area;
 }
 
-/// Returns the barycentric coordinates of a point in a triangle: ratios of areas, which are not negative, with sum 1.
+/// Returns the barycentric coordinates of a query in a triangle: ratios of areas, not negative, with sum 1.
 std::array<double, 3> shares(const std::array<Point, 3>& corners, const Point& query) {
   const SeenFrom seen(corners, query);
   if (seen.least() == 0) return {double(seen.size[0] == 0), double(seen.size[1] == 0), double(seen.size[2] == 0)};
@@ -124,8 +125,8 @@ class Locator::Impl {
     for (std::size_t s = 0; s < at_site_.size(); ++s) at_site_[s] = at_point[sites_.input_index()[s]];
   }
 
-  /// Finds the triangle of a query. `last` is a triangle found before, or none: consecutive queries are often near each
-  /// other.
+  /// Returns the triangle that contains the query, as Locator::find(). `last` is the triangle of an earlier query, or
+  /// none: consecutive queries are often near each other.
   std::uint32_t find(const Point& query, std::uint32_t last) const {
     if (of_.triangles.empty() || !is_finite(query)) return no_index;
     std::uint32_t at = last != no_index && is_near(last, query) ? last : first_near(query);
@@ -148,7 +149,8 @@ class Locator::Impl {
 
   NaturalNeighbors natural_neighbors() const { return {points_, of_}; }
 
-  /// Interpolates at a query in triangle t: writes a value for each column. By natural neighbors, if any are given.
+  /// Writes to `result` the value of each column at a query in triangle t, NaNs if t is none. Uses natural neighbors
+  /// unless `neighbors` is null.
   void interpolate(std::uint32_t t, std::span<const double> values, const Point& query, NaturalNeighbors* neighbors,
                    std::span<double> result) const {
     if (t == no_index) {
@@ -177,7 +179,7 @@ class Locator::Impl {
     return Predicates<long double>::orientation(points_[corners[(k + 1) % 3]], points_[corners[(k + 2) % 3]], query);
   }
 
-  /// Returns whether the query, which is in triangle t, is none of its corners, and not on the convex hull.
+  /// Returns whether the query, which is in triangle t, is no corner of t and not on the convex hull.
   bool is_within(std::uint32_t t, const Point& query) const {
     for (std::size_t k = 0; k < 3; ++k) {
       if (points_[of_.triangles[t][k]] == query) return false;
@@ -186,8 +188,8 @@ class Locator::Impl {
     return true;
   }
 
-  /// Returns whether the distance of the query from a triangle is about that of its corners from each other: then few
-  /// steps lead there.
+  /// Returns whether the query is at most twice as far from the first corner of triangle t as another corner is, in x
+  /// and in y: then few steps lead to the query.
   bool is_near(std::uint32_t t, const Point& query) const {
     const auto& corners = of_.triangles[t];
     const auto distance = [&](const Point& p) {
@@ -197,7 +199,7 @@ class Locator::Impl {
     return distance(query) <= 2 * std::max(distance(points_[corners[1]]), distance(points_[corners[2]]));
   }
 
-  /// Returns a triangle at any point in the cell of the query, or in one near it.
+  /// Returns a triangle with a corner in the cell of the query or near that cell.
   std::uint32_t first_near(const Point& query) const {
     const PointGrid& grid = sites_.grid();
     if (grid.points().empty()) return 0;
@@ -214,7 +216,7 @@ class Locator::Impl {
     }
   }
 
-  /// Returns the first of the triangles that contain the point for which side() returns `sign`.
+  /// Returns the first of the triangles that contain a point of triangle t; sign[k] is side(t, k) of the point.
   std::uint32_t first_that_has(std::uint32_t t, const std::array<int, 3>& sign) const {
     const auto zeros = std::count(sign.begin(), sign.end(), 0);
     if (zeros == 0) return t;
@@ -228,8 +230,8 @@ class Locator::Impl {
     return std::min(first_around(t, corner, 1), first_around(t, corner, 2));
   }
 
-  /// Returns the least triangle at the corner from t on, in one direction: 1 or 2, which is the side that is crossed,
-  /// counted from the corner.
+  /// Returns the least number of the triangles around `corner`, from t on in one direction: 1 crosses the side across
+  /// from the next corner, 2 the side across from the corner after that.
   std::uint32_t first_around(std::uint32_t t, std::uint32_t corner, std::size_t direction) const {
     std::uint32_t least = t, at = t;
     do {

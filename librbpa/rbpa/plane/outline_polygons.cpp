@@ -18,8 +18,8 @@
 namespace rbpa {
 namespace {
 
-/// The lexicographic order of rings and polygons by their first two points: an edge is on one ring, so no two compare
-/// equal.
+/// The lexicographic order of rings, and of polygons, by their first two points. An edge is on one ring, so no two are
+/// equal in this order.
 class Order {
  public:
   explicit Order(std::span<const Point> points) : points_(points) {}
@@ -44,7 +44,7 @@ class Order {
   std::span<const Point> points_;
 };
 
-/// The rings of each component.
+/// A collector of the rings of each component.
 class RingsByComponent {
  public:
   /// Prepares for components with names below `names`.
@@ -63,7 +63,7 @@ class RingsByComponent {
 
  private:
   CurveSplitter splitter_;
-  std::vector<std::uint32_t> number_;  // the number of each name, from 1
+  std::vector<std::uint32_t> number_;  // for each name, the number of its component, from 1; 0 without
   std::vector<std::vector<Ring>> rings_;
 };
 

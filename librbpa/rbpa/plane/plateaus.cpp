@@ -14,8 +14,8 @@
 namespace rbpa {
 namespace {
 
-/// Returns the ratio that noise does not reach; docs/explanation/filtration_and_persistence.md, sections 6 and 7 tells
-/// how it was measured.
+/// Returns the ratio that plateaus of noise do not reach; docs/explanation/filtration_and_persistence.md, sections 6
+/// and 7, describes the measurement.
 double noise_ratio(std::size_t distinct) { return 1.4 + 10 / std::sqrt(static_cast<double>(distinct)); }
 
 /// Returns half the diagonal of the box of the points.

@@ -41,7 +41,7 @@ class PolygonsByEdge {
   std::vector<FirstEdge> firsts_ = {};
 };
 
-/// Returns for each component, at its least triangle, its polygon, or none.
+/// Returns the polygon of each component, or none, at the number of the triangle that represents the component.
 std::vector<std::uint32_t> polygon_of_components(const TriangleArrays& complex, const PolygonsByEdge& polygons,
                                                  meshops::DisjointSets& components, Steps& step) {
   std::vector<std::uint32_t> polygon(complex.triangles.size(), no_index);
@@ -56,12 +56,12 @@ std::vector<std::uint32_t> polygon_of_components(const TriangleArrays& complex, 
   return polygon;
 }
 
-/// Records that a point is a corner in this polygon, if it is one. Of several polygons, the least number counts.
+/// Sets `of_point` to `polygon`, unless that is none, or `of_point` has a lesser number.
 void put(Number& of_point, std::uint32_t polygon) {
   if (polygon != no_index && (!of_point || polygon < *of_point)) of_point = polygon;
 }
 
-/// Finds the polygons of points without one so far: those in holes that were filled, and duplicates of other points.
+/// Finds the polygons of points that have none so far: points in filled holes, and duplicates.
 void complete(std::vector<Number>& result, std::span<const Duplicate> duplicates, std::span<const Polygon> polygons,
               const PolygonFilter& filter, std::span<const Point> points, Steps& step) {
   if (filter.min_hole_area > 0) {

@@ -17,11 +17,11 @@
 namespace rbpa {
 namespace {
 
-/// A pair, and a cell that locates it: the edge at which it ends, or its last triangle.
+/// A pair, and the cell that locates the pair: the edge that ends a component, or the last triangle of a hole.
 struct Placed : PersistencePair {
   std::array<std::uint32_t, 2> edge;  // numbers of distinct points
   std::uint32_t triangle;
-  double last;  // the last radius at which it exists, if it ends
+  double last;  // the last radius at which the hole exists
 };
 
 void sort(std::vector<Placed>& pairs, Steps& pulse) {
@@ -48,7 +48,8 @@ std::vector<Placed> placed_pairs(FilteredCells& cells, Steps& pulse) {
   return pairs;
 }
 
-/// Returns the pairs of the complexes of these radii alone.
+/// Returns the pairs that exist at one of the radii `levels` or more; birth and last are the first and last of these
+/// radii, death is the next radius after the last, if there is one.
 std::vector<Placed> at_levels(const std::vector<Placed>& pairs, std::span<const double> levels) {
   std::vector<Placed> result;
   for (Placed pair : pairs) {
@@ -63,7 +64,7 @@ std::vector<Placed> at_levels(const std::vector<Placed>& pairs, std::span<const 
   return result;
 }
 
-/// Removes in each dimension the pairs that are certainly not chosen, before the rest is sorted.
+/// Removes in each dimension pairs that `choice` does not choose, so that fewer are sorted.
 void drop_short(std::vector<Placed>& pairs, const PairChoice& choice) {
   std::array<double, 2> least = {choice.min_persistence, choice.min_persistence};
   for (const int dimension : {0, 1}) {
@@ -100,7 +101,7 @@ class HoleSearch {
     }
   }
 
-  /// Returns the hole that contains this triangle. Requires: a bounded hole.
+  /// Returns the hole at `alpha` that contains the triangle. Requires: a bounded hole.
   Polygon hole_at(double alpha, std::uint32_t triangle, Steps& pulse) {
     reach(alpha, triangle, pulse);
     // Points are renumbered, so that the cost is that of the hole.
@@ -142,7 +143,8 @@ class HoleSearch {
     return static_cast<std::size_t>(std::find(neighbors.begin(), neighbors.end(), neighbor) - neighbors.begin());
   }
 
-  /// Collects all triangles that can be reached from this one, each with its number.
+  /// Collects in reached_ the triangles that can be reached from `triangle` outside of the complex at `alpha`, and
+  /// stores in number_ the position of each.
   void reach(double alpha, std::uint32_t triangle, Steps& pulse) {
     reached_ = {triangle};
     number_[triangle] = 0;

@@ -24,8 +24,8 @@ void check(const Covering& covering) {
     throw meshops::ContractViolation("share is " + text(covering.share) + ", expected a number above 0 and at most 1");
 }
 
-/// Adds triangles in ascending order of their radii. Returns the first radius at which is_enough(covered points, sizes
-/// of solid components).
+/// Adds triangles in ascending order of their radii. Returns the first radius at which is_enough(number of covered
+/// points, sizes of solid components) is true; nothing if there is none.
 template <typename Enough>
 std::optional<double> first_enough(const TriangleArrays& delaunay, std::size_t points, std::span<const double> radii,
                                    Steps& step, const Enough& is_enough) {
@@ -43,7 +43,7 @@ std::optional<double> first_enough(const TriangleArrays& delaunay, std::size_t p
   return std::nullopt;
 }
 
-/// Returns the radius at which the last point gets into a triangle.
+/// Returns the least radius at which every point of the triangulation is in a triangle; 0 without triangles.
 double covering_radius(const AlphaComplex& delaunay, std::size_t points, std::span<const double> radii) {
   std::vector<double> least(points, std::numeric_limits<double>::infinity());
   for (std::size_t t = 0; t < radii.size(); ++t)
@@ -54,8 +54,8 @@ double covering_radius(const AlphaComplex& delaunay, std::size_t points, std::sp
   return radius;
 }
 
-/// Returns the radius at which all points are in at most `max_components` solid components. Before each point is in a
-/// triangle, the order does not matter: on most sets few triangles come later.
+/// Returns the least radius at which all points are in at most `max_components` solid components; nothing if there is
+/// none. Triangles up to the radius that covers all points are added in any order: on most sets, few come later.
 std::optional<double> smallest_of_all(const AlphaComplex& delaunay, std::size_t points, std::span<const double> radii,
                                       std::size_t max_components, Steps& step) {
   const double covering = covering_radius(delaunay, points, radii);

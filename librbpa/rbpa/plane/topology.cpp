@@ -16,7 +16,8 @@ ComplexCounts count(const SolidAlphaComplex& complex) {
                        .boundary_curves = mesh.boundary_curves,
                        .solid_components = mesh.components};
 
-  // The space has one vertex per input point: join the mesh's vertices on the same point, then along edges.
+  // The space has one vertex for each input point that carries vertices of the mesh, and its components are joined
+  // along edges: pinches connect.
   const std::size_t points =
       complex.input_index.empty() ? 0 : *std::max_element(complex.input_index.begin(), complex.input_index.end()) + 1u;
   std::vector<bool> covered(points, false);

@@ -16,8 +16,8 @@
 namespace rbpa {
 namespace {
 
-/// Fills in the levels from the level number of each triangle; levels without a triangle between the first and the last
-/// are left out.
+/// Fills in result.level and result.levels from the level number of each triangle; leaves out levels without a triangle
+/// between the first and the last.
 void part_by_level(std::span<const std::uint32_t> numbers, const Ladder& ladder, double alpha,
                    TrianglesByLevel& result) {
   const auto end = static_cast<std::size_t>(ladder.end());

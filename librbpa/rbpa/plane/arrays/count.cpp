@@ -90,7 +90,8 @@ class BoundarySides {
     bool goes_out;
   };
 
-  /// Links the sides at a point. The sides out of it begin with number `first`.
+  /// Links the sides at point `at`. The sides that leave `at` are numbered from `first` on; `into` are the sides that
+  /// end there.
   void link(std::uint32_t at, std::size_t first, std::span<const std::uint32_t> into) {
     if (into.size() == 1) {
       along_fan_[into[0]] = across_gap_[into[0]] = static_cast<std::uint32_t>(first);
@@ -115,7 +116,8 @@ class BoundarySides {
     }
   }
 
-  /// Returns whether a comes before b counter-clockwise around v, from the right.
+  /// Returns whether the direction from v to a comes before that from v to b, counter-clockwise from the direction of
+  /// +x.
   static bool comes_before(const Point& v, const Point& a, const Point& b) {
     const auto is_below = [&](const Point& p) { return p.y < v.y || (p.y == v.y && p.x < v.x); };
     if (is_below(a) != is_below(b)) return is_below(b);
@@ -156,7 +158,7 @@ class BoundarySides {
   std::vector<std::uint32_t> along_fan_, across_gap_;  // for each side, the next one of its walk
 };
 
-/// Returns the boundary with the edges in no triangle added, in both directions.
+/// Returns the boundary sides and the edges in no triangle, the latter in both directions, in lexicographic order.
 std::vector<Side> with_edges(std::vector<Side> boundary, const AlphaComplex& complex, Steps& step) {
   for (const auto& [a, b] : complex.edges) {
     boundary.push_back({a, b});

@@ -11,7 +11,7 @@ namespace {
 using Real = long double;  // fits any coordinates
 using Edge = std::array<std::uint32_t, 2>;
 
-/// Returns the edges between neighbors on a line, if a ball of radius alpha reaches both.
+/// Returns the edges of length ≤ 2 alpha between neighbors on a line.
 std::vector<Edge> along_line(std::span<const Point> points, const Radius& radius, const AlphaComplex& of) {
   std::vector<std::uint32_t> order = of.isolated;
   std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) { return points[i] < points[j]; });

@@ -60,11 +60,11 @@ Vector<Number> to_circumcenter(const Vector<Number>& u, const Vector<Number>& v)
   return {Number((v.y * uu - u.y * vv) / twice), Number((u.x * vv - v.x * uu) / twice)};
 }
 
-/// The distance by which the mean of the neighbors may miss the point, relative to the distance to the nearest
-/// neighbor.
+/// The maximum distance of the weighted mean of the neighbors from the query, as a fraction of the nearest neighbor's
+/// distance.
 constexpr double tolerance = 1e-9;
 
-/// Returns whether products of six numbers of this size stay within the exponents of double.
+/// Returns whether products of six numbers of the size of `way` stay within the exponents of double.
 bool stays(double way) { return way == 0 || (std::abs(way) > 0x1p-120 && std::abs(way) < 0x1p120); }
 
 }  // namespace
@@ -85,8 +85,8 @@ NaturalNeighbors::Side NaturalNeighbors::beyond(const Side& s) const {
   return {other, static_cast<std::size_t>(std::find(back.begin(), back.end(), s.triangle) - back.begin())};
 }
 
-/// Walks once around the polygon, starting at a side of it, in lengths times 2^exponent. Calls visit(corner, area) for
-/// each corner, with twice the area of that corner's part of the new cell.
+/// Walks once around the polygon of the natural neighbors, from its side `first` on. Calls visit(corner, area) for each
+/// corner, with twice the area of the corner's part of the new cell; lengths are multiplied by 2^exponent.
 template <typename Number, typename Visit>
 void NaturalNeighbors::measure(const Point& query, const Side& first, int exponent, Visit visit) const {
   const auto way = [&](const Point& a, const Point& b) { return from<Number>(a, b, exponent); };
@@ -115,7 +115,7 @@ void NaturalNeighbors::measure(const Point& query, const Side& first, int expone
   } while (!(side == first));
 }
 
-/// Computes the shares in rounded numbers; returns whether they satisfy Sibson's identity up to rounding.
+/// Computes shares_ in rounded numbers. Returns whether the shares satisfy Sibson's identity up to `tolerance`.
 template <typename Number>
 bool NaturalNeighbors::find_rounded(const Point& query, const Side& first, int exponent) {
   shares_.clear();

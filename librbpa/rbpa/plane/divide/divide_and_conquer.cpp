@@ -80,7 +80,7 @@ class Extraction {
     }
   }
 
-  /// Enters triangles into the patch; `across` holds the edges of each triangle until all have their numbers.
+  /// Enters triangles into the patch; patch.across holds the edges of each triangle until all edges have their numbers.
   void enter(const Found& found, meshops::Patch& patch) {
     for (std::size_t k = 0; k < found.size; ++k) {
       const std::size_t t = found.first + k;
@@ -92,12 +92,12 @@ class Extraction {
     }
   }
 
-  /// Computes the outline of the patch, whose triangles have these corners.
+  /// Computes the outline of the patch; `corners` are the corners of its triangles.
   void draw(const meshops::Patch& patch, std::span<const std::array<Corner, 3>> corners,
             meshops::Outline& outline) const {
     outline.clear();
     constexpr int no_side = -1;
-    std::vector<int> last(places_.size() + 1, no_side);  // for each corner, at 1 + its number
+    std::vector<int> last(places_.size() + 1, no_side);  // last side of each corner v, at v + 1
     std::vector<int> outer;
     int side = 0;
     for (std::size_t t = 0; t < corners.size(); ++t)

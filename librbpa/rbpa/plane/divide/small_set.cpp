@@ -17,7 +17,7 @@ namespace {
 
 using Edge = QuadEdges::Edge;
 
-/// A hash table of points that finds repeated ones.
+/// A hash table of points, which finds equal points.
 class DistinctPoints {
  public:
   explicit DistinctPoints(std::span<const Point> points)
@@ -25,7 +25,7 @@ class DistinctPoints {
         shift_(64 - static_cast<int>(std::bit_width(2 * points.size() + 1))),
         slots_(std::size_t{1} << (64 - shift_), empty) {}
 
-  /// Returns the index of the first equal point that was added; if there is none, adds this one and returns its index.
+  /// Returns the index of an equal point that was added before; if there is none, adds point i and returns i.
   std::uint32_t add(std::uint32_t i) {
     std::size_t slot = hash(points_[i]);
     while (slots_[slot] != empty) {
@@ -88,11 +88,12 @@ class SortedTriangles {
     }
   }
 
-  /// Sorts the triangles; called once, after find().
+  /// Fills in the triangles in canonical order, and their neighbors unless `neighbors` is null; called once, after
+  /// find().
   void sort(std::vector<Triangle>& triangles, std::vector<Triangle>* neighbors) {
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     const auto order = std::make_unique_for_overwrite<std::uint32_t[]>(size_);
-    // Each triangle is inserted into its star before those with a greater second corner, of which there are few.
+    // Each triangle is inserted among the triangles with the same least corner, which are few, by its second corner.
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (std::uint32_t t = 0; t < size_; ++t) {
       const std::uint32_t corner = found_[t].corners[0];

@@ -23,9 +23,10 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// An enumeration of triangles for a few points at a time, in steps: find the near points, then the pairs of these that
-/// are within alpha with the point, then the triples that have no point in their circle. The result of a step is a list
-/// whose next entry is always written, and counted only if it belongs there: no branch has to be predicted.
+/// An enumeration of triangles for a few points at a time, in steps: find the points near each point, then pairs of the
+/// point and a near one, then triples of circumradius ≤ alpha, then the triples that have no point in their circle. The
+/// result of a step is a list whose next entry is always written, and counted only if it belongs there: no branch has
+/// to be predicted.
 class Enumeration {
  public:
   Enumeration(const Tile& tile, double alpha, TileWorkspace& workspace, EnumerationWorkspace& own)
@@ -82,15 +83,15 @@ class Enumeration {
   struct Near {
     alignas(64) float x[max_near + near_padding], y[max_near + near_padding];
     std::int32_t label[max_near + near_padding];
-    std::size_t point, place;  ///< its number in the tile, and its position among the chosen points
-    Bits near;                 ///< the points within reach, among all around
+    std::size_t point, place;  ///< its number in the tile, and in the batch
+    Bits near;                 ///< a bit for each point around, set if within reach
     std::size_t count, next;
   };
 
   static std::size_t point_of(std::int32_t label) { return OwnedPoints::point_of(label); }
   bool owns(std::size_t point) const { return tile_.owned[point] != 0; }
 
-  /// Processes `count` points of a row, from `first` on. Returns false if too many points are near one of them.
+  /// Processes `count` points of a row, from `first` on. Returns false if the search would take too long.
   bool take(int row, std::size_t first, std::size_t count) {
     if (!find_rows(row, first, count)) return false;
     listed_ = pairs_ = triples_ = 0;
@@ -108,11 +109,12 @@ class Enumeration {
   /// Returns the maximum number of triples; dense points have too many.
   std::size_t max_wanted() const { return 256 + 12 * taken_; }
 
-  /// Returns whether rounding leaves too many decisions open. A front (pivots/) is faster then, as it meets each of
-  /// these decisions once.
+  /// Returns whether rounding has left too many decisions open. A front (pivots/) is faster then, as a front meets each
+  /// of these decisions once.
   bool is_doubtful() const { return doubts_ > 32 + taken_ / 32; }
 
-  /// Finds for each point the points in the 3 × 3 cells around it, as a range in each of three rows.
+  /// Finds for each point the points in the 3 × 3 cells around the point, as a range in each of three rows. Returns
+  /// false if there are more than max_near around one point, itself included.
   bool find_rows(int row, std::size_t first, std::size_t count) {
     const D d;
     const DI di;
@@ -138,8 +140,8 @@ class Enumeration {
                        [](std::int32_t around) { return around <= static_cast<std::int32_t>(max_near); });
   }
 
-  /// Lists a point if the tile owns it or a point within its reach, and at least two points within its reach come after
-  /// it.
+  /// Lists a point that has at least two later points within its reach, if the tile owns the point or some point within
+  /// that reach.
   HWY_INLINE void find_near(std::size_t j, std::size_t point) {
     const D d;
     const V px = hn::Set(d, at_.x[point]), py = hn::Set(d, at_.y[point]), reach = hn::Set(d, reach_ * reach_);
@@ -175,7 +177,8 @@ class Enumeration {
     wanted_ += is_listed * (after * (after - 1) / 2);
   }
 
-  /// Lists the neighbors of a point that the tile owns and that is near one that it does not own.
+  /// Lists the pairs of a point and each point near it, a point that the tile owns first. Requires: the tile owns the
+  /// point, and does not own some near point.
   HWY_NOINLINE void list_rim(std::size_t j, std::size_t point, Bits near, Bits owned) {
     const std::size_t first = static_cast<std::size_t>(from_[0][j]), second = static_cast<std::size_t>(from_[1][j]),
                       third = static_cast<std::size_t>(from_[2][j]);
@@ -191,8 +194,8 @@ class Enumeration {
     }
   }
 
-  /// Gathers the near points, and lists each pair of the point and one after it, except the last: a third point must
-  /// come after both.
+  /// Gathers the points near a listed point, and lists its pairs with the later near points, except the last of these:
+  /// a third point must come after both.
   HWY_INLINE void list_near(Near& near) {
     const D d;
     const DI di;
@@ -214,7 +217,7 @@ class Enumeration {
       bits >>= around;
     }
     near.count = count;
-    // All lanes of the maximum number are written.
+    // Whole registers are written; only the first entries count.
     const auto number = static_cast<std::size_t>(&near - near_);
     auto pairs = hn::ShiftLeft<of_second>(hn::Iota(di, 0)) +
                  hn::Set(di, static_cast<std::int32_t>(number << of_point | near.next << of_second));
@@ -225,7 +228,8 @@ class Enumeration {
     pairs_ += count - near.next - 1;
   }
 
-  /// Lists the triples of a pair and one after both that are within alpha.
+  /// Lists the triples of a pair and a later near point that have a circumradius ≤ alpha and a corner that the tile
+  /// owns.
   HWY_INLINE void find_triples(std::int32_t pair) {
     const D d;
     const DI di;
@@ -261,7 +265,8 @@ class Enumeration {
     triple_[triples_++] = pair | static_cast<std::int32_t>(third << of_third | std::size_t{is_right});
   }
 
-  /// Lists the triples that rounding leaves open, by exact tests.
+  /// Lists the triples of a pair with the near points from number v on that are `sure`, or `uncertain` and pass exact
+  /// tests.
   HWY_NOINLINE void list_exactly(std::int32_t pair, std::size_t v, Bits sure, Bits uncertain, Bits right) {
     const std::size_t second = static_cast<std::size_t>(pair) >> of_second & max_number;
     const Near& near = near_[static_cast<std::size_t>(pair) >> of_point];
@@ -279,7 +284,7 @@ class Enumeration {
     }
   }
 
-  /// Makes triangles of the triples with an empty circle. Returns false if too many are in doubt.
+  /// Makes triangles of the triples with an empty circle. Returns false if rounding leaves too many decisions open.
   bool create_empty() {
     const D d;
     std::size_t triangles = 0;
@@ -354,7 +359,7 @@ class Enumeration {
   double scaled_;  // alpha in the scale of the tile's coordinates, or a number above the limit
   float reach_, factor_;
   std::size_t listed_ = 0, pairs_ = 0, triples_ = 0, doubts_ = 0;
-  std::size_t taken_ = 0, wanted_ = 0;  // number of points, and of triples that begin with them
+  std::size_t taken_ = 0, wanted_ = 0;  // number of points so far, and of triples that begin with them
   alignas(64) std::int32_t from_[rows_at_once][at_once], to_[rows_at_once][at_once], around_[at_once];
   Near near_[at_once + 1];
   std::int32_t pair_[at_once * max_near + near_padding], triple_[full + 2 * max_near];

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// An edge of the triangulation: the side of a triangle across from a corner, and the triangle beyond, or none.
+/// An edge of the triangulation: the side of `triangle` across from its corner `corner`, and the triangle beyond, or
+/// none.
 struct Side {
   std::uint32_t triangle, corner, beyond;
 };
@@ -42,7 +43,7 @@ bool has_point_in_circle(const AlphaComplex& delaunay, std::span<const Point> po
   return side.beyond != AlphaComplex::none && Wide::dot_sign(points[opposite(delaunay, side)], a, b) < 0;
 }
 
-/// Returns the cells of points on a line: neighbors on it are joined at half their distance.
+/// Returns the cells of points on a line: edges join neighbors on the line, each with half its length as alpha.
 FilteredCells cells_on_line(const AlphaComplex& delaunay, std::span<const Point> points,
                             const std::vector<std::uint32_t>& number, Steps& pulse) {
   std::vector<std::uint32_t> line = delaunay.isolated;

@@ -20,8 +20,8 @@ double rounded_up(long double x) {
   return std::nextafter(nearest, std::numeric_limits<double>::infinity());
 }
 
-/// Returns the least double above 0 from `low` to `high` that is `enough`. Requires: `high` is, and with a number every
-/// larger one.
+/// Returns the least double x > 0 from `low` to `high` for which enough(x) is true. Requires: enough(high) is true, and
+/// with enough(x) also enough(y) for every y > x.
 template <typename Enough>
 double least(double low, double high, const Enough& enough) {
   // Doubles above 0 are ordered as their bits.

@@ -34,15 +34,15 @@ std::vector<std::uint32_t> by_alpha_and_area(const Filtration& filtration, const
   return faces;
 }
 
-/// Gaps of the complex while alpha falls: triangles that are not in it, connected through sides that are not in it.
+/// The gaps of the complex while alpha falls: sets of triangles outside of the complex that are connected through sides
+/// outside of the complex.
 class Gaps {
  public:
-  /// Makes each face a gap; the outside is one more face, after the last.
+  /// Makes each face a gap of its own; the outside is one more face, after the last.
   explicit Gaps(std::uint32_t faces) : outside_(faces), sets_(faces + std::size_t{1}), next_(sets_.size()) {
     std::iota(next_.begin(), next_.end(), 0u);
   }
-  /// Joins the gaps of two faces; `outside_reaches(face)` is called for each triangle that is now in the gap of the
-  /// outside.
+  /// Joins the gaps of two faces. Calls outside_reaches(face) for each triangle that gets into the gap of the outside.
   template <typename Reaches>
   void join(std::uint32_t a, std::uint32_t b, const Reaches& outside_reaches) {
     // Faces are added in descending order. In reverse numbers, the least of a set is its oldest, and paths stay short.
@@ -64,8 +64,8 @@ class Gaps {
   std::vector<std::uint32_t> next_;  // the faces of a gap are a ring
 };
 
-/// Returns for each face the first step at which it is in the complex or in a hole of it. Faces are in the order of
-/// their steps.
+/// Returns for each face the first step at which the face is in the complex or in a hole. Requires: faces in the order
+/// of their steps.
 std::vector<std::uint32_t> enclosed_from(const OwnedTriangles& of, const std::vector<std::uint32_t>& step_of,
                                          Steps& pulse) {
   const auto outside = static_cast<std::uint32_t>(of.triangles.size());
@@ -74,7 +74,7 @@ std::vector<std::uint32_t> enclosed_from(const OwnedTriangles& of, const std::ve
   for (std::uint32_t i = outside; i-- > 0;) {
     pulse();
     for (const std::uint32_t neighbor : of.neighbors[i])
-      if (neighbor > i)  // it is not in the complex either; beyond the boundary there is no triangle
+      if (neighbor > i)  // the neighbor is outside of the complex too; `none` is the greatest number
         gaps.join(i, std::min(neighbor, outside), [&](std::uint32_t face) { enclosed[face] = step_of[i]; });
   }
   return enclosed;

@@ -49,8 +49,8 @@ auto PointGrid::make_level(std::span<const Point> points, Threads& threads) -> L
   return level;
 }
 
-/// Makes a grid of every cell with too many points, unless all are equal, and of the cells of these grids: each grid
-/// divides its points.
+/// Makes a grid of every cell with too many points, unless these are all equal, then of such cells of the new grids,
+/// and so on: each grid divides its points.
 void PointGrid::refine(Threads& threads, const Checkpoint& checkpoint) {
   struct DenseCell {
     std::uint32_t level, cell, first, last;
@@ -97,8 +97,8 @@ void PointGrid::index_children(Level& level) {
   }
 }
 
-/// Finds every point of a cell that equals one before it. The points of the cell are in input order; if they are too
-/// many for a cell, they are all equal.
+/// Finds every point of a cell that equals an earlier point of the cell. Points of a cell are in input order; more than
+/// max_in_cell points are all equal.
 void PointGrid::find_duplicates(std::uint32_t first, std::uint32_t last, Repeated& found) const {
   for (std::uint32_t i = first + 1; i < last; ++i) {
     const std::uint32_t end = last - first > max_in_cell ? first + 1 : i;
@@ -111,7 +111,7 @@ void PointGrid::find_duplicates(std::uint32_t first, std::uint32_t last, Repeate
 }
 
 /// Returns whether any of the points `first` … `last` − 1 equals one of the `nearby` points before it. There is no
-/// branch for each point: on a lattice half of the points have the same x as the one before, and it would be
+/// branch for each point: on a lattice half of the points have the same x as the point before, and a branch would be
 /// mispredicted.
 bool PointGrid::repeats_nearby(std::uint32_t first, std::uint32_t last) const {
   decltype(Two<double>() == Two<double>()) repeats = {};
@@ -141,7 +141,7 @@ void PointGrid::find_duplicates(const Level& level, std::size_t first_cell, std:
   }
 }
 
-/// Keeps one of all equal points, in every cell. Equal points share a cell at every level.
+/// Keeps the first of all equal points. Equal points share a cell at every level.
 void PointGrid::remove_duplicates(Threads& threads) {
   const std::size_t cells = levels_[0].start.size() - 1, parts = (cells + cells_at_a_time - 1) / cells_at_a_time;
   std::vector<Repeated> found(parts + levels_.size() - 1);

@@ -27,13 +27,13 @@ namespace {
 
 constexpr double no_alpha = std::numeric_limits<double>::quiet_NaN();
 
-/// The shapes of a run of groups, before they are appended to those of others.
+/// The shapes of a chunk of groups, before they are appended to the shapes of earlier chunks.
 struct ShapesOfChunk {
   GroupPoints gathered;
   GroupShapes made;  // `polygon_begin` and `triangle_begin` count from the beginning of the chunk
 };
 
-/// Calls the option's go_on(), one call at a time.
+/// The number of finished groups, and calls of GroupOptions::go_on with it, one at a time.
 class GroupsDone {
  public:
   explicit GroupsDone(const std::function<bool(std::size_t)>& go_on) : go_on_(go_on) {}
@@ -43,7 +43,7 @@ class GroupsDone {
     const std::lock_guard lock(mutex_);
     return go_on_(done_);
   }
-  /// Counts finished groups. Throws: Cancelled.
+  /// Sets the number of finished groups, and calls go_on(). Throws: Cancelled.
   void set(std::size_t done) {
     {
       const std::lock_guard lock(mutex_);
@@ -78,7 +78,7 @@ class GroupShaper {
   }
 
  private:
-  /// Appends everything except totals and problems; returns why there is no polygon.
+  /// Appends everything except totals and problems. Returns why there is no polygon, meaningless if there is one.
   std::string find(const Group& group, unsigned threads, GroupShapes& made) {
     GoOn go_on;
     AlphaComplexOptions of_group{.neighbors = true, .threads = threads};
@@ -123,7 +123,8 @@ class GroupShaper {
     return alpha_.choice.rule == AlphaRule::given ? std::optional(alpha_.choice.radius) : std::nullopt;
   }
 
-  /// Returns the complex at the chosen radius, which is stored in `alpha`; all triangles if there is no radius.
+  /// Returns the complex at the radius that the rule chooses, and stores that radius in `alpha`. If the rule finds no
+  /// radius, returns the whole triangulation and leaves `alpha` as it is.
   AlphaComplex choose(const Delaunay& delaunay, double& alpha, const GoOn& go_on) const {
     if (delaunay.triangulation().triangles.empty()) return delaunay.triangulation();
     Steps step(go_on);

@@ -7,7 +7,7 @@
 namespace rbpa {
 namespace {
 
-/// Puts the triangles of the first level into a mesh, and keeps those of later ones.
+/// A sink that puts the triangles of the first level into a mesh, and keeps the triangles of later levels.
 struct LevelSink {
   struct Share {
     LevelPatch levels;
@@ -43,7 +43,8 @@ struct LevelSink {
   Monitor& monitor;
 };
 
-/// Returns the same as fit(), without looking for edges with two triangles on one side, which a complex does not have.
+/// Returns what fit() returns, without a search for edges with two triangles on one side, which a complex does not
+/// have.
 meshops::Fit fit_of_complex(const meshops::Front& front, const std::array<meshops::Site, 3>& corners) {
   meshops::Fit fit(corners);
   for (std::size_t i = 0; i < 3; ++i)
@@ -60,7 +61,8 @@ std::size_t GrowthByTiles::grow(int level, meshops::Front& front) {
   return sites;
 }
 
-/// Counts the first level, which is in the mesh: returns the number of sites with a triangle.
+/// Returns the number of sites with a triangle in a mesh of the first level, and adds the isolated and boundary sites
+/// to open_sites_.
 std::size_t GrowthByTiles::look_at(const meshops::Front& front) {
   std::size_t sites = 0;
   for (meshops::Site s = 0; s < front.sites(); ++s) {

@@ -6,8 +6,8 @@
 namespace rbpa {
 namespace {
 
-/// Returns the new number of the side `beyond`, or Patch::nothing if its triangle waits; a negative entry of `across`
-/// is returned as it is. `number` has for each triangle the new number of its first side.
+/// Returns the new number of the side `beyond`, or Patch::nothing if the triangle of that side waits; returns a
+/// negative `beyond` unchanged. number[t] is the new number of the first side of triangle t.
 int renumbered(int beyond, const std::vector<int>& number) {
   if (beyond < 0) return beyond;
   const int of_triangle = number[static_cast<std::size_t>(beyond) / 3];

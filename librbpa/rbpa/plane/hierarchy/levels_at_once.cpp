@@ -14,7 +14,7 @@ constexpr std::size_t items_at_a_time = 1u << 16;
 
 /// A record of the levels of triangles that are laid.
 struct Notes {
-  /// Adds a patch whose first face is `face`. Patches of two threads can have sites in common.
+  /// Adds the levels of a patch whose first face is `face`. Called by several threads, whose patches can share sites.
   void add(const meshops::Patch& patch, std::size_t face) const {
     for (const auto& corners : patch.triangles) {
       const int of_triangle = levels.of(corners);
@@ -97,8 +97,8 @@ meshops::FreshVector<std::uint32_t> LevelsAtOnce::new_numbers(std::size_t faces,
   return number;
 }
 
-/// Counts the sites and edges that each level adds. `later` are the faces of all levels but the first; edges of none of
-/// them belong to the first level.
+/// Counts the sites and edges that each level adds. `later` are the faces of all levels but the first; edges that no
+/// later face has belong to the first level.
 void LevelsAtOnce::count_later(const meshops::AssembledPatches& assembled, std::span<const std::uint32_t> later) {
   const meshops::Connectivity& mesh = assembled.mesh();
   Growth& first = growth_.front();

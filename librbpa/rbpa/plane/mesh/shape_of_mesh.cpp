@@ -16,7 +16,7 @@ OwnedTriangles faces_on_points(const SolidAlphaComplex& complex) {
   return faces;
 }
 
-/// Returns the input points by index, up to the last one that carries a vertex.
+/// Returns the input points by index, up to the last that carries a vertex; points without a vertex are (0, 0).
 std::vector<Point> points_under(const SolidAlphaComplex& complex) {
   std::size_t size = 0;
   for (const std::uint32_t p : complex.input_index) size = std::max(size, std::size_t{p} + 1);

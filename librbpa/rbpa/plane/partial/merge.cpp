@@ -27,7 +27,7 @@ struct End {
   std::uint32_t chain;
 };
 
-/// Returns the chains sorted by one of their ends.
+/// Returns the chains sorted by edge_of(chain), their first or last edge. Throws: InvalidInput when two have the same.
 std::vector<End> sorted_by(const std::vector<Chain>& chains, PointPair (*edge_of)(const Chain&)) {
   std::vector<End> ends;
   ends.reserve(chains.size());
@@ -42,7 +42,7 @@ std::vector<End> sorted_by(const std::vector<Chain>& chains, PointPair (*edge_of
   return ends;
 }
 
-/// Returns for each chain the one that continues where it ends.
+/// Returns for each chain the number of the chain that continues it, or no_index.
 std::vector<std::uint32_t> followers(const std::vector<Chain>& chains) {
   std::vector<std::uint32_t> next(chains.size(), no_index);
   const std::vector<End> firsts = sorted_by(chains, first_edge), lasts = sorted_by(chains, last_edge);
@@ -83,7 +83,7 @@ std::vector<Chain> join_chains(std::vector<Chain>&& chains, const std::function<
   for (std::uint32_t c = 0; c < chains.size(); ++c) {
     if (done[c]) continue;
     Chain curve = follow(c);
-    curve.path.resize(curve.path.size() - 2);  // they repeat the first two points
+    curve.path.resize(curve.path.size() - 2);  // the last two points repeat the first two
     closed(std::move(curve));
   }
   return open;
@@ -138,8 +138,8 @@ void append_all(PartialState& a, PartialState&& b) {
   append(a.polygons, std::move(b.polygons));
 }
 
-/// Merges two sorted lists of shared triangles, unites in `components` those that have a triangle in common, and drops
-/// triangles whose three corners are now in merged regions.
+/// Merges two sorted lists of shared triangles. Unites in `components` any two components with a triangle in common,
+/// and drops triangles whose three corners are now in merged regions. Throws: InvalidInput when regions share a corner.
 std::vector<SharedTriangle> merge_shared(const std::vector<SharedTriangle>& a, const std::vector<SharedTriangle>& b,
                                          meshops::DisjointSets& components) {
   std::vector<SharedTriangle> merged;
@@ -174,7 +174,7 @@ void absorb(OpenComponent& to, OpenComponent&& from) {
   add_taken(to, std::move(from));
 }
 
-/// Unites components in the same set, and their groups.
+/// Unites the open components that are in one set of `components`, and their groups.
 void unite_components(PartialState& state, meshops::DisjointSets& components) {
   const auto count = static_cast<std::uint32_t>(state.open.size());
   meshops::DisjointSets groups(count);

@@ -84,12 +84,13 @@ struct Pass {
   std::uint64_t triangles = 0;
   std::uint64_t twice_edges = 0;
   meshops::DisjointSets components;        // sets of triangles, joined across sides with an owned end
-  std::vector<std::uint32_t> triangle_at;  // any triangle at each owned point
+  std::vector<std::uint32_t> triangle_at;  // for each owned point in a triangle, one such triangle
   std::vector<std::uint32_t> shared;       // triangles with owned corners and others
   std::vector<OpenSide> boundary;          // sides that have an owned end
 };
 
-/// Reads the sides of a triangle. A region counts a side that has an owned end: both of its triangles are then here.
+/// Adds to `pass` the sides of triangle t that have an owned end: both triangles at such a side are known here. The
+/// region counts the sides whose lesser end it owns.
 void look_at_sides(const RegionComplex& of, std::uint32_t t, unsigned owned, Pass& pass) {
   const auto& corners = of.triangulation().triangles[t];
   const auto& neighbors = of.triangulation().neighbors[t];
@@ -166,7 +167,7 @@ class Builder {
     }
   }
 
-  /// Adds the owned points at which several fans begin, where components touch, or one touches itself.
+  /// Adds the owned points at which several components touch.
   void add_pinches() {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> fans;  // point, component
     for (const OpenSide& side : pass_.boundary) {
@@ -184,7 +185,7 @@ class Builder {
         for (; i < end; ++i) pinch.members.push_back(fans[i].second);
         pinch.points = 1;
         pinched_.push_back(at);
-        pass_.triangle_at[at] = no_index;  // it counts there
+        pass_.triangle_at[at] = no_index;  // the point counts in the pinch
       }
       i = end;
     }

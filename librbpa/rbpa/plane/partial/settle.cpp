@@ -15,7 +15,9 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;  // new numbers by old ones
 
-/// Numbers open components by their first shared triangle, and moves them there. Other components get no number.
+/// Numbers the components with a shared triangle by their first one, and sorts state.open by these numbers. Moves the
+/// other components to `finished`, and their old numbers to `old_of_finished`. Returns the new numbers; no_index for
+/// the finished components.
 Numbers number_components(PartialState& state, std::vector<OpenComponent>& finished, Numbers& old_of_finished) {
   Numbers number(state.open.size(), no_index);
   std::vector<OpenComponent> open;
@@ -86,7 +88,8 @@ void drop_losers(Pinch& pinch, const PartialState& state) {
   std::erase_if(pinch.members, [&](std::uint32_t m) { return m >= open && m != first; });
 }
 
-/// Decides pinches that can be decided, and unites those with the same members.
+/// Adds the points of each pinch that has a single member left to that member, and unites the other pinches that have
+/// the same members.
 void settle_pinches(PartialState& state) {
   const auto open = static_cast<std::uint32_t>(state.open.size());
   std::vector<Pinch> undecided;
@@ -110,7 +113,7 @@ void settle_pinches(PartialState& state) {
   }
 }
 
-/// Moves held polygons for which no pinch waits to the finished ones; sorts the others.
+/// Moves the held polygons that are members of no pinch to the finished ones; sorts the others.
 void release_held(PartialState& state) {
   const auto open = static_cast<std::uint32_t>(state.open.size());
   std::vector<bool> waits(state.held.size(), false);

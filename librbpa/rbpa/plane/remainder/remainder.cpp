@@ -37,7 +37,7 @@ std::vector<std::uint32_t> Remainder::not_done() const {
   return sites;
 }
 
-/// Returns the triangles found without a settled corner, in ascending order.
+/// Returns the triangles of patches that have no settled corner, ascending.
 std::vector<Remainder::Corners> Remainder::found_without_settled() const {
   std::vector<Corners> found;
   for (const Corners& t : loose_triangles_)

@@ -5,7 +5,7 @@
 namespace rbpa {
 namespace {
 
-/// Calls visit(from, to) for every edge.
+/// Calls visit(from, to) for every edge of the ring.
 template <typename Visit>
 void for_each_edge(const Ring& ring, std::span<const Point> points, Visit&& visit) {
   std::uint32_t from = ring.points.back();
@@ -15,9 +15,9 @@ void for_each_edge(const Ring& ring, std::span<const Point> points, Visit&& visi
   }
 }
 
-/// Returns the length, with a relative error of at most 3 · 2⁻⁵³: one rounding for the differences, one for squares and
-/// sum under the root, one for the root. Only correctly rounded operations of the standard are used, so the bits are
-/// the same everywhere.
+/// Returns the distance of a and b, with a relative error of at most 3 · 2⁻⁵³: one rounding for the differences, one
+/// for squares and sum under the root, one for the root. Only correctly rounded operations of the standard are used, so
+/// the bits are the same everywhere.
 double length(const Point& a, const Point& b) {
   const double dx = std::abs(b.x - a.x), dy = std::abs(b.y - a.y);
   const double larger = std::max(dx, dy), smaller = std::min(dx, dy);

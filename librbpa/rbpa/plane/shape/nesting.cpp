@@ -13,7 +13,7 @@ namespace {
 struct Edge : SweptEdge {
   std::uint32_t polygon;
   std::uint32_t ring;  // 0 is the shell, k is hole k − 1
-  bool opens_shell;    // whether it is the first edge of the shell: the lower of the two at the shell's first point
+  bool opens_shell;    // whether it is the shell's first edge: the lower of two at the first point
   bool solid_above;    // whether the polygon is above the edge
 };
 
@@ -55,7 +55,7 @@ class Sweep {
     return (*start_)->low;
   }
 
-  /// Removes edges that end at `at` or before, and inserts those that begin there. Returns the latter.
+  /// Removes the edges that end at `at` or before. Inserts the edges that begin at `at`, and returns them.
   std::span<const Edge* const> move_to_start(const Point& at) {
     step_();
     move_past_ends(at);
@@ -83,7 +83,7 @@ class Sweep {
   std::vector<Edges::iterator> place_;
 };
 
-/// Returns for each polygon the edge next below the first point of its shell.
+/// Returns for each polygon the edge next below the first point of its shell; null if there is none.
 std::vector<const Edge*> edges_below(std::size_t polygons, const std::vector<Edge>& edges, Steps& step) {
   std::vector<const Edge*> below(polygons, nullptr);
   Sweep sweep(edges, step);
@@ -106,8 +106,8 @@ std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, st
   std::vector<bool> known(polygons.size(), false);
   std::vector<std::size_t> waiting;
   for (std::size_t p = 0; p < polygons.size(); ++p) {
-    // A polygon directly above the shell of another lies in the same hole as the other: go down until a hole, nothing,
-    // or a polygon whose nesting is known.
+    // A polygon directly above the shell of another lies in the same hole as the other. The walk goes down to a hole,
+    // to nothing, or to a polygon whose nesting is known.
     std::size_t at = p;
     for (; !known[at]; at = below[at]->polygon) {
       waiting.push_back(at);

@@ -14,7 +14,7 @@ constexpr double max_contrast = 3;         // maximum ratio of densities of the 
 constexpr std::uint32_t min_points = 256;  // a smaller block is not divided for its density
 constexpr double margin = 2;               // width of the halo in cells: about three times the distance of neighbors
 
-/// Calls visit(first, last) for the cells of a block in each row.
+/// Calls visit(first, last) for each row of a block, with its cells first to last − 1.
 template <typename Visit>
 void for_each_row(const Level& level, const Block& block, Visit visit) {
   for (int r = block.row; r < block.row + block.rows; ++r) {
@@ -25,7 +25,7 @@ void for_each_row(const Level& level, const Block& block, Visit visit) {
 
 std::uint32_t points_in(const Level& level, std::uint32_t cell) { return level.start[cell + 1] - level.start[cell]; }
 
-/// Calls visit(cell) for the cells in a part of a row that are grids of tiles of their own, ascending.
+/// Calls visit(cell) for the cells first to last − 1 of a row that are grids of more than `merged` points, ascending.
 template <typename Visit>
 void for_each_grid(const Level& level, std::uint32_t merged, std::uint32_t first, std::uint32_t last, Visit visit) {
   for (auto child = level.child_at(first); child != level.children.end() && child->cell < last; ++child)
@@ -61,10 +61,11 @@ std::array<Block, 2> halves(const Level& level, const Block& block) {
   return {first, second};
 }
 
-/// Returns the points per cell.
+/// Returns the mean number of points in a cell of the block.
 double density(const Block& block) { return block.points / (double(block.columns) * block.rows); }
 
-/// Returns whether both blocks have about the same density, so that cells of one size suit the whole block.
+/// Returns whether two blocks differ in density by a factor of at most max_contrast, so that cells of one size suit
+/// both.
 bool is_uniform(const Block& a, const Block& b) {
   return std::max(density(a), density(b)) <= max_contrast * std::min(density(a), density(b));
 }
@@ -130,7 +131,7 @@ void Cutter::cut(const Block& block, Tile& tile) {
   sort_into_cells(tile);
 }
 
-/// Lays cells that suit the block: those of the level are right on average only.
+/// Lays cells whose size suits the block: the cells of the level suit the level's points on average only.
 void Cutter::lay_cells(const Level& level, const Block& block, Tile& tile) {
   const double width = block.columns * level.cell, height = block.rows * level.cell;
   // If density varies, most points lie where it is above the mean. Rows of points look the same, but to a lesser
@@ -211,7 +212,7 @@ void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
   }
 }
 
-/// Gathers points of other levels, outside the level's box.
+/// Gathers the points of the tile's box that are outside of the level's box, and so belong to other levels.
 void Cutter::gather_beyond(const Level& level, const Tile& tile) {
   const std::uint32_t first_inside = level.start.front(), last_inside = level.start.back();
   const std::size_t max_all = max_points_around(owned_);
@@ -249,7 +250,7 @@ void Cutter::forget(const Tile& tile, double x_low, double x_high, double y_low,
   any_unknown_ = true;
 }
 
-/// Sorts the points into cells; points beyond the tile's box are left out.
+/// Sorts the points into cells, and leaves out ghosts beyond the tile's box.
 void Cutter::sort_into_cells(Tile& tile) {
   const std::size_t cells = tile.cells();
   const auto points = grid_.points();

@@ -9,7 +9,8 @@ namespace {
 using meshops::Patch;
 using meshops::Site;
 
-/// The status of the star of a point. Bit 0: the tile has seen it. Bit 1: it is also completely in the patch.
+/// The status of the star of a point. Bit 0: the tile has seen the star. Bit 1: the star is also completely in the
+/// patch.
 enum StarStatus : std::uint8_t { unseen = 0, shared = 1, settled = 3 };
 
 constexpr int no_side = -1;
@@ -21,7 +22,7 @@ constexpr int decoded(Across across) { return across + Patch::nothing; }
 constexpr int max_sides = 3 * (2 * static_cast<int>(Tile::max_points) + 2);
 static_assert(decoded(encoded(max_sides)) == max_sides);
 
-/// Returns memory of at least this size, which never shrinks.
+/// Returns room for at least `max_size` elements in `memory`, which never shrinks.
 template <typename Element>
 Element* room_for(std::vector<Element>& memory, std::size_t max_size) {
   if (memory.size() < max_size) memory.resize(max_size);
@@ -46,7 +47,7 @@ class CountedList {
   std::size_t size_ = 0;
 };
 
-/// Selects a or b without a branch.
+/// Returns a if `is_a`, otherwise b, without a branch.
 template <typename Number>
 Number either(Number a, Number b, bool is_a) {
   return static_cast<Number>(b ^ ((a ^ b) & (0 - std::size_t{is_a})));
@@ -93,7 +94,7 @@ class PatchExtraction {
     return (a.x < b.x) | ((a.x == b.x) & (a.y < b.y));
   }
 
-  /// Marks the triangles whose least corner the tile owns. Only a few need a comparison of corners; they are processed
+  /// Marks the triangles whose least corner the tile owns. The few that need a comparison of corners are processed
   /// separately, as branches among the others would be unpredictable.
   void find_owned() {
     const std::size_t triangles = front_.triangles();
@@ -113,7 +114,8 @@ class PatchExtraction {
     }
   }
 
-  /// Determines the triangles that the patch keeps, and the entry for the side across of each side.
+  /// Determines the triangles of the patch, and for each side the entry of Patch::across by which a neighbor refers to
+  /// it.
   template <typename IsWithin>
   void number_sides(IsWithin is_within) {
     const std::size_t triangles = front_.triangles();
@@ -144,7 +146,7 @@ class PatchExtraction {
     result_.patch.triangles.resize(count);
   }
 
-  /// Determines the stars that are settled, and those that other tiles settle.
+  /// Determines the settled stars, and the stars that the tile has seen but that have triangles of other tiles.
   void settle_stars() {
     const std::size_t points = tile_.points.size();
     workspace_.elsewhere.assign(points, 0);
@@ -168,8 +170,8 @@ class PatchExtraction {
     result_.shared.assign(shared.begin(), shared.end());
   }
 
-  /// Determines the entries across sides, and the marginal triangles: those at whose sides or corners a triangle lies
-  /// that is not in the patch.
+  /// Determines the entries across sides, and the marginal triangles: triangles of the patch with a side across which
+  /// the patch has no triangle, or a corner whose star is not settled.
   void connect() {
     const std::size_t points = tile_.points.size();
     result_.patch.across.resize(kept_.size());
@@ -211,8 +213,9 @@ class PatchExtraction {
     result_.outline.inside.assign(inside.begin(), inside.end());
   }
 
-  /// Distinguishes holes from other sides without a triangle of the patch. Mostly a single one of them ends at a site,
-  /// and if it is a hole, it is the next hole of the one that begins there.
+  /// Divides the sides across which the patch has no triangle into holes and rim, and finds the next hole of each hole.
+  /// Mostly a single such side ends at a site; if that side is a hole, it is the next hole of the hole that begins
+  /// there.
   void find_holes(std::span<const int> outer) {
     constexpr int several = -2;
     meshops::Outline& outline = result_.outline;
