@@ -13,8 +13,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Codes of common geographic systems: WGS 84, ETRS89, NAD83, NAD27 and national ones. Any other system counts as
-/// geographic only if the file says so.
+/// EPSG codes of common geographic systems: WGS 84, ETRS89, NAD83, NAD27 and national systems. Any other system counts
+/// as geographic only if the file says so.
 constexpr std::string_view geographic_codes[] = {
     "4326", "4979", "4258", "4937", "4269", "4267", "4283", "7844", "4171", "4230", "4277", "4289", "4313", "4314",
     "4149", "4150", "4167", "4152", "4612", "6668", "4490", "4610", "4214", "4674", "4618", "4617", "6318", "4275",
@@ -79,11 +79,11 @@ Crs wgs84() { return {.authority = "EPSG", .code = "4326", .degrees = true}; }
 
 namespace {
 
-/// Returns the system that a name stands for, also one of heights.
+/// Returns the system that `name` names, also a system of heights.
 std::optional<Crs> system_of_name(std::string_view name) {
   const std::string folded = in_capitals(name);
-  // The first part of a compound system, "EPSG:6339+5703" or "urn:ogc:def:crs,crs:EPSG::6339,crs:EPSG::5703", is the
-  // horizontal one.
+  // Take the first part of a compound system, which is the horizontal one: "EPSG:6339+5703" or
+  // "urn:ogc:def:crs,crs:EPSG::6339,crs:EPSG::5703".
   const auto before = [](std::string_view text, char sign) {
     return text.substr(0, std::min(text.find(sign), text.size()));
   };
@@ -132,10 +132,10 @@ void require_same_crs(const std::optional<Crs>& crs, const std::string& name, co
 
 namespace {
 
-/// KEYWORD[items].
+/// A node of well-known text: KEYWORD[items].
 struct WktNode {
   std::string keyword = {};                  ///< in capitals; empty if the text is not KEYWORD[items]
-  std::vector<std::string_view> items = {};  ///< between the commas in its brackets
+  std::vector<std::string_view> items = {};  ///< the texts between the commas in its brackets
 };
 
 std::string_view without_blanks_around(std::string_view text) {
@@ -144,7 +144,7 @@ std::string_view without_blanks_around(std::string_view text) {
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-/// Splits at commas that are neither in quotes nor in brackets.
+/// Returns the parts of `text` between commas that are neither in quotes nor in brackets.
 std::vector<std::string_view> items_of(std::string_view text) {
   std::vector<std::string_view> items;
   std::size_t begin = 0;
@@ -181,7 +181,7 @@ bool is_among(std::string_view word, std::initializer_list<std::string_view> wor
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Returns the code of the AUTHORITY or ID directly in the node, not deeper.
+/// Returns the system that an AUTHORITY or ID among the items of the node names; deeper ones do not count.
 std::optional<Crs> own_crs(const WktNode& node) {
   for (const std::string_view item : node.items) {
     const WktNode inner = node_of(item);
@@ -202,7 +202,7 @@ bool is_in_degrees(const WktNode& node) {
          });
 }
 
-/// The horizontal system among items, also within compound and bound systems.
+/// The horizontal system among items; also within compound and bound systems.
 struct PlaneSystem {
   WktNode node = {};  ///< has no keyword if there is no such system
   std::optional<Crs> crs = std::nullopt;
@@ -234,7 +234,7 @@ std::optional<Crs> crs_of_wkt(std::string_view text) { return find_plane(items_o
 std::optional<double> unit_of_wkt(std::string_view text) {
   const WktNode system = find_plane(items_of(text)).node;
   if (!system.keyword.starts_with("PROJ")) return std::nullopt;
-  // The unit of all axes, or of the first.
+  // Take the unit of all axes, or of the first axis.
   for (const std::string_view item : system.items) {
     WktNode node = node_of(item);
     if (node.keyword == "AXIS")
@@ -256,7 +256,7 @@ Crs parse_crs(const std::string& text) {
   if (is_vertical(*crs))
     throw WrongUsage("--crs: found " + in_quotes(text) +
                      ", a system of heights, expected a horizontal one, such as EPSG:28992");
-  // EPSG assigns the codes of systems from this range. Only its tables know which of them are assigned.
+  // Accept the range from which EPSG assigns codes of systems, also codes that are not assigned.
   constexpr int least = 1024, greatest = 32767;
   if (crs->authority == "EPSG" &&
       (crs->code.size() > 5 || std::stoi(crs->code) < least || std::stoi(crs->code) > greatest))

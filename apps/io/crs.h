@@ -1,5 +1,5 @@
-// What: coordinate reference systems, as files and people name them.
-// Law:  a name is carried from input to output; no coordinate is changed.
+// What: names of coordinate reference systems, in files and on the command line.
+// Law:  a name is copied from input to output; no coordinate is changed.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ struct Crs {
   std::string text() const { return authority + ":" + code; }
   /// Returns "urn:ogc:def:crs:EPSG::28992".
   std::string urn() const;
-  /// Returns "28992", the number that PostGIS uses; nothing if there is none.
+  /// Returns "28992", the number that PostGIS uses; nothing if the system has no EPSG code.
   std::optional<std::string> srid() const;
   /// Returns whether the system is longitude and latitude of WGS 84, which is GeoJSON's default.
   bool is_wgs84() const;
@@ -26,25 +26,27 @@ struct Crs {
 /// Returns longitude and latitude of WGS 84, the system of GeoJSON and of GPS receivers.
 Crs wgs84();
 
-/// Returns the horizontal system of a name: "EPSG:28992", or its URN or URL of the OGC, in letters of either case.
-/// Returns nothing for any other name and for systems of heights, such as EPSG:5703.
+/// Returns the horizontal system that `name` names: "EPSG:28992", or an URN or URL of the OGC, in letters of either
+/// case. Returns nothing for any other name and for systems of heights, such as EPSG:5703.
 std::optional<Crs> crs_of_name(std::string_view name);
 
-/// Returns the horizontal system of well-known text, of either version of the OGC's or of ESRI's, by its own AUTHORITY
-/// or ID; of a compound system the horizontal part. Returns nothing if that has none, and for systems of heights.
+/// Returns the horizontal system of well-known text, in either version of the OGC or in that of ESRI, by the AUTHORITY
+/// or ID of the system; of a compound system the horizontal part. Returns nothing if it has neither, and for systems of
+/// heights.
 std::optional<Crs> crs_of_wkt(std::string_view text);
 
-/// Returns the meters in a unit of the projected system of well-known text; nothing if the text names no unit.
+/// Returns the length in meters of the unit of a projected system in well-known text; nothing if the text names no
+/// unit.
 std::optional<double> unit_of_wkt(std::string_view text);
 
-/// Returns the warning that a file's name of a system, which crs_of_name() does not know, is dropped.
+/// Returns the warning that `name`, a file's name of its system that crs_of_name() does not know, is dropped.
 std::string warning_on_crs(std::string_view name);
 
-/// Throws BadInput unless two files name the same system, or neither names one.
+/// Throws BadInput unless two files, `name` with `crs` and `first_name` with `first`, have the same system or none.
 void require_same_crs(const std::optional<Crs>& crs, const std::string& name, const std::optional<Crs>& first,
                       const std::string& first_name);
 
-/// Parses the value of `--crs`. Throws WrongUsage naming the value.
+/// Parses the value of `--crs`. Throws WrongUsage that names the value.
 Crs parse_crs(const std::string& text);
 
 }  // namespace rbpa::app

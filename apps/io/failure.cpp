@@ -27,7 +27,7 @@ constexpr std::size_t longest_piece = 60;
 std::string_view clipped(std::string_view text) {
   if (text.size() <= longest_piece) return text;
   std::size_t end = longest_piece;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // not inside a UTF-8 character
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // do not cut a UTF-8 character
   return text.substr(0, end);
 }
 
@@ -54,7 +54,7 @@ struct Character {
   std::size_t size;  // in bytes
 };
 
-/// Decodes the first character of `text`. The size is 0 if it is not UTF-8: a stray byte, a truncated or overlong
+/// Returns the first character of `text`, with size 0 if it is not UTF-8: a stray byte, a truncated or overlong
 /// sequence, a surrogate, or a number beyond Unicode.
 Character first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -115,7 +115,7 @@ std::string printable(std::string_view text) {
       text.remove_prefix(size);
       continue;
     }
-    // Only the stray byte is escaped: a character may follow it.
+    // Escape only the stray byte: a character may follow it.
     for (std::size_t i = 0; i < (size == 0 ? 1 : size); ++i) append_escaped(result, text[i]);
     text.remove_prefix(size == 0 ? 1 : size);
   }
@@ -123,7 +123,7 @@ std::string printable(std::string_view text) {
 }
 
 void say(std::string_view program, std::string_view message) {
-  // One write, so that lines of several programs on one terminal do not mix.
+  // Write once, so that lines of several programs on one terminal do not mix.
   const std::string line = std::string(program) + ": " + printable(message) + "\n";
   std::fputs(line.c_str(), stderr);
 }

@@ -1,4 +1,4 @@
-// What: exceptions that end a program without a result, and the messages on standard error: one line, without control
+// What: exceptions that end a program without a result, and messages on standard error: one line, without control
 //       characters that a terminal would obey.
 // Law:  a message is one line of text, whatever bytes are in a file name or in a piece of input.
 #pragma once
@@ -27,8 +27,8 @@ class Failure : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The reader of the output has closed it (exit code 141). No message follows: `rbpa alpha --csv | head` is not a
-/// failure.
+/// The reader of the output has closed it (exit code 141). The program prints no message: `rbpa alpha --csv | head` is
+/// not a failure.
 class ClosedPipe : public std::runtime_error {
  public:
   ClosedPipe() : std::runtime_error("the reader of the output is gone") {}
@@ -37,14 +37,14 @@ class ClosedPipe : public std::runtime_error {
 /// Throws BadInput "WHERE: found FOUND, expected EXPECTED".
 [[noreturn]] void bad_input(const std::string& where, const std::string& found, const std::string& expected);
 
-/// Throws BadInput after a call has failed to open a file: there is none, or "NAME: cannot open: " with the reason in
-/// errno.
+/// Throws BadInput after a call has failed to open the file `name`: either that there is no such file, where `expected`
+/// was expected, or "NAME: cannot open: " with the reason in errno.
 [[noreturn]] void refuse_to_open(const std::string& name, const std::string& expected);
 
 /// Returns "FILE:LINE", as compilers name a place in a text.
 std::string at_line(std::string_view file, std::size_t line);
 
-/// Returns a piece of input for a message: printable(), and clipped if long.
+/// Returns a piece of input for a message: printable(text), shortened if it is long.
 std::string shown(std::string_view text);
 /// Returns shown(text) in single quotes.
 std::string in_quotes(std::string_view text);
@@ -53,7 +53,8 @@ std::string in_quotes(std::string_view text);
 std::string counted(std::size_t count, std::string_view noun);
 
 /// Returns the text with escapes in place of invisible characters: \n, \r, \t, and \x1b for each other byte. Invisible
-/// are control characters, bytes that are not UTF-8, line separators, and marks that change the direction of writing.
+/// characters are control characters, bytes that are not UTF-8, line separators, marks without width, and marks that
+/// change the direction of writing.
 std::string printable(std::string_view text);
 
 /// Writes "PROGRAM: MESSAGE", made printable, to standard error.

@@ -9,11 +9,11 @@
 namespace rbpa::app {
 namespace {
 
-// Set in one thread and read in any, which sig_atomic_t does not allow.
+// Whether a signal has arrived. It is set in one thread and read in any, which sig_atomic_t does not allow.
 std::atomic<bool> signal_came = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "else no handler may set it");
 
-thread_local const std::function<bool()>* goes_on = nullptr;  // of an Interruption
+thread_local const std::function<bool()>* goes_on = nullptr;  // go_on_ of an Interruption
 
 }  // namespace
 
@@ -21,12 +21,12 @@ void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = [](int) { signal_came = true; };
   sigemptyset(&action.sa_mask);
-  action.sa_flags = 0;  // no SA_RESTART: a read or write that waits must return
+  action.sa_flags = 0;  // no SA_RESTART: a waiting read or write must return
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   struct sigaction hangup {};
   sigaction(SIGHUP, nullptr, &hangup);
-  if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup ignores SIGHUP: leave it so
+  if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // leave it ignored under nohup
   action.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &action, nullptr);
   sigaction(SIGXFSZ, &action, nullptr);

@@ -1,16 +1,16 @@
-// What: stops a run between two steps after Ctrl-C (SIGINT), SIGTERM or SIGHUP, so that it can clean up.
+// What: stops a run between two steps after Ctrl-C (SIGINT), SIGTERM or SIGHUP, so that the run can clean up.
 #pragma once
 
 #include <functional>
 
 namespace rbpa::app {
 
-/// Installs handlers: SIGINT, SIGTERM and SIGHUP only set a flag from then on; a pipe closed by its reader, or a file
-/// at its greatest permitted size, becomes an error of write().
+/// Installs handlers: from then on SIGINT, SIGTERM and SIGHUP (unless it is ignored) only set a flag, and write() fails
+/// for a pipe closed by its reader and for a file at its greatest permitted size.
 void catch_interrupts();
 
-/// Interrupts its own thread as well while it exists, once go_on() returns false. For programs that catch signals
-/// themselves.
+/// While it exists, interrupted() is also true in the thread that made it whenever go_on() returns false. For programs
+/// that catch signals themselves. Requires: no other Interruption in this thread.
 class Interruption {
  public:
   explicit Interruption(std::function<bool()> go_on);
@@ -22,13 +22,14 @@ class Interruption {
   std::function<bool()> go_on_;
 };
 
-/// Returns whether a signal has arrived. Callable from any thread.
+/// Returns whether a signal has arrived, or go_on() of an Interruption of this thread returns false. Any thread may
+/// call it.
 bool interrupted();
 
-/// Returns a progress function for computations: it returns false after a signal has arrived.
+/// Returns a progress function for computations, which returns !interrupted().
 std::function<bool()> until_interrupted();
 
-/// Throws Cancelled if a signal has arrived. Cost: two loads.
+/// Throws Cancelled if interrupted(). Cost: two loads without an Interruption.
 void stop_if_interrupted();
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: points in the plane, read from a file, with the facts that the file states about them.
+// What: the points of a file in the plane, with the facts that the file states about them.
 #pragma once
 
 #include <cstdint>
@@ -30,21 +30,23 @@ class Heights {
 };
 
 struct PointFile {
-  std::vector<Point> points = {};         ///< in the order of the file, all finite
-  std::vector<std::uint32_t> index = {};  ///< of each among all points of the file; empty if points[i] has index i
-  std::size_t all_points = 0;             ///< number of points of the file, including those that are left out
-  std::optional<Crs> crs = std::nullopt;  ///< if the file names one
-  std::vector<std::vector<double>> fields = {};  ///< a column for each of the condition's columns(), a value per point
+  std::vector<Point> points = {};  ///< in the order of the file, all finite
+  std::vector<std::uint32_t> index =
+      {};                      ///< number of each among all points of the file; empty if points[i] has index i
+  std::size_t all_points = 0;  ///< number of points of the file, including those that are left out
+  std::optional<Crs> crs = std::nullopt;  ///< the coordinate system; absent if the file names none
+  std::vector<std::vector<double>> fields =
+      {};  ///< a column for each of the condition's columns(), a value for each point
   /// For each column of `fields` that holds texts: the distinct texts, which the numbers in `fields` index from 0. An
   /// empty text is not the name of a group.
   std::vector<std::optional<std::vector<std::string>>> texts = {};
   bool keys_are_texts = false;  ///< some keys of groups are texts in the file, so that all count as texts
-  /// Third coordinates, one per point, if they were requested and any point has one; NaN for points without.
+  /// Third coordinates, one for each point, NaN if it has none; empty unless they were requested and any point has one.
   std::vector<double> z = {};
   bool degrees = false;  ///< x is a longitude and y a latitude, as a CRS or the names of columns say
-  /// Third coordinates that were dropped, to warn if they differ. Never set for LAS, whose users want footprints.
+  /// Ignored third coordinates, to warn if they differ. Not set for LAS, whose users expect footprints.
   Heights heights = {};
-  /// Warnings, one sentence each: guesses that may be wrong, and data that were left out.
+  /// Warnings, each one sentence: about guesses that may be wrong, and about data that are left out.
   std::vector<std::string> warnings = {};
 };
 

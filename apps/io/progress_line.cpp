@@ -12,8 +12,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Blocks signals in threads that are started while it exists, so that threads that wait for files get them and their
-/// read() returns.
+/// While it exists, signals are blocked in threads that this thread starts, so that threads that wait for files get the
+/// signals and their read() returns.
 class WithoutSignals {
  public:
   WithoutSignals() {
@@ -61,7 +61,7 @@ ProgressLine::ProgressLine(std::string program, bool wanted, const std::string& 
     const WithoutSignals block;
     thread_.emplace([this] { run(); });
   } catch (const std::system_error&) {
-    return;  // no thread is available: run without the line
+    return;  // run without the line, as no thread is available
   }
   show();
 }

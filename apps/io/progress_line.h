@@ -1,4 +1,4 @@
-// What: one line on the terminal that shows the progress of a run.
+// What: shows the progress of a run in one line on the terminal.
 #pragma once
 
 #include <chrono>
@@ -12,25 +12,25 @@
 
 namespace rbpa::app {
 
-/// Returns three digits and a unit: "950", "1.23 k", "45.6 M".
+/// Returns "950", "1.23 k", "45.6 M": a number below 1000, with a unit and three digits from 1 k on.
 std::string short_number(double value);
-/// Returns a duration as text: "3 s", "12 min", "5 h".
+/// Returns a duration as text, rounded down: "3 s" below 2 min, "12 min" below 2 h, "5 h".
 std::string short_duration(double seconds);
 
-/// One line on standard error, rewritten a few times a second by its own thread, and erased with this object. It also
-/// runs while the program waits for a disk or for a library that reports no progress.
+/// One line on standard error. A thread of its own rewrites it every 0.2 seconds, also while the program waits for a
+/// disk or for a library that reports no progress. The destructor erases it.
 class ProgressLine {
  public:
-  /// Returns the text of the line after a time in seconds.
+  /// A function that returns the text of the line after a time in seconds.
   using Text = std::function<std::string(double)>;
 
-  /// Shows "PROGRAM: DOING, 0 s" if `wanted` and standard error is a terminal; otherwise nothing, ever.
+  /// Shows "PROGRAM: DOING, 0 s" if `wanted` and standard error is a terminal; otherwise never shows anything.
   ProgressLine(std::string program, bool wanted, const std::string& doing);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows `text` from now on. It is called from this and from another thread, never from both at once.
+  /// Shows text(seconds) from now on. Both this and another thread call it, never at the same time.
   void say(Text text);
 
  private:
@@ -41,15 +41,15 @@ class ProgressLine {
 
   std::string program_;
   Clock::time_point start_ = Clock::now();
-  std::mutex mutex_;  // guards the members below
+  std::mutex mutex_;  // guards text_ and ended_
   std::condition_variable wake_;
   Text text_;
   bool ended_ = false;
   std::optional<std::thread> thread_ = std::nullopt;  // absent if nothing is shown
 };
 
-/// Returns whether a path to read, or one of the paths to write, is "-" and that stream is a terminal, where a progress
-/// line would disturb.
+/// Return whether the path to read, or one of the paths to write, is "-" and the standard stream is a terminal, on
+/// which a progress line would disturb.
 bool read_from_terminal(const std::string& path);
 bool written_to_terminal(const std::vector<std::string>& paths);
 

@@ -9,7 +9,7 @@
 
 namespace rbpa::app {
 
-/// Sorts `values`. Throws Cancelled after a signal, and leaves the values in any order.
+/// Sorts `values`. Throws Cancelled after a signal; then the values are in any order.
 template <typename Values, typename Less = std::less<>>
 void sort(Values& values, Less less = {}) {
   std::size_t compared = 0;

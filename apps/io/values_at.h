@@ -1,4 +1,4 @@
-// What: selection and renumbering of items.
+// What: selects and renumbers items.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace rbpa::app {
 
-/// Returns values[i] for each i of `items`; nothing if `values` is empty, that is, unknown.
+/// Returns values[i] for each i of `items`; empty if `values` is empty, that is, unknown.
 template <std::ranges::random_access_range Values>
 std::vector<std::ranges::range_value_t<Values>> values_at(const Values& values, std::span<const std::uint32_t> items) {
   std::vector<std::ranges::range_value_t<Values>> result;
@@ -18,7 +18,7 @@ std::vector<std::ranges::range_value_t<Values>> values_at(const Values& values, 
   return result;
 }
 
-/// Return `number[i]` in place of each item i; if `number` is empty, the items themselves.
+/// Return number[i] in place of each item i; if `number` is empty, the items unchanged.
 inline std::uint32_t renumbered(std::uint32_t item, std::span<const std::uint32_t> number) {
   return number.empty() ? item : number[item];
 }

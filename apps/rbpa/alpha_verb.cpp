@@ -28,7 +28,7 @@ ComplexKind parse_complex(const AlphaArguments& arguments) {
   return parse_is_full(*arguments.complex) ? ComplexKind::full : ComplexKind::solid;
 }
 
-/// Returns the plot of the steps and pairs, with the recommended radii marked.
+/// Returns the plot of the steps of `radii` and of `pairs`, with the radii "min", "auto" and "plateau" marked.
 FiltrationPlot marked_plot(const Radii& radii, const std::vector<PersistencePair>& pairs) {
   FiltrationPlot plot = plot_of(radii.filtration.steps, pairs);
   plot.least_covering = radii.least_covering;
@@ -90,7 +90,7 @@ void run_alpha(const AlphaArguments& arguments) {
   }
   run.stats.build_seconds = run.lap();
 
-  // Files are opened before anything is printed, so that one that cannot be written is found first.
+  // Open files before anything is printed, so that a file that cannot be written is refused first.
   OutputFile* picture = arguments.picture ? &run.files().add(*arguments.picture) : nullptr;
   OutputFile* stats_file = arguments.stats ? &run.files().add(*arguments.stats) : nullptr;
   {

@@ -29,7 +29,7 @@ struct Info {
   std::size_t distinct = 0;
   std::optional<Box> box = std::nullopt;  ///< absent if there are no points
   std::optional<Crs> crs = std::nullopt;
-  bool flattened = false;                        ///< heights that differ were dropped
+  bool flattened = false;                        ///< the points have different heights, which are ignored
   std::optional<double> spacing = std::nullopt;  ///< √(area of the box / distinct points); absent if the area is 0
 };
 
@@ -46,7 +46,7 @@ Info examine(std::vector<Point> points, const RunOptions& run) {
            {std::max(box.greatest.x, p.x), std::max(box.greatest.y, p.y)}};
   }
   info.box = box;
-  // Halve the width and take roots before products, so that nothing overflows.
+  // Halve the sides, and multiply roots, so that nothing overflows.
   const double half_width = box.greatest.x / 2 - box.least.x / 2, half_height = box.greatest.y / 2 - box.least.y / 2;
   const double spacing =
       2 * std::sqrt(half_width) * (std::sqrt(half_height) / std::sqrt(static_cast<double>(info.distinct)));
@@ -90,7 +90,7 @@ std::string as_json(const Info& info) {
   return report.dump(2) + "\n";
 }
 
-/// Writes a line for each group of points, or with `json` an object in a list.
+/// Writes a line for each group of points, or with `json` a list with an object for each.
 void write_groups(OutputFile& out, const NamedGroups& named, bool json) {
   char line[160];
   const auto row = [&](const std::string& points, const std::string& distinct, const std::string& spacing,

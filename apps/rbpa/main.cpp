@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* program = "rbpa";
 
-/// Returns "rbpa mesh", or "rbpa" if no verb was given.
+/// Returns the program and the verb of the command line, such as "rbpa mesh"; "rbpa" if there is no verb.
 std::string asked_for(const CLI::App& app) {
   const auto verbs = app.get_subcommands();
   return verbs.empty() ? program : program + (" " + verbs.front()->get_name());
@@ -96,7 +96,7 @@ int main(int argc, char** argv) {
     app.exit(e, text, nothing);
     return run(program, [&] { print(text.str()); });
   } catch (const CLI::ParseError& e) {
-    // A required option may be missing because its name is misspelled.
+    // Look for unknown options first: a required option may be missing because its name is misspelled.
     const std::vector<std::string> unknown = app.remaining(true);
     if (!unknown.empty()) return report(program, unexpected(unknown.front(), app), wrong_usage);
     return report(program, std::string(e.what()) + " (see " + asked_for(app) + " --help)", wrong_usage);
@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   int code = 0;
-  // Options are declared within run(), which reports that memory has run out.
+  // Declare options within run(), which reports it if memory runs out.
   const int failed = rbpa::app::run(rbpa::app::program, [&] { code = rbpa::app::main(argc, argv); });
   return failed != 0 ? failed : code;
 }

@@ -33,7 +33,7 @@ std::string name_of_source(const std::string& input, const std::string& path) {
 }
 
 void run_space_report(const ReportArguments& arguments) {
-  constexpr std::size_t shown = 100;  // pairs of each dimension
+  constexpr std::size_t shown = 100;  // the most pairs of each dimension with representatives
   const SpacePointSource source = parse_space_points(arguments);
   check_output(arguments.output);
   const std::vector<std::string> outputs = given({arguments.output, arguments.stats});

@@ -1,4 +1,4 @@
-// What: declares the verbs about points in space.
+// What: declares the verbs for points in space.
 #include <CLI/App.hpp>
 #include <string>
 

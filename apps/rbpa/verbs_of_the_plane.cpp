@@ -1,4 +1,4 @@
-// What: declares the verbs about points and polygons in the plane.
+// What: declares the verbs for points and polygons in the plane.
 #include <CLI/App.hpp>
 #include <string>
 

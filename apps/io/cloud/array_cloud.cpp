@@ -12,7 +12,8 @@ namespace {
 /// Reads points from the numbers of an array, stored by rows or by columns: a .npy file, or raw pairs of float64.
 class ArrayCloud final : public Cloud {
  public:
-  /// `content` is at the array's first number. `is_whole`: the number of rows in `array` is known.
+  /// Requires: `content` is at the first number of `array`. `is_whole` tells whether the number of rows in `array` is
+  /// known.
   ArrayCloud(Content content, const NpyLayout& array, const CloudRequest& request, bool is_whole)
       : array_(array),
         is_whole_(is_whole),
@@ -72,7 +73,8 @@ class ArrayCloud final : public Cloud {
     if (array_.columns_first) sources_.pop_back();
   }
 
-  /// Returns the number of rows in the last `size` bytes of a file of raw numbers; throws BadInput if rows are missing.
+  /// Returns the number of rows of `step` bytes in the last `size` bytes of a file. Throws BadInput if the header has
+  /// announced more rows, or a row is incomplete.
   std::size_t end_early(std::size_t size, std::size_t step) {
     const std::string& name = sources_.front().name();
     if (is_whole_)
@@ -86,7 +88,7 @@ class ArrayCloud final : public Cloud {
   bool is_whole_;  // the number of rows is known
   bool keeps_heights_, looks_at_heights_;
   std::vector<std::size_t> columns_ = {};
-  std::vector<Content> sources_ = {};  // one, or one for each column
+  std::vector<Content> sources_ = {};  // one reader, or one for each column if the array is stored by columns
   std::size_t first_ = 0;
 };
 
@@ -114,7 +116,7 @@ std::unique_ptr<Cloud> open_npy(Content content, const CloudRequest& request) {
 const CloudFormat raw_reader = {.open = open_raw, .streams = true, .has_signature = false};
 
 /// Reads an array of NumPy: of shape (n, 2) or (n, 3); in space of shape (n, 3) or (n, 6), whose last three columns are
-/// normals. Ignores bytes behind the array, as NumPy does.
+/// normals. Ignores bytes after the array, as NumPy does.
 const CloudFormat npy_reader = {.open = open_npy, .streams = true};
 
 }  // namespace rbpa::app

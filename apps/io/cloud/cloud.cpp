@@ -109,7 +109,7 @@ void load_column(std::vector<double>& column, Scalar type, const char* at, std::
       at += stride;
     }
   };
-  with_type(type, [&](auto value) {  // a compile-time constant for the byte order of nearly all files
+  with_type(type, [&](auto value) {  // so that the usual byte order is a compile-time constant
     order == std::endian::native ? load_all(value, std::endian::native) : load_all(value, order);
   });
 }
@@ -157,7 +157,7 @@ void select_points(Selection& selection, CloudBlock& block, std::span<const std:
       continue;
     }
     for (std::vector<double>& column : block.column)
-      if (!column.empty()) column[i] = 0;  // points that are left out need not be finite
+      if (!column.empty()) column[i] = 0;  // as points that are left out need not be finite
   }
   require_finite(block, first, name);
   const auto select = [&](std::vector<double>& column) {

@@ -80,7 +80,7 @@ void clear_colors(CloudBlock& block) {
 }
 
 std::uint8_t channel_byte(double channel, Channels channels) {
-  const auto value = static_cast<float>(channel);  // as halves were rounded from the beginning
+  const auto value = static_cast<float>(channel);  // in float, as rounding depends on it
   if (channels == Channels::wide) return static_cast<std::uint8_t>(static_cast<long>(value) / 256);
   return static_cast<std::uint8_t>(std::lround(channels == Channels::unit ? 255 * value : value));
 }

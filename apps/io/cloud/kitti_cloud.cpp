@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view fields[] = {"x", "y", "z", "reflectance"};
 
-/// Returns the index of a field, in letters of either case; the number of fields if there is none.
+/// Returns the index of the field called `word`, in letters of either case; the number of fields if there is none.
 std::size_t field_place(std::string_view word) {
   const auto is_it = [&](std::string_view field) { return same_letters(word, field); };
   return static_cast<std::size_t>(std::find_if(std::begin(fields), std::end(fields), is_it) - std::begin(fields));

@@ -12,8 +12,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Throws BadInput if the largest integers give coordinates beyond the range of a double: otherwise all points are
-/// finite.
+/// Throws BadInput if the largest integers give coordinates beyond the range of a double; if it does not throw, all
+/// points are finite.
 void require_range(const LasHeader& header, std::size_t axis, const std::string& name) {
   constexpr double largest = 0x1p31;
   if (!std::isfinite(largest * std::abs(header.scale[axis]) + std::abs(header.offset[axis])))
@@ -59,7 +59,7 @@ class LasCloud final : public Cloud {
     }
     if (!system.warning.empty() && !in_space_) facts_.file.warnings.push_back(system.warning);
     if (in_space_ && system.crs) facts_.file.degrees = system.crs->degrees;
-    if (!selection_ && is_settled_) facts_.expected = count_;  // each record gives a point
+    if (!selection_ && is_settled_) facts_.expected = count_;  // a point for each record
     content_.skip(header_.begin);
   }
 
@@ -91,7 +91,7 @@ class LasCloud final : public Cloud {
   std::uint64_t bytes_read() const override { return content_.bytes_read(); }
 
  private:
-  /// Returns the system of the file; also reads the records after the points.
+  /// Returns the coordinate system of the file; also reads the records after the points.
   LasCrs find_system(std::string_view before) const {
     const bool has_more = !content_.is_compressed() && header_.extended_records > 0 &&
                           header_.extended_begin > header_.begin && header_.extended_begin < content_.size();
@@ -151,13 +151,13 @@ class LasCloud final : public Cloud {
   void end() {
     ended_ = true;
     if (!is_settled_) {
-      // The number of records is known only at the end of the decompressed file.
+      // Count until the end: a decompressed file does not show the number of records before.
       std::size_t found = first_;
       for (; found < header_.count.room() && content_.ahead(header_.length).size() >= header_.length; ++found)
         content_.skip(header_.length);
       settle(header_.count.with_room(found));
     }
-    // Channels have 16 bits, but many programs write 8; those that have no colors write black.
+    // Drop black: programs without colors write it. Channels have 16 bits, but many programs write 8.
     if (red_ && greatest_channel_ == 0) facts_.colors.reset();
     if (red_ && greatest_channel_ > 255) facts_.colors = Channels::wide;
   }

@@ -16,7 +16,7 @@
 namespace rbpa::app {
 namespace {
 
-/// The offsets of the fields after those that all formats of a family have.
+/// The offsets of the optional fields in a record, which follow the fields that all formats of a family have.
 struct FieldLayout {
   std::size_t size;
   std::size_t time = 0, color = 0, infrared = 0;  // 0: there is none
@@ -38,7 +38,8 @@ constexpr unsigned first_of_new_family = 6;
 
 enum class Since { any, version_1_1, new_family };
 
-/// A field and its place in each family of formats; with `behind`, the place relative to that offset.
+/// A field and its place in each family of formats; with `behind`, the place relative to the offset that `behind`
+/// names.
 struct Known {
   std::string_view name;
   LasField old_family, new_family;
@@ -72,7 +73,7 @@ std::string folded(std::string_view name) {
   std::string result;
   for (const char c : name)
     if (c != '_') result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  // Names of PDAL and LAStools.
+  // Accept names of PDAL and LAStools.
   if (result == "nir") return "infrared";
   if (result == "class") return "classification";
   if (result == "scananglerank") return "scanangle";
@@ -100,7 +101,7 @@ std::optional<LasField> find_las_field(std::string_view name, unsigned format, u
   for (const Known& field : known_fields) {
     if (!is(name, field.name)) continue;
     if (field.since == Since::new_family && !is_new) return std::nullopt;
-    // Version 1.0 has no flags in this byte: the class is the whole byte.
+    // Refuse flags for version 1.0, in which the class is the whole byte.
     if (!is_new && minor == 0 && field.since == Since::version_1_1) return std::nullopt;
     if (!is_new && minor == 0 && field.name == "classification") return LasField{15, u8};
     LasField found = is_new ? field.new_family : field.old_family;
@@ -114,16 +115,17 @@ std::optional<LasField> find_las_field(std::string_view name, unsigned format, u
 
 namespace {
 
-constexpr std::int64_t greatest_exact = std::int64_t{1} << 53;  // doubles represent every integer up to it
+constexpr std::int64_t greatest_exact = std::int64_t{1} << 53;  // doubles represent every integer up to 2^53
 constexpr int max_places = 15;                                  // 10^15 is exact, and below 2^53
 
-/// The number digits · 10^-places.
+/// The number `digits` · 10^−`places`.
 struct Decimal {
   std::int64_t digits;
   int places;
 };
 
-/// Returns the digits of `decimal` for a greater number of places; nothing if they exceed greatest_exact.
+/// Returns the digits of `decimal` with `places` places, at least as many as it has; nothing if they exceed
+/// greatest_exact.
 std::optional<std::int64_t> with_places(Decimal decimal, int places) {
   for (; decimal.places < places; ++decimal.places) {
     if (std::abs(decimal.digits) > greatest_exact / 10) return std::nullopt;
@@ -132,7 +134,7 @@ std::optional<std::int64_t> with_places(Decimal decimal, int places) {
   return decimal.digits;
 }
 
-/// Returns the shortest decimal that reads back to the value; nothing if it has too many digits or places.
+/// Returns the shortest decimal that reads back to `value`; nothing if it exceeds greatest_exact or max_places.
 std::optional<Decimal> decimal_of(double value) {
   char text[32];
   char* const end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr;
@@ -167,7 +169,7 @@ ScaledInteger::ScaledInteger(double scale, double offset) : scale_(scale), offse
 
 namespace {
 
-/// Returns 0, 1 or 2 for x, y or z, which are not fields: they need scale and offset; nothing for other names.
+/// Returns 0, 1 or 2 for x, y or z, which are not fields, as they need scale and offset; nothing for other names.
 std::optional<std::size_t> las_axis(std::string_view name) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (is(name, axes[axis])) return axis;
@@ -179,7 +181,7 @@ bool is_las_field(std::string_view name) {
                                        [&](const Known& field) { return is(name, field.name); });
 }
 
-/// Returns the formats that have a field, for a message.
+/// Returns the point formats that have `field` in a file of version 1.minor, for a message.
 std::string formats_with(std::string_view field, unsigned minor) {
   std::string formats;
   for (unsigned format = 0; format <= last_las_format; ++format)

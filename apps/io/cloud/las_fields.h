@@ -1,4 +1,4 @@
-// What: the fields of LAS point records, formats 0 to 10, by name, for `--where`; and their coordinates.
+// What: finds the fields of LAS point records, formats 0 to 10, by name, for `--where`; computes coordinates.
 // Source: ASPRS, LAS specification 1.4 R15, section 2.6.
 #pragma once
 
@@ -17,20 +17,20 @@ namespace rbpa::app {
 
 constexpr unsigned last_las_format = 10;
 
-/// Returns the size in bytes of a record of the format.
+/// Returns the least size in bytes of a point record of the format. Requires: format ≤ 10.
 std::size_t las_record_size(unsigned format);
 
-/// The place of a field in a record: a number at an offset in bytes, or some bits of the number.
+/// The place of a field in a record: a number at an offset in bytes, or some bits of that number.
 struct LasField {
   std::size_t offset;
   Scalar type;
-  unsigned first_bit = 0, bits = 0;  ///< bits is 0 for the whole number
-  double unit = 1;                   ///< factor of the number
+  unsigned first_bit = 0, bits = 0;  ///< bits = 0: the field is the whole number
+  double unit = 1;                   ///< factor by which the number is multiplied
 
   double value(const char* record) const;
 };
 
-/// Returns the field of that name; case and underscores do not count: "ReturnNumber" is return_number. Returns nothing
+/// Returns the field called `name`; case and underscores do not count: "ReturnNumber" is return_number. Returns nothing
 /// if the format, in a file of version 1.minor, has no such field.
 std::optional<LasField> find_las_field(std::string_view name, unsigned format, unsigned minor);
 
@@ -50,10 +50,10 @@ class ScaledInteger {
   double divisor_ = 1;
 };
 
-/// Returns the fields of all formats, and x, y and z.
+/// Returns the rule for names of fields: those of all formats, and x, y and z.
 FieldNames names_of_las_fields();
 
-/// The place in a record of a value that a condition reads.
+/// The place, in a record, of a value that a condition reads.
 struct LasPlace {
   LasField field;
   std::optional<std::size_t> axis = std::nullopt;  ///< 0, 1, 2 for x, y, z, which need scale and offset
@@ -63,8 +63,8 @@ struct LasPlace {
   }
 };
 
-/// Returns the places of the fields that the condition names, in its order, for records of point format `format` in a
-/// file of version 1.minor. Throws BadInput, which names the file `name`, if such records lack a field.
+/// Returns the places of condition.fields(), in their order, for records of point format `format` in a file of version
+/// 1.minor. Throws BadInput that names the file `name` if such records lack a field.
 std::vector<LasPlace> find_las_places(const Condition& condition, unsigned format, unsigned minor,
                                       const std::string& name);
 

@@ -53,8 +53,8 @@ void require_version(std::string_view bytes, const std::string& name) {
     bad_input(name, "LAS version " + std::to_string(major) + "." + std::to_string(minor), "1.0 to 1.4");
 }
 
-/// Returns the number of points. Version 1.4 counts in 64 bits, and leaves the older 32-bit field zero if it cannot
-/// hold the count.
+/// Returns the number of points. Version 1.4 counts in 64 bits; its older 32-bit field is 0 if it cannot hold the
+/// number.
 std::size_t point_count(std::string_view bytes, const LasHeader& header) {
   const std::size_t legacy = las_value<std::uint32_t>(bytes.data() + 107);
   if (header.minor < 4 || header.size < header_size_of_4) return legacy;
@@ -62,8 +62,8 @@ std::size_t point_count(std::string_view bytes, const LasHeader& header) {
   return count == 0 ? legacy : count;
 }
 
-/// Returns whether the data begin with the signature that version 1.0 has before the points. Some writers count it
-/// among them.
+/// Returns whether the data begin with the signature that version 1.0 has before the points. Some writers count its
+/// bytes as bytes of the points.
 bool begins_with_signature(std::string_view data) {
   return data.starts_with("\xDD\xCC") || data.starts_with("\xCC\xDD");
 }
@@ -79,7 +79,7 @@ void find_points(LasHeader& header, std::string_view bytes, std::size_t size, co
   constexpr std::size_t signature = 2;
   const bool is_signed =
       header.minor == 0 && begin <= bytes.size() && begins_with_signature(bytes.substr(begin)) && left >= signature;
-  // The signature counts as part of the points if they fit into the file only in this way.
+  // Count the signature as bytes of the points if the points fit into the file only in this way.
   const bool fits_only_with_it = claimed <= left / header.length && claimed > (left - signature) / header.length;
   if (is_signed && !fits_only_with_it) {
     header.begin += signature;
@@ -142,7 +142,7 @@ void require_las_axis(const LasHeader& header, std::size_t axis, const std::stri
 
 namespace {
 
-/// The systems that the records name. Well-known text is newer and more precise than GeoTIFF keys.
+/// The coordinate systems that the records name. Well-known text is newer and more precise than GeoTIFF keys.
 struct Found {
   std::optional<LasCrs> text = std::nullopt, keys = std::nullopt;
 };
@@ -174,9 +174,9 @@ LasCrs in_unit(const std::optional<Crs>& crs, unsigned unit) {
                             crs->text() + " takes this one nevertheless)"};
 }
 
-/// Returns EPSG's code of the unit with this factor to meters; 0 if it is neither meter nor foot.
+/// Returns EPSG's code of the unit that is `factor` meters; 0 if it is neither a meter nor a foot.
 unsigned unit_of_factor(double factor) {
-  constexpr double places = 1e8;  // enough to tell both kinds of feet apart; few texts have more digits
+  constexpr double places = 1e8;  // these digits distinguish both kinds of feet; few texts have more
   const auto is = [&](double known) { return std::round(factor * places) == std::round(known * places); };
   if (is(1)) return metre;
   if (is(0.3048)) return foot;
@@ -188,7 +188,8 @@ LasCrs crs_of_text(std::string_view text) {
   return in_unit(crs_of_wkt(text), factor ? unit_of_factor(*factor) : 0);
 }
 
-/// Returns the system by GeoTIFF keys: four numbers, the last of them the number of keys; then four for each key.
+/// Returns the coordinate system that GeoTIFF keys name. `data` has four numbers, of which the last is the number of
+/// keys, and then four numbers for each key.
 LasCrs crs_of_keys(std::string_view data) {
   constexpr std::size_t entry = 8;
   const auto number = [&](std::size_t i, std::size_t k) {
@@ -198,7 +199,7 @@ LasCrs crs_of_keys(std::string_view data) {
   const std::size_t keys = std::min<std::size_t>(number(0, 3), data.size() / entry - 1);
   unsigned model = 0, geographic = 0, projected = 0, unit = 0;
   for (std::size_t i = 1; i <= keys; ++i) {
-    if (number(i, 1) != 0) continue;  // a text or doubles, whose values are elsewhere
+    if (number(i, 1) != 0) continue;  // skip texts and doubles, whose values are elsewhere
     if (number(i, 0) == 1024) model = number(i, 3);
     if (number(i, 0) == 2048) geographic = number(i, 3);
     if (number(i, 0) == 3072) projected = number(i, 3);
@@ -224,8 +225,8 @@ void take_note(Found& found, std::string_view user, unsigned number, std::string
   if (number == 34735) found.keys = crs_of_keys(data);
 }
 
-/// Collects the systems in `count` records from `at` to `end`. The header of a record has reserved bytes (2), user
-/// (16), number (2), length (2; 8 in an extended record) and description (32).
+/// Adds to `found` the coordinate systems that `count` records from `at` to `end` name. The header of a record has
+/// reserved bytes (2), user (16), number (2), length (2; 8 in an extended record) and description (32).
 void visit(Found& found, std::string_view bytes, std::size_t at, std::size_t end, std::size_t count, bool extended) {
   const std::size_t frame = extended ? 60 : 54;
   for (std::size_t i = 0; i < count && at <= end && end - at >= frame; ++i) {

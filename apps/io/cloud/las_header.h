@@ -1,5 +1,5 @@
 // What: reads the public header block of a LAS file, versions 1.0 to 1.4: the number and the place of the point
-//       records, and their coordinate reference system.
+//       records, and the coordinate reference system.
 // Law:  the number of point records comes only from LasCount::settle(), which throws BadInput, or warns, if it differs
 //       between the header and the file. All records that settle() counts lie within the file.
 // Source: ASPRS, LAS specification 1.4 R15, and those before it.
@@ -22,19 +22,21 @@ namespace rbpa::app {
 class LasCount {
  public:
   LasCount() = default;
-  /// `claimed`: the number of points by the header; `room`: the number of whole records of `length` bytes in the file.
+  /// `claimed` is the number of points in the header; `room` is the number of whole records of `length` bytes for which
+  /// the file has room.
   LasCount(std::size_t claimed, std::size_t room, std::size_t length)
       : claimed_(claimed), room_(room), length_(length) {}
 
-  /// Returns the number of points to read. Throws BadInput if the header counts more or fewer points than the file has
-  /// whole records. With `skip_invalid` returns the smaller number instead, or the number of records if the header
-  /// counts none, as an interrupted writer leaves it, and adds a warning to `warnings`.
+  /// Returns the number of points to read. Throws BadInput that names `name` if the header counts more or fewer points
+  /// than the file has whole records. With `skip_invalid` does not throw, but adds a warning, and returns the smaller
+  /// number, or the number of records if the header counts 0, as an interrupted writer leaves it.
   std::size_t settle(bool skip_invalid, const std::string& name, std::vector<std::string>& warnings) const;
 
-  /// For a file whose end is not known yet: the number of points to look for, and the number for which there is room.
+  /// Return, for a file whose end is not known yet, the number of points to look for, and the number for which there is
+  /// room.
   std::size_t sought(bool skip_invalid) const { return takes_all(skip_invalid) ? room_ : claimed_; }
   std::size_t room() const { return room_; }
-  /// Returns the count of the same file whose end was found later, after `room` whole records.
+  /// Returns the count for the same file after its end was found, after `room` whole records.
   LasCount with_room(std::size_t room) const { return {claimed_, room, length_}; }
 
  private:
@@ -43,42 +45,43 @@ class LasCount {
   std::size_t claimed_ = 0, room_ = 0, length_ = 0;
 };
 
-/// A value of a LAS file, which is little-endian.
+/// Returns the value at `at`; LAS is little-endian.
 template <typename T>
 T las_value(const char* at) {
   return load<T>(at, std::endian::little);
 }
 
 struct LasHeader {
-  unsigned minor;   ///< of version 1.minor
-  unsigned format;  ///< of point records, 0 to 10
+  unsigned minor;   ///< the version of the file is 1.minor
+  unsigned format;  ///< format of point records, 0 to 10
   std::size_t size;
-  std::size_t records;                           ///< number of variable length records, which begin after the header
-  LasCount count;                                ///< of points, by the header and by the room up to what follows them
-  std::size_t length;                            ///< of a point record in bytes, with any extra bytes
-  std::size_t begin;                             ///< offset of the first point record
-  std::size_t extended_begin, extended_records;  ///< offset and number of records after the points, from 1.4 on
-  std::size_t waveforms;                         ///< offset of the record with waveforms, from 1.3 on; 0: none
+  std::size_t records;  ///< number of variable length records, which begin after the header
+  LasCount count;       ///< of points: in the header, and in the room up to the next part of the file
+  std::size_t length;   ///< size of a point record in bytes, with extra bytes
+  std::size_t begin;    ///< offset of the first point record
+  std::size_t extended_begin,
+      extended_records;   ///< offset and number of the records after the points, from version 1.4 on
+  std::size_t waveforms;  ///< offset of the record with waveforms, from version 1.3 on; 0: none
   std::array<double, 3> scale, offset;
 };
 
-/// Reads the header of a file of `size` bytes. `bytes` begin the file and hold at least its header; to recognize the
-/// signature of version 1.0, all before its points and two bytes more. Throws BadInput naming the fault if the file
-/// cannot be read.
+/// Reads the header of a file of `size` bytes. `bytes` are the first of the file, up to two bytes after the beginning
+/// of the points; fewer suffice for the header, but the signature of version 1.0 is not recognized then. Throws
+/// BadInput that names the fault if the file cannot be read.
 LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::string& name);
 
 /// Throws BadInput if the scale or the offset of x, y or z (axis 0, 1, 2) gives no coordinates. read_las_header()
-/// checks x and y; z matters only if it is requested.
+/// checks x and y; the caller checks z if it is requested.
 void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name);
 
 struct LasCrs {
-  std::optional<Crs> crs = std::nullopt;  ///< by its EPSG code
-  std::string warning = {};               ///< warning that the file's system is not understood
+  std::optional<Crs> crs = std::nullopt;  ///< the system; absent if it is not understood
+  std::string warning = {};               ///< why the system of the file is not understood; else empty
 };
 
-/// Returns the system by well-known text, or else by GeoTIFF keys. `before`: the file up to its points at least;
-/// `behind`: the file from its extended records on. Records that claim more bytes than there are end the search without
-/// an error.
+/// Returns the system that well-known text, or else GeoTIFF keys, name. `before` is the file up to its points at least;
+/// `behind` is the file from its extended records on. A record that claims more bytes than there are ends the search
+/// without an error.
 LasCrs las_crs(std::string_view before, std::string_view behind, const LasHeader& header);
 
 }  // namespace rbpa::app

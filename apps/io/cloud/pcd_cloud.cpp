@@ -26,7 +26,7 @@ std::vector<std::string_view> all_words(std::string_view rest) {
   return words;
 }
 
-/// A header as that of PLY, with points as the only element.
+/// A header in the form of a PLY header, with points as the only element.
 struct PcdHeader {
   PlyHeader header = {};
   bool is_compressed = false;  ///< the data are columns: all values of one field, then those of the next
@@ -117,12 +117,12 @@ class PcdHeaderReader {
                   in_quotes(std::string(types_[i]) + " " + std::string(sizes_[i])),
                   "a type F, I or U and its size in bytes");
       const std::optional<std::size_t> count = counts_.empty() ? 1 : parse_count(counts_[i]);
-      constexpr std::size_t most = 65536;  // descriptors have some hundreds
+      constexpr std::size_t most = 65536;  // descriptors have some hundred values
       if (!count || *count > most)
         bad_input(name_ + ": field " + shown(fields_[i]), "a count of " + in_quotes(counts_[i]),
                   "one from 0 to " + std::to_string(most));
-      if (*count == 0) continue;  // takes no bytes
-      // The Point Cloud Library leaves out gaps between fields, which are called "_", if it compresses.
+      if (*count == 0) continue;  // it has no bytes
+      // Skip fields called "_": the Point Cloud Library does not write these gaps if it compresses.
       if (is_compressed_ && fields_[i] == "_") continue;
       points_.properties.push_back({std::string(fields_[i]), *type, std::nullopt, *count});
     }
@@ -141,7 +141,8 @@ class PcdHeaderReader {
     header_.elements.push_back(std::move(points_));
   }
 
-  /// Throws BadInput if the file is too short for its points. In text each number takes two characters, the last one.
+  /// Throws BadInput if the file is too short for its points. In text each number takes two characters, the last number
+  /// one.
   void require_room() const {
     const std::size_t left = header_.data.size();
     const std::size_t room = header_.binary ? left / points_.least_size() : (left + 1) / (2 * points_.least_words());
@@ -184,14 +185,15 @@ PointLayout lay_out(const PlyElement& points, const CloudRequest& request, const
   return layout;
 }
 
-/// The greatest ratio of the format: three bytes stand for a copy of at most 264 bytes.
+/// The greatest compression ratio of the format: three bytes stand for a copy of at most 264 bytes.
 constexpr std::size_t most_for_each = 88;
 
-/// Memory per decompressed byte: the byte itself, and two more for the points, as numbers of 4 bytes become 8.
+/// Bytes of memory for each decompressed byte: the byte itself, and two for the points, as numbers of 4 bytes become 8.
 constexpr double bytes_in_memory = 3;
 
-/// Returns the `size` bytes that were compressed by LZF (M. Lehmann, liblzf). Throws BadInput naming `place`, where the
-/// data are; before anything is allocated if `compressed` is too short for that size or if memory does not suffice.
+/// Returns the `size` bytes that LZF (M. Lehmann, liblzf) has compressed to `compressed`. Throws BadInput that names
+/// `place`, where the data are, before memory is allocated if `compressed` is too short for `size` or memory does not
+/// suffice.
 std::vector<char> decompress_lzf(std::string_view compressed, std::size_t size, const std::string& place) {
   constexpr std::size_t most = std::numeric_limits<unsigned>::max();
   if (size > most || compressed.size() > most || size > most_for_each * compressed.size())
@@ -211,7 +213,7 @@ std::vector<char> decompress_lzf(std::string_view compressed, std::size_t size, 
   return decompressed;
 }
 
-/// The sizes before compressed data, in bytes.
+/// The two sizes, in bytes, that precede compressed data.
 struct CompressedSizes {
   static constexpr std::size_t room = 8;
   std::uint32_t compressed = 0, decompressed = 0;

@@ -11,12 +11,12 @@
 namespace rbpa::app {
 namespace {
 
-constexpr std::size_t pixel_limit = std::size_t{1} << 30U;  // rbpa() refuses as many points
+constexpr std::size_t pixel_limit = std::size_t{1} << 30U;  // rbpa() refuses so many points
 
 Shade ground_of(const Shades& image) {
   std::array<std::size_t, 3> count{};
   for (std::size_t row = 0; row < image.height; ++row) {
-    const bool is_of_border = row == 0 || row + 1 == image.height;  // of other rows only the two ends are
+    const bool is_of_border = row == 0 || row + 1 == image.height;  // of other rows only the two ends are on it
     const std::size_t step = is_of_border ? 1 : std::max<std::size_t>(image.width - 1, 1);
     for (std::size_t column = 0; column < image.width; column += step)
       ++count[static_cast<std::size_t>(image.pixels[row * image.width + column])];
@@ -63,7 +63,7 @@ class Numbers {
  public:
   Numbers(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
 
-  /// Takes the next number. Throws BadInput with `expected` unless it is between `least` and `greatest`.
+  /// Takes the next number, and returns it. Throws BadInput with `expected` unless it is from `least` to `greatest`.
   std::size_t take(std::size_t least, std::size_t greatest, const std::string& expected) {
     const std::string_view word = next_word();
     if (word.empty()) bad_input(at_line(name_, line_), "the end of the file", expected);
@@ -73,7 +73,7 @@ class Numbers {
     return *value;
   }
   std::string_view rest() const { return rest_; }
-  /// Returns the text after the single blank or line end that must come next.
+  /// Returns the text after the single blank or line end that comes next. Throws BadInput if none comes.
   std::string_view rest_behind_blank() const {
     if (rest_.empty() || !is_space(rest_.front()))
       bad_input(at_line(name_, line_), rest_.empty() ? "the end of the file" : in_quotes(rest_.substr(0, 1)),
@@ -117,7 +117,7 @@ struct Pgm {
   std::string_view data;
 
   std::size_t pixels() const { return width * height; }
-  /// Returns the size of the pixels in bytes; a lower bound in text, where a blank precedes each number.
+  /// Returns the size of the pixels in bytes; in text a lower bound, as a blank precedes each number.
   std::size_t size() const { return (text || white >= 256 ? 2 : 1) * pixels(); }
 };
 

@@ -180,7 +180,7 @@ void PlyBinary::take(std::size_t size, const PlyElement& element, std::size_t in
 
 void PlyText::require_room(const PlyElement& element) const {
   if (element.properties.empty()) return;
-  // Each value takes two characters, except the last of the file, which takes one.
+  // Count two characters for each value, except one for the last of the file.
   const std::size_t left = rest_.size() + lines_.rest().size();
   if (element.count > (left + 1) / (2 * element.least_words()))
     bad_input(name_, counted(left, "byte") + " of data", announced(element));
@@ -198,7 +198,7 @@ void PlyText::next(const PlyElement& element, std::size_t index) {
   rest_ = lines_.line();
 }
 
-/// Decides about words after an element in its line: they are ignored, or the next elements.
+/// Decides what words after an element in its line are: ignored words, or the next elements.
 void PlyText::settle_rest(const PlyElement& element, std::size_t index) {
   if (rest_.front() != '#' && is_by_words_) return;
   if (rest_.front() != '#' && !is_by_lines_) {
@@ -220,7 +220,7 @@ void PlyText::settle_rest(const PlyElement& element, std::size_t index) {
   rest_ = {};
 }
 
-/// Returns whether exactly the words of all later elements follow an element.
+/// Returns whether exactly the words of all later elements follow item `index` of `element`.
 bool PlyText::are_words_of_rest(const PlyElement& element, std::size_t index) const {
   Lines lines = lines_;
   std::string_view rest = rest_;

@@ -1,6 +1,6 @@
-// What: the header of a PLY file, and one pass over its elements, one kind after the other. The readers of PCD and OFF
-//       describe their points as elements, too.
-// Law:  each step stays inside the data, or throws BadInput naming the element and the count in the header.
+// What: reads the header of a PLY file, and passes once over its elements, one kind after another. The readers of PCD
+//       and OFF also describe their points as elements.
+// Law:  no step reads beyond the data; it throws BadInput that names the element and the count in the header.
 #pragma once
 
 #include <cstddef>
@@ -18,19 +18,19 @@ namespace rbpa::app {
 
 struct PlyProperty {
   std::string name;
-  Scalar type;                                      ///< of the value, or of each value of the list
-  std::optional<Scalar> count_type = std::nullopt;  ///< of the length before the values, when it is a list
-  std::size_t count = 1;                            ///< of the values, unless it is a list; 1 in PLY, any number in PCD
+  Scalar type;                                      ///< type of the value, or of each value of the list
+  std::optional<Scalar> count_type = std::nullopt;  ///< type of the length of a list; absent if it is not a list
+  std::size_t count = 1;  ///< number of values, unless it is a list; 1 in PLY, any number in PCD
 
-  /// Returns its size in a binary file, in bytes; that of an empty list if it is a list.
+  /// Returns the size of the property in a binary file, in bytes; of a list the size when it is empty.
   std::size_t least_size() const { return count_type ? size_of(*count_type) : count * size_of(type); }
 };
 
 struct PlyElement {
   std::string name;
-  std::string noun;  ///< the name of one in messages: "vertex element"
+  std::string noun;  ///< the name of one element in messages: "vertex element"
   std::size_t count = 0;
-  std::size_t line = 0;  ///< of the header, with that count
+  std::size_t line = 0;  ///< number of the line of the header with the count
   std::vector<PlyProperty> properties = {};
 
   bool has_lists() const;
@@ -43,28 +43,29 @@ struct PlyElement {
 struct PlyHeader {
   std::optional<std::endian> binary = std::nullopt;  ///< the byte order; absent if the file is ASCII
   std::vector<PlyElement> elements = {};
-  std::size_t lines = 0;       ///< of the header
-  std::string_view data = {};  ///< what follows it
+  std::size_t lines = 0;       ///< number of lines of the header
+  std::string_view data = {};  ///< the bytes after the header
 };
 
-/// Reads the header of a PLY file. Throws BadInput naming the line.
+/// Reads the header of a PLY file. Throws BadInput that names the line.
 PlyHeader read_ply_header(std::string_view bytes, const std::string& name);
 
 /// Returns the count of an element for messages: "3 vertex elements as line 3 says".
 std::string announced(const PlyElement& element);
 
-/// Returns the element "vertex". Throws BadInput if there is none.
+/// Returns the element "vertex". Throws BadInput that names `name` if there is none.
 const PlyElement& vertices_of(const PlyHeader& header, const std::string& name);
 
-/// Returns the index, among the properties of `element`, of the one with that name; nothing if there is none or if it
+/// Returns the index, among the properties of `element`, of the one called `property`; nothing if there is none or it
 /// is not a single number.
 std::optional<std::size_t> number_place(const PlyElement& element, std::string_view property);
 
-/// Returns the indices of those properties of `names` that `element` has as single numbers.
+/// Returns the indices of the properties of `element` that are called one of `names` and are single numbers, in the
+/// order of `names`.
 std::vector<std::size_t> number_places(const PlyElement& element, std::span<const std::string_view> names);
 
-/// Returns the index of a property as number_place(). Throws BadInput, listing the `wanted` properties, if there is
-/// none.
+/// Returns the index of a property as number_place() does. Throws BadInput that lists the `wanted` properties if there
+/// is none.
 std::size_t find_number(const PlyElement& element, std::string_view property, std::string_view wanted,
                         const std::string& name);
 
@@ -77,8 +78,8 @@ class PlyBinary {
   /// Throws BadInput unless the remaining data are long enough for all of `element` with every list empty.
   void require_room(const PlyElement& element) const;
 
-  /// Passes over the items `first` to `last` of `element` and calls visit(index, offsets), where offsets[k] points to
-  /// the data of property k. Requires require_room(element).
+  /// Passes over the items from `first` up to, not including, `last` of `element`, and calls visit(index, offsets),
+  /// where offsets[k] points to the data of property k. Requires: require_room(element) was called.
   template <typename Visit>
   void pass(const PlyElement& element, std::size_t first, std::size_t last, Visit&& visit) {
     std::vector<const char*> offsets(element.properties.size());
@@ -91,11 +92,11 @@ class PlyBinary {
       visit(i, offsets);
     }
   }
-  /// Skips all of `element`. Requires require_room(element).
+  /// Skips all items of `element`. Requires: require_room(element) was called.
   void skip(const PlyElement& element);
 
-  /// Skips `count` items of `element` and returns where they begin. Requires that it has no lists and that there is
-  /// room.
+  /// Skips `count` items of `element`, and returns the place where they begin. Requires: `element` has no lists, and
+  /// require_room(element) was called.
   const char* take_rows(const PlyElement& element, std::size_t count) {
     const char* const first = at_;
     at_ += count * element.least_size();
@@ -105,7 +106,7 @@ class PlyBinary {
  private:
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
   void pass(const PlyProperty& property, const PlyElement& element, std::size_t index) {
-    if (property.count_type == Scalar::uint8 && at_ != end_) {  // as nearly all lists of corners
+    if (property.count_type == Scalar::uint8 && at_ != end_) {  // true for nearly all lists of corners
       const std::size_t size = 1 + static_cast<unsigned char>(*at_) * size_of(property.type);
       if (size <= left()) {
         at_ += size;
@@ -123,19 +124,19 @@ class PlyBinary {
   const std::string& name_;
 };
 
-/// A pass over the data of an ASCII file: one element per line, and ignored words after it; or, if there are too few
-/// lines, the words of all elements one after another.
+/// A pass over the data of an ASCII file: one element in each line, after which other words are ignored; or, if there
+/// are too few lines, the words of all elements one after another.
 class PlyText {
  public:
-  /// Refers to the header, which must outlive this object.
+  /// Refers to `header` and `name`, which must outlive this object.
   PlyText(const PlyHeader& header, const std::string& name)
       : header_(header), lines_(header.data, header.lines), name_(name) {}
 
   /// Throws BadInput unless the remaining data are long enough for all of `element` with every list empty.
   void require_room(const PlyElement& element) const;
 
-  /// Passes over the items `first` to `last` of `element` and calls visit(index, rest); visit() removes the words of
-  /// all properties from the front of `rest`.
+  /// Passes over the items from `first` up to, not including, `last` of `element`, and calls visit(index, rest), which
+  /// removes the words of all properties from the front of `rest`.
   template <typename Visit>
   void pass(const PlyElement& element, std::size_t first, std::size_t last, Visit&& visit) {
     for (std::size_t i = first; i < last; ++i) {
@@ -152,11 +153,11 @@ class PlyText {
     });
   }
 
-  /// Removes the words of one property from `rest`; `read` of them have been removed already.
+  /// Removes the words of one property from `rest`, of which `read` have been removed already.
   void pass_words(const PlyProperty& property, std::string_view& rest, std::size_t read = 0) const;
 
   const Lines& lines() const { return lines_; }
-  /// Returns whether anything but blank lines and comments follows the elements; moves there.
+  /// Goes to the text after the elements, past blank lines and comments. Returns whether there is any.
   bool has_more() { return !rest_.empty() || lines_.next_with_content(); }
 
  private:
@@ -166,9 +167,9 @@ class PlyText {
 
   const PlyHeader& header_;
   Lines lines_;
-  std::string_view rest_ = {};  // of the line, if elements follow each other in it
+  std::string_view rest_ = {};  // rest of the line, if several elements are in a line
   bool is_by_words_ = false;
-  bool is_by_lines_ = false;  // both false: not decided yet
+  bool is_by_lines_ = false;  // both false: not decided
   const std::string& name_;
 };
 

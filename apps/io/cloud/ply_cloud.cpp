@@ -49,8 +49,8 @@ std::unique_ptr<Cloud> open_ply(Content content, const CloudRequest& request) {
 }  // namespace
 
 /// Reads the element "vertex" of PLY: x, y, z; nx, ny, nz if all three are there; and red, green, blue (of type uchar)
-/// if all three are there. Ignores everything else, but a binary file must hold it, so that a truncated file is
-/// noticed.
+/// if all three are there. Ignores everything else, but checks that a binary file has it, so that a truncated file is
+/// refused.
 const CloudFormat ply_reader = {.open = open_ply, .fields = names_of_properties};
 
 }  // namespace rbpa::app

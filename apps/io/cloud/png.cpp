@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t bytes_per_pixel = 8;  // red, green, blue, opacity of 16 bits each
 
-/// libpng for a file in memory. libpng reports an error by longjmp(), which must not skip a destructor: the steps below
-/// have no objects with destructors, and return false after an error.
+/// Decodes a file in memory by libpng. libpng reports an error by longjmp(), which must not skip a destructor: the
+/// members have no objects with destructors, and return false after an error.
 class PngDecoder {
  public:
   explicit PngDecoder(std::string_view bytes) : left_(bytes) {
@@ -35,11 +35,11 @@ class PngDecoder {
     return attempt([this] {
       png_set_read_fn(png_, this, read);
       png_set_user_limits(png_, PNG_UINT_31_MAX,
-                          PNG_UINT_31_MAX);  // require_image_size() refuses instead
+                          PNG_UINT_31_MAX);  // no limit: require_image_size() refuses
       png_read_info(png_, info_);
     });
   }
-  /// Makes libpng convert every row to red, green, blue, opacity of 16 bits each.
+  /// Makes libpng convert every row to red, green, blue and opacity, of 16 bits each. Returns false after an error.
   bool begin_rows() {
     return attempt([this] {
       png_set_expand_16(png_);
@@ -58,7 +58,7 @@ class PngDecoder {
   png_uint_32 width() const { return png_get_image_width(png_, info_); }
   png_uint_32 height() const { return png_get_image_height(png_, info_); }
   bool interlaced() const { return png_get_interlace_type(png_, info_) == PNG_INTERLACE_ADAM7; }
-  /// Returns why the last step failed.
+  /// Returns libpng's message about the last error.
   const char* message() const { return message_.data(); }
 
  private:
@@ -95,7 +95,7 @@ Shade shade_of_pixel(const png_byte* pixel, double threshold) {
 }
 
 /// Reads the pixels; returns false after an error. An interlaced image is a sequence of finer and finer images, each
-/// with the pixels that the earlier ones left out.
+/// with pixels that are not in the earlier ones.
 bool read_pixels(PngDecoder& decoder, Shades& image, double threshold) {
   if (!decoder.begin_rows()) return false;
   std::vector<png_byte> row(bytes_per_pixel * image.width);
@@ -117,8 +117,8 @@ bool read_pixels(PngDecoder& decoder, Shades& image, double threshold) {
   return decoder.read_end();
 }
 
-/// Throws BadInput if rows are too long for libpng's buffers, or if the file is too small for its pixels: it is
-/// compressed at best 1032 to 1, from at least one bit per pixel.
+/// Throws BadInput if rows are too long for libpng's buffers, or if the file is too small for its pixels, of at least
+/// one bit, with the greatest compression, 1032 to 1.
 void require_room(std::size_t file_size, const PngDecoder& decoder, const std::string& name) {
   constexpr std::size_t widest = 1000000, max_pixels_per_byte = std::size_t{8} * 1032;
   const std::size_t width = decoder.width(), height = decoder.height();

@@ -45,7 +45,7 @@ class CloudBlocks final : public PointBlocks {
   bool ended_ = false, is_finished_ = false;
 };
 
-/// A file that has to be wholly in memory.
+/// A file that is wholly in memory.
 class WholeFile final : public PointBlocks {
  public:
   explicit WholeFile(const PointSource& source) {

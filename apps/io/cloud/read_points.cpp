@@ -15,7 +15,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Reads points by their format; geometries and pixels, which are not columns, have their own readers.
+/// Reads points by the reader of their format; geometries and pixels, which are not columns, have readers of their own.
 PointFile parse(std::string_view bytes, const std::string& name, const PointSource& source) {
   const Format format = source.format;
   if (format == Format::png) return {.points = read_png_points(bytes, name, source.pixels)};
@@ -32,7 +32,7 @@ PointFile settled(PointFile file, const std::string& name, const PointSource& so
     file.degrees = true;
   }
   if (file.degrees) warning_on_degrees(file);
-  if (!source.heights) file.z = {};  // readers of geometries always fill it
+  if (!source.heights) file.z = {};  // readers of geometries always fill in z
   return file;
 }
 
@@ -114,7 +114,7 @@ PointFile read_points(const PointSource& source) {
   PointSource known = source;
   known.format = format_of_content(Use::points, input.bytes(), input.name(), Format::text);
   if (known.format == Format::geojson) {
-    if (known.where && !known.where->selects()) known.where.reset();  // it only names properties of groups
+    if (known.where && !known.where->selects()) known.where.reset();  // it names only properties of groups
   } else {
     known.properties = {};
   }
@@ -123,7 +123,7 @@ PointFile read_points(const PointSource& source) {
 }
 
 PointFile points_in(std::string_view bytes, const std::string& name, const PointSource& source) {
-  // A file without points may be intended; an empty one comes from a command that failed before.
+  // Refuse an empty file, the result of an earlier command that failed; a file without points may be intended.
   if (bytes.empty()) bad_input(name, "an empty file", "points");
   std::string room;
   if (!is_table(source.format)) bytes = plain_text(bytes, name, source.format, room);

@@ -32,7 +32,7 @@ std::optional<SpacePoints> read_cloud(Cloud& cloud) {
   SpacePoints space;
   space.points.reserve(facts.expected);
   if (facts.normals) space.normals.reserve(facts.expected);
-  std::vector<Channel3> colors;  // the range of the channels is known at the end
+  std::vector<Channel3> colors;  // as in the file: the range of channels is not known before its end
   if (facts.colors) colors.reserve(facts.expected);
   CloudBlock block;
   while (cloud.next(block)) {
@@ -86,7 +86,7 @@ SpacePoints read_space_points(const std::string& path, Format format, const Clou
 
 SpacePoints space_points_in(std::string_view bytes, const std::string& name, Format format,
                             const CloudRequest& request) {
-  // A file without points may be intended; an empty one comes from a command that failed before.
+  // Refuse an empty file, the result of an earlier command that failed; a file without points may be intended.
   if (bytes.empty()) bad_input(name, "an empty file", "points");
   CloudRequest in_space = request;
   in_space.in_space = true;

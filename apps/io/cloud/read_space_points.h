@@ -16,23 +16,24 @@ namespace rbpa::app {
 
 struct SpacePoints {
   std::vector<Point3> points = {};                       ///< in the order of the file, all finite
-  std::vector<Point3> normals = {};                      ///< none, or one per point: finite, of any length but 0
-  std::vector<std::array<std::uint8_t, 3>> colors = {};  ///< red, green, blue: none, or one per point
+  std::vector<Point3> normals = {};                      ///< none, or one for each point: finite, of any length but 0
+  std::vector<std::array<std::uint8_t, 3>> colors = {};  ///< red, green, blue: none, or one for each point
   std::vector<std::vector<double>> fields = {};          ///< as PointFile::fields
   std::vector<std::optional<std::vector<std::string>>> texts = {};  ///< as PointFile::texts
   std::vector<std::uint32_t> index = {};                            ///< as PointFile::index
   std::size_t all_points = 0;                                       ///< as PointFile::all_points
-  std::optional<Crs> crs = std::nullopt;                            ///< if the file names one
-  UnitCell cell = {};                                               ///< of the atoms of a molecule
+  std::optional<Crs> crs = std::nullopt;   ///< the coordinate system; absent if the file names none
+  UnitCell cell = {};                      ///< the cell of the atoms of a molecule
   std::vector<std::string> warnings = {};  ///< warnings, one sentence each, as PointFile::warnings
 };
 
-/// Reads the points in the order of the file. `path` "-" is standard input; a gzip file is decompressed. Allocates
-/// nothing for points that only a header claims. Throws BadInput with the file, the line or the point (counted from 0),
-/// what was found and what was expected; Failure; Cancelled; WrongUsage if two of the columns are one.
+/// Reads the points in the order of the file. `path` "-" is standard input; a gzip file is decompressed. Allocates no
+/// memory for points that a header claims and the file does not have. Throws BadInput that names the file, the line or
+/// the point (counted from 0), what was found and what was expected; Failure; Cancelled; WrongUsage if two of the
+/// columns are the same.
 SpacePoints read_space_points(const std::string& path, Format format, const CloudRequest& request = {});
 
-/// Reads points from the content of a file; `name` stands for it in messages. Throws as read_space_points().
+/// Reads points from `bytes`, the content of a file; `name` stands for it in messages. Throws as read_space_points().
 SpacePoints space_points_in(std::string_view bytes, const std::string& name, Format format,
                             const CloudRequest& request = {});
 

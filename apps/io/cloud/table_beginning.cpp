@@ -16,12 +16,12 @@ namespace {
 /// its element and x, y, z. "Properties=species:S:1:pos:R:3:..." in the comment names the columns (extended XYZ,
 /// https://github.com/libAtoms/extxyz).
 struct XyzAtoms {
-  std::size_t count = 0;                 ///< of atoms
-  std::vector<std::string> names = {};   ///< of columns, "element", "x", "y" and "z" among them
-  const char* behind_comment = nullptr;  ///< the end of the comment in the text
+  std::size_t count = 0;                 ///< number of atoms
+  std::vector<std::string> names = {};   ///< names of the columns; "element", "x", "y" and "z" are among them
+  const char* behind_comment = nullptr;  ///< pointer to the end of the comment in the text
 };
 
-/// Returns the value of "Properties=" in a comment; empty if there is none.
+/// Returns the value of "Properties=" in a comment; empty if it has none.
 std::string_view properties_in(std::string_view comment) {
   constexpr std::string_view key = "properties=";
   const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
@@ -33,7 +33,7 @@ std::string_view properties_in(std::string_view comment) {
   return comment.substr(0, std::min(comment.find_first_of(quoted ? "\"" : " \t"), comment.size()));
 }
 
-/// Returns "species:S:1:pos:R:3" as names of columns; none if it is not understood.
+/// Returns the names of the columns that "species:S:1:pos:R:3" describes; empty if it is not understood.
 std::vector<std::string> names_of(std::string_view properties) {
   std::deque<std::string> room;
   const std::vector<std::string_view> words = split(properties, ':', room);
@@ -56,7 +56,7 @@ std::vector<std::string> names_of(std::string_view properties) {
   return has_place ? names : std::vector<std::string>();
 }
 
-/// Returns whether a line of numbers is data and not a comment, as the next line has equally many fields.
+/// Returns whether `line`, of numbers, is data and not a comment: `next` has equally many fields.
 bool are_both_data(std::string_view line, std::string_view next) {
   std::size_t numbers = 0;
   for (Fields fields(line, blanks); !fields.at_end();)
@@ -67,8 +67,8 @@ bool are_both_data(std::string_view line, std::string_view next) {
   return numbers == count_fields(next, blanks).all;
 }
 
-/// Returns whether a line is an atom: the symbol of an element, or a label that begins with a letter, and three
-/// numbers.
+/// Returns whether a line is an atom: the symbol of an element, a label that begins with a letter, or, `by_number`, the
+/// number of an element; then three numbers.
 bool is_atom_line(std::string_view line, bool by_number) {
   Fields fields(line, blanks);
   const auto take = [&] { return fields.at_end() ? std::string_view() : fields.take(); };
@@ -130,8 +130,8 @@ class Starter {
     if (start_.has_line && !lines_.comment_before().empty()) comment_ = lines_.comment_before();
   }
 
-  /// Takes the count and the comment of the .xyz of chemistry. Elements may be numbers only if the ending is .xyz or
-  /// absent.
+  /// Takes the count and the comment of the .xyz format of chemistry; returns whether there are any. Elements may be
+  /// numbers only if the ending of the file is .xyz or absent.
   bool take_atoms() {
     if (kind_ != TableKind::any || !parse_count(lines_.line())) return false;
     const std::string_view known = input_ending(lines_.name());
@@ -140,7 +140,7 @@ class Starter {
     start_.announced = AnnouncedPoints{atoms->count, lines_.number(), true};
     lines_.pass_line(atoms->behind_comment);
     start_.has_line = lines_.next();
-    if (request_.columns) {  // columns may be chosen by these names
+    if (request_.columns) {  // which may name columns by these names
       comment_.clear();
       for (const std::string& name : atoms->names) comment_ += name + ' ';
       return false;
@@ -152,7 +152,7 @@ class Starter {
     return true;
   }
 
-  /// Takes the number of points: a line with one whole number, before lines with more fields.
+  /// Takes the number of points: a line with one whole number before lines with more fields.
   void take_count() {
     const std::optional<std::size_t> count = parse_count(lines_.line());
     if (!count || start_.announced) return;
@@ -169,7 +169,7 @@ class Starter {
 
   void lay_out(std::optional<char> said) {
     std::deque<std::string> room;
-    constexpr std::size_t most_tries = 1000;  // each try reads the lines ahead
+    constexpr std::size_t most_tries = 1000;  // each attempt reads following lines
     std::optional<SeparatorChoice> choice;
     for (std::size_t tries = 0;; ++tries) {
       if (tries < most_tries)
@@ -191,7 +191,7 @@ class Starter {
     }
   }
 
-  /// Returns whether the table has a first line of data if lines before it are left out.
+  /// Returns whether the table has a first line of data when --skip-invalid leaves out the lines before it.
   bool is_mended_by_skipping() {
     CloudRequest skipping = request_;
     skipping.skip_invalid = true;
@@ -209,7 +209,8 @@ class Starter {
     std::vector<std::string> warnings;
     char separator = choice.separator;
     lines_.set_layout(separator, choice.fields.to_last_text);
-    if (!is_said && choice.lines > 0 && count_fields(lines_.line(), separator).all == 1) {  // its separator differs
+    if (!is_said && choice.lines > 0 &&
+        count_fields(lines_.line(), separator).all == 1) {  // a line with one field does not show it
       separator = separator_of(lines_.line());
       lines_.set_layout(separator, choice.fields.to_last_text);
     }
@@ -240,7 +241,7 @@ class Starter {
     lines_.set_layout(start_.separator, start_.layout.width.to_last_text);
   }
 
-  /// Returns the separator of the data. Commas within a geometry separate nothing.
+  /// Returns the separator of the data, of which the header has `of_header`. Commas within a geometry separate nothing.
   char separator_of_data(char of_header) {
     if (start_.layout.wkt) return count_fields(start_.header, of_header).all > 1 ? of_header : ';';
     lines_.set_layout(of_header, 0);
@@ -257,7 +258,7 @@ class Starter {
     start_.separator = separator;
     start_.first_line = lines_.number();
     selection_.find_columns(start_.layout.names, lines_.lines(), lines_.name());
-    start_.layout.names.clear();  // they view a line that is about to go
+    start_.layout.names.clear();  // they view a line that is replaced next
     lines_.set_layout(separator, start_.layout.width.to_last_text);
   }
 
@@ -266,7 +267,7 @@ class Starter {
   const CloudRequest& request_;
   LineSelection& selection_;
   std::vector<std::string>& warnings_;
-  std::string comment_ = {};  // right before the first line of the table, or before the count
+  std::string comment_ = {};  // the line before the first line of the table, or before the count
   TableStart start_ = {};
 };
 

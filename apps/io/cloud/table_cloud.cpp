@@ -58,7 +58,7 @@ class TableCloud final : public Cloud {
   std::uint64_t bytes_read() const override { return lines_.content().bytes_read(); }
 
  private:
-  /// The role of a column: the index of a column of a block, or one of those below.
+  /// The role of a column: the index of a column of CloudBlock, or one of these.
   static constexpr std::uint8_t first_color = CloudBlock::color, height = 9, nothing = 10;
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   using Numbers = std::array<double, CloudBlock::color>;
@@ -81,7 +81,7 @@ class TableCloud final : public Cloud {
     first_point_ = lines_.number();
     is_plain_ = !wkt_ && !facts_.colors && !selection_.has_condition();
     if (!has_line_ || !lines_.content().is_in_memory()) return;
-    // A point takes at least two characters for each number; unused room costs nothing.
+    // Estimate the room: a point takes at least two characters for each number. Unused room costs nothing.
     const std::string_view rest = lines_.rest();
     const std::size_t shortest = request_.in_space ? 6 : 4;
     facts_.expected = std::min(count_line_ends(rest) + 2, rest.size() / shortest + 2);
@@ -130,7 +130,8 @@ class TableCloud final : public Cloud {
     return numbers_ == 6 && !is_by_content_ && value[3] == 0 && value[4] == 0 && value[5] == 0;
   }
 
-  /// Reads lines of plain fields without quotes, which nearly all are, without first searching for their ends.
+  /// Reads lines whose fields are plain numbers without quotes, as nearly all are, without first searching for line
+  /// ends.
   void read_plain_lines(CloudBlock& block) {
     Numbers value{};
     while (block.count < points_at_once && point_lines_ < last_line_) {
@@ -142,7 +143,7 @@ class TableCloud final : public Cloud {
     }
   }
 
-  /// Returns the end of the next line if it is plain and a point; null otherwise.
+  /// Returns the end of the next line, and sets `value`, if the line is plain and a point; returns null otherwise.
   const char* read_plain_line(Numbers& value) {
     z_ = none;
     const char* at = lines_.rest().data();
@@ -185,7 +186,7 @@ class TableCloud final : public Cloud {
     return has_no_direction(value) ? nullptr : at;
   }
 
-  /// Reads the points of the current line, if the condition selects it.
+  /// Reads the points of the current line, if the condition selects the line.
   void take_line(CloudBlock& block) {
     ++point_lines_;
     const std::size_t index = index_;
@@ -224,7 +225,7 @@ class TableCloud final : public Cloud {
     append(value, block);
   }
 
-  /// Notes a height; ignores a field that is not a number. Only matters until two heights differ.
+  /// Records the height in a field; ignores a field that is not a number. Does nothing after two heights differ.
   void take_height(std::string_view field) {
     std::string text(field);
     if (separator_ != ',') std::replace(text.begin(), text.end(), ',', '.');  // a decimal comma
@@ -233,7 +234,7 @@ class TableCloud final : public Cloud {
     if (facts_.file.heights.differ() && !has_heights_) std::replace(role_.begin(), role_.end(), height, nothing);
   }
 
-  /// Checks the number of fields of the current line; empty fields at its end are optional.
+  /// Throws BadInput unless the current line has the fields of the table; empty fields at its end are optional.
   void take_width(const FieldCount& count) {
     plain_width_ = count.all;
     if (count.all > role_.size()) role_.resize(count.all, nothing);
@@ -277,7 +278,8 @@ class TableCloud final : public Cloud {
     }
   }
 
-  /// Returns the number in the next field. `where`, for messages, is empty for a coordinate of a point.
+  /// Returns the number in the next field. In messages `where` follows what is expected; it is empty for a coordinate
+  /// of a point.
   double read_number(Fields& fields, std::string_view where = {}) {
     const ParsedNumber number = parse_number(fields.begin_of_field(), fields.end_of_line());
     const bool whole_field = number.fault == NumberFault::none && !comma_.is_used() && fields.take_up_to(number.end);
@@ -296,7 +298,7 @@ class TableCloud final : public Cloud {
     return whole.value;
   }
 
-  /// Returns a number with a decimal comma. Refuses it if earlier numbers have a decimal point.
+  /// Returns a number with a decimal comma. Throws BadInput if earlier numbers have a decimal point.
   double read_decimal_comma(std::string_view field) {
     const double value = comma_.read(field, here());
     if (!comma_.is_used()) {
@@ -333,7 +335,8 @@ class TableCloud final : public Cloud {
     return std::to_string(points.count) + " as line " + std::to_string(points.line) + " says";
   }
 
-  /// Skips the text after the atoms: the next frame of a trajectory, or something else. Returns false.
+  /// Ends reading after the announced atoms: the next frame of a trajectory, or anything else, is not read. Returns
+  /// false.
   bool end_atoms() {
     const bool is_frame = parse_count(lines_.line()).has_value();
     if (!is_frame && !request_.skip_invalid)
@@ -358,20 +361,20 @@ class TableCloud final : public Cloud {
   TableKind kind_;
   std::optional<AnnouncedPoints> announced_ = std::nullopt;
   std::size_t point_lines_ = 0, last_line_ = std::numeric_limits<std::size_t>::max();  // of points
-  std::size_t index_ = 0;  // of the next point among all of the file
+  std::size_t index_ = 0;  // number of the next point among all points of the file
   bool has_line_ = false, ended_ = false, any_points_ = false;
   char separator_ = blanks;
-  std::size_t numbers_ = 0;                        // numbers of a point
-  std::vector<std::uint8_t> role_ = {};            // of each column
+  std::size_t numbers_ = 0;                        // how many numbers a point has
+  std::vector<std::uint8_t> role_ = {};            // role of each column
   std::optional<std::size_t> wkt_ = std::nullopt;  // the column of geometries, in place of x and y
-  std::size_t first_line_ = 0;                     // the line that sets the number of columns
-  FieldCount width_ = {};                          // that number
-  std::size_t plain_width_ = 0;                    // fields of the plain line before; 0: there was none
-  std::string header_ = {};                        // empty without one
-  std::size_t first_point_ = 0;                    // line of the first point
-  bool is_plain_ = false;                          // whether it is worth trying read_plain_lines()
+  std::size_t first_line_ = 0;                     // number of the line that sets the number of columns
+  FieldCount width_ = {};                          // the number of columns
+  std::size_t plain_width_ = 0;                    // number of fields of the previous plain line; 0: there was none
+  std::string header_ = {};                        // line of the header; empty if there is none
+  std::size_t first_point_ = 0;                    // number of the line of the first point
+  bool is_plain_ = false;                          // read_plain_lines() may succeed
   CloudBlock* current_ = nullptr;                  // the block that is being filled
-  bool all_whole_ = true;                          // all numbers without a comma, of earlier blocks, are whole
+  bool all_whole_ = true;                          // all numbers of earlier blocks without a comma are whole
   DecimalComma comma_ = {};
   LineSelection selection_;
   TextColors colors_ = TextColors(widest_channel);
@@ -380,7 +383,7 @@ class TableCloud final : public Cloud {
   LastColumns last_ = {};
   bool has_crs_warning_ = false;
   bool has_heights_ = false;  // heights are requested, and there may be some
-  double z_ = none;           // of the point that is being read
+  double z_ = none;           // height of the point that is being read
 };
 
 }  // namespace
@@ -390,7 +393,7 @@ std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request, 
 }
 
 /// Reads a table in text, one point per line. Every line is a point, a comment ('#'), blank, or the one header; other
-/// lines are refused by their number, or left out and counted. The separator is that of choose_separator()
+/// lines are refused, with their number, or left out and counted. The separator is that of choose_separator()
 /// (table_separator.h). Fields may be in double quotes (not with blanks as separator). All lines have the same number
 /// of columns. In a line that the condition excludes, only the condition's columns are read.
 const CloudFormat table_reader = table_format<TableKind::any>;

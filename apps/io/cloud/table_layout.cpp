@@ -30,7 +30,7 @@ std::vector<std::size_t> chosen(const std::vector<Column>& columns, const FieldT
   return places;
 }
 
-/// Returns whether the fields at `places` are names: none looks like a number, and not all say that a value is missing.
+/// Returns whether the fields at `places` are names: none looks like a number, and not all stand for missing values.
 bool is_header(const FieldTexts& fields, const std::vector<std::size_t>& places) {
   std::size_t missing = 0;
   for (const std::size_t i : places) {
@@ -45,21 +45,22 @@ bool is_unknown_header(const FieldTexts& fields, const std::vector<std::size_t>&
   return is_header(fields, places) && is_text_only(fields) && std::none_of(fields.begin(), fields.end(), is_geometry);
 }
 
-/// Returns whether a line with known names is a header. Years may follow the names as whole numbers; other numbers show
-/// that the names are texts of a line of data.
+/// Returns whether a line with known names is a header. Fields may be whole numbers, such as years; any other number
+/// shows that the line is data.
 bool may_be_known_header(const FieldTexts& fields) {
   const auto numbers = std::count_if(fields.begin(), fields.end(), is_number);
   const auto whole = std::count_if(fields.begin(), fields.end(), [](std::string_view f) { return !!parse_count(f); });
   return numbers < 2 || (numbers == whole && !is_number(fields.front()));
 }
 
-/// Returns whether the first line is data, and the comment before it has a name for each column.
+/// Returns whether the first line is data, and the comment before it has a name for each column, x, y and, `in_space`,
+/// z among them.
 bool has_names(const TableBeginning& table, bool in_space) {
   return table.names.size() == table.fields.size() && !is_text_only(table.fields) &&
          (in_space ? !find_space_columns(table.names).empty() : find_coordinates(table.names).has_value());
 }
 
-/// Returns whether the line is a header with known names for x and y or for geometries; sets the layout.
+/// Returns whether the line is a header with known names for x and y, or for geometries; if so, sets `layout`.
 bool find_by_header(const FieldTexts& fields, const TableBeginning& table, TableLayout& layout,
                     std::vector<std::string>& warnings) {
   if (!may_be_known_header(fields)) return false;
@@ -92,7 +93,8 @@ void find_height_column(const FieldTexts& fields, TableLayout& layout) {
     layout.height.reset();
 }
 
-/// Returns the names of the columns of a table of a kind other than any. Throws BadInput if the kind has not so many.
+/// Returns the names of the columns of a table of a kind other than any. Throws BadInput if the kind does not have as
+/// many columns.
 std::vector<std::string_view> names_of_kind(TableKind kind, const TableBeginning& table) {
   const std::size_t width = table.fields.size();
   std::vector<std::string_view> names;
@@ -110,13 +112,14 @@ std::vector<std::string_view> names_of_kind(TableKind kind, const TableBeginning
                                         : "3, 4, 6 or 7: x, y, z, intensity, red, green, blue");
 }
 
-/// Returns whether the table has the columns of its kind; sets the layout.
+/// Returns whether the table has the columns of its kind; if so, sets `layout`.
 bool find_by_kind(const TableBeginning& table, TableKind kind, bool in_space, TableLayout& layout) {
   if (kind != TableKind::any) lay_out_by_names(names_of_kind(kind, table), in_space, layout);
   return kind != TableKind::any;
 }
 
-/// Returns whether there is a column of geometries of any name; sets the layout. For tables whose names say nothing.
+/// Returns whether there is a column of geometries, under any name; if so, sets `layout`. For tables without known
+/// names.
 bool find_by_content(const TableBeginning& table, TableLayout& layout, std::vector<std::string>& warnings) {
   layout.wkt = table.choice.geometry;
   if (!layout.wkt) return false;
@@ -126,7 +129,7 @@ bool find_by_content(const TableBeginning& table, TableLayout& layout, std::vect
   return true;
 }
 
-/// Returns whether the comment before the first line of numbers names the columns; sets the layout.
+/// Returns whether the comment before the first line of numbers names the columns; if so, sets `layout`.
 bool find_by_comment(const TableBeginning& table, bool in_space, TableLayout& layout,
                      std::vector<std::string>& warnings) {
   if (!has_names(table, in_space)) return false;
@@ -137,14 +140,14 @@ bool find_by_comment(const TableBeginning& table, bool in_space, TableLayout& la
   return true;
 }
 
-/// Throws BadInput if the first column may be the numbers of elements, which are not coordinates.
+/// Throws BadInput if the first of `columns` may be numbers of elements, which are not coordinates.
 void refuse_atoms(const TableBeginning& table, const std::string& columns) {
   if (input_ending(table.lines.name()) == "xyz" && table.fields.size() == 4 && table.choice.begin_with_atoms)
     bad_input(here(table), found_fields(table) + ", the first of which may be the number of an element",
               "x y z, or before atoms their number and a comment (--columns " + columns + " reads atoms)");
 }
 
-/// Warns that the header names none of the columns of `layout`, which are the first ones.
+/// Adds the warning that the header has no known names, so that the first `numbers` columns are taken.
 void warn_of_unknown_names(const FieldTexts& fields, std::size_t numbers, std::vector<std::string>& warnings) {
   bool any_known = false;
   std::string columns;
@@ -163,8 +166,8 @@ void warn_of_unknown_names(const FieldTexts& fields, std::size_t numbers, std::v
 }
 
 /// Returns whether column 1 of a table without a header numbers its lines: its first lines, three or more, have
-/// consecutive integers there and numbers in columns 2 and 3, and column 2 is not the same in all, as in a row of a
-/// grid.
+/// consecutive integers in column 1 and numbers in columns 2 and 3, and not all have the same number in column 2, as a
+/// row of a grid has.
 bool is_numbered(const TableBeginning& table) {
   const char* const begin = table.lines.line().data();
   const std::string_view rest = table.lines.rest();
@@ -222,7 +225,7 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
                              : is_unknown_header(fields, layout.numbers);
   if (!layout.header) {
     if (!request.columns) refuse_atoms(table, "2,3");
-    // A third number is a height in .xyz, or if heights are requested; otherwise it may be anything.
+    // Take a third number as height in .xyz, or if heights are requested; otherwise it may be anything.
     const bool has_number = is_number(fields[x]) || is_number(fields[y]);
     const bool is_xyz = input_ending(table.lines.name()) == "xyz",
                may_be_z = request.heights && fields.size() == 3 && is_number(fields.back());
@@ -252,7 +255,7 @@ void choose_in_space(const TableBeginning& table, const std::vector<Column>& col
         refuse_repeated_column(table.fields[layout.numbers[i]]);  // under two names, or by name and by number
 }
 
-/// Sets the columns of points in space by the names of the header, or, if there are three unknown names, in their
+/// Sets the columns of points in space by the names of the header, or, if the header has three unknown names, in their
 /// order.
 void find_by_space_header(const TableBeginning& table, TableLayout& layout, std::vector<std::string>& warnings) {
   const FieldTexts& fields = table.fields;
@@ -305,7 +308,7 @@ TableLayout lay_out_space(const TableBeginning& table, TableKind kind, const Clo
   if (!layout.header) return layout;
   layout.degrees = is_longitude(fields[layout.numbers[0]]) && is_latitude(fields[layout.numbers[1]]);
   layout.colors = find_color_columns(fields);
-  const auto is_taken = [&](std::size_t color) {  // has another meaning
+  const auto is_taken = [&](std::size_t color) {  // has another role
     return std::find(layout.numbers.begin(), layout.numbers.end(), color) != layout.numbers.end();
   };
   if (std::any_of(layout.colors.begin(), layout.colors.end(), is_taken)) layout.colors.clear();
@@ -337,14 +340,15 @@ TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const Clo
 }
 
 /// Reads a table whose columns, if no header names them, are x, y, z and then an intensity, a color or both. The first
-/// line of such a table may be the number of points; exactly as many must follow, unless invalid ones are skipped.
+/// line of such a table may be the number of points; exactly so many points must follow, unless invalid lines are
+/// skipped.
 const CloudFormat pts_reader = table_format<TableKind::pts>;
 
 /// Reads a table whose columns, if no header names them, are x, y, z, nx, ny, nz.
 const CloudFormat xyzn_reader = table_format<TableKind::xyzn>;
 
 /// Reads a table whose columns, if no header names them, are x, y, z, red, green, blue: from 0 to 1, or from 0 to 255
-/// if one of the file is greater than 1.
+/// if any in the file is greater than 1.
 const CloudFormat xyzrgb_reader = table_format<TableKind::xyzrgb>;
 
 }  // namespace rbpa::app

@@ -36,7 +36,7 @@ void TableLines::set_layout(char separator, std::size_t least_fields) {
   if (std::memchr(line_.data(), '"', line_.size()) != nullptr) join();
 }
 
-/// Extends the line by the tabs around it if it would otherwise have too few fields.
+/// Extends the line by the tabs around it if it has too few fields without them.
 void TableLines::widen() {
   if (count_fields(line_, separator_).all >= least_fields_) return;
   const char* first = line_.data();
@@ -48,7 +48,7 @@ void TableLines::widen() {
   line_ = {first, static_cast<std::size_t>(last - first)};
 }
 
-/// Joins the lines of a quoted text, and reads the next piece of the file if the text continues there.
+/// Joins the lines of a quoted text to one line, and reads further pieces of the file if the text continues there.
 void TableLines::join() {
   const char* end = end_of_record(line_, text_.data() + text_.size(), separator_);
   if (end == nullptr && !content_.is_in_memory()) {
@@ -74,12 +74,12 @@ std::string_view TableLines::ahead(std::size_t size) {
   return text_;
 }
 
-/// Moves to the next text: all that is in memory, or the next piece of a file, more than `at_least` bytes up to the end
-/// of a line. Returns false if there is none.
+/// Goes to the next text: all that is in memory, or the next piece of a file, of more than `at_least` bytes up to the
+/// end of a line. Returns false if there is none.
 bool TableLines::next_text(std::size_t at_least) {
   content_.skip(taken_);
   std::string_view text = content_.ahead();
-  std::size_t searched = 0;  // bytes without an end of a line
+  std::size_t searched = 0;  // number of first bytes without a line end
   for (std::size_t wanted = at_least + at_once; !content_.is_in_memory(); wanted += at_once) {
     text = content_.ahead(wanted);
     if (text.size() < wanted) break;  // the end of the file
@@ -101,7 +101,7 @@ bool TableLines::next_text(std::size_t at_least) {
 
 /// Throws BadInput if memory does not suffice for a line of more than `size` bytes.
 void TableLines::require_memory(std::size_t size) const {
-  constexpr double bytes_for_each = 5;  // the text, a larger one when it grows, and the point or its vertices
+  constexpr double bytes_for_each = 5;  // the text, its copy when it grows, and the points
   const std::optional<double> there = available_memory();
   if (there && bytes_for_each * static_cast<double>(size) > *there)
     bad_input(name(), "a line of more than " + bytes_text(static_cast<double>(size)),
@@ -110,7 +110,7 @@ void TableLines::require_memory(std::size_t size) const {
 
 std::string_view TableLines::comment_before() const {
   std::string_view before = text_.substr(0, static_cast<std::size_t>(line_.data() - text_.data()));
-  before = before.substr(0, before.find_last_of('\n') + 1);  // without blanks before the line
+  before = before.substr(0, before.find_last_of('\n') + 1);  // up to the line, without blanks before it
   if (before.empty()) return {};
   before.remove_suffix(1);
   before = trimmed(before.substr(before.find_last_of('\n') + 1));

@@ -1,6 +1,6 @@
-// What: the lines of a table, in memory or read piece by piece.
+// What: goes through the lines of a table that is in memory or read piece by piece.
 // Law:  blank lines and lines that begin with '#' or "//" are skipped, and counted in line numbers. A quoted text may
-//       span several lines, which are then one line, wherever the pieces of the file end.
+//       span several lines of the file, which are then one line, wherever pieces of the file end.
 #pragma once
 
 #include <cstddef>
@@ -17,27 +17,29 @@ class TableLines {
  public:
   explicit TableLines(Content content) : content_(std::move(content)) {}
 
-  /// Goes to the next line with content; returns false at the end. Throws BadInput for UTF-16, and if a line is too
-  /// long for memory.
+  /// Goes to the next line with content; returns false at the end. Throws BadInput for UTF-16 and UTF-32, and if a line
+  /// is too long for memory; Failure; Cancelled.
   bool next();
-  /// Skips the next line, which the caller has read up to `behind`, the end of its last character.
+  /// Skips the next line, which the caller has read in rest(); `behind` points to its line end or to the end of rest().
+  /// line() does not change.
   void pass_line(const char* behind) { lines_.pass_line(behind); }
 
-  /// Sets the separator and the least number of fields, from the current line on. Before the call no text spans lines.
+  /// Sets the separator and the least number of fields, from the current line on. Before the first call no text spans
+  /// lines.
   void set_layout(char separator, std::size_t least_fields);
 
   std::string_view line() const { return line_; }
-  /// Returns the number of the line, from 1; the first number of a line that spans several.
+  /// Returns the number of the current line in the file, from 1; the number of the first if several lines are joined.
   std::size_t number() const { return lines_.number() - spanned_; }
-  /// Returns whether a quoted text begins in the line and has no end.
+  /// Returns whether a quoted text begins in the current line and does not end.
   bool is_open() const { return is_open_; }
-  /// Returns the text after the line that is in memory.
+  /// Returns the text after the current line, as far as it is in memory.
   std::string_view rest() const { return lines_.rest(); }
-  /// Returns the text from the beginning of the current line: whole lines of `size` bytes or more, fewer at the end
-  /// only.
+  /// Returns the text from the beginning of the current line: whole lines of together at least `size` bytes, fewer only
+  /// at the end.
   std::string_view ahead(std::size_t size);
   const Lines& lines() const { return lines_; }
-  /// Returns the comment in the line right before the current one, after its '#' or "//"; empty if it is not a comment.
+  /// Returns the text after '#' or "//" in the line before the current line; empty if that line is not a comment.
   std::string_view comment_before() const;
 
   const Content& content() const { return content_; }
@@ -51,14 +53,14 @@ class TableLines {
 
   Content content_;
   Lines lines_ = Lines({});
-  std::string_view text_ = {};  // the text of lines_
+  std::string_view text_ = {};  // the text through which lines_ goes
   std::string_view line_ = {};
   std::string room_ = {};  // holds text_ if CR ended a line
-  std::size_t taken_ = 0;  // bytes of the content that are in room_
-  std::size_t mark_ = 0;   // bytes before text_: the byte-order mark
-  char separator_ = '\0';  // not known yet
+  std::size_t taken_ = 0;  // number of bytes of the content that are in room_
+  std::size_t mark_ = 0;   // number of bytes before text_: the byte-order mark
+  char separator_ = '\0';  // '\0': not known
   std::size_t least_fields_ = 0;
-  std::size_t spanned_ = 0;  // lines after the first of the current one
+  std::size_t spanned_ = 0;  // number of lines that are joined to the first of the current line
   bool is_open_ = false;
 };
 

@@ -53,7 +53,8 @@ struct Group {
   }
 };
 
-/// Returns the lines with as many fields as the first line if there are any, or else the largest group.
+/// Returns the group of lines of data with as many fields as the first line if that is not data and there is such a
+/// group; else the largest group.
 Group largest_group(std::string_view text, char separator, const std::string& name) {
   constexpr std::size_t most_lines = 64;
   TableLines lines(Content(text, name));

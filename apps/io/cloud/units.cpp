@@ -15,7 +15,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Every step-th code from the first to the last.
+/// Every `step`-th code from `first` to `last`.
 struct Codes {
   std::uint16_t first, last, step = 1;
 };
@@ -146,7 +146,7 @@ bool may_be_degrees(const Box& box) {
   return box.least.y >= -90 && box.greatest.y <= 90 && box.least.x >= -360 && box.greatest.x <= 360;
 }
 
-/// Returns the warning that the box is not one of degrees.
+/// Returns the warning that `box` is not within the range of degrees.
 std::string no_degrees(const Box& box) {
   const bool exchanged = may_be_degrees({{box.least.y, box.least.x}, {box.greatest.y, box.greatest.x}});
   return "expected longitudes and latitudes, found numbers up to " +
@@ -155,8 +155,8 @@ std::string no_degrees(const Box& box) {
          (exchanged ? ": are they exchanged?" : ": are they degrees?");
 }
 
-/// Returns whether the points lie on both sides of the antimeridian and within half the globe: a range of more than 180
-/// degrees of longitude, between two of them, has no points.
+/// Returns whether the points lie on both sides of the antimeridian and within half the globe: some range of more than
+/// 180 degrees of longitude between two points has no points.
 bool lie_around_antimeridian(const std::vector<Point>& points, const Box& box) {
   if (box.least.x < -180 || box.greatest.x > 180 || box.greatest.x - box.least.x <= 180) return false;
   std::array<bool, 361> taken{};
@@ -169,8 +169,8 @@ bool lie_around_antimeridian(const std::vector<Point>& points, const Box& box) {
   return widest > 180;
 }
 
-/// Returns the length of a degree of longitude as a share of a degree of latitude, within the box: "0.62", "0.50 to
-/// 0.71".
+/// Returns the lengths of degrees of longitude within the box, as shares of the length of a degree of latitude: "0.62",
+/// "0.50 to 0.71".
 std::string share_of_latitude(const Box& box) {
   constexpr double radians = 0.017453292519943295;
   const bool has_equator = box.least.y <= 0 && box.greatest.y >= 0;

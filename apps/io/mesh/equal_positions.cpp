@@ -31,7 +31,7 @@ std::uint32_t EqualPositions::first_at(std::span<const Position> positions, std:
   return slot = i;
 }
 
-/// Returns the slot of the first point at the position of point `i`; a free slot if there is none.
+/// Returns the slot of the first queried point at the position of point `i`; a free slot if there is none.
 std::uint32_t& EqualPositions::slot_of(std::span<const Position> positions, std::uint32_t i) {
   std::size_t at = hash_of(positions[i]);
   while (true) {

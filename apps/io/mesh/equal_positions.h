@@ -19,11 +19,12 @@ inline Position position_of(const Point3& p) { return {p.x, p.y, p.z}; }
 /// A hash table of the first point at each position.
 class EqualPositions {
  public:
-  /// Makes room for `places` positions; the table grows if there are more.
+  /// Makes room for `places` different positions. The table grows if there are more.
   explicit EqualPositions(std::size_t places);
 
-  /// Returns the first of the points queried so far at the position of point `i`; `i` itself if it is the first.
-  /// `positions` has the positions of all these points. Cost: one memory access. Throws Cancelled.
+  /// Returns the point at the position of point `i` that was queried first; `i` itself if there is no other. Requires:
+  /// `positions` has the position of each queried point, the same in every call. Cost: one memory access on average.
+  /// Throws Cancelled.
   std::uint32_t first_at(std::span<const Position> positions, std::uint32_t i);
 
  private:
@@ -32,7 +33,7 @@ class EqualPositions {
   std::uint32_t& slot_of(std::span<const Position> positions, std::uint32_t i);
   void grow(std::span<const Position> positions);
 
-  meshops::FreshVector<std::uint32_t> slots_;  // a power of two of them, at most half of them taken
+  meshops::FreshVector<std::uint32_t> slots_;  // their number is a power of two; at most half of them are taken
   std::size_t taken_ = 0;
 };
 

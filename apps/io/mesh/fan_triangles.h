@@ -1,6 +1,6 @@
-// What: a face as a fan of triangles between its corners.
-// Law:  the triangles depend on the positions of the corners and on their direction, not on the corner that comes
-//       first.
+// What: cuts a face into a fan of triangles between its corners.
+// Law:  the triangles depend on the positions and the direction of the corners, not on which corner is first in the
+//       face.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 namespace rbpa::app {
 
 /// Calls use(triangle) for each triangle of the fan around the lexicographically least corner of a face, in the face's
-/// direction. If the face has a corner twice, so have some triangles.
+/// direction. If the face has a corner twice, some triangles may have it twice.
 template <typename Use>
 void for_each_fan_triangle(std::span<const std::uint32_t> face, std::span<const std::array<double, 3>> positions,
                            Use use) {

@@ -15,13 +15,13 @@
 namespace rbpa::app {
 namespace {
 
-/// The lines of a file, and the numbers in them. Functions throw BadInput naming the line.
+/// Reads the lines of a file, and numbers in them. All members throw BadInput that names the line.
 class ObjLines {
  public:
   ObjLines(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
 
-  /// Calls visit(word, rest, line) for each line with content: its first word, what follows it, and its number, the
-  /// first one of joined lines.
+  /// Calls visit(word, rest, line) for each line with content: its first word, the rest, and its number, which is that
+  /// of the first line if several are joined.
   template <typename Visit>
   void for_each(const Visit& visit) {
     std::string room;
@@ -35,8 +35,8 @@ class ObjLines {
 
   std::array<double, 3> take_three(std::string_view& rest) const { return take_position(rest, lines_, name_); }
 
-  /// Takes the coordinates of a vertex. Refuses a rest that is not empty, a weight, a color or both, for example two
-  /// vertices in one line.
+  /// Takes the coordinates of a vertex from `rest`. Throws BadInput unless what follows is nothing, a weight, a color
+  /// or both; two vertices in one line are refused.
   std::array<double, 3> take_vertex(std::string_view& rest, std::size_t line) const {
     constexpr std::size_t most = 5;  // a weight; red, green, blue, opacity
     const std::array<double, 3> position = take_three(rest);
@@ -49,9 +49,9 @@ class ObjLines {
     return position;
   }
 
-  /// Returns the index, from 0, that `text`, a part of the corner `word`, stands for: numbers count from 1, or from −1
-  /// back from the last of the `before` items that are there already. The item, which messages call `noun`, may come
-  /// later in the file.
+  /// Returns the index, from 0, for which `text`, a part of the corner `word`, stands. Positive numbers count from 1;
+  /// negative ones count back: −1 is the last of the `before` items before line `line`. Messages call an item `noun`.
+  /// The item of a positive number may follow later in the file.
   std::uint32_t index_of(std::string_view word, std::string_view text, std::string_view noun, std::size_t before,
                          std::size_t line) const {
     std::int64_t number = 0;
@@ -65,7 +65,7 @@ class ObjLines {
     return static_cast<std::uint32_t>(number > 0 ? number - 1 : last + number);
   }
 
-  /// Refuses the index of an item that has not come, when all `count` items are read.
+  /// Throws BadInput if `index` is not below `count`, the number of all items in the file.
   void require_known(std::uint32_t index, std::size_t count, const std::string& noun, std::size_t line) const {
     if (index >= count)
       refuse(line, in_quotes(std::to_string(std::uint64_t{index} + 1)),
@@ -80,7 +80,7 @@ class ObjLines {
   }
 
  private:
-  /// Returns the current line, joined in `room` with the lines that continue it, without the comment after it.
+  /// Returns the current line without a comment at its end; if other lines continue it, they are joined in `room`.
   std::string_view take_line(std::string& room) {
     std::string_view line = lines_.line();
     if (!line.empty() && line.back() == '\\') {
@@ -100,7 +100,7 @@ class ObjLines {
   const std::string& name_;
 };
 
-/// Reads all points as one block, since the faces after the points assign the normals.
+/// Reads all points as one block, as faces, which follow the points, assign the normals.
 class ObjCloud final : public Cloud {
  public:
   ObjCloud(Content content, const CloudRequest& /*request*/)
@@ -142,7 +142,7 @@ class ObjCloud final : public Cloud {
     std::size_t line;
   };
 
-  /// Reads the corners of a face: v and vn of v//vn or v/vt/vn.
+  /// Appends the corners of a face that have a normal: v and vn of v//vn or v/vt/vn.
   void take_face(std::string_view rest, std::size_t points, std::size_t line) {
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
       if (word.front() != '-' && std::isdigit(static_cast<unsigned char>(word.front())) == 0)
@@ -154,7 +154,7 @@ class ObjCloud final : public Cloud {
     }
   }
 
-  /// Gives every vertex its normal, or no vertex a normal and a warning.
+  /// Appends the normal of every vertex to the block; or none, and adds a warning, if some vertex has not exactly one.
   void settle_normals(CloudBlock& block) {
     if (corners_.empty()) {
       if (normals_.size() == block.count)
@@ -190,13 +190,14 @@ class ObjCloud final : public Cloud {
 
   Content content_;
   ObjLines lines_;
-  std::vector<Point3> normals_ = {};  ///< in the order of their lines
+  std::vector<Point3> normals_ = {};  ///< of the lines "vn", in their order
   std::vector<Corner> corners_ = {};
   TextColors colors_ = TextColors();
   bool is_read_ = false;
 };
 
-/// Takes a corner that is an unsigned number and nothing else, as nearly all are; returns false for others.
+/// Takes the next corner if it is an unsigned number and nothing else, as nearly all are; otherwise returns false and
+/// takes nothing.
 bool take_plain_corner(std::string_view& rest, std::vector<std::uint32_t>& corners) {
   const char* const last = rest.data() + rest.size();
   const char* const first = std::find_if_not(rest.data(), last, is_blank);
@@ -210,9 +211,9 @@ bool take_plain_corner(std::string_view& rest, std::vector<std::uint32_t>& corne
 
 }  // namespace
 
-/// Reads the lines "v" of OBJ, with colors if they have six numbers or more, and "vn". A vertex has the normal that the
-/// corners of faces give it. If faces name no normals, and there are equally many vertices and normals, they belong
-/// together in their order. If neither gives every vertex a normal, there are none.
+/// Reads the lines "v" of OBJ, with colors if they have six numbers or more, and "vn". A vertex has the normal that
+/// corners of faces assign to it. If faces name no normals, and there are as many normals as vertices, vertex i has
+/// normal i. If neither assigns a normal to every vertex, the points have none.
 const CloudFormat obj_reader = {.open = open_as<ObjCloud>, .is_text = true};
 
 MeshFile read_obj_mesh(std::string_view text, const std::string& name) {

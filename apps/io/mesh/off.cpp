@@ -10,7 +10,8 @@
 namespace rbpa::app {
 namespace {
 
-/// The keyword of a three-dimensional ASCII file: OFF with prefixes; the number of vertices may follow without a blank.
+/// The keyword of a three-dimensional ASCII file: OFF with prefixes. The number of vertices may follow the keyword
+/// without a blank.
 struct Keyword {
   explicit Keyword(std::string_view word) {
     for (const std::string_view prefix : {"ST", "C", "N"}) {
@@ -24,17 +25,17 @@ struct Keyword {
     known = glued.empty() || parse_count(glued);
   }
   bool known = false, normals = false, colors = false;
-  std::string_view glued;  // after the word
+  std::string_view glued;  // the text after the keyword in its word
 };
 
 struct OffHeader {
   bool normals;  ///< N is among the prefixes: three numbers after the coordinates of a vertex
   bool colors;   ///< C is among the prefixes: red, green, blue and mostly opacity after the normal
   std::size_t vertices, faces;
-  std::size_t line;  ///< with these counts
-  Lines lines;       ///< the vertices are next
+  std::size_t line;  ///< number of the line with the counts
+  Lines lines;       ///< the lines from the vertices on
 
-  /// Returns vertices of `numbers` numbers, and faces, as elements of PLY.
+  /// Returns a PLY header with the elements of the file: vertices of `numbers` numbers each, and faces.
   PlyHeader elements(std::size_t numbers) const {
     PlyElement vertex{.name = "vertex", .noun = "vertex line", .count = vertices, .line = line};
     vertex.properties.resize(numbers, {.name = "", .type = Scalar::float64});
@@ -84,7 +85,7 @@ OffHeader read_off_header(std::string_view text, const std::string& name) {
   return header;
 }
 
-/// Returns the number of coordinates of a vertex, by the first: 3, or in the plane also 2.
+/// Returns the number of coordinates of a vertex, as the first vertex shows: 3, or unless `in_space` also 2.
 std::size_t numbers_of_vertex(const OffHeader& off, bool in_space) {
   if (off.normals) return in_space ? 6 : 3;
   Lines lines = off.lines;

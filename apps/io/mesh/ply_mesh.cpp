@@ -15,9 +15,9 @@ namespace {
 /// The elements and properties of a PLY file that make a mesh.
 struct PlyMeshLayout {
   const PlyElement* vertex = nullptr;
-  std::array<std::size_t, 3> coordinate{};  ///< x, y, z among the properties of a vertex
-  const PlyElement* face = nullptr;         ///< null: points alone
-  std::size_t corners = 0;                  ///< the list among the properties of a face
+  std::array<std::size_t, 3> coordinate{};  ///< indices of x, y, z among the properties of a vertex
+  const PlyElement* face = nullptr;         ///< null if there are no faces
+  std::size_t corners = 0;                  ///< index of the list of corners among the properties of a face
 };
 
 PlyMeshLayout lay_out(const PlyHeader& header, const std::string& name) {
@@ -40,7 +40,8 @@ PlyMeshLayout lay_out(const PlyHeader& header, const std::string& name) {
   return layout;
 }
 
-/// Returns a corner of one of the usual types, a negative one as a number beyond all points; nothing for other types.
+/// Returns the corner at `at` if `type` is one of the usual integer types; a negative corner becomes a number beyond
+/// all points. Returns nothing for other types.
 std::optional<std::uint32_t> load_corner(Scalar type, const char* at, std::endian order) {
   if (type != Scalar::int32 && type != Scalar::uint32) return std::nullopt;
   return load<std::uint32_t>(at, order);

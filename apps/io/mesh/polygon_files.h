@@ -72,8 +72,8 @@ void write_obj(OutputFile& file, const Mesh& mesh) {
 
 /// Writes binary little-endian PLY. A mesh may have more properties of a vertex: properties() returns their lines of
 /// the header, with line ends, and write_properties(file, i) writes their values; face_properties() and
-/// write_face_properties(file, f) do so for a face. The length of a face is a byte, which every reader supports,
-/// unless a face is too long.
+/// write_face_properties(file, f) do so for a face. The number of corners of a face is a byte, which every reader
+/// supports, unless a face has more than 255 corners.
 template <typename Mesh>
 void write_ply(OutputFile& file, const Mesh& mesh) {
   bool long_faces = false;
@@ -101,7 +101,7 @@ void write_ply(OutputFile& file, const Mesh& mesh) {
   }
 }
 
-/// Writes a mesh. Requires: `format` is OFF, OBJ or PLY.
+/// Writes a mesh. Requires: `format` is off, obj or ply.
 template <typename Mesh>
 void write_polygons(OutputFile& file, Format format, const Mesh& mesh) {
   if (format == Format::off) write_off(file, mesh);
@@ -109,8 +109,8 @@ void write_polygons(OutputFile& file, Format format, const Mesh& mesh) {
   if (format == Format::ply) write_ply(file, mesh);
 }
 
-/// Writes an .npy array of uint32 with shape (n, columns). Vertices are replaced by their input indices if `index`,
-/// which has them, is not empty.
+/// Writes `rows` as an .npy array of uint32 with shape (n, columns). If `index` is not empty, it has the input index of
+/// each vertex, which is written in place of the vertex.
 template <std::size_t columns>
 void write_npy_rows(OutputFile& file, std::span<const std::array<std::uint32_t, columns>> rows,
                     std::span<const std::uint32_t> index) {

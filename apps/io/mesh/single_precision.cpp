@@ -15,7 +15,7 @@ namespace {
 
 using Triangles = std::span<const std::array<std::uint32_t, 3>>;
 
-/// The bounding box of the vertices that triangles use.
+/// The bounding box of positions that triangles use; `are_floats` tells whether all coordinates are floats.
 struct BoxOfUsed {
   Position least, greatest;
   bool are_floats = true;
@@ -42,7 +42,7 @@ struct BoxOfUsed {
   }
 };
 
-/// Returns the offset that is subtracted from the vertices.
+/// Returns the offset that `format` subtracts from the vertices before it rounds them.
 Position subtracted(Format format, std::span<const Point3> vertices, Triangles triangles,
                     const std::optional<Shift>& shift) {
   if (shift && shift->by) return *shift->by;

@@ -14,7 +14,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Gives equal corners one number.
+/// Numbers the corners of facets; corners at equal positions have one number.
 class Corners {
  public:
   explicit Corners(MeshFile& mesh, std::size_t places = 0) : mesh_(mesh), places_(places) {}
@@ -47,8 +47,8 @@ bool begins_with_word(const Lines& lines, std::string_view word) {
   return same_letters(take_word(rest), word);
 }
 
-/// Returns whether the file is binary, by its size or because it is not text: a binary file may begin with "solid",
-/// too.
+/// Returns whether the file is binary: its size is that of a binary file, or it is not text. A binary file may also
+/// begin with "solid".
 bool is_binary(std::string_view bytes) {
   if (bytes.size() >= header_size && bytes.size() == header_size + facet_size * announced_facets(bytes)) return true;
   Lines lines(bytes);
@@ -59,11 +59,11 @@ bool is_binary(std::string_view bytes) {
   return bytes.find('\0') != std::string_view::npos;
 }
 
-/// Reads `facets` facets; next(facet) returns where the next one begins.
+/// Reads `facets` facets. next(facet) returns the place where the facet after `facet` begins.
 template <typename Next>
 MeshFile facets_at(std::string_view bytes, std::size_t facets, const std::string& name, const Next& next) {
   MeshFile mesh;
-  Corners corners(mesh, facets / 2);  // the number of vertices of a closed surface, about
+  Corners corners(mesh, facets / 2);  // about the number of vertices of a closed surface
   mesh.reserve_faces(facets);
   const char* facet = bytes.data() + header_size;
   for (std::size_t f = 0; f < facets; ++f, facet = next(facet)) {
@@ -85,12 +85,12 @@ MeshFile facets_at(std::string_view bytes, std::size_t facets, const std::string
   return mesh;
 }
 
-/// Returns the end of a facet and of its attributes, whose size is in the last two bytes of the facet.
+/// Returns the end of the attributes after a facet; the last two bytes of the facet have their size.
 const char* behind_attributes(const char* facet) {
   return facet + facet_size + load<std::uint16_t>(facet + facet_size - 2, std::endian::little);
 }
 
-/// Returns whether the bytes are exactly the facets, each with its attributes.
+/// Returns whether `bytes` are exactly `facets` facets, each with its attributes.
 bool have_attributes(std::string_view bytes, std::size_t facets) {
   const char* at = bytes.data() + header_size;
   const char* const end = bytes.data() + bytes.size();
@@ -137,8 +137,7 @@ class AsciiReader {
   }
 
  private:
-  /// Returns whether only padding follows, which programs and disks append to a text: zero bytes and the end-of-file
-  /// mark.
+  /// Returns whether only zero bytes and end-of-file marks follow, with which programs and disks pad a text.
   bool ends_file() {
     constexpr std::string_view blank("\0\x1a \t\r\n", 6);
     const std::string_view line = lines_.line(), rest = lines_.rest();

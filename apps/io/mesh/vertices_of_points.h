@@ -1,4 +1,4 @@
-// What: a mesh whose vertices are at points, several or none at each, with the attributes of the points.
+// What: a mesh whose vertices are at points, any number of them at each, with the attributes of the points.
 #pragma once
 
 #include <array>
@@ -13,11 +13,11 @@
 
 namespace rbpa::app {
 
-/// The vertices and their attributes; views the triangles.
+/// Owns the vertices and their attributes; views the triangles.
 class VerticesOfPoints {
  public:
-  /// `of_points`: the positions and attributes of the points; its triangles are not read. `point`: the point of each
-  /// vertex. `names_points`: also keep the input index of each vertex's point.
+  /// `of_points` has the positions and attributes of the points; its triangles are not read. `point` has the point of
+  /// each vertex. With `names_points`, mesh().points has the input index of the point of each vertex.
   VerticesOfPoints(const SpaceMesh& of_points, std::span<const std::array<std::uint32_t, 3>> triangles,
                    std::span<const std::uint32_t> point, bool names_points)
       : places_(values_at(of_points.vertices, point)),

@@ -33,7 +33,7 @@ class Declarations {
 /// Cells of one kind.
 struct Cells {
   std::uint8_t type;
-  std::uint64_t corners;  ///< of each
+  std::uint64_t corners;  ///< number of corners of a cell
   std::uint64_t count;
 };
 
@@ -60,8 +60,8 @@ void write_vtu(OutputFile& file, const VtuGrid& grid) {
   all.declare("Float64", "NumberOfComponents=\"3\"", grid.positions.bytes);
   file.write("</Points>\n<Cells>\n");
   all.declare("UInt32", "Name=\"connectivity\"", of_corners);
-  // The order matters to meshio, which looks arrays up by offsets that it changes: in another order it confuses the
-  // last two arrays of a torus.
+  // Keep this order: meshio looks arrays up by offsets that it changes, and in another order confuses the last two
+  // arrays of a torus.
   all.declare("UInt8", "Name=\"types\"", cells);
   all.declare("UInt64", "Name=\"offsets\"", of_ends);
   file.write("</Cells>\n");
@@ -79,7 +79,7 @@ void write_vtu(OutputFile& file, const VtuGrid& grid) {
   for (const Cells& kind : kinds)
     for (std::uint64_t i = 0; i < kind.count; ++i) file.write_binary(kind.type);
   file.write_binary(of_ends);
-  std::uint64_t end = 0;  // of a cell among the corners of all cells
+  std::uint64_t end = 0;  // end of a cell among the corners of all cells
   for (const Cells& kind : kinds)
     for (std::uint64_t i = 0; i < kind.count; ++i) file.write_binary(end += kind.corners);
   for (const std::vector<VtuArray>* arrays : {&grid.of_points, &grid.of_cells})

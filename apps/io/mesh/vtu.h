@@ -19,15 +19,15 @@ namespace rbpa::app {
 
 /// An array with numbers for each point, or for each cell.
 struct VtuArray {
-  std::string_view type = {};  ///< of VTK: "Float64", "UInt32", "UInt16", "UInt8"
-  std::string name = {};       ///< as XML
+  std::string_view type = {};  ///< VTK's name of the type: "Float64", "UInt32", "UInt16" or "UInt8"
+  std::string name = {};       ///< escaped for XML
   std::size_t components = 1;
   std::uint64_t rows = 0, bytes = 0;
   std::function<void(OutputFile&)> write = {};  ///< writes exactly `bytes` bytes
 };
 
-/// Returns the array of value(row) for each of `rows`, which view data that outlive the array. A value is a number or
-/// an std::array of numbers: doubles, or unsigned integers of 1, 2 or 4 bytes.
+/// Returns the array of value(row) for each of `rows`. Requires: `rows` view data that outlive the array. A value is a
+/// number or an std::array of numbers: doubles, or unsigned integers of 1, 2 or 4 bytes.
 template <typename Rows, typename Value = std::identity>
 VtuArray vtu_array(std::string name, Rows rows, Value value = {}) {
   using Row = std::remove_cvref_t<decltype(value(*rows.begin()))>;
@@ -47,7 +47,7 @@ VtuArray vtu_array(std::string name, Rows rows, Value value = {}) {
           }};
 }
 
-/// A grid whose cells are the tetrahedra, then the triangles, the edges and the vertices, all as indices of points.
+/// A grid whose cells are, in this order, tetrahedra, triangles, edges and vertices, all as indices of points.
 struct VtuGrid {
   VtuArray positions;  ///< three doubles for each point; its name is not used
   std::span<const std::array<std::uint32_t, 4>> tetrahedra = {};
@@ -55,11 +55,11 @@ struct VtuGrid {
   std::span<const std::array<std::uint32_t, 2>> edges = {};
   std::span<const std::uint32_t> vertices = {};
   std::vector<VtuArray> of_points = {}, of_cells = {};
-  /// The arrays that programs show first, as XML attributes: `Scalars="feature"`.
+  /// XML attributes that name the arrays which programs show first: `Scalars="feature"`.
   std::string shown_of_points = {}, shown_of_cells = {};
 };
 
-/// Returns the positions of a grid.
+/// Returns VtuGrid::positions for `points`, which must outlive the array.
 inline VtuArray vtu_positions(std::span<const Point3> points) { return vtu_array("", points, position_of); }
 
 void write_vtu(OutputFile& file, const VtuGrid& grid);

@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 constexpr int unsigned_short = 5123, unsigned_int = 5125, single_float = 5126;  // componentType
 constexpr int array_buffer = 34962, element_array_buffer = 34963;               // target
 
-/// Returns the normals with length 1, which the format demands; none at all if one of them has no direction.
+/// Returns the normals with length 1, as the format demands; empty if a normal has no direction.
 std::vector<std::array<float, 3>> unit_normals(std::span<const Point3> normals) {
   std::vector<std::array<float, 3>> units;
   units.reserve(normals.size());
@@ -37,8 +37,8 @@ std::vector<std::array<float, 3>> unit_normals(std::span<const Point3> normals) 
   return units;
 }
 
-/// Returns sRGB colors as linear ones, which the format demands for vertices; with opacity, so that a color has 8
-/// bytes.
+/// Returns sRGB colors as linear colors, as the format demands for vertices, each with full opacity, so that a color
+/// has 8 bytes.
 std::vector<std::array<std::uint16_t, 4>> linear_colors(std::span<const std::array<std::uint8_t, 3>> colors) {
   std::array<std::uint16_t, 256> linear;
   for (std::size_t i = 0; i < linear.size(); ++i) {
@@ -51,7 +51,7 @@ std::vector<std::array<std::uint16_t, 4>> linear_colors(std::span<const std::arr
   return result;
 }
 
-/// The chunk of numbers, and its accessors in JSON. Refers to the data, which must outlive it.
+/// The chunk of numbers, and its accessors in JSON. Refers to the added data, which must outlive this object.
 class Numbers {
  public:
   /// Adds an array and returns the number of its accessor.
@@ -108,7 +108,7 @@ void write_container(OutputFile& file, const Json& json, const Numbers& numbers)
 void write_glb(OutputFile& file, const SpaceMesh& mesh) {
   Json json = {{"asset", {{"version", "2.0"}, {"generator", "rbpa"}}}, {"scene", 0}};
   Numbers numbers;
-  if (mesh.triangles.empty()) {  // the format has no mesh without triangles
+  if (mesh.triangles.empty()) {  // the format cannot have a mesh without triangles
     json["scenes"] = Json::array({Json::object()});
     return write_container(file, json, numbers);
   }

@@ -27,7 +27,7 @@ struct SoupPolygons {
   std::span<const std::uint32_t> face(std::size_t f) const { return soup.face(f); }
 };
 
-/// A `Mesh` of polygon_files.h.
+/// A SpaceMesh as the `Mesh` of polygon_files.h.
 struct SurfacePolygons {
   const SpaceMesh& mesh;
 
@@ -56,12 +56,12 @@ std::array<float, 3> unit_normal(const Point3& a, const Point3& b, const Point3&
   const double u[] = {b.x - a.x, b.y - a.y, b.z - a.z}, v[] = {c.x - a.x, c.y - a.y, c.z - a.z};
   const double n[] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
   const double length = std::hypot(n[0], n[1], n[2]);
-  // Zeros make readers compute the normal from the corners.
+  // Return zeros, for which readers compute the normal from the corners.
   if (!(length > 0) || !std::isfinite(length)) return {};
   return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length), static_cast<float>(n[2] / length)};
 }
 
-/// Returns the 80 bytes before the facets, which must not begin with "solid" as an ASCII file does.
+/// Returns the first 80 bytes of the file, with the shift. They must not begin with "solid" as an ASCII file does.
 std::string stl_header(const Position& shift) {
   std::string header = "triangles in space, binary STL";
   if (shift != Position{})  // at most 80 characters
@@ -157,7 +157,7 @@ void write_polylines(OutputFile& file, Format format, std::span<const std::array
 
 namespace {
 
-/// Writes a line of Medit's format: the values, and 0, the number of their part.
+/// Writes a line of Medit's format: the values, and 0, the number of the part to which they belong.
 template <typename Values>
 void write_medit_line(OutputFile& file, const Values& values) {
   char* at = file.room(values.size() * (number_room + 1) + 2);

@@ -8,7 +8,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Calls visit(i) for every index i, which visit() may change.
+/// Calls visit(i) with a reference to every index i of a vertex.
 template <typename Visit>
 void for_each_index(std::vector<Triangle>& triangles, std::vector<Edge>& edges, std::vector<std::uint32_t>& points,
                     const Visit& visit) {
@@ -41,7 +41,7 @@ CompactMesh::CompactMesh(const TriangleMesh& mesh)
 
 namespace {
 
-/// The mesh as a `Mesh` of polygon_files.h, with z = 0 where it has no heights.
+/// A TriangleMesh as the `Mesh` of polygon_files.h; z is 0 if the mesh has no heights.
 struct WithHeights {
   const TriangleMesh& mesh;
 

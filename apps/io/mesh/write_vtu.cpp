@@ -15,7 +15,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Returns the numbers of features as arrays with distinct names.
+/// Returns the attributes of features, as arrays of a number for each triangle, with distinct names.
 std::vector<VtuArray> arrays_of(const TriangleFeatures& features) {
   const std::span<const std::uint32_t> of_triangle = features.of_triangle;
   std::vector<VtuArray> arrays = {vtu_array(features.name, of_triangle)};

@@ -11,12 +11,12 @@
 namespace rbpa::app {
 namespace {
 
-/// The coordinate planes onto which a face is projected.
+/// The coordinate planes onto which a face is projected, each as two axes.
 constexpr std::pair<std::size_t, std::size_t> planes[] = {{0, 1}, {1, 2}, {2, 0}};
 
-/// Returns whether three points certainly span an area on one of the planes. The error of the determinant is below
-/// (3 + 16ε)ε times the sum of its two products (Shewchuk 1997, section 4.4), ε = 2⁻⁵³, unless products underflow, which
-/// changes it by less than 2⁻¹⁰⁷³. If they overflow, no comparison holds.
+/// Returns whether the projections of three points to one of the planes certainly span an area. The error of the
+/// determinant is below (3 + 16ε)ε times the sum of its two products (Shewchuk 1997, section 4.4), ε = 2⁻⁵³, unless
+/// products underflow, which changes it by less than 2⁻¹⁰⁷³. If products overflow, no comparison is true.
 bool surely_span_area(const Position& a, const Position& b, const Position& c) {
   constexpr double error = 4e-16, least = 1e-300;
   return std::any_of(std::begin(planes), std::end(planes), [&](const auto& plane) {
@@ -29,7 +29,7 @@ bool surely_span_area(const Position& a, const Position& b, const Position& c) {
 
 }  // namespace
 
-// Points lie on one line in space if their projections onto all three planes do.
+// Project: points are on one line in space if and only if their projections are on one line in all three planes.
 bool is_on_a_line(std::span<const std::uint32_t> face, std::span<const Position> positions) {
   for (std::size_t i = 2; i < face.size(); ++i)
     if (surely_span_area(positions[face[0]], positions[face[1]], positions[face[i]])) return false;

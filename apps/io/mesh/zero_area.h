@@ -1,5 +1,5 @@
 // What: detects faces without area.
-// Law:  exact; rounded numbers decide if their error bound allows it.
+// Law:  exact. Rounded numbers decide only if their error bound allows it.
 #pragma once
 
 #include <cstdint>

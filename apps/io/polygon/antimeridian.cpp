@@ -28,7 +28,8 @@ bool lies_on_both_sides(const std::vector<PositionRing>& polygon, double longitu
   return west && east;
 }
 
-/// Appends the parts of a polygon on either side of a longitude.
+/// Appends to `parts` the parts of `polygon` west and east of `longitude`. Throws InvalidInput if rounding makes a part
+/// invalid.
 void append_cut(const std::vector<PositionRing>& polygon, double longitude,
                 std::vector<std::vector<PositionRing>>& parts) {
   std::vector<Point> points;
@@ -57,7 +58,8 @@ void append_cut(const std::vector<PositionRing>& polygon, double longitude,
     }
 }
 
-/// Returns the change of longitude, 0 or ±360, of a part that lies on one side of each antimeridian.
+/// Returns the change, 0 or ±360, that brings the longitudes of `part` within ±180. Requires: the part is on one side
+/// of each antimeridian.
 double shift_of(const std::vector<PositionRing>& part) {
   double shift = 0;
   for_each_position(part, [&](const Point3& p) { shift = p.x > 180 ? -360 : p.x < -180 ? 360 : shift; });

@@ -1,7 +1,7 @@
 // What: cuts polygons and lines at longitude 180, as GeoJSON demands: all longitudes of the parts are within -180 to
 //       180.
-// Law:  longitudes beyond change by exactly 360. Parts of valid polygons are valid: a polygon stays whole if rounded
-//       crossings of the antimeridian would make a part invalid.
+// Law:  longitudes beyond ±180 change by exactly 360. Parts of valid polygons are valid: a polygon is not cut, and not
+//       moved, if rounded crossings of the antimeridian would make a part invalid.
 // Source: RFC 7946, 3.1.9.
 #pragma once
 
@@ -16,16 +16,17 @@ namespace rbpa::app {
 /// A ring of longitudes, latitudes and heights; the first point is not repeated.
 using PositionRing = std::vector<Point3>;
 
-/// Returns whether some longitude is beyond ±180, and none is beyond ±360.
+/// Returns whether some longitude (x) is beyond ±180, and none is beyond ±360.
 bool is_beyond_antimeridian(std::span<const Point> points);
 
-/// Returns the equal longitude within -180 to 180.
+/// Returns the equal longitude from -180 to 180. Requires: -540 ≤ longitude ≤ 540.
 double within_antimeridian(double longitude);
 
 /// Returns the parts of a polygon, each with its shell first, counter-clockwise, and then its holes, clockwise.
+/// Requires: `polygon` is so as well, and its longitudes are within ±360.
 std::vector<std::vector<PositionRing>> within_antimeridian(const std::vector<PositionRing>& polygon);
 
-/// Returns the parts of the line from one point to another.
+/// Returns the parts of the line from `from` to `to`, in this direction. Requires: longitudes within ±360.
 std::vector<std::vector<Point3>> within_antimeridian(const Point3& from, const Point3& to);
 
 }  // namespace rbpa::app

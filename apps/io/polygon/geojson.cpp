@@ -26,7 +26,7 @@ namespace rbpa::app {
 
 namespace {
 
-/// The meaning of the value of a key.
+/// The meaning of a value, by its key.
 enum class Slot { ignored, type, coordinates, object, objects, crs, properties };
 
 Slot slot_of(const std::string& key) {
@@ -38,10 +38,10 @@ Slot slot_of(const std::string& key) {
   return key == "crs" ? Slot::crs : Slot::ignored;
 }
 
-/// Turns the events of a JSON parser into points. The type of an object may come after its content.
+/// Turns the events of a JSON parser into points. The type of an object may follow its content.
 class Events {
  public:
-  /// With `polygons`, reads polygons only.
+  /// Reads points; or, if `polygons` is not null, only polygons.
   Events(std::string_view text, const std::string& name, bool vertices, PolygonFile* polygons = nullptr,
          const GroupColumns& columns = {})
       : begin_(text.data()),
@@ -58,7 +58,7 @@ class Events {
     if (at_end()) refuse("nothing but blanks", "GeoJSON");
     while (!at_end()) {
       JsonPosition first(at_), last(end_);
-      constexpr bool to_the_end = false;  // others may follow
+      constexpr bool to_the_end = false;  // other texts may follow
       nlohmann::json::sax_parse(first, last, this, nlohmann::json::input_format_t::json, to_the_end);
     }
     if (without_geometry_ > 0) file_.warnings.push_back(counted(without_geometry_, "feature") + " without a geometry");
@@ -79,7 +79,7 @@ class Events {
     return scalar(value ? "true" : "false", false);
   }
   bool number_integer(std::int64_t value) {
-    // −0 is the only integer whose sign the parser loses.
+    // Read the text of 0 again: the parser loses the sign of −0.
     const bool negative_zero = value == 0 && at_ - begin_ >= 3 && at_[-3] == '-' && at_[-2] == '0';
     const bool at_the_end = value == 0 && at_ == end_ && at_ - begin_ >= 2 && at_[-2] == '-' && at_[-1] == '0';
     if (is_property()) take_key(std::to_string(value), false);
@@ -172,23 +172,23 @@ class Events {
   }
 
  private:
-  /// An object of GeoJSON whose end has not come yet.
+  /// An object of GeoJSON whose end the parser has not reached.
   struct Frame {
     std::string type = {};
     Slot slot = Slot::ignored;
     bool in_list = false;         // within a list of objects
-    const char* begin = nullptr;  // at its bracket, or right after it
+    const char* begin = nullptr;  // position of its opening bracket, or the next one
     bool has_features = false;    // it has a member "features"
     bool is_feature = false;      // its members show that it is a Feature
     std::optional<GeoJsonGeometry> geometry = std::nullopt;
     std::size_t geometries = 0;                                // number of geometries before it
     std::size_t points = 0;                                    // number of points before it
     std::vector<std::pair<std::string, double>> numbers = {};  // its properties that are numbers
-    std::string key = {};                                      // its properties for points in groups
+    std::string key = {};                                      // its properties that group points
     double radius = not_a_number;
   };
 
-  /// Returns whether the value is that of a property of a Feature.
+  /// Returns whether the parser is at the value of a property of a Feature.
   bool is_property() const { return depth_ == 1 && passed_over_ == Slot::properties; }
 
   void take_key(const std::string& text, bool is_text) {
@@ -196,7 +196,8 @@ class Events {
     frames_.back().key = text;
     file_.keys_are_texts = file_.keys_are_texts || (is_text && !text.empty());
   }
-  /// Throws BadInput if there are points, and no Feature has the property; null counts as having it.
+  /// Throws BadInput that names `option` if there are points and, as `is_there` tells, no Feature has the property; a
+  /// value of null counts as having it.
   void require_property(const std::optional<std::string>& property, bool is_there, const std::string& option) const {
     if (property && !is_there && !file_.points.empty())
       bad_input(name_, "no Feature with a property " + in_quotes(*property),
@@ -206,7 +207,7 @@ class Events {
     refuse(found + " as property " + in_quotes(inner_key_), "a text or a number, as --group-by requires");
   }
 
-  /// Sets the fields of the points from number `first` on.
+  /// Sets the fields of the points from point number `first` on to `key` and `radius`.
   void end_fields(std::size_t first, const std::string& key, double radius) {
     const std::size_t columns = (columns_.key ? 1U : 0U) + (columns_.radius ? 1U : 0U);
     file_.fields.resize(columns);
@@ -238,7 +239,7 @@ class Events {
     const bool behind_end = at_ != begin_ && at_[-1] == '\n';  // the parser has read the line end already
     bad_input(at_line(name_, before + (behind_end ? 0 : 1)) + feature_text(), found, expected);
   }
-  /// Returns ": feature 700 (id 700)", since the whole file may be one line; empty outside of features.
+  /// Returns ": feature 700 (id 700)", as the whole file may be one line; empty outside of features.
   std::string feature_text() const {
     const bool in_collection = frames_.size() > 1 && frames_.front().has_features;
     if (!in_collection && (frames_.empty() || !frames_.front().is_feature)) return "";
@@ -265,14 +266,14 @@ class Events {
   bool is_in(Slot slot) const { return depth_ == 0 && !frames_.empty() && frames_.back().slot == slot; }
   bool inside(Slot slot) const { return depth_ > 0 && passed_over_ == slot; }
 
-  /// Ignores the content up to the closing bracket, but for names and numbers.
+  /// Begins to ignore the content up to the closing bracket, except names and numbers that `slot` needs.
   bool pass_over(Slot slot) {
     passed_over_ = slot;
     depth_ = 1;
     return true;
   }
 
-  /// Returns whether the object or array that begins or ends is within ignored content.
+  /// Returns whether the object or array that begins (`step` > 0) or ends is within ignored content. Throws Cancelled.
   bool passes_over(int step) {
     if (++events_ % 65536 == 0) stop_if_interrupted();
     if (depth_ == 0) return false;
@@ -280,7 +281,8 @@ class Events {
     return true;
   }
 
-  /// Takes a value that is not a coordinate, object or array. Throws BadInput unless it `fits` its key or is ignored.
+  /// Takes a value that is not a coordinate, object or array. Throws BadInput unless the value `fits` its key or is
+  /// ignored.
   bool scalar(const std::string& found, bool fits) const {
     if (depth_ > 0) return true;
     if (frames_.empty()) refuse(found, "a GeoJSON object");
@@ -306,7 +308,7 @@ class Events {
     return scalar("a number", false);
   }
 
-  /// Finishes an object, whose type is known at its end.
+  /// Finishes an object, of which the type is known now.
   void finish(Frame& frame) {
     const auto* kind = std::find_if(std::begin(geojson_kinds), std::end(geojson_kinds),
                                     [&](const GeoJsonKind& known) { return known.name == frame.type; });
@@ -362,18 +364,18 @@ class Events {
   static constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
   const char* begin_;
-  const char* at_;  // the parser has read up to here
+  const char* at_;  // position of the parser
   const char* end_;
   const std::string& name_;
   bool vertices_;
   PolygonFile* polygons_;
   GroupColumns columns_;
-  bool has_key_ = false, has_radius_ = false;  // any Feature
+  bool has_key_ = false, has_radius_ = false;  // some Feature has it
   PointFile file_ = {};
-  std::unordered_map<std::string, std::size_t> key_numbers_ = {};  // of file_.texts[0]
+  std::unordered_map<std::string, std::size_t> key_numbers_ = {};  // numbers of keys in file_.texts[0]
   std::vector<Frame> frames_ = {};
   Slot passed_over_ = Slot::ignored;  // the content that is ignored, except its names and numbers
-  std::size_t depth_ = 0;             // open brackets in it; 0: nothing is ignored
+  std::size_t depth_ = 0;             // number of open brackets in that content; 0: nothing is ignored
   std::string inner_key_ = {};
   std::map<std::string, std::size_t> property_numbers_ = {};
   std::optional<std::string> crs_name_ = std::nullopt;

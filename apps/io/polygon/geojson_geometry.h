@@ -1,5 +1,5 @@
 // What: collects the coordinates of one geometry of GeoJSON from the events of a parser.
-// Law:  a geometry is refused unless its brackets have the depth of its kind. Rings lose their closing point.
+// Law:  a geometry is refused unless its brackets have the depth of its kind. The closing points of rings are removed.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace rbpa::app {
 
 struct GeoJsonKind {
   std::string_view name;
-  int depth;            ///< brackets around a coordinate
+  int depth;            ///< number of brackets around a coordinate
   bool points = false;  ///< Point or MultiPoint
   bool rings = false;   ///< the innermost lists are rings
 };
@@ -23,10 +23,11 @@ inline constexpr GeoJsonKind geojson_kinds[] = {{"Point", 1, true},          {"M
                                                 {"LineString", 2},           {"MultiLineString", 3},
                                                 {"Polygon", 3, false, true}, {"MultiPolygon", 4, false, true}};
 
-/// The coordinates of a geometry, which may come before its type. Each step returns a fault as text, or null.
+/// Collects the coordinates of a geometry; its type may follow them. open(), add() and close() return a fault as text,
+/// or null.
 class GeoJsonGeometry {
  public:
-  /// `first`: the number of points before those of this geometry.
+  /// `first` is the number of points before this geometry.
   explicit GeoJsonGeometry(std::size_t first) : first_(first) {}
 
   const char* open() {
@@ -65,7 +66,7 @@ class GeoJsonGeometry {
   /// Returns the number of lists around the coordinates of a point; 0 if there is no point.
   int depth() const { return depth_; }
   /// Removes the closing points of rings, and appends the polygons of the rings to `polygons` unless that is null.
-  /// Returns false if the depth of the brackets is not that of the kind.
+  /// Returns false, and changes nothing, if the depth of the brackets is not kind.depth.
   bool finish(const GeoJsonKind& kind, PointFile& file, PolygonFile* polygons) {
     if (depth_ != 0 && depth_ != kind.depth) return false;
     if (!kind.rings) return true;
@@ -98,12 +99,12 @@ class GeoJsonGeometry {
 
  private:
   std::size_t first_;
-  int open_ = 0;                 // open brackets
-  int depth_ = 0;                // of the positions so far; 0: there are none
-  std::size_t coordinates_ = 0;  // of the current position, so far
+  int open_ = 0;                 // number of open brackets
+  int depth_ = 0;                // depth of the positions; 0: there is none yet
+  std::size_t coordinates_ = 0;  // number of coordinates of the current position
   std::array<double, 3> position_{};
-  std::vector<std::size_t> ends_ = {};   // ends of the innermost lists, as numbers of points before them
-  std::vector<std::size_t> lists_ = {};  // ends of the lists of these, as numbers of ends_ before them
+  std::vector<std::size_t> ends_ = {};   // end of each innermost list, as the number of points before it
+  std::vector<std::size_t> lists_ = {};  // end of each list of such lists, as the number of ends_ before it
 };
 
 }  // namespace rbpa::app

@@ -11,7 +11,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Receives the events of a parser up to the member "id".
+/// Receives the events of a JSON parser up to the member "id" of the outermost object.
 struct JsonId {
   std::string text = {};
 

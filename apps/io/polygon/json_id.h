@@ -1,4 +1,4 @@
-// What: the position of a JSON parser in its text, and the member "id" of an object, for messages.
+// What: tells the position of a JSON parser in its text, and finds the member "id" of an object, for messages.
 #pragma once
 
 #include <cstddef>
@@ -29,8 +29,8 @@ class JsonPosition {
   const char** at_;
 };
 
-/// Returns the "id" of the object that begins at `begin`, with its quotes if it is a text; empty if the first mebibyte
-/// of the object has none.
+/// Returns the "id" of the JSON object from `begin` on, with quotes if it is a text; empty if the first mebibyte of the
+/// object, at most up to `end`, has no "id".
 std::string json_id(const char* begin, const char* end);
 
 }  // namespace rbpa::app

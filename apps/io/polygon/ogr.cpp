@@ -32,9 +32,9 @@ class Gdal {
   Gdal(const Gdal&) = delete;
   Gdal& operator=(const Gdal&) = delete;
 
-  /// Returns whether anything has failed since this object was made.
+  /// Returns whether a call of GDAL has failed since this object was made.
   bool has_failed() const { return CPLGetLastErrorType() >= CE_Failure; }
-  /// Returns GDAL's message about the failure.
+  /// Returns GDAL's message about the last failure.
   std::string reason() const {
     const std::string text = CPLGetLastErrorMsg();
     return text.empty() ? "nothing that GDAL knows" : text;
@@ -161,7 +161,7 @@ const char* driver_of(Format format) {
   return format == Format::fgb ? "FlatGeobuf" : "ESRI Shapefile";
 }
 
-/// A set of files that GDAL writes into memory, so that only whole files reach the disk.
+/// Files that GDAL writes into memory, so that only complete files are written to the disk.
 class OgrWriter {
  public:
   OgrWriter(Format format, const std::optional<Crs>& crs) : format_(format), path_(path_of(format)) {
@@ -169,11 +169,12 @@ class OgrWriter {
     if (driver == nullptr) fail(std::string("this GDAL has no driver ") + driver_of(format));
     dataset_.reset(driver->Create(path_.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     if (!dataset_) fail(gdal_.reason());
-    // One transaction for all features; a database would otherwise make one for each.
+    // Use one transaction for all features: a database would otherwise make one for each.
     in_transaction_ = dataset_->TestCapability(ODsCTransactions) != 0 && dataset_->StartTransaction() == OGRERR_NONE;
     has_system_ = crs.has_value();
     if (!crs) return;
-    system_.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);  // x is a longitude, whatever EPSG says
+    system_.SetAxisMappingStrategy(
+        OAMS_TRADITIONAL_GIS_ORDER);  // x is the longitude, also where EPSG orders latitude first
     if (system_.SetFromUserInput(crs->text().c_str()) != OGRERR_NONE)
       fail("--crs " + crs->text() + ": " + gdal_.reason());
   }
@@ -216,7 +217,7 @@ class OgrWriter {
 
   void write_groups(const NamedShapes& groups) {
     OGRLayer& layer = create_layer("groups", wkbMultiPolygon);
-    // Names that are numbers need not be integers.
+    // Use real numbers: names that are numbers need not be integers.
     add_field(layer, "group", groups.are_numbers ? OFTReal : OFTString);
     for (const char* name : {"points", "polygons"}) add_field(layer, name, OFTInteger64);
     for (const char* name : {"alpha", "area", "perimeter"}) add_field(layer, name, OFTReal);
@@ -270,7 +271,7 @@ class OgrWriter {
 
   std::vector<OgrFile> files() {
     if (in_transaction_ && dataset_->CommitTransaction() != OGRERR_NONE) fail(gdal_.reason());
-    dataset_.reset();  // flushes
+    dataset_.reset();  // writes the rest
     if (gdal_.has_failed()) fail(gdal_.reason());
     std::vector<OgrFile> files;
     for (const std::string& ending : ogr_endings(format_)) {
@@ -282,7 +283,7 @@ class OgrWriter {
   }
 
  private:
-  /// Returns a name that no other file in this process's memory has.
+  /// Returns a name of a file in memory that is unique in this process.
   static std::string path_of(Format format) {
     static int count = 0;
     return "/vsimem/rbpa-" + std::to_string(getpid()) + "-" + std::to_string(++count) + "." +
@@ -306,7 +307,7 @@ class OgrWriter {
   static void set(OGRFeature& feature, const char* name, std::size_t value) {
     feature.SetField(name, static_cast<GIntBig>(value));
   }
-  /// Sets a field; a number that is not finite becomes null, as in JSON.
+  /// Sets a field; a number that is not finite is set to null, as in JSON.
   static void set(OGRFeature& feature, const char* name, double value) {
     if (std::isfinite(value)) feature.SetField(name, value);
   }

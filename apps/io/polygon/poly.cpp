@@ -60,7 +60,7 @@ class PolyReader {
       refuse(in_quotes(word), what + ": a whole number from 0 to " + std::to_string(greatest));
     return static_cast<std::size_t>(value);
   }
-  /// Reads a count of `what`. Throws BadInput if it exceeds the bytes of the file.
+  /// Reads the number of `what`. Throws BadInput if it exceeds the number of bytes of the file.
   std::size_t count(const std::string& what) {
     next_line(what);
     return whole(what, lines_.rest().size());
@@ -142,9 +142,9 @@ class PolyReader {
 
   Lines lines_;
   const std::string& name_;
-  std::string_view rest_ = {};                           // of the line
+  std::string_view rest_ = {};                           // rest of the current line
   std::size_t first_ = 0;                                // the number of the first vertex
-  std::vector<std::array<std::uint32_t, 2>> ends_ = {};  // the other ends of each vertex's two segments
+  std::vector<std::array<std::uint32_t, 2>> ends_ = {};  // for each vertex the other ends of its two segments
 };
 
 }  // namespace

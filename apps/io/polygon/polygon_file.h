@@ -1,4 +1,4 @@
-// What: polygons read from a file, with the facts that the file states about them.
+// What: the polygons of a file, with the facts that the file states about them.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +13,20 @@ namespace rbpa::app {
 
 /// Consecutive polygons that form one geometry and should be a valid multipolygon.
 struct PolygonGeometry {
-  std::size_t first_polygon;  ///< up to the first of the next geometry
+  std::size_t first_polygon;  ///< index; the last polygon is before that of the next geometry
   std::size_t feature;
 };
 
 /// A property of features that is a number.
 struct NumberProperty {
   std::string name;
-  std::vector<double> values;  ///< one per feature; NaN if it has none, or one that is not a number
+  std::vector<double> values;  ///< a value for each feature; NaN if the feature has no such number
 };
 
 struct PolygonFile {
-  PointFile vertices = {};                       ///< in the order of the file
-  std::vector<Polygon> polygons = {};            ///< on `vertices`; only the rings are filled in, unchecked
-  std::vector<PolygonGeometry> geometries = {};  ///< those with polygons, in the order of the file
+  PointFile vertices = {};             ///< in the order of the file
+  std::vector<Polygon> polygons = {};  ///< rings of indices in `vertices`, unchecked; other members are not filled in
+  std::vector<PolygonGeometry> geometries = {};  ///< geometries with polygons, in the order of the file
   std::size_t features = 0;                      ///< number of features, including those without polygons
   std::vector<NumberProperty> properties = {};   ///< in the order of their first occurrence
 
@@ -35,7 +35,7 @@ struct PolygonFile {
     Ring& ring = is_shell ? polygons.back().shell : polygons.back().holes.emplace_back();
     for (; begin < end; ++begin) ring.points.push_back(static_cast<std::uint32_t>(begin));
   }
-  /// Makes the polygons from `first` on, if there are any, one geometry.
+  /// Makes the polygons from number `first` on, if there are any, one geometry of `feature`.
   void end_geometry(std::size_t first, std::size_t feature) {
     if (polygons.size() > first) geometries.push_back({first, feature});
   }

@@ -59,7 +59,7 @@ std::vector<SizeAt> read_sizes(const std::string& path) {
     const std::vector<std::string_view> words = words_of(lines.line());
     const std::string where = at_line(input.name(), lines.number());
     if (words.size() != 3) bad_input(where, counted(words.size(), "value"), "three: x, y and size");
-    if (is_first && std::none_of(words.begin(), words.end(), is_nearly_number)) continue;  // a header
+    if (is_first && std::none_of(words.begin(), words.end(), is_nearly_number)) continue;  // skip a header
     std::array<double, 3> value{};
     for (std::size_t i = 0; i < 3; ++i) {
       const ParsedNumber number = parse_written_number(words[i]);

@@ -32,7 +32,7 @@ std::optional<std::string> geojson_caution(const Shape& shape) {
     x = std::max(x, std::abs(p.x));
     y = std::max(y, std::abs(p.y));
   }
-  const double max_x = shape.degrees || shape.crs ? 360 : 180;  // longitudes may be shifted
+  const double max_x = shape.degrees || shape.crs ? 360 : 180;  // longitudes may be shifted by 360
   if (x <= max_x && y <= 90) return std::nullopt;
   char size[64];
   std::snprintf(size, sizeof size, "%.6g and %.6g", x, y);
@@ -44,9 +44,9 @@ bool is_cut_in_geojson(std::span<const Point> points, const std::optional<Crs>& 
   return (degrees || (crs && crs->degrees)) && is_beyond_antimeridian(points);
 }
 
-/// The punctuation of a format around polygons, rings and points.
+/// The texts of a format before, between and after polygons, rings and points.
 struct PolygonSigns {
-  std::string_view first, next;  ///< before a polygon
+  std::string_view first, next;  ///< before the first polygon, before any other
   bool has_properties;
   std::string_view open_list, close_list;
   std::string_view open_point, between_coordinates, close_point;
@@ -68,10 +68,10 @@ std::string crs_member(const std::optional<Crs>& crs) {
   return "\"crs\":{\"type\":\"name\",\"properties\":{\"name\":\"" + crs->urn() + "\"}},";
 }
 
-/// Returns a number of JSON, which has none that is not finite.
+/// Returns a number of JSON; "null" if the value is not finite, which JSON cannot express.
 std::string finite_or_null(double value) { return std::isfinite(value) ? text_of(value) : "null"; }
 
-/// Collects the corners of a ring in `corners`, whose memory is reused.
+/// Returns the corners of a ring; they are in `corners`, whose content they replace.
 std::span<const Point> gather(const Ring& ring, std::span<const Point> points, std::vector<Point>& corners) {
   corners.clear();
   for (const std::uint32_t i : ring.points) corners.push_back(points[i]);
@@ -114,7 +114,7 @@ void write_positions(OutputFile& file, const std::vector<PositionRing>& polygon,
   file.write("]");
 }
 
-/// Writes lists of rings, with commas between them.
+/// Writes a polygon of GeoJSON: its rings as lists of positions, with commas between them.
 void write_parts(OutputFile& file, const std::vector<PositionRing>& polygon, bool has_z) {
   std::string_view before = "";
   for (const std::vector<PositionRing>& part : within_antimeridian(polygon)) {
@@ -198,7 +198,7 @@ void write_polygons(OutputFile& file, Format format, const Shape& shape) {
 
 namespace {
 
-/// Calls visit(index) for each point in no polygon.
+/// Calls visit(i) for each point i in no polygon. Throws Cancelled.
 template <typename Visit>
 void for_each_isolated(const Shape& shape, const Visit& visit) {
   for (std::size_t i = 0; i < shape.points.size(); ++i) {
@@ -207,7 +207,7 @@ void for_each_isolated(const Shape& shape, const Visit& visit) {
   }
 }
 
-/// Writes the rings of the polygons of a group, or of their parts.
+/// Writes the rings of the polygons of a group, or, if `cuts`, of the parts of these polygons.
 void write_polygons_of(OutputFile& file, const PolygonSigns& signs, const NamedShapes& groups, std::size_t group,
                        bool cuts) {
   std::vector<Point> corners;
@@ -232,7 +232,7 @@ void write_polygons_of(OutputFile& file, const PolygonSigns& signs, const NamedS
   }
 }
 
-/// Calls visit(group, problem) for each group; the problem is empty if there is a polygon.
+/// Calls visit(group, problem) for each group; the problem is empty if the group has a polygon.
 template <typename Visit>
 void for_each_named(const NamedShapes& groups, const Visit& visit) {
   const std::vector<std::string_view> problems = problems_of(groups);
@@ -242,7 +242,8 @@ void for_each_named(const NamedShapes& groups, const Visit& visit) {
   }
 }
 
-/// Returns a text in quotes for JSON. Bytes that are not UTF-8, such as Latin-1, become the replacement character.
+/// Returns a text in quotes for JSON. Bytes that are not UTF-8, such as Latin-1, are written as the replacement
+/// character.
 std::string json_text(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }

@@ -1,5 +1,5 @@
-// What: writes files for geographic information systems: a shape, which is polygons, the points that are in none, and
-//       the polygon of each point; shapes of groups; triangles with heights and attributes. ogr.h writes formats of GDAL.
+// What: writes files for geographic information systems: a shape, that is, polygons, the points in no polygon, and the
+//       polygon of each point; shapes of groups; triangles with heights and attributes. ogr.h writes formats of GDAL.
 // Law:  the bytes are a function of the arguments alone. Coordinates read back to the same doubles, except where
 //       GeoJSON is cut at the antimeridian. Points are in the order of the input.
 #pragma once
@@ -28,33 +28,33 @@ namespace rbpa::app {
 struct Shape {
   std::span<const Point> points;
   std::span<const Polygon> polygons;
-  /// For each point the index of its polygon, if it is in any.
+  /// For each point the index of its polygon; nothing for a point in no polygon.
   std::span<const std::optional<std::uint32_t>> polygon_of;
-  std::optional<Crs> crs = std::nullopt;      ///< if it is known
+  std::optional<Crs> crs = std::nullopt;      ///< the coordinate system, if it is known
   bool degrees = false;                       ///< the points are longitudes and latitudes, even if `crs` is unknown
   std::span<const std::uint32_t> index = {};  ///< input index of each point; empty if point i has index i
 };
 
-/// Returns the number of points in each polygon; each point counts in at most one.
+/// Returns for each polygon the number of points that shape.polygon_of assigns to it.
 std::vector<std::size_t> points_in_polygons(const Shape& shape);
 
 /// Returns whether coordinates are longitudes and latitudes, and some lie beyond the antimeridian, where GeoJSON must
 /// be cut.
 bool is_cut_in_geojson(std::span<const Point> points, const std::optional<Crs>& crs, bool degrees);
 
-/// Returns a warning if readers of GeoJSON may misinterpret the coordinates.
+/// Returns a warning if readers of GeoJSON may misinterpret the coordinates; else nothing.
 std::optional<std::string> geojson_caution(const Shape& shape);
 
-/// Returns the beginning of a FeatureCollection, with "crs" if it has to be named. Features with commas between them
-/// follow, then "]}".
+/// Returns the beginning of a FeatureCollection, with "crs" unless the system is WGS 84 or unknown. The caller adds
+/// Features with commas between them, and "]}".
 std::string geojson_collection(const std::optional<Crs>& crs);
 
-/// The facts about a polygon in addition to its rings.
+/// Facts about a polygon in addition to its rings.
 struct PolygonFacts {
   double area = 0;
   double perimeter = 0;
   std::uint64_t holes = 0;
-  std::uint64_t points = 0;  ///< points in it and in no polygon before it
+  std::uint64_t points = 0;  ///< number of points in it and in no polygon before it
 };
 
 /// A receiver of polygons, ring by ring.
@@ -65,18 +65,19 @@ class PolygonSink {
   PolygonSink(const PolygonSink&) = delete;
   PolygonSink& operator=(const PolygonSink&) = delete;
 
-  /// Begins a polygon. Calls of ring() follow: the shell, then the holes, without their closing points; then end().
+  /// Begins a polygon. The caller then calls ring() for the shell and for each hole, without closing points, and then
+  /// end().
   virtual void begin(const PolygonFacts& facts) = 0;
   virtual void ring(std::span<const Point> points) = 0;
   virtual void end() = 0;
-  /// Ends the list of polygons.
+  /// Ends the list of polygons. Call once, last.
   virtual void finish() = 0;
 };
 
 struct PolygonSigns;
 
-/// Writes the geometry of a polygon, or of its parts if `cuts`, as an object of GeoJSON: Polygon or MultiPolygon. With
-/// `has_z` positions have three numbers.
+/// Writes the geometry of a polygon as an object of GeoJSON: a Polygon; or, if `cuts` and it is cut at the
+/// antimeridian, a MultiPolygon of its parts. With `has_z` positions have three numbers.
 void write_geojson_polygon(OutputFile& file, const std::vector<PositionRing>& polygon, bool cuts, bool has_z);
 
 /// Writes polygons as GeoJSON or well-known text. GeoJSON (RFC 7946): a FeatureCollection with one Feature for each
@@ -86,7 +87,8 @@ void write_geojson_polygon(OutputFile& file, const std::vector<PositionRing>& po
 /// (antimeridian.h), and its geometry is a MultiPolygon. Well-known text: one MULTIPOLYGON, or MULTIPOLYGON EMPTY.
 class PolygonWriter final : public PolygonSink {
  public:
-  /// Requires: `format` is geojson or wkt. `cuts`: some longitudes are beyond the antimeridian.
+  /// Requires: `format` is geojson or wkt. With `cuts`, polygons are cut at the antimeridian. Keeps a reference to
+  /// `file`; all members throw as OutputFile::write().
   PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs, bool cuts);
   void begin(const PolygonFacts& facts) override;
   void ring(std::span<const Point> points) override;
@@ -98,15 +100,15 @@ class PolygonWriter final : public PolygonSink {
   const PolygonSigns& signs_;
   std::uint64_t number_ = 0;
   bool any_ring_ = false, cuts_ = false;
-  std::vector<PositionRing> rings_ = {};  ///< of the current polygon, if it may have to be cut
+  std::vector<PositionRing> rings_ = {};  ///< rings of the current polygon, if it may have to be cut
 };
 
-/// Writes all polygons of a shape with a PolygonWriter.
+/// Writes all polygons of a shape with a PolygonWriter. Requires: `format` is geojson or wkt.
 void write_polygons(OutputFile& file, Format format, const Shape& shape);
 
-/// Returns the name of a group as JSON: a number, or a text in quotes.
+/// Returns the name of a group as JSON: unchanged if `is_number`, else in quotes.
 std::string json_name(const std::string& name, bool is_number);
-/// Returns a field of CSV, in quotes if it needs them.
+/// Returns `text` as a field of CSV, in quotes if it needs them.
 std::string csv_text(std::string_view text);
 
 /// Shapes of groups, each with a name.
@@ -114,13 +116,13 @@ struct NamedShapes {
   std::span<const Point> points;
   std::span<const std::string> names;
   bool are_numbers = false;            ///< all names are numbers
-  std::span<const std::size_t> sizes;  ///< points in each group
+  std::span<const std::size_t> sizes;  ///< number of points in each group
   const GroupShapes& shapes;
   std::optional<Crs> crs = std::nullopt;
   bool degrees = false;
 };
 
-/// Returns for each group why it has no polygon; an empty text if it has one.
+/// Returns for each group the reason why it has no polygon; an empty text if it has one.
 std::vector<std::string_view> problems_of(const NamedShapes& groups);
 
 /// Writes GeoJSON: one Feature for each group, with a MultiPolygon and "group", a number or a text, "points", "alpha",
@@ -144,21 +146,21 @@ void write_isolated_wkt(OutputFile& file, const Shape& shape);
 /// A number or a text for each triangle.
 struct TriangleAttribute {
   std::string name;
-  std::function<double(std::size_t)> number = {};     ///< NaN for a triangle without
-  std::function<std::string(std::size_t)> text = {};  ///< set if the attribute is a text
+  std::function<double(std::size_t)> number = {};     ///< value of triangle i; NaN if it has none
+  std::function<std::string(std::size_t)> text = {};  ///< value of triangle i; set only if the attribute is a text
 };
 
 struct TriangleList {
   std::size_t count = 0;
-  std::function<std::array<Point3, 3>(std::size_t)> corners = {};  ///< counter-clockwise
+  std::function<std::array<Point3, 3>(std::size_t)> corners = {};  ///< corners of triangle i, counter-clockwise
   bool has_z = false;                                              ///< positions have three numbers, not two
   std::vector<TriangleAttribute> attributes = {};
-  std::span<const Point> points = {};  ///< all points of which corners are taken
+  std::span<const Point> points = {};  ///< all points that may be corners
   std::optional<Crs> crs = std::nullopt;
   bool degrees = false;  ///< x is a longitude and y a latitude
 };
 
-/// Writes a FeatureCollection with a Polygon for each triangle, whose properties are "number", from 1, and the
+/// Writes a FeatureCollection with a Feature for each triangle: a Polygon with the properties "number", from 1, and the
 /// attributes.
 void write_triangles_geojson(OutputFile& file, const TriangleList& triangles);
 

@@ -11,7 +11,7 @@
 namespace rbpa::app {
 namespace {
 
-/// A kind of geometry, with the number of brackets around its positions; a collection contains geometries.
+/// A kind of geometry: its name, the number of brackets around its positions, and whether it contains geometries.
 struct Kind {
   std::string_view name;
   int depth;
@@ -28,7 +28,7 @@ constexpr int deepest = 32;
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
-/// Returns the kind of a name; null if there is none.
+/// Returns the kind called `name`; null if there is none.
 const Kind* find_kind(std::string_view name) {
   const auto* kind = std::find_if(std::begin(kinds), std::end(kinds), [&](const Kind& k) { return k.name == name; });
   return kind == std::end(kinds) ? nullptr : kind;
@@ -92,7 +92,7 @@ void WktGeometries::take_srid() {
 
 bool WktGeometries::next(std::vector<Point>& points) {
   do skip_space();
-  while (take_sign(';'));  // some writers put one after each geometry
+  while (take_sign(';'));  // some writers end each geometry with it
   if (text_.empty()) return false;
   take_srid();
   take_geometry(points, 0);
@@ -105,7 +105,7 @@ void WktGeometries::take_geometry(std::vector<Point>& points, int depth) {
   const std::string_view begin = text_;
   std::string name = in_capitals(take_word());
   measured_ = false;
-  // "POINT Z (", "POINTZ(" and "POINT(" are all in use.
+  // Accept "POINT Z (", "POINTZ(" and "POINT(", which are all in use.
   for (const std::string_view dimension : {"ZM", "Z", "M"})
     if (find_kind(name) == nullptr && name.ends_with(dimension)) {
       name.resize(name.size() - dimension.size());
@@ -148,7 +148,8 @@ void WktGeometries::take_geometry(std::vector<Point>& points, int depth) {
   if (polygons_ != nullptr) polygons_->end_geometry(before, polygons_->features);
 }
 
-/// Reads nested brackets of the depth of the kind; the innermost are lines, or rings, whose last point is their first.
+/// Reads nested brackets, `brackets` deep. The innermost are lines, or, if `rings`, rings, of which the last point
+/// repeats the first.
 void WktGeometries::take_lists(std::vector<Point>& points, int brackets, bool rings) {
   if (brackets == 1) return rings ? take_ring(points) : take_list(points);
   if (take_empty()) return;
@@ -177,7 +178,7 @@ bool WktGeometries::take_empty() {
   return true;
 }
 
-/// Reads "(1 2, 3 4)" or "((1 2), (3 4))" or "EMPTY". The standard has the second form for MULTIPOINT; many writers use
+/// Reads "(1 2, 3 4)" or "((1 2), (3 4))" or "EMPTY". For MULTIPOINT the standard has the second form; many writers use
 /// the first.
 void WktGeometries::take_list(std::vector<Point>& points) {
   if (take_empty()) return;
@@ -205,7 +206,7 @@ void WktGeometries::take_position(std::vector<Point>& points) {
     };
     ParsedNumber number = parse_number(text_.data(), text_.data() + text_.size());
     if (number.fault != NumberFault::none || !ends_at(number.end)) {
-      // The message shows only the word.
+      // Show only the word in the message.
       const std::size_t size = std::min(text_.find_first_of(" \t\r\n,()"), text_.size());
       const ParsedNumber word = parse_written_number(text_.substr(0, size));
       if (word.fault == NumberFault::none)

@@ -1,5 +1,5 @@
-// What: reads the points or polygons of geometries in well-known text (OGC Simple Features; perhaps SRID=... before it,
-//       as PostGIS writes it).
+// What: reads the points or polygons of geometries in well-known text (OGC Simple Features; SRID=... may precede a
+//       geometry, as PostGIS writes it).
 // Law:  a coordinate is the double nearest to its decimal text.
 // Cost: one pass.
 #pragma once
@@ -16,34 +16,35 @@
 
 namespace rbpa::app {
 
-/// A fault and its place in the text.
+/// The exception for a fault: its place in the text, what was found and what was expected.
 struct WktFault {
   const char* at;
   std::string found;
   std::string expected;
 };
 
-/// Reads one geometry after the other.
+/// Reads one geometry after another.
 class WktGeometries {
  public:
-  /// Reads points. With `vertices`, the vertices of geometries other than POINT and MULTIPOINT count as points, the
-  /// point at which a ring closes once; otherwise these geometries are refused.
+  /// Reads points from `text`, which must outlive this object. With `vertices`, the vertices of geometries other than
+  /// POINT and MULTIPOINT count as points, the point at which a ring closes once; without it such geometries are
+  /// refused.
   WktGeometries(std::string_view text, bool vertices) : text_(text), vertices_(vertices) {}
-  /// Reads polygons and appends them to `polygons`, with their geometries; refuses geometries that are not made of
-  /// polygons. A collection is one feature.
+  /// Reads polygons and appends them to `polygons`, with their geometries; the points go where next() puts them.
+  /// Refuses geometries that do not consist of polygons. A collection is one feature.
   WktGeometries(std::string_view text, PolygonFile& polygons) : text_(text), vertices_(true), polygons_(&polygons) {}
 
   /// Appends the points of the next geometry; returns false if there is none. Throws WktFault.
   bool next(std::vector<Point>& points);
 
-  /// Returns the third coordinates so far, without measures.
+  /// Returns the heights of the points that next() has appended; measures do not count.
   const Heights& heights() const { return heights_; }
-  /// Returns the third coordinate of each point that next() has appended; NaN for a point without.
+  /// Returns the height of each point that next() has appended; NaN for a point without height.
   const std::vector<double>& z() const { return z_; }
 
-  /// Returns the system that an SRID names, if any.
+  /// Returns the coordinate system that an SRID names; nothing if there is none.
   const std::optional<Crs>& crs() const { return crs_; }
-  /// Returns the warning about an SRID that names no horizontal system.
+  /// Returns the warning about an SRID that names no horizontal system; empty if there is none.
   const std::string& crs_warning() const { return crs_warning_; }
 
  private:
@@ -70,12 +71,12 @@ class WktGeometries {
   std::vector<double> z_ = {};
 };
 
-/// Reads the points of POINT and MULTIPOINT, and with `vertices` those of all geometries. Throws BadInput naming the
-/// line.
+/// Reads the points of POINT and MULTIPOINT, and with `vertices` those of all geometries. Throws BadInput that names
+/// the line; Cancelled.
 PointFile read_wkt_points(std::string_view text, const std::string& name, bool vertices);
 
-/// Reads the polygons of POLYGON, MULTIPOLYGON and other geometries of rings. Throws BadInput naming the line, also for
-/// any other geometry.
+/// Reads the polygons of POLYGON, MULTIPOLYGON and other geometries of rings. Throws BadInput that names the line, also
+/// for any other geometry; Cancelled.
 PolygonFile read_wkt_polygons(std::string_view text, const std::string& name);
 
 }  // namespace rbpa::app

@@ -70,11 +70,11 @@ FillRequest parse(const FillArguments& arguments) {
   return request;
 }
 
-/// Bytes of memory that a run needs for each estimated triangle, with a margin: a run of a million triangles takes 228
-/// bytes for each of them at its peak (docs/explanation/plane.md, Triangles of a given size).
+/// Bytes of memory that a run needs for each estimated triangle, with a margin: a run that makes a million triangles
+/// takes 228 bytes for each at its peak (docs/explanation/plane.md, Triangles of a given size).
 constexpr double bytes_a_triangle = 320;
 
-/// Throws BadInput that names both amounts if `triangles` triangles take more memory than is available.
+/// Throws BadInput that names the needed and the available memory if `triangles` triangles need more than is available.
 void require_memory(const std::string& name, double triangles) {
   const std::optional<double> there = available_memory();
   const double wanted = bytes_a_triangle * triangles;
@@ -120,7 +120,7 @@ Filling make(const Run& run, const FillRequest& request, const PolygonFile& file
   }
 }
 
-/// Returns the number of the feature of each triangle, and the numeric properties of all features.
+/// Returns for each triangle the number of its feature, and the numeric properties of all features.
 TriangleFeatures features_of(const Filling& filling, const ValidFeatures& valid, const PolygonFile& file) {
   TriangleFeatures features;
   for (const std::size_t group : filling.groups) features.of_triangle.push_back(valid.feature[group]);
@@ -128,7 +128,7 @@ TriangleFeatures features_of(const Filling& filling, const ValidFeatures& valid,
   return features;
 }
 
-/// Returns the heights of the points of the filling; empty unless polygons have heights and a target keeps them.
+/// Returns the heights of the points of the filling; empty unless the polygons have heights and a target stores them.
 std::vector<double> heights_of(const Run& run, const FillRequest& request, const PolygonFile& file,
                                const Filling& filling, const ValidFeatures& valid) {
   std::vector<double> z = file.vertices.z;
@@ -137,7 +137,7 @@ std::vector<double> heights_of(const Run& run, const FillRequest& request, const
   return z.empty() ? z : values_on_filling(filling, z, valid.groups, until_interrupted());
 }
 
-/// Returns the filling in the form that pictures and counts take.
+/// Returns the filling as an AlphaComplex, as pictures and counts require.
 AlphaComplex arrays_of(const Filling& filling) {
   AlphaComplex arrays{.triangles = filling.triangles,
                       .neighbors = filling.neighbors,

@@ -21,7 +21,7 @@
 namespace rbpa::app {
 namespace {
 
-/// The radii of a group; if there is none, `problem` has the reason.
+/// The radii of a group; if the group has none, `problem` is the reason.
 struct GroupRadii {
   std::size_t points = 0, distinct = 0;
   std::optional<double> least_covering = std::nullopt, least_connected = std::nullopt, plateau = std::nullopt;

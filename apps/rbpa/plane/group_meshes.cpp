@@ -14,7 +14,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Throws WrongUsage for options that apply only to one complex of all points.
+/// Throws WrongUsage for an option or a target that does not apply to groups.
 void require_of_groups(const MeshArguments& arguments, const ComplexRequest& request,
                        const std::vector<Target>& targets) {
   const auto refuse = [](const std::string& what) { throw WrongUsage(what + not_with_groups); };
@@ -28,7 +28,8 @@ void require_of_groups(const MeshArguments& arguments, const ComplexRequest& req
                        ", expected a mesh or an array (rbpa shape --group-by draws its polygons)");
 }
 
-/// The group of each triangle, and the properties of each group: its points, alpha, area and, if a number, its name.
+/// The group of each triangle, and the properties of each group: its number of points, alpha, area, and its name if
+/// that is a number.
 struct GroupNumbers {
   explicit GroupNumbers(const GroupRun& run) {
     const GroupShapes& shapes = run.shapes;

@@ -1,4 +1,4 @@
-// What: a run on groups of points: from the command line to a complex of each group.
+// What: a run on groups of points, from the command line to a complex for each group.
 #pragma once
 
 #include <cstddef>
@@ -23,18 +23,20 @@ struct GroupRequest {
   std::vector<Target> targets;
 };
 
-/// Parses the command line, before anything is read. Throws WrongUsage that names the value.
+/// Parses the command line, and reads no file. Throws WrongUsage that names the value; Failure if a target cannot be
+/// written there.
 /// Requires: arguments.ask_for_groups(), and `targets` are parsed from the arguments.
 GroupRequest parse_group_request(const ComplexArguments& arguments, const std::vector<Target>& targets);
 
 struct GroupRun : Run {
-  /// Reads the points and makes the complex of each group. Throws BadInput, Failure, Cancelled.
+  /// Reads the points, makes the complex of each group, and prints warnings unless quiet. Fills in `points`,
+  /// `read_seconds` and `build_seconds` of `stats`. Throws BadInput, Failure, Cancelled.
   GroupRun(const GroupRequest& wanted, const ComplexArguments& arguments, GroupShapesOptions shape_options);
 
   NamedShapes named_shapes() const;
   std::size_t triangles() const { return shapes.triangle_begin.back(); }
-  /// Writes the report if one is requested, gives all files their names, and prints how many groups have no polygon.
-  /// Throws Failure, Cancelled.
+  /// Writes the report of --stats if it is requested, gives all files their names, and prints, unless quiet, how many
+  /// groups have no polygon. Throws Failure, ClosedPipe, Cancelled.
   void finish();
   /// Prints, unless quiet: "8 points, 3 groups, MADE -> TARGETS".
   void summarize(const std::string& made) const;
@@ -43,8 +45,8 @@ struct GroupRun : Run {
   std::optional<std::string> stats_file;
   NamedGroups named;
   GroupShapes shapes;
-  std::vector<std::size_t> sizes;  ///< points in each group
-  Stats stats = {};                ///< filled in as the run goes
+  std::vector<std::size_t> sizes;  ///< number of points in each group
+  Stats stats = {};                ///< the verb fills in what the members of GroupRun do not
 };
 
 }  // namespace rbpa::app

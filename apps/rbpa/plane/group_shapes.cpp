@@ -16,7 +16,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Throws WrongUsage for options and formats that apply only to one shape of all points.
+/// Throws WrongUsage for an option or a format that does not apply to groups.
 void require_of_groups(const ShapeArguments& arguments, const std::vector<Target>& targets) {
   if (arguments.isolated) throw WrongUsage(std::string("--isolated") + not_with_groups);
   constexpr auto has_groups = [](Format format) { return format != Format::wkt && format != Format::ewkt; };

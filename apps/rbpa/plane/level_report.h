@@ -10,12 +10,12 @@
 
 namespace rbpa::app {
 
-/// Returns the format by the ending; "-" is CSV. Throws WrongUsage if the ending is unknown or the method has no
-/// levels.
+/// Returns the format of --levels by the ending of `path`; "-" is CSV. Throws WrongUsage if the ending is unknown or
+/// `method` has no levels.
 Format parse_levels(const std::string& path, const Method& method);
 
 /// Writes CSV, with a header and a line for each level, or JSON: an object with the least radius, the leaf capacity and
-/// the levels.
+/// a list of the levels.
 void write_levels(OutputFile& file, Format format, const Hierarchy& hierarchy, const Method& method);
 
 }  // namespace rbpa::app

@@ -20,7 +20,7 @@ bool is_array(Format format) {
   return format == Format::npy || format == Format::npy_edges || format == Format::npy_points;
 }
 
-/// Parses --complex. Only the method in tiles makes the full complex, which includes edges and points in no triangle.
+/// Parses --complex. Throws WrongUsage for the full complex unless the method is in tiles.
 ComplexKind parse_complex(const MeshArguments& arguments, const Method& method) {
   if (!parse_is_full(arguments.complex)) return ComplexKind::solid;
   if (method.leaf_capacity) throw WrongUsage("--complex full requires --method rbpa");
@@ -52,7 +52,7 @@ void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Bu
       if (!compact) compact.emplace(whole);
       add_triangles(run, target, compact->mesh(), run.file);
     } else {
-      // An .npy file has no vertices, and indices of input points also with --compact.
+      // Write input indices to .npy also with --compact: the file has no vertices.
       add_triangles(run, target, whole, run.file);
     }
   }

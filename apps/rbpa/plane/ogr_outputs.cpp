@@ -16,7 +16,7 @@ void add_ogr(Run& run, const Target& target, const std::vector<OgrFile>& files) 
     if (made != files.end())
       run.add(paths[i], [&](OutputFile& file) { file.write(made->bytes); });
     else if (std::filesystem::exists(paths[i]))
-      // An old .prj would declare its coordinate system for the new file.
+      // Refuse an old .prj: its coordinate system would apply to the new file.
       throw Failure(paths[i] + ": found an old file, expected none next to " + target.path + " (remove it)");
   }
 }

@@ -8,8 +8,8 @@
 
 namespace rbpa::app {
 
-/// Adds the files that GDAL has made for a target to the files of the run. Throws Failure if an old file of the same
-/// target would remain next to them.
+/// Adds `files`, which GDAL has made for a target, to the files of the run. Throws Failure if an old file of the
+/// target, such as a .prj, would remain next to them; as Run::add().
 void add_ogr(Run& run, const Target& target, const std::vector<OgrFile>& files);
 
 }  // namespace rbpa::app

@@ -13,24 +13,26 @@
 
 namespace rbpa::app {
 
-/// Parses --components and --cover. Throws WrongUsage that names the value.
+/// Parses --components and --cover into a Radii whose other members are as by default. Throws WrongUsage that names the
+/// value.
 Radii parse_radii(const RadiiArguments& arguments);
 
-/// Fills in all radii that follow from the triangulation, that is, all but radii.points. Throws Cancelled after a
-/// signal.
+/// Fills in filtration, least_covering and least_connected of `radii`, and `with_plateaus` also plateaus. Requires:
+/// max_components and cover are set. Throws Cancelled after a signal.
 void find_radii(const Delaunay& delaunay, Radii& radii, bool with_plateaus);
 
 /// Returns why the points have no triangle at any radius; nothing if they have one.
 std::optional<std::string> why_no_radius(const Filtration& filtration);
 
 struct RadiiRun : Run {
-  /// Reads the points and finds their radii. Throws BadInput, Failure, Cancelled.
+  /// Reads the points and finds their radii, with the settings of `request`. Prints warnings unless quiet. Throws
+  /// BadInput, Failure, Cancelled.
   RadiiRun(const PointSource& source, const std::vector<std::string>& outputs, const RunOptions& options,
            const Radii& request, bool with_plateaus);
 
-  /// Writes the statistics. Call it after all other files are written.
+  /// Writes the report of --stats. Call it after all other files are written, so that their time counts.
   void write_stats(OutputFile& file);
-  /// Prints why there is no radius if there is none.
+  /// If there is no radius, prints why, also if quiet.
   void say_empty() const;
 
   PointFile file;

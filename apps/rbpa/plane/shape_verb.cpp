@@ -26,14 +26,14 @@ struct Files {
   std::vector<Target> targets;
   std::optional<Target> isolated = std::nullopt;  ///< file for the points in no polygon
 
-  /// Returns the first target of the format.
+  /// Returns the first of `targets`, or else `isolated`, that has the format; null if none has.
   const Target* find(Format format) const {
     const auto is_one = [&](const Target& target) { return target.format == format; };
     const auto first = std::find_if(targets.begin(), targets.end(), is_one);
     if (first != targets.end()) return &*first;
     return isolated && is_one(*isolated) ? &*isolated : nullptr;
   }
-  /// Returns whether any of the files lists the points in each polygon, or those in none.
+  /// Returns whether any file lists points: those of each polygon, or those in no polygon.
   bool have_points() const {
     return isolated || std::any_of(targets.begin(), targets.end(), [](const Target& target) {
              return !is_text_geometry(target.format) && !is_picture(target.format);
@@ -41,10 +41,10 @@ struct Files {
   }
 };
 
-/// Returns the prefix of EWKT before the WKT. Requires: require_srid() has passed.
+/// Returns the prefix of EWKT before the WKT, such as "SRID=28992;". Requires: require_srid() has not thrown.
 std::string srid_of(const Shape& shape) { return "SRID=" + *shape.crs->srid() + ";"; }
 
-/// Throws WrongUsage if EWKT, which names the coordinate system, is wanted for points without a known one.
+/// Throws WrongUsage if a file is EWKT, which names the coordinate system, and the points have none with an EPSG code.
 void require_srid(const Files& files, const std::optional<Crs>& crs) {
   const Target* first = files.find(Format::ewkt);
   if (first == nullptr || (crs && crs->srid())) return;
@@ -86,7 +86,8 @@ void write_files(ComplexRun& run, const Files& files, const Shape& shape, const 
   run.add(path, [&, format = format](OutputFile& file) { write_isolated(file, format, shape); });
 }
 
-/// Prints a warning, also with --quiet, if a GeoJSON file may be read as degrees though its coordinates are not.
+/// Prints a warning, also with --quiet, if readers of a GeoJSON file may take coordinates for degrees that are not
+/// degrees.
 void caution(const Files& files, const Shape& shape) {
   const Target* first = files.find(Format::geojson);
   if (first == nullptr) return;
@@ -94,8 +95,8 @@ void caution(const Files& files, const Shape& shape) {
     say("rbpa", output_name(first->path) + ": " + *why);
 }
 
-/// Returns the measured peak memory of runs with millions of points, in bytes a point beyond the points:
-/// docs/explanation/plane.md.
+/// Returns the peak memory of runs with millions of points, as measured (docs/explanation/plane.md), in bytes for each
+/// point beyond the point itself.
 double bytes_a_point(const ComplexRequest& request) {
   if (request.alpha.rule != AlphaRule::given) return 500;
   return request.method.by_paper ? 280 : 100;
@@ -117,7 +118,7 @@ void run_shape(const ShapeArguments& arguments) {
   require_srid(files, run.file.crs);
   AlphaComplex complex =
       build(run.points(), run.alpha, request.method, ComplexKind::solid, Links::none, run.options()).complex;
-  // Linking the finished triangles takes less memory than build() with Links::neighbors.
+  // Link the finished triangles, which takes less memory than build() with Links::neighbors.
   complex.neighbors = link_triangles(complex.triangles, run.points().size(), until_interrupted());
   stop_if_interrupted();
   std::vector<Polygon> made;

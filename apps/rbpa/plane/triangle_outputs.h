@@ -10,10 +10,12 @@
 
 namespace rbpa::app {
 
-/// Adds a target that is not a picture; `about` has the coordinate system of the points. Throws Failure, Cancelled.
+/// Adds a target; `about` has the coordinate system of the points. Requires: target.format is not a picture. Throws
+/// Failure, ClosedPipe, Cancelled.
 void add_triangles(Run& run, const Target& target, const TriangleMesh& mesh, const PointFile& about);
 
-/// Prints a warning, also with --quiet, if a GeoJSON target may be read as degrees though its coordinates are not.
+/// Prints a warning, also with --quiet, if readers of a GeoJSON target may take coordinates for degrees that are not
+/// degrees.
 void caution(const std::vector<Target>& targets, std::span<const Point> points, const PointFile& about);
 
 }  // namespace rbpa::app

@@ -12,13 +12,14 @@ namespace rbpa::app {
 
 struct ValidFeatures {
   std::vector<Polygon> polygons = {};
-  std::vector<std::size_t> groups = {};        ///< where each geometry begins, as fill() takes them
-  std::vector<std::uint32_t> feature = {};     ///< of each geometry, its feature
-  std::vector<std::string> why_left_out = {};  ///< for each feature that is not valid: its name and the reason
+  std::vector<std::size_t> groups = {};        ///< index of the first polygon of each geometry, as fill() requires
+  std::vector<std::uint32_t> feature = {};     ///< number of the feature of each geometry
+  std::vector<std::string> why_left_out = {};  ///< the name of each feature that is not valid, and the reason
 };
 
 /// Returns the valid features. A feature is valid if each of its geometries is a valid multipolygon (fill/validity.h).
-/// Throws: BadInput that names the first feature that is not valid, unless `skip_invalid`; Cancelled. Cost: n log n.
+/// Throws: BadInput that names the first feature that is not valid, unless `skip_invalid`; Cancelled. Cost: O(n log n)
+/// for n points.
 ValidFeatures valid_features(const PolygonFile& file, const std::string& name, bool skip_invalid);
 
 }  // namespace rbpa::app

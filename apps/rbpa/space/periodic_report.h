@@ -20,7 +20,7 @@ struct PeriodicFacts {
   std::string alpha_rule = "given";
   unsigned threads = 1;
   ComplexKind walls = ComplexKind::full;          ///< kind of the complex whose topology is counted
-  std::optional<PeriodicTopology> topology = {};  ///< absent: not counted
+  std::optional<PeriodicTopology> topology = {};  ///< absent if it is not counted
   double read_seconds = 0, build_seconds = 0, count_seconds = 0, write_seconds = 0;
 };
 
@@ -29,7 +29,8 @@ struct PeriodicFacts {
 /// Requires: facts.topology is present.
 std::string text_of_periodic(const PeriodicFacts& facts);
 
-/// Write one JSON object: the counts, or also every component and void. Require: facts.topology is present.
+/// Write one JSON object: write_periodic_stats() the counts, write_periodic_json() also every component and void.
+/// Require: facts.topology is present.
 void write_periodic_stats(OutputFile& file, const PeriodicFacts& facts);
 void write_periodic_json(OutputFile& file, const PeriodicFacts& facts, const PointNames& names);
 

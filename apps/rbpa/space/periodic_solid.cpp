@@ -57,7 +57,8 @@ std::string PeriodicRun::name_of_points() const {
   return has(request_.source.format, &CloudFormat::is_molecule) ? "atoms" : "points";
 }
 
-/// Takes the box of the file for --box auto, else the given one, and prints a warning if the file has another.
+/// Sets request_.box to the cell of the file for --box auto; otherwise prints a warning, unless quiet, if the cell of
+/// the file differs from --box. Throws BadInput for --box auto if the file has no cell.
 void PeriodicRun::settle_box() {
   const auto& [sides, fault] = file_.cell;
   const Point3 given = *request_.box;
@@ -74,7 +75,8 @@ void PeriodicRun::settle_box() {
   }
 }
 
-/// Prints a warning if not all points fit into one box: the box may be the wrong one.
+/// Prints a warning, unless quiet, if the box of all points is larger than the periodic box, which may be the wrong
+/// one.
 void PeriodicRun::warning_range() const {
   Point3 low = file_.points.front(), high = low;
   for (const Point3& p : file_.points) {
@@ -90,7 +92,7 @@ void PeriodicRun::warning_range() const {
 
 void PeriodicRun::build() {
   const AlphaChoice& alpha = request_.alpha;
-  // Rules and counts need all tetrahedra: voids consist of those above alpha.
+  // Compute all tetrahedra for rules and counts: voids consist of tetrahedra with a radius above alpha.
   const bool needs_all = is_counted() || alpha.rule != AlphaRule::given;
   TriangleProgress progress(!options().quiet, "tetrahedra", text_of_progress);
   try {
@@ -115,7 +117,8 @@ void PeriodicRun::build() {
   facts_.isolated = solid_.isolated.size();
 }
 
-/// Chooses alpha by the rule if there is one, selects the tetrahedra up to it, and counts the topology if it is needed.
+/// Chooses alpha by the rule if there is one, counts the topology if an output needs it, and keeps the tetrahedra
+/// within alpha.
 void PeriodicRun::select_within() {
   const ProgressLine line = options().line("voids");
   const std::vector<double> radii =

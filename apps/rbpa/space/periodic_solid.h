@@ -6,7 +6,7 @@
 
 namespace rbpa::app {
 
-/// Requires: request.box is present.
+/// Runs the verb; throws as verbs.h says. Requires: request.box is present.
 void run_periodic_solid(const SolidArguments& arguments, const SolidRequest& request);
 
 }  // namespace rbpa::app

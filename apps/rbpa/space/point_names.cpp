@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns a whole number as a JSON number if it prints as the same text, else the text.
+/// Returns the text as a JSON number if it is a whole number that prints as the same text, else as a JSON text.
 Json value_of(const std::string& text) {
   std::int64_t number = 0;
   const char* const end = text.data() + text.size();

@@ -14,22 +14,23 @@ namespace rbpa::app {
 
 class PointNames {
  public:
-  /// Keeps a reference to the file. Requires: its texts are those of columns_of_names(), or none.
+  /// Keeps a reference to `file`. Requires: file.texts is empty, or has the columns of columns_of_names().
   explicit PointNames(const SpacePoints& file) : file_(file) {}
 
   std::span<const Point3> points() const { return file_.points; }
-  /// Returns the input index of a point.
+  /// Returns the input index of point number `point`.
   std::uint32_t index(std::uint32_t point) const { return renumbered(point, file_.index); }
-  /// Returns the input indices of points, as an array in their order.
+  /// Returns the input indices of `points`, in their order, as an array.
   nlohmann::ordered_json indices(std::span<const std::uint32_t> points) const;
 
-  /// Returns whether the input has column number `column` of columns_of_names().
+  /// Returns whether the input has the column columns_of_names()[column].
   bool has(std::size_t column) const;
-  /// Returns whether the input has any of these columns.
+  /// Returns whether the input has any of columns_of_names().
   bool has_any() const;
-  /// Returns the text of a point in a column. Requires: has(column).
+  /// Returns the text of point number `point` in the column columns_of_names()[column]. Requires: has(column).
   const std::string& text(std::size_t column, std::uint32_t point) const;
-  /// Returns an object for each point: x, y, z and the columns of the input; null if the point has no value.
+  /// Returns an object for each of `points`: x, y, z and the columns of columns_of_names() that the input has; null if
+  /// the point has no value there.
   nlohmann::ordered_json atoms(std::span<const std::uint32_t> points) const;
 
  private:

@@ -17,15 +17,15 @@ struct SolidFacts : MeasuredSolid {
   std::string alpha_rule = "given";
   unsigned threads = 1;
   ComplexKind walls = ComplexKind::solid;     ///< kind of the complex whose voids are counted
-  std::optional<double> choose_seconds = {};  ///< absent: alpha was given
+  std::optional<double> choose_seconds = {};  ///< absent if alpha was given
   double read_seconds = 0, build_seconds = 0, count_seconds = 0, write_seconds = 0;
 };
 
-/// Returns "12 tetrahedra, 2 solid components, 1 tunnel, 0 voids, volume 2.5, area 8", and counts of the full complex
-/// and of the union of balls if these were computed.
+/// Returns "12 tetrahedra, 2 solid components, 1 tunnel, 0 voids, volume 2.5, area 8", followed by the counts of the
+/// full complex and of the union of balls, if these were computed.
 std::string text_of_solid(const SolidFacts& facts);
 
-/// Write one JSON object: the counts, or also every component and every void.
+/// Write one JSON object: write_solid_stats() the counts, write_solid_json() also every component and every void.
 void write_solid_stats(OutputFile& file, const SolidFacts& facts);
 void write_solid_json(OutputFile& file, const SolidFacts& facts, const PointNames& names);
 

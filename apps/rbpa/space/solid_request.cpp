@@ -61,8 +61,8 @@ void check_box(const SolidArguments& arguments, const SolidRequest& request) {
                      endings(Use::voids, is_table_of_voids) + " with --box, as periodic voids may be unbounded");
 }
 
-/// Parses --complex. If voids are requested, the full complex is the default: triangles without a tetrahedron stop a
-/// ball as well.
+/// Parses --complex. The default is the full complex if voids are requested, as a triangle without a tetrahedron also
+/// stops a ball; else the solid complex.
 ComplexKind parse_walls(const SolidArguments& arguments) {
   const bool is_about_voids = arguments.voids || arguments.pockets || arguments.box;
   const bool is_full = arguments.complex ? parse_is_full(*arguments.complex) : is_about_voids;
@@ -127,7 +127,7 @@ SolidRequest parse(const SolidArguments& arguments) {
 }
 
 std::string text_of_progress(const Progress& progress, double seconds) {
-  const auto done = static_cast<double>(progress.triangles);  // solid() counts points here
+  const auto done = static_cast<double>(progress.triangles);  // of solid(): the number of points done
   const std::string text = short_number(done) + " points";
   return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
 }

@@ -49,11 +49,12 @@ class SolidRun : public Run {
   const SolidArguments& arguments_;
   SolidRequest request_;
   SpacePoints file_ = {};
-  std::optional<std::vector<VoidLife>> lives_ = {};  // of the voids to write
+  std::optional<std::vector<VoidLife>> lives_ = {};  // lives of the voids, in their order
   std::vector<Pocket> pockets_ = {};
 };
 
-/// Returns the items of a volume above `above`, at most `top` of them. Requires: the largest are first.
+/// Returns the items with a volume above `above`, at most the first `top`. Requires: `items` are in descending order of
+/// volume.
 template <typename Item>
 std::span<const Item> largest(const std::vector<Item>& items, double above, std::size_t top) {
   const auto last = std::find_if(items.begin(), items.end(), [&](const Item& item) { return !(item.volume > above); });
@@ -113,7 +114,7 @@ void SolidRun::find_lives(const SolidFacts& facts) {
   if (request_.pockets) pockets_ = all.pockets(facts.alpha);
 }
 
-/// Writes the boundary. Each fan of triangles gets a vertex of its own, so that the file is a manifold.
+/// Writes the boundary with a vertex for each fan of triangles, so that the mesh in the file is a manifold.
 void SolidRun::write_boundary(OutputFile& file, Format format, const Surface& surface) const {
   if (format == Format::npy)
     return write_surface(file, format,

@@ -28,7 +28,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr std::array<const char*, 3> names = {"components", "tunnels", "voids"};
 
-/// Returns the number of pairs of a dimension.
+/// Returns the number of pairs of dimension `dimension`.
 std::size_t count(const SpacePersistence& report, int dimension) {
   return static_cast<std::size_t>(std::count_if(report.pairs.begin(), report.pairs.end(),
                                                 [&](const SolidPair& pair) { return pair.dimension == dimension; }));
@@ -93,7 +93,7 @@ std::string line_of(const SolidPlateau& plateau, std::size_t rank, std::size_t d
          (plateau.is_long ? "\n" : "; it may be chance\n");
 }
 
-/// Writes the radii to choose from, and the tunnels and voids that last longest.
+/// Writes the radii to choose from, and the longest pairs of tunnels and of voids.
 void write_for_people(OutputFile& file, const SpacePersistence& report, const std::vector<SolidPlateau>& plateaus) {
   constexpr std::size_t shown = 5;
   file.write(text_of_points(report.file.points.size(), report.filtration.delaunay.duplicates.size()) + "\nmin " +

@@ -1,4 +1,5 @@
-// What: the part that the verbs alpha and report share for points in space: reading them, and finding radii and pairs.
+// What: the part of a run that the verbs alpha and report share for points in space: reads the points, and finds radii
+//       and pairs.
 #pragma once
 
 #include <cstddef>
@@ -18,16 +19,17 @@ namespace rbpa::app {
 /// Parses --dimension: returns true for 3, false for 2. Throws WrongUsage for other values.
 bool is_in_space(const std::string& dimension);
 
-/// Parses the options about the points. Throws WrongUsage that names an option without meaning in space, or a wrong
-/// value.
+/// Parses the options about the points. Throws WrongUsage that names a wrong value, or an option that applies only in
+/// the plane.
 SpacePointSource parse_space_points(const RadiiArguments& arguments);
 
 struct SpacePersistence : Run {
-  /// Reads the points, and finds radii and pairs. Throws BadInput, Failure, Cancelled.
+  /// Reads the points, and finds radii and pairs. Prints warnings unless quiet. Throws WrongUsage for a wrong --threads
+  /// or --cover, before it reads; BadInput, Failure, Cancelled.
   SpacePersistence(const SpacePointSource& source, const std::vector<std::string>& outputs,
                    const RadiiArguments& arguments);
 
-  /// Returns the plateaus, the best first. The seconds that it takes are added to those of building.
+  /// Returns the plateaus, the best first. Adds its time to the seconds of building. Throws Cancelled.
   std::vector<SolidPlateau> find_plateaus();
   void write_stats(OutputFile& file);
 

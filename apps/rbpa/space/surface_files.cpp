@@ -13,7 +13,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Renumbers the triangles by the points that they use.
+/// Returns the triangles, renumbered so that only points that they use are vertices.
 SplitFans without_unused(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t points) {
   SplitFans result{.triangles = {triangles.begin(), triangles.end()}, .point = {}};
   std::vector<std::uint32_t> place(points, 0);
@@ -30,7 +30,7 @@ SplitFans without_unused(std::span<const std::array<std::uint32_t, 3>> triangles
 }
 
 void write_picture(OutputFile& file, const SurfaceFiles& of, int width) {
-  std::array<std::vector<std::array<std::uint32_t, 2>>, 3> sides;  // by kind
+  std::array<std::vector<std::array<std::uint32_t, 2>>, 3> sides;  // by kind of curve
   for (std::size_t i = 0; i < of.facts.holes.size(); ++i)
     for (const RimEdge& edge : of.facts.holes[i].edges)
       sides[static_cast<std::size_t>(of.facts.kinds[i])].push_back({edge.from, edge.to});
@@ -47,7 +47,7 @@ void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
   if (format == Format::png) return write_picture(file, *this, width);
   const std::vector<Point3>& points = facts.points;
   const auto& triangles = facts.surface.triangles;
-  // An .npy file has triangles in canonical order, whatever the order of other files.
+  // Write an .npy file in canonical order, whatever the order of other files.
   if (format == Format::npy)
     return write_surface(file, format, {.vertices = points, .triangles = triangles, .index = index});
   SpaceMesh mesh{.vertices = points,
@@ -59,7 +59,7 @@ void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
                  .index = index};
   SplitFans used;
   std::optional<VerticesOfPoints> own;
-  const bool splits = facts.manifold || format == Format::glb;  // in a scene no other file shares the vertices
+  const bool splits = facts.manifold || format == Format::glb;  // no other file uses the vertices of a scene
   if (splits || compact) {
     if (!splits) used = without_unused(triangles, points.size());
     const SplitFans& of = splits ? fans : used;

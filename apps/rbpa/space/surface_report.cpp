@@ -26,7 +26,7 @@ constexpr std::array rim_names{"nothing_within_reach", "normals_disagree", "bloc
 constexpr std::array rim_texts{"with nothing within reach", "where normals disagree",
                                "blocked by triangles of smaller radii", "cut apart where sheets touch"};
 
-/// Returns the index of the cause in rim_names. The `next` of an edge that was cut apart has equal corners.
+/// Returns the index in rim_names of the cause of the edge. If `next` has equal corners, the edge was cut apart.
 std::size_t cause_of(const RimEdge& edge) {
   return edge.next[0] == edge.next[1] ? 3 : static_cast<std::size_t>(edge.cause);
 }
@@ -34,8 +34,8 @@ constexpr std::array unused_names{"no_ball_rests", "hidden", "normals_disagree",
 constexpr std::array unused_texts{"on which no ball rests", "hidden among others", "where normals disagree",
                                   "blocked by triangles of smaller radii"};
 
-/// Adds lines about boundary curves: one for each of the longest, rims first, one for all if there are more, and one
-/// for islands.
+/// Adds lines about boundary curves: one for each of the longest, rims first; one for all of them if there are more;
+/// and one for islands.
 void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts) {
   std::array<std::size_t, kind_names.size()> counts{};
   for (const CurveKind kind : facts.kinds) ++counts[static_cast<std::size_t>(kind)];
@@ -77,7 +77,7 @@ void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts) {
     add(others, curves.size(), islands == 1 ? "1 rim of an island" : std::to_string(islands) + " rims of islands");
 }
 
-/// Returns "12.3 %".
+/// Returns a share from 0 to 1 in percent: "12.3 %".
 std::string percent(double share) { return rounded(100 * share, 3) + " %"; }
 
 Json filled_as_json(const FillingCounts& counts) {
@@ -96,7 +96,7 @@ Json base(const SurfaceFacts& facts) {
   double area = 0;
   for (const SurfaceComponent& component : facts.components.all) {
     closed += component.is_closed();
-    area += component.area;  // the order of the sum depends on the components alone
+    area += component.area;  // in the order of the components, so that the sum is reproducible
   }
   const DroppedComponents& dropped = facts.dropped;
   return {{"points", facts.input_points},
@@ -150,7 +150,7 @@ std::optional<std::string> inside_text(const SurfaceFacts& facts) {
          list_of_causes(counts, texts);
 }
 
-/// Returns the points at which the cause lies, of the corners of the next triangle that the ball reaches.
+/// Returns those corners of edge.next, the next triangle that the ball reaches, at which the cause lies.
 Json corners_of(const RimEdge& edge) {
   Json corners = Json::array();
   for (std::size_t k = 0; k < 3; ++k)

@@ -14,25 +14,25 @@
 
 namespace rbpa::app {
 
-/// Names of the kinds of curves, by CurveKind.
+/// Names of the kinds of curves, indexed by CurveKind.
 inline constexpr std::array kind_names{"rim", "hole", "island"};
 
 /// A reconstruction, with its counts and the settings and seconds of the run.
 struct SurfaceFacts : Reconstruction {
   std::size_t input_points = 0;
   bool chosen_radii = false;      ///< --radius auto chose the radii
-  std::string normals_name = {};  ///< file, estimate or none
+  std::string normals_name = {};  ///< "file", "estimate" or "none"
   std::optional<std::size_t> in_doubt =
-      std::nullopt;  ///< number of estimated normals of low confidence; absent: none are estimated
+      std::nullopt;  ///< number of estimated normals of low confidence; absent if none are estimated
   std::optional<double> outlier_factor = std::nullopt;
   unsigned threads = 1;
   SurfaceCounts counts = {};
   FillingCounts filling = {};
   bool has_repairs = false;            ///< repairs were requested
   bool has_viewpoint = false;          ///< normals were turned toward viewpoints
-  bool watertight = false;             ///< requested, and true of the result
+  bool watertight = false;             ///< --watertight was given, and the surface is watertight
   bool manifold = false;               ///< files have a vertex for each fan
-  std::size_t non_manifold_edges = 0;  ///< non-manifold edges of the files: with more than two triangles
+  std::size_t non_manifold_edges = 0;  ///< edges of the files with more than two triangles
   double read_seconds = 0, normals_seconds = 0, build_seconds = 0, write_seconds = 0;
 };
 
@@ -44,17 +44,18 @@ std::string text_of_radii(const std::vector<double>& radii);
 std::string genus_text(const SurfaceFacts& facts);
 
 /// Returns the lines of the summary after the counts: outliers, doubtful normals, "12 points unused: 10 ..., 2 ...",
-/// the longest boundary curves and all, dropped components, filled holes, watertight or not, non-manifold edges.
+/// the longest boundary curves and all curves, dropped components, filled holes, watertight or not, non-manifold edges.
 std::vector<std::string> explanations(const SurfaceFacts& facts);
 
 /// Returns why a surface is not watertight: "2 boundary curves left, the longest ...; 3 pairs of triangles cross, the
 /// first ..."; "" if it is watertight.
 std::string openings(const SurfaceFacts& facts);
 
-/// Returns "there is no triangle: " and the reason. Requires: no triangle.
+/// Returns "there is no triangle: " and the reason. Requires: the surface has no triangle.
 std::string why_empty(const SurfaceFacts& facts);
 
-/// Write one JSON object: the counts, or also every hole, component and unused point.
+/// Write one JSON object: write_surface_stats() the counts, write_surface_json() also every hole, component and unused
+/// point.
 void write_surface_stats(OutputFile& file, const SurfaceFacts& facts);
 void write_surface_json(OutputFile& file, const SurfaceFacts& facts);
 

@@ -23,14 +23,14 @@ std::optional<NormalSource> parse_normals(const std::optional<std::string>& text
   throw WrongUsage("--normals: found " + in_quotes(*text) + ", expected file, estimate or none");
 }
 
-/// Parses --color: returns whether colors show the confidence of normals.
+/// Parses --color. Returns true if colors show the confidence of normals.
 bool parse_color(const std::optional<std::string>& text) {
   if (!text || *text == "points") return false;
   if (*text == "normals") return true;
   throw WrongUsage("--color: found " + in_quotes(*text) + ", expected points or normals");
 }
 
-/// Parses a whole number within bounds; nothing if it is none.
+/// Parses a whole number from `least` to `most`; returns nothing for any other text.
 std::optional<std::size_t> count_in(const std::string& text, double least, double most) {
   const ParsedNumber number = parse_whole_number(text);
   if (number.fault != NumberFault::none || number.value != std::floor(number.value) || number.value < least ||
@@ -64,7 +64,7 @@ std::optional<std::size_t> parse_scale_space(const SurfaceArguments& arguments) 
                    ", expected a number of steps, 1 to 100, or auto");
 }
 
-/// One position, or the names of the columns with a position for each point.
+/// One position for all points, or the names of three columns with a position for each point.
 struct Viewpoint {
   std::vector<Point3> place = {};
   std::vector<WantedColumn> columns = {};

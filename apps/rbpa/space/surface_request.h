@@ -15,10 +15,10 @@ namespace rbpa::app {
 
 struct SurfaceRequest {
   SpacePointSource source;
-  ReconstructionOptions how = {};  ///< still without what the file gives: normals, and a viewpoint for each point
+  ReconstructionOptions how = {};  ///< without what the file has: normals, and viewpoints of the points
   bool colors_normals = false;     ///< colors show the confidence of normals
   std::vector<Target> targets = {};
-  std::optional<Shift> shift = {};  ///< of targets in single precision
+  std::optional<Shift> shift = {};  ///< for targets in single precision
   int width = 0;
   RunOptions run = {};
 };

@@ -25,7 +25,7 @@
 namespace rbpa::app {
 namespace {
 
-// Texts of the progress line, by ReconstructionStep; null: no line is shown.
+// Texts of the progress line, indexed by ReconstructionStep; null: no line is shown.
 constexpr std::array<const char*, 12> step_texts{"looking for outliers",
                                                  "scale space",
                                                  "estimating normals",
@@ -59,14 +59,14 @@ class SurfaceRun : public Run {
   SurfaceRequest request_;
 };
 
-/// Returns the options with the normals and viewpoints of the file. Throws BadInput if it lacks the normals that are
-/// wanted.
+/// Returns the options, with the normals and viewpoints of the file. Throws BadInput if the file lacks requested
+/// normals.
 ReconstructionOptions SurfaceRun::options_for(SpacePoints& file) const {
   ReconstructionOptions how = request_.how;
   for (std::size_t i = 0; i < file.points.size() && file.fields.size() == 3; ++i)
     how.viewpoints.push_back({file.fields[0][i], file.fields[1][i], file.fields[2][i]});
   const bool has_normals = !file.normals.empty();
-  // Without points, normals are not missing.
+  // Accept an empty file, which lacks no normals.
   if (how.source == NormalSource::given && !has_normals && !file.points.empty())
     bad_input(input(), "no normals",
               "a normal for each point (--normals estimate computes them, --normals none does without)");
@@ -79,7 +79,7 @@ ReconstructionOptions SurfaceRun::options_for(SpacePoints& file) const {
   return how;
 }
 
-/// Reconstructs the surface with a progress line for each step. Takes points and normals out of the file.
+/// Reconstructs the surface with a progress line for each step. Moves points and normals out of `file`.
 SurfaceFacts SurfaceRun::reconstructed(SpacePoints& file) {
   ReconstructionOptions how = options_for(file);
   const bool has_viewpoint = !how.viewpoints.empty();
@@ -104,7 +104,7 @@ SurfaceFacts SurfaceRun::reconstructed(SpacePoints& file) {
   }
 }
 
-/// Throws Failure if the surface is not watertight, or a file would not be.
+/// Throws Failure if the surface, or the mesh in a file, is not watertight.
 void SurfaceRun::require_watertight(const SurfaceFacts& facts) const {
   if (const std::string left = openings(facts); !left.empty()) {
     if (facts.surface.triangles.empty()) say("rbpa", why_empty(facts));
@@ -119,7 +119,7 @@ void SurfaceRun::require_watertight(const SurfaceFacts& facts) const {
   }
 }
 
-/// Fills in the settings that the options give, and the counts.
+/// Fills in the settings of the run and the counts.
 void SurfaceRun::count(SurfaceFacts& facts, const SplitFans& fans) const {
   facts.outlier_factor = request_.how.outlier_factor;
   facts.has_repairs = arguments_.repairs;
@@ -138,7 +138,8 @@ void SurfaceRun::count(SurfaceFacts& facts, const SplitFans& fans) const {
   facts.non_manifold_edges = non_manifold_edges(facts.manifold ? fans.triangles : facts.surface.triangles);
 }
 
-/// Returns the positions for pictures. Outliers have that of the first other point, so that they are not seen.
+/// Returns the positions of the points in pictures. An outlier has the position of the first point that is not one, so
+/// that it is not visible.
 std::vector<Point3> seen_points(const SurfaceFacts& facts) {
   std::vector<Point3> seen = facts.points;
   const std::vector<std::uint32_t>& outliers = facts.outliers.points;
@@ -148,7 +149,8 @@ std::vector<Point3> seen_points(const SurfaceFacts& facts) {
   return seen;
 }
 
-/// Appends a color for each added point, the mean of the three points around it. Does nothing if there are no colors.
+/// Appends a color for each added point: the mean color of the three points around it. Does nothing if `colors` is
+/// empty.
 void add_colors(std::vector<std::array<std::uint8_t, 3>>& colors, const AddedPoints& added) {
   if (colors.empty()) return;
   for (const auto& [a, b, c] : added.between) {

@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t serial = 0;  // index in columns_of_names()
 using Corners = std::array<std::uint32_t, 3>;
 
-/// Turns a triangle of the boundary around, so that it faces outward from the void.
+/// Returns a triangle of the boundary, turned around so that it faces outward from the void.
 Corners seen_from_around(const Corners& triangle) { return {triangle[0], triangle[2], triangle[1]}; }
 
 void write_life_csv(OutputFile& file, const VoidLife& life) {
@@ -71,7 +71,7 @@ void write_obj(OutputFile& file, std::span<const Point3> points, const Surface& 
   for (const SolidVoid& hollow : voids) {
     stop_if_interrupted();
     file.write("g void_" + std::to_string(++number) + "\n");
-    std::unordered_map<std::uint32_t, std::uint64_t> vertex;  // number of the vertex of each fan, from 1
+    std::unordered_map<std::uint32_t, std::uint64_t> vertex;  // number, from 1, of the vertex of each fan
     for (const std::uint32_t t : hollow.triangles)
       for (const std::uint32_t fan : fans.triangles[t]) {
         if (!vertex.try_emplace(fan, written + 1).second) continue;

@@ -18,10 +18,11 @@
 
 namespace rbpa::app {
 
-/// Parses a file of voids by its ending. Throws WrongUsage that names the ending.
+/// Parses a file of voids; its format is that of its ending. Throws WrongUsage that names the ending.
 Target parse_voids(const std::string& path);
 
-/// Returns an object: the volume between the points and, if known, outside of the balls; area, islands, box, points.
+/// Returns an object: the volume of the void between the points and, if known, outside of the balls; area, islands,
+/// box, points.
 nlohmann::ordered_json json_of(const SolidVoid& hollow, const PointNames& names);
 
 /// Writes the voids, the largest first.
@@ -29,15 +30,16 @@ nlohmann::ordered_json json_of(const SolidVoid& hollow, const PointNames& names)
 ///       a line for each void; with lives also closes,filled,depth.
 /// JSON: a list of the same values, with the input indices of the points and of the triangles around the void, and in
 ///       `atoms` the names that the input gives the points.
-/// OBJ:  a group void_1, void_2 … for each void, with vertices of its own; where a void touches itself there is one
-///       for each side. Triangles face outward from the void, as if it were a body.
-/// Requires: voids of a solid with this boundary; a life for each void, if any; a format of Use::voids.
+/// OBJ:  a group void_1, void_2 … for each void, with vertices of its own; where a void touches itself there is a
+///       vertex for each side. Triangles face outward from the void, as if it were a body.
+/// Requires: `voids` are those of a solid with this boundary; a life for each void, if `lives` is present; a format of
+/// Use::voids.
 void write_voids(OutputFile& file, Format format, const PointNames& names, const Surface& boundary,
                  std::span<const SolidVoid> voids, ComplexKind walls,
                  const std::optional<std::vector<VoidLife>>& lives = {});
 
-/// Return or write the first columns of a table of voids, number and volumes: as the header, as a row, and as JSON
-/// (without the number).
+/// Return or write the first columns of a table of voids, number and volumes: volume_columns() the header,
+/// write_volumes() a row, json_of_volumes() an object without the number.
 std::string volume_columns(ComplexKind walls);
 void write_volumes(OutputFile& file, std::uint64_t number, double between_points, std::optional<double> outside_balls);
 nlohmann::ordered_json json_of_volumes(double between_points, std::optional<double> outside_balls);
@@ -45,7 +47,7 @@ nlohmann::ordered_json json_of_volumes(double between_points, std::optional<doub
 /// Writes the pockets, the largest first.
 /// CSV:  number,volume_between_points,closes,filled,depth,mouth_a,mouth_b,mouth_c, and serial_a and so on if points
 ///       have names.
-/// JSON: the same, with `mouth_atoms`. Requires: csv or json.
+/// JSON: a list of the same values, with `mouth_atoms`. Requires: `format` is csv or json.
 void write_pockets(OutputFile& file, Format format, const PointNames& names, std::span<const Pocket> pockets);
 
 }  // namespace rbpa::app

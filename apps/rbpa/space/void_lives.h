@@ -1,4 +1,5 @@
-// What: the radii at which voids close and are filled; and pockets, which close only above the radius of the solid.
+// What: the radii at which voids close and are filled; and pockets, which are voids only at radii above that of the
+//       solid.
 #pragma once
 
 #include <cstddef>
@@ -17,25 +18,26 @@ namespace rbpa::app {
 
 struct VoidLife {
   double closes = 0, filled = 0;  ///< the void exists for closes ≤ alpha < filled
-  std::size_t depth = 0;          ///< number of splits of larger voids that led to this void
+  std::size_t depth = 0;          ///< number of times that a larger void splits before this void exists
 };
 
 struct Pocket {
   VoidLife life = {};
-  double volume = 0;    ///< of the void at the radius at which it closes
-  Triangle mouth = {};  ///< point numbers of the triangle that closes the pocket
+  double volume = 0;    ///< volume of the void at the radius at which the void closes
+  Triangle mouth = {};  ///< numbers of the corners of the triangle that closes the pocket
 };
 
 class VoidLives {
  public:
-  /// Keeps references to `delaunay`, the triangulation of all points, and to `radii`. Throws Cancelled after a signal.
+  /// Keeps references to `delaunay`, the triangulation of all points, and to `radii`, its circumradii. Throws Cancelled
+  /// after a signal.
   VoidLives(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, ComplexKind walls,
             unsigned threads);
 
-  /// Returns the lives of the voids at radius `alpha`. Requires: their triangles are those of `boundary`, and their
-  /// walls are those given to the constructor.
+  /// Returns the life of each of `voids`, in their order. Requires: `boundary` and `voids` are those of the solid at
+  /// radius `alpha`, with the `walls` of the constructor.
   std::vector<VoidLife> of(double alpha, const Surface& boundary, std::span<const SolidVoid> voids) const;
-  /// Returns the pockets of the solid at radius `alpha`, the largest first.
+  /// Returns the pockets of the solid at radius `alpha`, in descending order of volume.
   std::vector<Pocket> pockets(double alpha) const;
 
  private:

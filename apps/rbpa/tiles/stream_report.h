@@ -1,4 +1,4 @@
-// What: reports on a run over tiles when it is done.
+// What: reports on a finished run over tiles.
 #pragma once
 
 #include "io/bytes/output_file.h"
@@ -10,7 +10,7 @@ namespace rbpa::app {
 /// Writes the file of --stats.
 void write_stream_stats(OutputFile& file, const StreamRequest& request, const StreamResult& result);
 
-/// Prints the summary and the warnings.
+/// Prints the summary and the warnings about the result.
 void say_stream_result(const StreamRequest& request, const StreamResult& result);
 
 }  // namespace rbpa::app

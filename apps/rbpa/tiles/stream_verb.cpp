@@ -51,7 +51,7 @@ std::vector<PointSource> parse_sources(const StreamArguments& arguments) {
   return sources;
 }
 
-/// Returns the options about reading files as text; equal texts mean equal options.
+/// Returns the options about reading files as a text, to compare the options of two runs.
 std::string reading_options(const PointArguments& arguments) {
   std::string text;
   const auto add = [&](const char* name, const std::optional<std::string>& value) {
@@ -70,7 +70,7 @@ std::string reading_options(const PointArguments& arguments) {
   return text;
 }
 
-/// The least --tile-size: with fewer points a tile, handling files would be all the work.
+/// The least --tile-size: with fewer points in a tile, handling files would take nearly all the time.
 constexpr std::size_t least_tile = 16;
 
 StreamRequest parse_request(const StreamArguments& arguments) {
