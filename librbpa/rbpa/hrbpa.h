@@ -1,7 +1,6 @@
 // What:   the solid alpha complex from the bottom up: restricted ball pivoting with radii α₀, 2α₀, 4α₀ … up to alpha.
 // Law:    the triangles equal those that rbpa() finds; after each level the mesh is exactly the complex of its radius.
-// Cost:   about as rbpa(), and more with a callback at the end of each level: docs/explanation/plane.md, sections 16
-//         and 17.
+// Cost:   about as rbpa(), more with a callback at the end of levels: docs/explanation/plane.md, sections 16 and 17.
 // Source: Medeiros, Velho, Lopes, Restricted BPA, section 6.
 #pragma once
 

@@ -1,8 +1,7 @@
 // What:   RBPA and HRBPA as published: point by point, on the advancing-front engine, with grid cells of side 2α, of
 //         which nine are scanned at each pivot.
 // Law:    the triangles equal those of rbpa::rbpa() and rbpa::hrbpa(). The code is short and slow, made for comparison.
-// Cost:   a pivot takes time in proportion to the points in nine cells: α² over the square of their spacing. One
-//         thread.
+// Cost:   a pivot takes time linear in the points in nine cells: α² over the square of their spacing. One thread.
 // Source: Medeiros, Velho, Lopes, Restricted BPA, sections 3, 4 and 6; docs/explanation/paper.md.
 #pragma once
 

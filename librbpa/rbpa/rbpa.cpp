@@ -26,8 +26,7 @@ struct MeshSink {
   Monitor& monitor;
 };
 
-/// Returns the assembled complex: tiles find the triangles that they can decide, and the remainder adds the missing
-/// ones.
+/// Returns the assembled complex: tiles find the triangles that they can decide, the remainder the others.
 meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, meshops::PatchAssembler assembler,
                                    Threads& threads, Monitor& monitor) {
   assembler.reserve(3 * sites.size(), 2 * sites.size());

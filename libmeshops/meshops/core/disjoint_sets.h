@@ -36,8 +36,7 @@ class DisjointSets {
   /// Requires: find(i) was called after the last change.
   bool is_odd(std::uint32_t i) const { return (link_[i] & 1U) != 0; }
 
-  /// Merges the sets whose least numbers are `a` and `b`; these two are on the same side then. Returns: the lesser of
-  /// them.
+  /// Merges the sets whose least numbers are `a` and `b`; these are then on the same side. Returns: the lesser of them.
   std::uint32_t link(std::uint32_t a, std::uint32_t b) {
     const auto [low, high] = std::minmax(a, b);
     link_[high] = 2 * low;

@@ -1,9 +1,8 @@
 // What:   the advancing-front engine: calls a policy edge by edge until nothing is left to do.
 // Law:    when advance() returns, every boundary halfedge is frozen, unless pop() had taken it: the policy proposed
-//         nothing for it, triangles that left it on the boundary or were refused, or deferred it to the end; or the
-//         visitor or the caller froze it. The mesh is sound, whatever the policy returns. With a fixed number of sites,
-//         the engine terminates unless the policy detaches triangles forever or returns ever new seeds that are
-//         refused.
+//         nothing for it, or triangles that were refused or left it there, or deferred it; or visitor or caller froze
+//         it. The mesh is sound, whatever the policy returns. With a fixed number of sites, the engine terminates
+//         unless the policy detaches triangles forever or returns ever new seeds that are refused.
 // Cost:   one proposal per active halfedge that is still on the boundary when its turn comes, one more each time that
 //         it was deferred, and the cost of the order.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003); Restricted BPA, section 3.1,

@@ -60,8 +60,7 @@ std::vector<Halfedge> Fitting::edges_between(Site from, Site to) const {
 }
 
 Halfedge Fitting::boundary_between(Site from, Site to) const {
-  // The walk alternates here, too. An open fan has one boundary halfedge that leaves its vertex, and one that enters
-  // it.
+  // The walk alternates here, too. One boundary halfedge leaves the vertex of an open fan, and one enters it.
   Vertex leaving = vertices_.first(from), entering = vertices_.first(to);
   while (leaving.is_valid()) {
     const Halfedge out = mesh_.halfedge_handle(leaving);

@@ -116,8 +116,7 @@ class MESHOPS_API Front {
     });
   }
 
-  /// Returns the halfedge from site `from` to site `to`, on the boundary or not; an invalid handle when no edge joins
-  /// them.
+  /// Returns the halfedge from site `from` to site `to`, on the boundary or not; an invalid handle if there is none.
   /// Cost: the lesser of the numbers of edges at both sites.
   Halfedge edge_between(Site from, Site to) const { return by_sites().edge_between(from, to); }
   /// Returns all halfedges from site `from` to site `to`, in any order. There are several only where the caller decides
@@ -155,9 +154,8 @@ class MESHOPS_API Front {
   /// Requires: attach_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
   InsertedTriangle attach(Halfedge h, Site apex) { return insert_checked(fit(h, apex), "attach"); }
 
-  /// Returns the place of a triangle, or the reason why it is refused; insert() then adds the triangle. fit() and
-  /// insert() together do what create() or attach() does; the triangle is checked once, where a blocker and create()
-  /// check it twice.
+  /// Returns the place of a triangle, or the reason why it is refused; insert() then adds the triangle. The two calls
+  /// do what create() or attach() does; a blocker and create() would check the triangle twice.
   Fit fit(Site a, Site b, Site c) const;
   Fit fit(Halfedge h, Site apex) const;
   /// Returns the place of a triangle for a caller that decides which sides are glued, where sites alone do not:

@@ -12,8 +12,7 @@ namespace meshops {
 struct FrontVisitor {
   /// Called when a triangle of seed() has been inserted.
   void seeded(const Front&, const InsertedTriangle&) {}
-  /// Called when a proposal for the boundary halfedge `at` has led to this triangle. Its side 0 is `at` if an apex was
-  /// proposed.
+  /// Called when a proposal for the boundary halfedge `at` led to this triangle; side 0 is `at` if it was an apex.
   void attached(const Front&, Halfedge /*at*/, const InsertedTriangle&) {}
   /// Called when an edge is deferred: the edge stays active, and its turn comes again after a change.
   void deferred(const Front&, Halfedge) {}

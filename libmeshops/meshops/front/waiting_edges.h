@@ -54,8 +54,7 @@ class MESHOPS_API WaitingEdges {
   void defer(Halfedge h, std::size_t revision);
   /// Queues the halfedges that were deferred at other revisions, in order of deferral. Returns: whether there were any.
   bool wake_deferred(std::size_t revision);
-  /// Removes and returns the halfedge that was deferred first, which stays active; an invalid handle when there is
-  /// none.
+  /// Removes and returns the halfedge deferred first, which stays active; an invalid handle when there is none.
   Halfedge next_deferred();
 
   /// Returns the halfedges that were frozen at this level, in the order in which they were frozen. Some may have been
@@ -86,8 +85,7 @@ class MESHOPS_API WaitingEdges {
     return h.idx() >= 0 && edge < state_.size() && mesh_.is_boundary(h) ? state_[edge] : State::neither;
   }
   void set_state(Halfedge h, State state);
-  /// Returns `h`. Throws ContractViolation if other code has deleted its edge: only the front takes edges off the
-  /// boundary.
+  /// Returns `h`. Throws ContractViolation if other code has deleted its edge: only the front may remove edges.
   Halfedge checked(Halfedge h) const {
     if (!is_live(mesh_, h)) [[unlikely]]
       deleted_by_others();

@@ -1,6 +1,5 @@
 // What:   the handle operator that makes one inner edge of two boundary edges.
-// Law:    the counts change exactly by delta_of(case) (effect.h); a sound mesh stays sound; unglue() is the exact
-//         inverse.
+// Law:    the counts change exactly by delta_of(case) (effect.h); a sound mesh stays sound; unglue() is the inverse.
 // Source: Lewiner et al., Topological mesh operators, section on handle operators.
 #pragma once
 

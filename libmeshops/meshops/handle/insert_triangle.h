@@ -24,8 +24,7 @@ struct InsertedTriangle {
   Face face{};
   std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};  ///< the halfedges of the face
   int merged = 0;  ///< number of vertices that were merged into others
-  /// The vertices that were merged into others, now isolated but not marked deleted. Of two merged vertices, the lower
-  /// handle stays.
+  /// The vertices that were merged into others with a lower handle; isolated now, but not marked deleted.
   std::array<Vertex, 3> left_over = {Vertex(), Vertex(), Vertex()};
 };
 
@@ -88,8 +87,7 @@ InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sid
   for_each([&](auto i) { mesh.set_face_handle(result.side[i], result.face); });
   mesh.set_halfedge_handle(result.face, result.side[0]);
 
-  // The boundary passes by each corner, unless the two sides at it were neighbors on the boundary: then the corner
-  // closes.
+  // The boundary passes by corner i, unless sides i − 1 and i were neighbors on the boundary: then the corner closes.
   for_each([&](auto i) {
     constexpr unsigned p = previous(i);  // side p ends at corner i, side i starts there
     Halfedge in, out;

@@ -36,11 +36,9 @@ MESHOPS_API std::optional<std::string> unglue_blocker(const Connectivity& mesh, 
 ///           when both ends are on one curve, the smaller of the two components that the split would make.
 MESHOPS_API GlueCase unglue_case(const Connectivity& mesh, Halfedge h);
 
-/// Splits an inner edge into two boundary edges. `h` is on the boundary afterwards, and a new edge replaces it in its
-/// face.
-/// Effect:   new elements get copies of all properties of the old ones, so that a second vertex lies at the same point.
-///           Old vertices keep the fan on the side of the opposite of `h`; new ones get the fan with the former face of
-///           `h`.
+/// Splits an inner edge into two boundary edges. `h` is then on the boundary, and a new edge replaces it in its face.
+/// Effect:   new elements get copies of all properties of the old ones, including the point. Old vertices keep the fan
+///           on the side of the opposite of `h`; new ones get the fan with the former face of `h`.
 /// Requires: unglue_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
 /// Inverse:  glue(first, second).
 /// Cost:     as unglue_case().

@@ -135,8 +135,7 @@ RemoveDiagonalEffect History::remove_diagonal(Halfedge h) {
     const Undo name = named_again({mesh_.from_vertex_handle(h), mesh_.to_vertex_handle(h)});
     const RemoveDiagonalEffect effect = meshops::remove_diagonal(mesh_, h);
     return std::pair(effect, [this, effect, h, o, named, before, name] {
-      // The records of the diagonal and of its face are as they were; the neighboring sides are linked past the
-      // diagonal.
+      // The diagonal and its face have their old records; the neighboring sides are linked past the diagonal.
       revive(mesh_, effect.edge);
       mesh_.status(effect.face).set_deleted(false);
       mesh_.set_next_halfedge_handle(before[0], h);

@@ -1,9 +1,8 @@
 // What:   makes a mesh of patches of triangles: gluing in bulk.
 // Law:    the mesh equals, up to handles, the mesh that Front::create() makes of the same triangles.
 // How:    place() gives one patch after another its place, and decides all that depends on other patches; fill() writes
-//         the rest, nearly all of the work, and can run in parallel. There are three phases, each with a type:
-//         PatchAssembler lays patches, join() returns AssembledPatches, and these become a mesh, or a Front to be
-//         advanced.
+//         the rest, nearly all of the work, and can run in parallel. Three phases, each with a type: PatchAssembler
+//         lays patches, join() returns AssembledPatches, and these become a mesh or a Front.
 // Cost:   linear; about the time it takes to write the mesh.
 // Source: docs/explanation/architecture.md, section 10.
 #pragma once

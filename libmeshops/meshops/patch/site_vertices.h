@@ -19,8 +19,7 @@ namespace meshops {
 /// no list; every further vertex is listed at its site.
 class MESHOPS_API SiteVertices {
  public:
-  /// Maps vertex i to site i. Keeps a reference to the mesh, which has these vertices or gets them before the first
-  /// lookup.
+  /// Maps vertex i to site i. Keeps a reference to the mesh, which has these vertices at the first lookup.
   SiteVertices(Connectivity& mesh, std::size_t sites);
   /// Maps vertex v to site_of[v]; the sites are 0 to the greatest that a live vertex has.
   /// Throws: ContractViolation unless `site_of` has one site, less than 2³¹ − 1, for each vertex.
@@ -40,8 +39,7 @@ class MESHOPS_API SiteVertices {
   /// fan is no site.
   std::size_t sites() const { return first_ + listed_.size(); }
   bool exists(Site s) const { return is_first(s) ? is_live(mesh_, Vertex(static_cast<int>(s))) : s < sites(); }
-  /// Adds a site. Returns: its number, the old value of sites(). Throws ContractViolation when there are 2³¹ − 1
-  /// already.
+  /// Adds a site. Returns: its number, the old value of sites(). Throws ContractViolation beyond 2³¹ − 1 sites.
   Site add_site();
   /// Removes all sites and frees the memory.
   void clear();

@@ -51,8 +51,7 @@ struct Star {
   bool v_has_degree_two() const { return has_left && has_right && vc == vd; }
 };
 
-/// Closes the edge as close_edge() does, where v has two edges. Two edges from w to c become one: the one on the right
-/// of h.
+/// Closes the edge as close_edge() does, where v has two edges. Of two edges from w to c, the one right of h stays.
 WeldEffect close_inner_path(Connectivity& mesh, const Star& s, WeldEffect effect) {
   const Halfedge cw_left = mesh.opposite_halfedge_handle(s.wc), wc_right = mesh.opposite_halfedge_handle(s.dw);
   const Vertex w = effect.survivor, c = mesh.to_vertex_handle(s.wc);
@@ -369,8 +368,7 @@ const char* close_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
 
   for (Halfedge out = start; out != end; out = ccw(mesh, out))
     if (are_joined(mesh, w, mesh.to_vertex_handle(out))) return "two edges would join the same vertices";
-  // If v has only one more face, which lies between left and right, the face must not get the corners of another face
-  // of w.
+  // If v has only one more face, between left and right, that face must not get the corners of another face of w.
   if (start == end && inner && is_triangle(mesh, s.vc)) {
     const Vertex c = mesh.to_vertex_handle(s.vc), d = mesh.to_vertex_handle(s.vd);
     Halfedge out = s.o;

@@ -63,8 +63,7 @@ SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge ri
 
 /// Opens a vertex as above, but reuses the elements that a weld marked deleted: edges and faces in the order in which
 /// close_edge() names them. The mesh is sound afterwards, whatever these elements were before.
-/// Requires: open_refusal() is null; the effect names different elements, all of them marked deleted, and has `left` or
-///           `right`.
+/// Requires: open_refusal() is null; the effect has `left` or `right`, and different elements, all marked deleted.
 void open_vertex_again(Connectivity& mesh, const WeldEffect& effect);
 
 /// Returns why split_vertex(left, right, keep) is refused, or nullptr when it is not.

@@ -84,8 +84,7 @@ Effect with_hook(Mesh& mesh, const Effect& effect, Hook& hook) {
 
 }  // namespace detail
 
-/// Copies all properties of the mesh, OpenMesh's own and added ones, from old elements to the new elements made of
-/// them:
+/// Copies all properties, OpenMesh's own and added ones, from old elements to the new elements made of them:
 /// - split_edge(): from the edge and its halfedges to the new half of the edge, and to each new face from the face from
 ///   which it was cut;
 /// - split_face(): from the face to the new faces;

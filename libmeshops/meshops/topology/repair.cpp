@@ -112,8 +112,7 @@ class Repairer {
 
   /// Gives every fan but the first at a point a point of its own. Faces are joined only at edges where exactly two fit
   /// together. Afterwards all edges fit: unjoined sides that still name the same two points are the ends of one fan at
-  /// either point, so that there are two of them, and they run in opposite directions because the faces of the fan
-  /// agree.
+  /// either point, two sides in opposite directions, as the faces of the fan agree.
   void part_fans(const SoupSides& all) {
     PolygonSoup& soup = result_.soup;
     auto fans = detail::fans_of(soup, all, fits, go_on_);

@@ -125,8 +125,7 @@ class SoupReporter {
     });
   }
 
-  /// Counts the edges of each piece. Two sides of a piece lie at each edge with two faces; at an open edge there is
-  /// one.
+  /// Counts the edges of each piece. An edge with two faces has two sides of a piece, an open edge has one.
   void count_edges() {
     std::vector<std::size_t> sides(total_.per_component.size(), 0);
     for (std::size_t f = 0; f < soup_.faces(); ++f)

@@ -63,8 +63,7 @@ class SharedWork {
     return !failure_;
   }
 
-  /// Runs loop() in `threads` threads, the calling one included, and waits for all of them. Rethrows the first
-  /// exception.
+  /// Runs loop() in `threads` threads, the calling one included, and waits for all. Rethrows the first exception.
   template <typename Loop>
   void run(std::size_t threads, Loop loop) {
     const auto guarded = [&] {

@@ -30,8 +30,7 @@ struct OwnedTriangles {
 
 /// Checks that triangles and neighbors agree: there is a row of neighbors for each triangle, its corners are three
 /// different numbers below `points`, and two neighbors name each other across the side that they share.
-/// Throws: ContractViolation that names the first triangle with an error, or the numbers of rows if these differ;
-///         Cancelled.
+/// Throws: ContractViolation that names the first triangle with an error, or differing numbers of rows; Cancelled.
 /// Cost:   linear.
 RBPA_API void require_linked(const TriangleArrays& arrays, std::size_t points, const GoOn& go_on = {});
 

@@ -67,8 +67,7 @@ class Run {
   }
 
  private:
-  /// Moves the front to level i and returns RBPA on the points transferred to it. The first time all points are
-  /// isolated.
+  /// Moves the front to level i and returns RBPA on the points transferred to it. At level 0, all are isolated.
   RestrictedBallPivoting input_of(int i) {
     meshops::LevelTransfer transfer = front_.next_level();
     level_ = {i, radii_[i], i == radii_.last(), transfer.carried.size(), transfer.reactivated};

@@ -20,8 +20,7 @@ bool Ball::met_before(Site v, Site from, Site q, Site p) const {
   // A point inside the ball that arrives at the other is met before it.
   if (in_arriving_ball(v, p, q)) return true;
   if (in_arriving_ball(v, q, p)) return false;
-  // Otherwise the ball meets both in the order in which they lie counter-clockwise around v, counted from v→from, or
-  // both at once.
+  // Otherwise the ball meets both at once, or in their counter-clockwise order around v, counted from v→from.
   const int side_of_q = P::orientation(at(v), at(from), at(q)), side_of_p = P::orientation(at(v), at(from), at(p));
   if (side_of_q != side_of_p) return side_of_q > side_of_p;
   return P::orientation(at(v), at(q), at(p)) > 0;

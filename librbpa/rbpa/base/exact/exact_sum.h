@@ -19,8 +19,7 @@ class ExactSum {
 
   ExactSum& operator+=(const ExactSum& other);
 
-  /// The digits: digit i has weight 2^(32 i) times a fixed unit; all but the last are in [0, 2³²), the last has the
-  /// sign.
+  /// The digits: digit i has weight 2^(32 i) times a fixed unit; all but the last, which has the sign, are in [0, 2³²).
   using Digits = std::array<std::int64_t, 142>;
   /// Returns the digits; they are a function of the sum alone.
   Digits digits() const;

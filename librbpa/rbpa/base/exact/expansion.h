@@ -67,8 +67,7 @@ Expansion<N> operator-(const Expansion<N>& e) {
   return result;
 }
 
-/// Returns e + f, exactly: merges the components by size and adds them up (Shewchuk, fast expansion sum with zero
-/// elimination).
+/// Returns e + f, exactly (Shewchuk, fast expansion sum with zero elimination): adds the components by size.
 template <int N, int M>
 Expansion<N + M> operator+(const Expansion<N>& e, const Expansion<M>& f) {
   Expansion<N + M> result;

@@ -1,6 +1,5 @@
 // What: √(x² + y²) by operations that IEEE 754 rounds, as C libraries round std::hypot() differently.
-// Law:  the bits are a function of the numbers alone. The error is at most 0.51 units in the last place of a normal
-//       result.
+// Law:  the bits are a function of the numbers alone. Error of a normal result: at most 0.51 units in the last place.
 #pragma once
 
 #include <algorithm>

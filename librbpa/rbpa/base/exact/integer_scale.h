@@ -22,8 +22,7 @@ class IntegerScale {
     unit_ = std::min(unit_, exponent - 53);
   }
 
-  /// Returns `value` divided by the power of two that makes all included values integers. Requires: `value` was
-  /// included.
+  /// Returns `value` over the power of two that makes all included values integers. Requires: it was included.
   Integer operator()(double value) const {
     if (value == 0) return 0;
     int exponent;

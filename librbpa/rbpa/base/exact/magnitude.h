@@ -9,8 +9,7 @@
 
 namespace rbpa {
 
-/// The span of bits of coordinates: every coordinate but 0 is a multiple of 2^lowest and below 2^highest in absolute
-/// value.
+/// Span of bits of coordinates: each but 0 is a multiple of 2^lowest and below 2^highest in absolute value.
 struct Magnitude {
   int lowest = 0;
   int highest = 0;

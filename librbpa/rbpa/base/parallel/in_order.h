@@ -11,9 +11,8 @@
 namespace rbpa {
 
 /// Calls, for each i below `count`, work(i, workspace) in any thread, then join(i, workspace) in the order of i, then
-/// finish(i, workspace) in any thread. A workspace belongs to one item at a time; the next item gets the workspace that
-/// was released last, which is still in a cache. Rethrows an exception of a call; then some of the calls are never
-/// made.
+/// finish(i, workspace) in any thread. A workspace belongs to one item at a time; the next item gets the workspace
+/// released last, which is still in a cache. Rethrows an exception of a call; then some of the calls are never made.
 template <typename Workspace, typename Work, typename Join, typename Finish>
 void in_order(Threads& threads, std::size_t count, Work work, Join join, Finish finish) {
   if (threads.count() > 1 && count > 1) {

@@ -7,8 +7,7 @@
 
 namespace rbpa {
 
-/// A checkpoint that any thread may call: calls go_on(), one call at a time, and throws Cancelled when go_on() returns
-/// false.
+/// A checkpoint for several threads: calls go_on(), one call at a time, and throws Cancelled when it returns false.
 class CheckpointOfThreads {
  public:
   /// Keeps a reference to `go_on`. An empty function is never called.

@@ -14,8 +14,7 @@ namespace rbpa {
 /// Returns the shortest text that reads back to `value`.
 std::string text(double value);
 
-/// Maximum number of points: OpenMesh numbers halfedges in int, and a triangulation of n points has fewer than 6n of
-/// them.
+/// Maximum number of points: a triangulation of n points has fewer than 6n halfedges, which OpenMesh numbers in int.
 inline constexpr std::size_t max_points = std::numeric_limits<int>::max() / 6;
 static_assert(max_points == 357'913'941);
 

@@ -57,8 +57,7 @@ meshops::FreshVector<std::uint32_t> sort_rows(std::span<const Row> rows, std::si
     const std::uint32_t last = high == 0 ? 0 : end[high - 1];
     for (std::size_t first = low; first < high; ++first) {
       group.clear();
-      // Rows with the next first numbers are scattered in memory: they are prefetched, so that their cache misses
-      // overlap.
+      // Rows with the next first numbers are scattered in memory: prefetching lets their cache misses overlap.
       for (const std::uint32_t ahead = std::min(end[first] + 48, last); fetched < ahead; ++fetched) {
         __builtin_prefetch(&rows[order[fetched]]);
         __builtin_prefetch(&place[order[fetched]], 1);
