@@ -11,8 +11,7 @@
 namespace rbpa::space {
 namespace {
 
-/// The numbers of cells along an axis. Coordinates that differ by at most two radii have numbers that differ by at most
-/// two.
+/// The numbers of cells along an axis. Numbers of coordinates that differ by at most two radii differ by at most two.
 class Numbering {
  public:
   explicit Numbering(double radius) : radius_(radius), inverse_(1 / (radius * (1 + 0x1p-6))) {}

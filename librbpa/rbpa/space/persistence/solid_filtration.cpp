@@ -75,8 +75,7 @@ std::vector<std::uint32_t> keep_below(std::size_t points, Rows& rows) {
   return number;
 }
 
-/// Fills in the triangles, with radii, and the edges of points without a tetrahedron, from the base of a cone over the
-/// points.
+/// Fills in triangles, with radii, and edges of points without a tetrahedron, from the base of a cone over the points.
 void take_flat(std::span<const Point3> points, const SolidOptions& options, Threads& threads, Steps& step,
                SolidFiltration& filtration) {
   std::vector<Point3> cone(points.begin(), points.end());

@@ -11,8 +11,7 @@
 namespace rbpa {
 namespace {
 
-/// Sorts the pairs from number `first` on by birth, death, and the simplices that make them. Requires: these pairs are
-/// sorted by birth.
+/// Sorts pairs of equal birth, from number `first` on, by death and simplices. Requires: pairs are sorted by birth.
 void sort_equal_births(std::vector<SolidPair>& pairs, std::size_t first, Steps& step) {
   const auto is_before = [&](const SolidPair& a, const SolidPair& b) {
     step();

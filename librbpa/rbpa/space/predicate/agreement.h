@@ -65,8 +65,7 @@ class Agreement {
     return {disagrees_at(a, normal), disagrees_at(b, normal), disagrees_at(c, normal)};
   }
 
-  /// Returns false only if no triangle (v, x, y) agrees for any x that follows y in `cycle`, a cycle of places around
-  /// v.
+  /// Returns false only if no triangle (v, x, y) agrees in which x follows y in `cycle`, a cycle of places around v.
   bool may_agree(std::uint32_t v, std::span<const std::uint32_t> cycle) const {
     if (!fits_double_ || normals_.empty()) return true;
     for (std::size_t k = 0; k < cycle.size(); ++k) {

@@ -18,14 +18,13 @@
 
 namespace rbpa::space {
 
-/// Returns whether q is in the ball of radius `radius` that rests on a, b and c. Integers decide, and the perturbation
-/// if q touches the ball.
+/// Returns whether q is in the ball of radius `radius` that rests on a, b and c: by integers; if q touches it,
+/// by the perturbation.
 /// Requires: the circumradius of a, b and c is at most `radius`.
 bool in_ball_exactly(const Point3& a, const Point3& b, const Point3& c, double radius, const Point3& q);
 
-/// The ball of a given radius that touches a, b and c, with its center on the side from which they are
-/// counter-clockwise. Real is double for points and a radius scaled by scale_to_double() (space/cells/scale.h), else
-/// long double.
+/// The ball of a given radius that touches a, b and c, its center on the side from which they are counter-clockwise.
+/// Real is double for points and a radius scaled by scale_to_double() (space/cells/scale.h), else long double.
 template <typename Real>
 class Ball {
   static_assert(std::numeric_limits<Real>::is_iec559);
@@ -54,8 +53,7 @@ class Ball {
     return decide(q);
   }
 
-  /// Returns the side of the plane of a, b and c on which q is: 1 the side of the center, −1 the other side, 0 in the
-  /// plane.
+  /// Returns the side of the plane of a, b and c on which q is: 1 the side of the center, −1 the other, 0 in the plane.
   int side_of_plane(const Point3& q) const {
     const Vector3<Real> d = from<Real>(a_, q);
     const Real height = dot(normal_, d);

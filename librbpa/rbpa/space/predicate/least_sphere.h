@@ -9,8 +9,7 @@
 
 namespace rbpa::space {
 
-/// Returns whether the least sphere through a and b has at most this radius. Requires: distinct points, a finite
-/// radius.
+/// Returns whether the least sphere through a and b has at most this radius. Requires: a != b, a finite radius.
 bool is_least_sphere_within(const Point3& a, const Point3& b, double radius);
 
 /// Returns the least double that is not below the radius; infinity above all doubles. Requires: distinct points.

@@ -62,9 +62,8 @@ struct HoleFilling {
 RBPA_API std::vector<std::vector<std::uint32_t>> boundary_loops(
     std::span<const std::array<std::uint32_t, 3>> triangles);
 
-/// Closes the given boundary loops. A loop that passes a point several times is cut there, and its parts are closed one
-/// by one. If a closed part has different vertices at a point, the lowest of these replaces the others in all
-/// triangles.
+/// Closes the given boundary loops. A loop that passes a point several times is cut there, and the parts are closed one
+/// by one. If a closed part has different vertices at a point, the lowest replaces the others in all triangles.
 /// Requires: finite points; `loops` of `triangles`, in the form of boundary_loops().
 /// Throws:   InvalidInput when a point is not finite; ContractViolation when a corner is not an index of a point, a
 ///           loop is empty or has an edge that is not a boundary side, or loops pass an edge twice; Cancelled.

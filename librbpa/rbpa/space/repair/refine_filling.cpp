@@ -141,8 +141,7 @@ class PatchInput {
     rim_.triangles.neighbors = std::move(linked.neighbors);
   }
 
-  /// Adds to rim_ what is at vertex v outside of the patch: curvature, edges to other rim vertices, mean length of
-  /// edges.
+  /// Adds to rim_ what is at v outside of the patch: curvature, edges to other rim vertices, mean length of edges.
   void take_outside(std::uint32_t v, const std::vector<bool>& is_new) {
     Indices around, outside;
     for (const std::uint32_t t : fans_.triangles_at(v)) {

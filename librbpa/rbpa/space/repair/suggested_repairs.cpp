@@ -213,8 +213,7 @@ class Repairs {
     for_each_left(radii_.back(), is_wanted, attempt);
   }
 
-  /// Returns whether the hole is closed when the normals of `turned` are reversed. Adds to `turned` all points equal to
-  /// a point in it.
+  /// Returns whether reversing the normals of `turned` closes the hole. Adds to `turned` all points equal to one in it.
   bool is_closed_with(Indices& turned, const Hole& hole, const space::NeighborhoodFinder& near) const {
     Indices at = rim_of(hole);
     at.insert(at.end(), turned.begin(), turned.end());

@@ -1,5 +1,4 @@
-// What: classifies boundary curves of a surface as holes, outer rims, or boundaries of small islands; finds the
-//       islands.
+// What: classifies boundary curves of a surface as holes, outer rims, or rims of small islands; finds the islands.
 // Law:  the result depends on the points and the triangles only, not on any order. The area that a curve encloses is
 //       that of a flat cap over it: its vector area.
 // Cost: linear in the edges of the curves.

@@ -23,8 +23,7 @@ struct EdgeSide {
   std::uint32_t across;    ///< the position of apex among the corners of that triangle
 };
 
-/// Sorts `sides` by edge, and around each edge. Returns the pairs of positions in the sorted `sides` that face each
-/// other.
+/// Sorts `sides` by edge, and around each edge. Returns the pairs of positions in `sides` that then face each other.
 /// Requires: the corners of a triangle are distinct points, and no two triangles lie in the same direction from an
 ///           edge; triangles of a Delaunay triangulation never do.
 RBPA_API std::vector<std::pair<std::size_t, std::size_t>> facing_sides(std::span<const Point3> points,

@@ -26,8 +26,7 @@ namespace {
 using Corners = std::array<Point3, 3>;
 using Vector = space::Vector3<double>;
 
-/// Returns the corners of a triangle, the least point first, so that the result does not depend on the numbers of
-/// points.
+/// Returns the corners of a triangle, the least point first: the result does not depend on the numbers of points.
 Corners corners_of(std::span<const Point3> points, const std::array<std::uint32_t, 3>& triangle) {
   Corners corners = {points[triangle[0]], points[triangle[1]], points[triangle[2]]};
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());

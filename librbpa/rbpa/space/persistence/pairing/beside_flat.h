@@ -14,8 +14,7 @@
 namespace rbpa::space {
 
 /// Returns one point outside of the plane if all points are in one plane; two if they are on one line; none if they are
-/// in no plane, or are all equal. No coordinate of a returned point exceeds the greatest absolute coordinate of
-/// `points`.
+/// in no plane, or all equal. The returned points are in the least cube around the origin that contains `points`.
 /// Requires: finite points.
 std::vector<Point3> beside_flat(std::span<const Point3> points);
 

@@ -29,8 +29,7 @@ class Tunnels {
   Tunnels(const SolidFiltration& filtration, std::span<const std::uint32_t> order, const std::vector<bool>& joins,
           const std::vector<bool>& makes_void, Steps& step);
 
-  /// Returns the triangle that ends the tunnel that an edge makes; Solid::none where the edge makes none, or no
-  /// triangle ends it.
+  /// Returns the triangle that ends the tunnel that an edge makes; Solid::none if there is no such tunnel or triangle.
   std::uint32_t ended_by(std::uint32_t edge) const { return owner_[edge]; }
   /// Returns ended_by() for each edge, and frees all other memory.
   std::vector<std::uint32_t> all_ended_by() && {

@@ -34,8 +34,7 @@ class BoundarySides {
   BoundarySides(std::span<const std::array<std::uint32_t, 3>> triangles,
                 std::span<const std::vector<std::uint32_t>> loops, meshops::Steps& step);
 
-  /// Returns the third corner of the triangle at an edge of a loop. Edge i leads from corner i of the loop to the next
-  /// one.
+  /// Returns the third corner of the triangle at an edge of a loop. Edge i leads from corner i of the loop to the next.
   std::uint32_t across(std::uint32_t loop, std::uint32_t edge) const { return across_[loop][edge]; }
 
  private:

@@ -30,8 +30,7 @@ Point3 size_of(std::span<const Point3> points) {
   return size;
 }
 
-/// Returns the corners of a triangle, the least point first, so that the result does not depend on the numbers of
-/// points.
+/// Returns the corners of a triangle, the least point first: the result does not depend on the numbers of points.
 Corners corners_of(std::span<const Point3> points, const Triangle& triangle) {
   const Point3 &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
   if (b < a && b < c) return {b, c, a};

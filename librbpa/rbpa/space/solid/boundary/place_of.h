@@ -1,5 +1,4 @@
-// What: finds the place of a number in a row that contains it once, without a branch, as processors could not predict
-//       it.
+// What: finds the place of a number in a row that contains it once, without a branch, which would be unpredictable.
 #pragma once
 
 #include <array>

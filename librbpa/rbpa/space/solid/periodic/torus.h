@@ -1,7 +1,6 @@
 // What: reduces coordinates modulo the sides of a periodic box.
-// Law:  along each axis, the side and all coordinates are multiples of a step. The step is chosen so that every image
-//       at most one box away is a double. Rounding moves a coordinate by at most 2⁻⁵² of the power of two above the
-//       side.
+// Law:  along each axis, the side and all coordinates are multiples of a step, chosen so that every image at most one
+//       box away is a double. Rounding moves a coordinate by at most 2⁻⁵² of the power of two above the side.
 #pragma once
 
 #include <array>

@@ -14,8 +14,7 @@
 namespace rbpa::space {
 
 /// Returns the site p of `around` for which (a, b, c, p) is a Delaunay tetrahedron of circumradius at most alpha, with
-/// p on the side of the plane of a, b and c from which they are counter-clockwise. Returns nothing if there is no such
-/// site.
+/// p on the side of the plane of a, b and c from which they are counter-clockwise; nothing if there is no such site.
 /// Requires: `around` has all sites within 2 alpha of a; a, b and c are not on a line.
 std::optional<Site> exact_apex(std::span<const Point3> sites, std::span<const Site> around, double alpha, Site a,
                                Site b, Site c);

@@ -39,8 +39,7 @@ class TreePaths {
   /// Returns the child with the most vertices below; 0: there is none.
   Number heavy(Number r) const { return heavy_[r]; }
 
-  /// Returns the lowest vertex above both. If their heads differ, the head that comes later is not above the other
-  /// vertex.
+  /// Returns the lowest vertex above both. Of two different heads, the later one is not above the other vertex.
   Number above(Number r, Number s) const {
     while (head_[r] != head_[s])
       if (head_[r] > head_[s])

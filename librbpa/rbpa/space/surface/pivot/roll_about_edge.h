@@ -53,8 +53,7 @@ class EdgeRoll {
   std::size_t first_left_free() const;
   /// Returns the position of the first such point from `from` on. Requires: the ball has come to `from`; there is one.
   std::size_t next_left_free(std::size_t from) const;
-  /// Returns the position of the point that the ball touches first after it has left `left`. Requires: it is free
-  /// there.
+  /// Returns the position of the point touched first after the ball has left `left`. Requires: it is free there.
   std::size_t first_touched(std::size_t left) const;
 
   Point3 a_;

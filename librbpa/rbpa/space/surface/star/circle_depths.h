@@ -11,8 +11,7 @@
 
 namespace rbpa::space {
 
-/// The extremes of the depth c · p − p²/2 for all c on the circle of q, along which the depth is a cosine; and a bound
-/// of their errors.
+/// The extremes of the depth c · p − p²/2, a cosine, for all c on the circle of q; and a bound of their errors.
 struct CircleDepths {
   double greatest, least, error;
 };

@@ -91,8 +91,7 @@ class FreeRegion {
   }
 
   /// Finishes the region: tries waiting caps again until none changes anything. The circles of the caps that still wait
-  /// cross nothing, so no triangle is on them. Returns false when the region is lost. Requires: all caps are
-  /// subtracted.
+  /// cross nothing, so no triangle is on them. Returns false when the region is lost. Requires: all caps subtracted.
   template <typename IsInBall>
   bool finish(IsInBall is_in_ball) {
     for (std::size_t before = waiting_.count() + 1;
@@ -368,8 +367,7 @@ class FreeRegion {
     return boundary_.subdivide(a, p) && boundary_.subdivide(b, q);
   }
 
-  /// Tries again the caps of waiting points q with is_wanted(q), the nearest first. Returns false when the region is
-  /// lost.
+  /// Tries the caps of waiting points q with is_wanted(q) again, nearest first. Returns false when the region is lost.
   template <typename IsInBall, typename IsWanted>
   bool retry_waiting(IsInBall is_in_ball, IsWanted is_wanted) {
     for (std::size_t i = 0; i < waiting_.count();) {
