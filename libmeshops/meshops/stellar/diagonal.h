@@ -33,18 +33,19 @@ struct RemoveDiagonalEffect {
 /// does not exist or is deleted; they are not sides of one face; the two corners are neighbors (a face of two sides
 /// would be left) or one vertex (a loop); with Keep::simplicial, an edge joins the corners already, or the diagonal
 /// would make two triangles with the same corners, in a quadrangle that touches itself.
+/// Cost: constant; Keep::simplicial: the lesser degree of the two corners.
 MESHOPS_API std::optional<std::string> insert_diagonal_blocker(const Connectivity& mesh, Halfedge from, Halfedge to,
                                                                Keep keep = Keep::simplicial);
 
 /// Cuts the face of which `from` and `to` are sides, along a new edge between the corners at which they start.
 /// Effect:      the old face keeps the part with mesh.halfedge_handle(face); the other part is a new face. New elements
 ///              have default values of all properties.
-/// Requires:    insert_diagonal_blocker() is empty.
+/// Requires:    insert_diagonal_blocker() with the same `keep` is empty.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: nothing.
 /// Inverse:     remove_diagonal(), exactly.
 /// Δ:           E +1, F +1; the topology stays.
-/// Cost:        the number of sides; Keep::simplicial: also twice the lesser degree of the two corners.
+/// Cost:        the number of sides; Keep::simplicial: also the lesser degree of the two corners.
 MESHOPS_API InsertDiagonalEffect insert_diagonal(Connectivity& mesh, Halfedge from, Halfedge to,
                                                  Keep keep = Keep::simplicial);
 
