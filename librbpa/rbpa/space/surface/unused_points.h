@@ -31,7 +31,7 @@ struct UnusedPoint {
 /// If radii give several causes, the last one in the list of UnusedCause is returned.
 /// Requires: `surface` is the surface() of these points, normals and radii; or, without normals, the
 ///           exposed_triangles() of one radius.
-/// Throws:   InvalidInput as these functions; ContractViolation when a corner is not an index of a point; Cancelled.
+/// Throws:   InvalidInput as these functions; ContractViolation when a corner or a neighbor does not exist; Cancelled.
 /// Cost:     for each radius, that of the exposed triangles of the points near the unused ones.
 RBPA_API std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span<const Point3> normals,
                                                 std::span<const double> radii, const Surface& surface,
