@@ -24,7 +24,7 @@ struct AlphaComplexOptions {
   ComplexKind complex = ComplexKind::solid;
   bool neighbors = false;  ///< whether AlphaComplex::neighbors is filled in
   bool boundary = false;   ///< whether AlphaComplex::boundary is filled in
-  MaxThreads threads = 0;
+  MaxThreads threads = 0;  ///< maximum number; 0: all processors
   OnProgress progress = {};
 };
 

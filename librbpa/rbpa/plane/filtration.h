@@ -53,8 +53,8 @@ inline Filtration filtration(const AlphaComplex& delaunay, std::span<const Point
 RBPA_API AlphaComplex complex_at(const Delaunay& of, const Filtration& filtration, double alpha);
 
 /// Returns the least alpha at which every distinct point is in a triangle and, if `max_components` is given, there are
-/// at most so many solid components. At a larger alpha there may be more components again. Returns nothing if there is
-/// no such alpha: there are fewer than three distinct points, all points are on a line, or `max_components` is 0.
+/// at most that many solid components. At a larger alpha there may be more components again. Returns nothing if there
+/// is no such alpha: there are fewer than three distinct points, all points are on a line, or `max_components` is 0.
 /// Cost: linear in the number of steps.
 RBPA_API std::optional<double> smallest_covering(const Filtration& filtration,
                                                  std::optional<std::size_t> max_components = std::nullopt);

@@ -45,7 +45,7 @@ struct FiltrationArrays {
 
 /// Computes the arrays from a triangulation and its filtration.
 /// Requires: `filtration` is filtration(delaunay).
-/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled.
+/// Throws:   ContractViolation when `filtration` is visibly of another triangulation; Cancelled.
 RBPA_API FiltrationArrays filtration_arrays(const Delaunay& delaunay, const Filtration& filtration,
                                             const GoOn& go_on = {});
 /// Computes the same from a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.

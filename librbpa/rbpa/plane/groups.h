@@ -1,8 +1,8 @@
 // What: computes the shapes of many sets of points in one call, each on its own: a footprint for every building, a hull
 //       for every cluster.
-// Law:  the result of a group equals that of a call with its points alone, with the indices of the input. The result
-//       does not depend on the number of threads, or on the other groups: shapes_of_groups() reports an error in one
-//       group as a sentence in the result, and computes the other groups.
+// Law:  the result of a group equals the result of a call with the group's points alone, but has indices of the input.
+//       The result does not depend on the number of threads, or on the other groups: shapes_of_groups() reports an
+//       error in one group as a sentence in the result, and computes the other groups.
 // Cost: that of the single calls, shared among threads, without the fixed cost of a call:
 //       docs/reference/performance.md.
 // Note: independent of OpenMesh.
@@ -44,7 +44,7 @@ inline constexpr std::uint32_t no_group = 0xffffffff;
 RBPA_API Groups groups_of(std::span<const std::uint32_t> labels, std::size_t count);
 
 struct GroupOptions {
-  MaxThreads threads = 0;
+  MaxThreads threads = 0;  ///< maximum number; 0: all processors
   /// Callback that is called with the number of finished groups, one call at a time but from any thread of the run.
   /// Returning false ends the run with Cancelled. for_each_group() calls it only between chunks of groups: at most
   /// 1,024 groups with at most 4,096 points together, or one larger group.

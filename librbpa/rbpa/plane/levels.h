@@ -47,7 +47,7 @@ struct HierarchyOptions {
   /// Maximum number of points in a leaf of the quadtree whose smallest leaf determines α₀. At least 1. Absent:
   /// usual_leaf_capacity (triangles_by_level.h).
   std::optional<std::size_t> leaf_capacity = std::nullopt;
-  MaxThreads threads = 0;
+  MaxThreads threads = 0;  ///< maximum number; 0: all processors
   /// Callback for progress and cancellation, with the intervals of Options::progress (rbpa.h).
   OnProgress progress = {};
   /// Callback at the end of each level of Hierarchy::levels, before the next level begins. The time of the callback

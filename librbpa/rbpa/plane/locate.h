@@ -22,7 +22,7 @@
 namespace rbpa {
 
 struct LocateOptions {
-  MaxThreads threads = 0;
+  MaxThreads threads = 0;  ///< maximum number; 0: all processors
   GoOn go_on = {};
 };
 
@@ -35,7 +35,7 @@ enum class Interpolation {
 
 struct InterpolateOptions {
   Interpolation method = Interpolation::linear;
-  MaxThreads threads = 0;
+  MaxThreads threads = 0;  ///< maximum number; 0: all processors
   GoOn go_on = {};
 };
 

@@ -79,7 +79,7 @@ class RBPA_API Partial {
 };
 
 struct PartialOptions {
-  MaxThreads threads = 0;
+  MaxThreads threads = 0;  ///< maximum number; 0: all processors
   OnProgress progress = {};
 };
 

@@ -32,7 +32,7 @@ struct PersistencePair {
 /// Returns the pairs sorted by dimension, then birth, then death, pairs without a death last. The result is a function
 /// of the set of points alone.
 /// Requires: `filtration` is filtration(delaunay).
-/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled.
+/// Throws:   ContractViolation when `filtration` is visibly of another triangulation; Cancelled.
 RBPA_API std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtration& filtration,
                                                   ComplexKind kind = ComplexKind::solid, const GoOn& go_on = {});
 /// Computes the same from a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.

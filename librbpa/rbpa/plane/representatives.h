@@ -28,23 +28,23 @@ struct Representative {
   /// Dimension 0: the ends, as input indices, of the edge at which the component meets an older one; absent if the
   /// component never dies.
   std::optional<std::array<std::uint32_t, 2>> joined_at = std::nullopt;
-  /// Dimension 1: the hole at pair.birth, and at the last radius at which it exists. At that radius it is one triangle,
-  /// or several with the same circumcircle; level_representatives() may return larger holes. Inner rings
+  /// Dimension 1: the hole at pair.birth, and at the last radius at which the hole exists. There the hole is one
+  /// triangle, or several with the same circumcircle; level_representatives() may return larger holes. Inner rings
   /// (Polygon::holes) surround the parts of the complex within the hole.
   Polygon at_birth = {}, before_death = {};
 };
 
 /// Returns representatives of the chosen pairs, sorted as by persistence().
 /// Requires: `filtration` is filtration(delaunay).
-/// Throws:   ContractViolation when it is visibly of another triangulation; Cancelled.
+/// Throws:   ContractViolation when `filtration` is visibly of another triangulation; Cancelled.
 RBPA_API std::vector<Representative> representatives(const Delaunay& delaunay, const Filtration& filtration,
                                                      ComplexKind kind = ComplexKind::solid,
                                                      const PairChoice& choice = {}, const GoOn& go_on = {});
 
 /// Returns representatives in the complexes of the given radii only, such as the levels of hrbpa(). A pair is born at
-/// the first radius at which it exists, and dies at the first later one at which it does not, if there is one; a pair
-/// that exists at none of the radii is left out. A hole is a polygon at the first and at the last of the radii at which
-/// it exists.
+/// the first of these radii at which it exists, and dies at the first later radius at which it does not, if there is
+/// one; a pair that exists at none of the radii is left out. The polygons of a hole are taken at the first and the last
+/// of these radii at which the hole exists.
 /// Requires: what representatives() requires; radii above 0, ascending, none twice.
 /// Throws:   ContractViolation if the radii are not positive and strictly ascending, or the filtration is visibly of
 ///           another triangulation; Cancelled.

@@ -23,8 +23,8 @@ struct Covering {
   std::optional<std::size_t> max_components = std::nullopt;
 };
 
-/// Returns whether `count` of `all` is at least this share: the quotient, rounded to double, is not below it. A share
-/// written in decimals is therefore met exactly: 7 of 100 is the share 0.07.
+/// Returns whether count / all, rounded to double, is at least `share`. A share written in decimals is therefore met
+/// exactly: 7 of 100 is the share 0.07.
 constexpr bool is_share(std::size_t count, std::size_t all, double share) {
   return static_cast<double>(count) / static_cast<double>(all) >= share;
 }

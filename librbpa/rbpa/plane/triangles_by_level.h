@@ -26,7 +26,7 @@ struct TrianglesByLevelOptions {
   std::size_t leaf_capacity = usual_leaf_capacity;
   bool neighbors = false;  ///< whether AlphaComplex::neighbors is filled in
   bool boundary = false;   ///< whether AlphaComplex::boundary is filled in
-  MaxThreads threads = 0;
+  MaxThreads threads = 0;  ///< maximum number; 0: all processors
   OnProgress progress = {};
 };
 

@@ -127,7 +127,7 @@ class Assembly {
     return result;
   }
 
-  /// Returns the rings with these numbers. Their places are only those that they pass.
+  /// Returns the rings with the numbers `rings`, and only the places that these rings pass.
   CutRings of(std::span<const std::size_t> rings) {
     CutRings result;
     for (const std::size_t r : rings) add(r, result);

@@ -65,8 +65,8 @@ class Unfilled {
   /// of the front; otherwise the region beyond that side is unfilled.
   void empty(const std::array<Site, 3>& corners, const std::array<bool, 3>& is_front);
 
-  /// Returns the number of triangles passed so far by searches and on the way to points, plus the number of those added
-  /// or flipped: a measure of the work.
+  /// Returns the number of triangles passed so far by searches and on the way to points, plus the numbers of triangles
+  /// added and of flips: a measure of the work.
   std::size_t passed() const { return passed_; }
   /// Returns the triangles, counter-clockwise, in any order.
   std::vector<std::array<Site, 3>> triangles() const;
@@ -89,8 +89,8 @@ class Unfilled {
     Side beyond;
     bool is_new = false;  // whether the triangle beyond was made for this rim
   };
-  /// An edge of the star of a corner that is removed: a corner of its rim, the corners beside it, and the number of
-  /// times it was offered as an ear.
+  /// An edge of the star of a corner that is removed: the corner of the rim at its other end, the positions in star_ of
+  /// the rim's corners before and after, and the number of times that this corner was offered as an ear.
   struct Ray {
     Rim rim;
     std::uint32_t last, next;

@@ -23,8 +23,8 @@
 
 namespace rbpa {
 
-/// A counter of steps that calls working() once in many steps, in one thread at a time. After working() has thrown, it
-/// is not called again, and other threads throw the same.
+/// A counter of steps that calls working() once in many steps, in one thread at a time. After working() has thrown,
+/// step() throws the same exception in every thread and does not call working() again.
 class DivisionSteps {
  public:
   explicit DivisionSteps(const Checkpoint& working) : working_(working) {}
@@ -66,8 +66,8 @@ class DelaunayEdges {
     open_hull(triangulate(0, places_.size()).first_x);
   }
 
-  /// Returns the edges. An edge in use has a triangle on its left, whose next side is lnext(); or it has none, its
-  /// number is `no_triangle` and its lnext() is 0.
+  /// Returns the edges. An edge in use has a triangle on its left, whose next side is lnext(); or no triangle there,
+  /// the number `no_triangle` and the lnext() 0.
   QuadEdges& edges() { return edges_; }
   static constexpr int no_triangle = -2;
 
@@ -76,7 +76,7 @@ class DelaunayEdges {
   struct Extremes {
     Corner first_x, last_x, first_y, last_y;
   };
-  /// The memory of a part of the points, so that another thread can work on another part.
+  /// The unused edges and the step count of a part of the points, so that another thread can work on another part.
   struct Own {
     QuadEdges::Unused unused;
     std::size_t steps;  // number of steps since the last call of `working`

@@ -19,8 +19,8 @@
 namespace rbpa {
 
 /// A function that returns 0 if the triangle of three points is kept; otherwise Patch::open or Patch::nothing, which
-/// the patch then stores in `across` of the triangle's neighbors. Several threads call it at the same time. An empty
-/// function keeps all triangles.
+/// the patch then stores in `across` of the triangle's neighbors. Several threads call the function at the same time.
+/// An empty function keeps all triangles.
 using Fate = std::function<int(const SitePoint&, const SitePoint&, const SitePoint&)>;
 
 /// Returns the kept triangles, counter-clockwise, with sites for corners; Patch::nothing is across the sides of the

@@ -1,7 +1,7 @@
-// What: the solid alpha complex of a small set: one triangulation by divide and conquer, whose triangles are read off
-//       its edges in canonical order. Without grid, tiles, lanes and threads, whose preparation would take longer than
-//       the work.
-// Law:  the result is that of the tiles (patches/for_each_patch.h), to the last index.
+// What: the solid alpha complex of a small set: one triangulation by divide and conquer; the triangles are read off the
+//       edges in canonical order. Uses no grid, tiles, lanes or threads, whose preparation would take longer than the
+//       work.
+// Law:  the result equals the result by tiles (patches/for_each_patch.h), to the last index.
 // Cost: O(n log n); about 150 bytes a point while it runs.
 #pragma once
 

@@ -22,7 +22,7 @@ class Growth {
   /// Requires: corners below `vertices`; `point_of_vertex` is empty or has an entry for each vertex.
   Growth(const TriangleArrays& arrays, std::size_t vertices, const std::vector<std::uint32_t>& point_of_vertex = {});
 
-  /// Adds a triangle. Requires: it was not added before.
+  /// Adds a triangle. Requires: a triangle that was not added before.
   void add(std::uint32_t triangle);
 
   ComplexCounts counts() const;

@@ -1,7 +1,7 @@
 // What: the solid components of a complex, each with its number of vertices, while triangles are added one after the
 //       other.
-// Law:  the vertices of a component are those of rbpa()'s mesh: its points, but a point at which it touches itself
-//       counts once for every fan.
+// Law:  the vertices of a component are its vertices in rbpa()'s mesh: one for each point, but one for every fan at a
+//       point at which the component touches itself.
 // Cost: linear to begin with, then practically constant per triangle.
 #pragma once
 

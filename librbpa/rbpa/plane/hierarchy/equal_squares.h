@@ -1,5 +1,6 @@
 // What: a square that is cut into quarters `depth` times: 4^depth squares, and the number of points in each.
-// Law:  the squares are those of repeated cuts in the middle, rounded; a point on a cut belongs to the upper right.
+// Law:  the squares result from repeated cuts in the middle, rounded; a point on a cut belongs to the square above it
+//       or right of it.
 // Cost: a few nanoseconds a point.
 #pragma once
 
@@ -24,7 +25,7 @@ struct Square {
 
   Real middle_x() const { return x + side / 2; }
   Real middle_y() const { return y + side / 2; }
-  /// Returns whether the square can be cut into quarters: its middle, rounded, is not on its lower or left side.
+  /// Returns whether the square can be cut into quarters: the rounded middle is not on the lower or left side.
   bool can_be_cut() const { return middle_x() > x && middle_y() > y; }
 };
 

@@ -1,5 +1,5 @@
 // What:   CRC-64/XZ, which detects changed bytes.
-// Why:    it detects every change within 64 consecutive bits, and of other changes all but one in 2⁶⁴; a product of
+// Why:    CRC-64 detects every change within 64 consecutive bits, and of other changes all but one in 2⁶⁴; a product of
 //         bytes (FNV) guarantees nothing.
 // Source: ECMA-182 (1992), annex B; reflected, as in the XZ format.
 #pragma once

@@ -1,4 +1,4 @@
-// What: decides exactly which of a few points of a tile a ball touches first when it rolls over a→b to its left.
+// What: decides exactly which of a few points of a tile a ball that rolls over a→b to the left touches first.
 // Why:  bounds in single precision sometimes leave two or more candidates, and on a lattice a tie for each point.
 #pragma once
 

@@ -50,7 +50,8 @@ class TileFront {
   }
 
  private:
-  /// Adds a triangle at a point that has none: the edge to the nearest point is Delaunay.
+  /// Adds a triangle at point v, which has none, on the edge to the nearest point, which is Delaunay; does nothing if
+  /// the tile's points do not decide a triangle.
   void seed(Index v) {
     const Index q = nearest(v);
     if (q == none) return;
@@ -62,15 +63,16 @@ class TileFront {
       front_.create(q, v, right, note);
   }
 
-  /// Returns whether the front has given up. Long searches are few where points are scattered. Elsewhere, along curves
-  /// and in clusters, the remainder needs less time, and undecided points are left to it.
+  /// Returns whether the front has given up, as searches took too long. Long searches are few where points are
+  /// scattered. Elsewhere, along curves and in clusters, the remainder needs less time, and decides the points that are
+  /// left.
   bool has_given_up() const {
     constexpr std::size_t max_work = 200;                          // measured: points read for a triangle
     const std::size_t in_advance = 24 + tile_.points.size() / 16;  // triangles: edges of the hull may come first
     return apexes_.work() > max_work * (front_.triangles() + in_advance);
   }
 
-  /// Returns the nearest point, if the tile's points determine it.
+  /// Returns the point nearest to v, or `none` if the tile's points do not determine that point.
   Index nearest(Index v) const {
     constexpr float farthest = 2, slack = 0x1p-18f;
     const float x = at_.x[v], y = at_.y[v];

@@ -153,11 +153,11 @@ class Predicates {
   }
 
  private:
-  /// Whether long double has 64 bits, in the processor, as on x86. If it has 113, its operations are computed in
-  /// software, and slowly.
+  /// Whether long double has 64 bits and is computed by the processor, as on x86. A long double of 113 bits is computed
+  /// in software, and slowly.
   static constexpr bool has_extended = std::numeric_limits<long double>::digits == 64;
 
-  /// The test of in_circle() in numbers of one kind, which may leave it undecided.
+  /// The test of in_circle() in numbers of one type, which decides only if is_sure() is true.
   template <typename Number>
   struct CircleTest {
     CircleTest(const Point& a, const Point& b, const Point& p, const Point& q) {

@@ -2,7 +2,8 @@
 //         settled and their neighbors.
 // Law:    the triangles of the tiles and those of complete() are the solid alpha complex, each once.
 // How:    a star is settled when every triangle of the complex around its site is in some patch. A missing triangle has
-//         no settled corner, and is in the Delaunay triangulation of those sites and their neighbors.
+//         no settled corner, and is in the Delaunay triangulation of the sites that are not settled and their
+//         neighbors.
 // Cost:   linear in the lists of the patches; O(r log r) for the r sites that are not done: at worst all.
 // Source: docs/explanation/plane.md, sections 12 to 14.
 #pragma once

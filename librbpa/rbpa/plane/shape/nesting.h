@@ -1,6 +1,7 @@
 // What: finds the hole in which each polygon lies, and the polygon in which each point lies.
-// How:  a sweep over the plane from left to right, decided exactly. Below a shell's first point is a hole, or a shell
-//       beside it, or nothing; a point lies in the polygon above the edge below it, if there is one.
+// How:  a sweep over the plane from left to right, decided exactly. Next below a shell's first point is an edge of a
+//       hole, an edge of another shell, or nothing; a point lies in a polygon if the polygon is above the edge next
+//       below the point.
 // Cost: n log n in the boundary edges and the points.
 #pragma once
 

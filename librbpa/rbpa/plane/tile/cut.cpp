@@ -134,8 +134,8 @@ void Cutter::cut(const Block& block, Tile& tile) {
 /// Lays cells whose size suits the block: the cells of the level suit the level's points on average only.
 void Cutter::lay_cells(const Level& level, const Block& block, Tile& tile) {
   const double width = block.columns * level.cell, height = block.rows * level.cell;
-  // If density varies, most points lie where it is above the mean. Rows of points look the same, but to a lesser
-  // degree.
+  // If density varies, most points lie where it is above the mean. Points in rows have the same effect, but a smaller
+  // one.
   const double mean = density(block), seen = mean_occupancy(level, block) - 1;
   const double finer = seen > 1.5 * mean ? std::sqrt(std::min(seen / mean, 4.0)) : 1;
   const double ratio = std::sqrt(points_per_cell / mean) / finer;
