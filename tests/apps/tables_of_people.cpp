@@ -248,6 +248,54 @@ TEST_SUITE("tables of people") {
           "t:1: found 'a,b', expected a header with a column 'x'");
   }
 
+  TEST_CASE("--skip-invalid leaves out titles of any form above the header, and says which columns are taken") {
+    const std::vector<Point> points = {{3.5, 4.5}, {5.5, 7.5}};
+    const std::string two = "3.5,4.5\n5.5,7.5\n", numbered = "1,3.5,4.5\n2,5.5,7.5\n";
+    const std::string german = "1;3,5;4,5\n2;5,5;7,5\n", last_two = "x is column 2, '", first_two = "x is column 1";
+    struct Table {
+      std::string text, columns, left_out;
+    };
+    const Table tables[] = {
+        {"Projekt Wald 2024\nNr;Rechtswert;Hochwert\n" + german, last_two + "Rechtswert', and y is column 3", "1 line"},
+        {"Projekt Wald 2024;;\nNr;Rechtswert;Hochwert\n" + german, last_two + "Rechtswert', and y", "1 line"},
+        {"Projekt;Wald;Eiche\n\nNr;Rechtswert;Hochwert\n;m;m\n" + german, last_two + "Rechtswert', and", "2 lines"},
+        {"Projekt Wald 2024\nNr,X,Y\n" + numbered, last_two + "X', and y is column 3, 'Y'", "1 line"},
+        {"Projekt, Wald, Eiche\nNr,X,Y\n" + numbered, last_two + "X', and y is column 3, 'Y'", "1 line"},
+        {"Trees of wood\nid,x,y\n" + numbered, last_two + "x', and y is column 3, 'y'", "1 line"},
+        {"id,x,y\nTrees of wood\n" + numbered, last_two + "x', and y is column 3, 'y'", "1 line"},
+        {"Trees\nid x y\n" + numbered, last_two + "x', and y is column 3, 'y'", "1 line"},
+        {"Projekt Wald 2024\nx;y\n3,5;4,5\n5,5;7,5\n", first_two + ", 'x', and y is column 2, 'y'", "1 line"},
+        {"Projekt Wald\nx,y\nm,m\n" + two, first_two + ", 'x', and y is column 2, 'y'", "2 lines"},
+        {"Projekt Wald\nRechts,Hoch\n" + two, first_two + ", 'Rechts', and y is column 2, 'Hoch'", "1 line"},
+        {"Projekt,Wald\nRechts,Hoch\n" + two, first_two + ", 'Rechts', and y is column 2, 'Hoch'", "1 line"},
+        {"Projekt Wald\n" + two, "no header was found; x is column 1, and y is column 2", "1 line"},
+        {"Wald\nname,x,y,2019,2020\na,3.5,4.5,1,2\nb,5.5,7.5,1,2\n", last_two + "x', and y is column 3", "1 line"}};
+    for (const Table& table : tables) {
+      CAPTURE(table.text);
+      const PointFile file = read(table.text, skipping);
+      CHECK(file.points == points);
+      CHECK(file.warnings.front().find(table.columns) != std::string::npos);
+      CHECK(file.warnings.back().starts_with(table.left_out + (table.left_out == "1 line" ? " is" : " are")));
+    }
+    // Names that are requested count more than known names.
+    const std::string named = "Title,of,it\neast,north,x\nx,y,n\n3.5,4.5,1\n5.5,7.5,2\n";
+    CHECK(read(named, {.columns = parse_columns("east,north"), .skip_invalid = true}).points == points);
+    CHECK(read(named, {.where = Condition("n == 2", names_of_columns()), .skip_invalid = true}).points ==
+          std::vector<Point>{points[1]});
+    CHECK(read("x,y\n4\n" + two, skipping).warnings.size() == 1);
+    const SpacePoints space =
+        space_points_in("Trees of the wood\nid,x,y,z\n1,1,2,3\n2,4,5,7\n", "t", Format::text, skipping);
+    CHECK(space.points.size() == 2);
+    CHECK(space.warnings.front().starts_with("the columns 'x', 'y', 'z' are read"));
+  }
+
+  TEST_CASE("a quoted decimal comma between commas is refused with the way out") {
+    CHECK(refusal("id,\"East\",\"North\"\n1,\"3,5\",\"4,5\"\n") ==
+          "t:2: found '3,5', expected a number with a decimal point (export the table with semicolons: between commas "
+          "no decimal comma is read; " +
+              skipping_way);
+  }
+
   TEST_CASE("the leftmost of several pairs of names is taken, and without one the first columns") {
     CHECK(read("x,y,lon,lat\n1,2,3,4\n").points == std::vector<Point>{{1, 2}});
     CHECK(read("lat,lon,x,y\n1,2,3,4\n").points == std::vector<Point>{{2, 1}});

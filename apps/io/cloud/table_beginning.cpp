@@ -171,8 +171,10 @@ class Starter {
     std::deque<std::string> room;
     constexpr std::size_t most_tries = 1000;  // each attempt reads following lines
     std::optional<SeparatorChoice> choice;
+    if (selection_.skips()) choice = pass_title(said);
+    const bool is_passed = choice.has_value();
     for (std::size_t tries = 0;; ++tries) {
-      if (tries < most_tries)
+      if (tries < most_tries && !(tries == 0 && is_passed))
         choice = choose_separator(lines_.ahead(separator_sample), said, selection_.skips(), lines_.name());
       try {
         lay_out(*choice, said.has_value(), room);
@@ -188,6 +190,79 @@ class Starter {
       next();
       if (!start_.has_line) return;
       room.clear();
+    }
+  }
+
+  /// Leaves out the lines above the header, or without a header those above the data. The header is the last line before
+  /// the data with names that the request requires, or else with known names, or else with names. Returns the separator
+  /// of the data, by which the current line fits; nothing if the first lines have no data or begin with them.
+  std::optional<SeparatorChoice> pass_title(std::optional<char> said) {
+    SeparatorChoice choice = choose_separator(lines_.ahead(separator_sample), said, true, lines_.name());
+    if (choice.lines == 0) return std::nullopt;
+    TableLines lines(Content(lines_.ahead(separator_sample), lines_.name()));
+    lines.set_layout(choice.separator, choice.fields.to_last_text);
+    int best = 0;
+    std::size_t header = 0, data = 0, texts = 0;  // numbers of lines
+    for (;; ++data) {
+      if (!lines.next()) return std::nullopt;
+      const std::optional<FieldCount> width = fields_of_data(lines.line(), choice.separator);
+      const bool is_data = width && (width->fits(choice.fields) || choice.fields.fits(*width));
+      const int rank = header_rank(lines, choice, is_data);
+      if (is_data && (rank == 0 || best > 0)) break;
+      if (rank > 0 && rank >= best) {
+        best = rank;
+        header = data;
+      }
+      if (!width && has_text_only(lines.line(), choice.separator)) ++texts;
+    }
+    if (data == 0) return std::nullopt;
+    says_columns_ = texts > (best > 0 ? 1U : 0U);
+    const std::size_t left_out = best > 0 ? header : data;
+    lines_.set_layout(choice.separator, choice.fields.to_last_text);
+    for (std::size_t i = 0; i < left_out; ++i) {
+      const FieldCount width = count_fields(lines_.line(), choice.separator);
+      const bool fits = width.fits(choice.fields) || choice.fields.fits(width);
+      selection_.leaves_out(BadInput(at_line(lines_.name(), lines_.number()) + ": found " +
+                                     (fits ? in_quotes(lines_.line()) + ", expected the header or numbers"
+                                           : found_columns(width.all, lines_.line()) + ", expected " +
+                                                 std::to_string(choice.fields.all) + " as in the lines after it")));
+      comment_.clear();
+      next();
+    }
+    lines_.set_layout('\0', 0);
+    choice.first_fits = true;
+    return choice;
+  }
+
+  static bool has_text_only(std::string_view line, char separator) {
+    bool any_text = false;
+    for (Fields fields(line, separator); !fields.at_end();) {
+      const std::string_view field = without_quotes(fields.take());
+      if (is_number(field)) return false;
+      any_text = any_text || !is_missing(field);
+    }
+    return any_text;
+  }
+
+  /// Returns how likely the current line of `lines` is the header of the table that `choice` describes; 0: it is none.
+  /// Only known names make a line of numbers a header, and one with another separator.
+  int header_rank(const TableLines& lines, const SeparatorChoice& choice, bool is_data) const {
+    if (lines.is_open()) return 0;
+    char separator = choice.separator;
+    const bool differs = choice.fields.all > 1 && count_fields(lines.line(), separator).all == 1;
+    if (differs) separator = separator_of(lines.line());
+    const FieldCount width = count_fields(lines.line(), separator);
+    if (!width.fits(choice.fields) && !choice.fields.fits(width)) return 0;
+    std::deque<std::string> room;
+    const std::vector<std::string_view> names = split(lines.line(), separator, room);
+    const HeaderKind kind = header_kind(names, request_);
+    if (kind == HeaderKind::none || (kind == HeaderKind::unknown_names && (differs || is_data))) return 0;
+    const int rank = kind == HeaderKind::known_names ? 2 : 1;
+    try {
+      LineSelection(request_.where, true).find_columns(names, lines.lines(), lines.name());
+      return rank + 2;
+    } catch (const BadInput&) {
+      return rank;
     }
   }
 
@@ -215,7 +290,7 @@ class Starter {
       lines_.set_layout(separator, choice.fields.to_last_text);
     }
     if (lines_.is_open()) refuse_open();
-    TableBeginning table{.lines = lines_, .comment = comment_, .choice = choice};
+    TableBeginning table{.lines = lines_, .comment = comment_, .choice = choice, .says_columns = says_columns_};
     table.fields = split(lines_.line(), separator, room);
     for (const std::string_view field : table.fields) table.width.add(field);
     if (selection_.skips() && choice.lines > 0 && !choice.first_fits)
@@ -267,7 +342,8 @@ class Starter {
   const CloudRequest& request_;
   LineSelection& selection_;
   std::vector<std::string>& warnings_;
-  std::string comment_ = {};  // the line before the first line of the table, or before the count
+  std::string comment_ = {};   // the line before the first line of the table, or before the count
+  bool says_columns_ = false;  // as in TableBeginning
   TableStart start_ = {};
 };
 

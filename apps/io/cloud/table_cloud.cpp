@@ -290,6 +290,10 @@ class TableCloud final : public Cloud {
     const std::string_view field = trimmed(without_quotes(fields.take()));
     if (separator_ != ',' && field.find(',') != std::string_view::npos) return read_decimal_comma(field);
     comma_.refuse_point(field, here());
+    if (separator_ == ',' && field.find(',') != std::string_view::npos && is_number(field))
+      bad_input(here(), in_quotes(field),
+                "a number with a decimal point (export the table with semicolons: between commas no decimal comma is "
+                "read)");
     const ParsedNumber whole = parse_written_number(field);
     if (whole.fault != NumberFault::none)
       bad_input(here(), in_quotes(field),

@@ -75,11 +75,13 @@ bool find_by_header(const FieldTexts& fields, const TableBeginning& table, Table
   }
   if (!found) {
     layout.wkt = geometries;
+    if (geometries && table.says_columns)
+      warnings.push_back("the geometries of column " + in_quotes(fields[*geometries]) + " are read");
     return layout.wkt.has_value();
   }
   layout.numbers = {found->x, found->y};
   layout.degrees = found->degrees;
-  if (found->x != 0 || found->y != 1)
+  if (found->x != 0 || found->y != 1 || table.says_columns)
     warnings.push_back("x is column " + std::to_string(found->x + 1) + ", " + in_quotes(fields[found->x]) +
                        ", and y is column " + std::to_string(found->y + 1) + ", " + in_quotes(fields[found->y]) +
                        ", as the header says (--columns chooses others)");
@@ -148,7 +150,8 @@ void refuse_atoms(const TableBeginning& table, const std::string& columns) {
 }
 
 /// Adds the warning that the header has no known names, so that the first `numbers` columns are taken.
-void warn_of_unknown_names(const FieldTexts& fields, std::size_t numbers, std::vector<std::string>& warnings) {
+void warn_of_unknown_names(const TableBeginning& table, std::size_t numbers, std::vector<std::string>& warnings) {
+  const FieldTexts& fields = table.fields;
   bool any_known = false;
   std::string columns;
   for (std::size_t k = 0; k < numbers; ++k) {
@@ -158,11 +161,16 @@ void warn_of_unknown_names(const FieldTexts& fields, std::size_t numbers, std::v
                                    : ", ") +
                std::string(1, "xyz"[k]) + " is column " + std::to_string(k + 1) + ", " + in_quotes(fields[k]);
   }
-  if (any_known && fields.size() == numbers) return;
+  if (any_known && fields.size() == numbers && !table.says_columns) return;
   const std::string way = fields.size() > numbers ? "--columns chooses others"
                           : numbers == 2          ? "--columns 2,1 exchanges them"
                                                   : "--columns chooses another order";
   warnings.push_back("no name of a column is that of a coordinate; " + columns + " (" + way + ")");
+}
+
+/// Warns that the columns are the first ones, if lines of text above them were no header.
+void warn_of_no_header(const TableBeginning& table, const std::string& columns, std::vector<std::string>& warnings) {
+  if (table.says_columns) warnings.push_back("no header was found; " + columns + " (--columns chooses others)");
 }
 
 /// Returns whether column 1 of a table without a header numbers its lines: its first lines, three or more, have
@@ -224,7 +232,10 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
                   : is_known ? is_header(fields, layout.numbers)
                              : is_unknown_header(fields, layout.numbers);
   if (!layout.header) {
-    if (!request.columns) refuse_atoms(table, "2,3");
+    if (!request.columns) {
+      refuse_atoms(table, "2,3");
+      warn_of_no_header(table, "x is column 1, and y is column 2", warnings);
+    }
     // Take a third number as height in .xyz, or if heights are requested; otherwise it may be anything.
     const bool has_number = is_number(fields[x]) || is_number(fields[y]);
     const bool is_xyz = input_ending(table.lines.name()) == "xyz",
@@ -239,7 +250,7 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
   if (is_latitude(fields[x]) && is_longitude(fields[y]))
     warnings.push_back("x is the latitude " + in_quotes(fields[x]) + " and y the longitude " + in_quotes(fields[y]) +
                        ", as --columns requires");
-  if (!request.columns) warn_of_unknown_names(fields, 2, warnings);
+  if (!request.columns) warn_of_unknown_names(table, 2, warnings);
   find_height_column(fields, layout);
   return layout;
 }
@@ -262,7 +273,7 @@ void find_by_space_header(const TableBeginning& table, TableLayout& layout, std:
   layout.numbers = find_space_columns(fields);
   if (layout.numbers.empty() && fields.size() == 3) {
     layout.numbers = {0, 1, 2};
-    warn_of_unknown_names(fields, 3, warnings);
+    warn_of_unknown_names(table, 3, warnings);
   }
   if (layout.numbers.empty())
     bad_input(here(table), in_quotes(table.lines.line()),
@@ -273,7 +284,7 @@ void find_by_space_header(const TableBeginning& table, TableLayout& layout, std:
     in_order = in_order && layout.numbers[i] == i;
     names += (names.empty() ? "" : ", ") + in_quotes(fields[layout.numbers[i]]);
   }
-  if (!in_order)
+  if (!in_order || table.says_columns)
     warnings.push_back("the columns " + names + " are read, as the header says (--columns chooses others)");
 }
 
@@ -301,6 +312,7 @@ TableLayout lay_out_space(const TableBeginning& table, TableKind kind, const Clo
     if (fields.size() != 3 && fields.size() != 6) refuse_width(table);
     for (std::size_t i = 0; i < fields.size(); ++i) layout.numbers.push_back(i);
     layout.unnamed = fields.size() == 6;
+    warn_of_no_header(table, "x, y and z are columns 1 to 3", warnings);
   }
   layout.header = by_name    ? !has_comment
                   : is_known ? is_header(fields, layout.numbers)
@@ -331,6 +343,19 @@ std::string found_columns(std::size_t count, std::string_view line) {
 
 bool is_by_name(const std::optional<std::vector<Column>>& columns) {
   return columns && std::any_of(columns->begin(), columns->end(), [](const Column& c) { return c.number == 0; });
+}
+
+HeaderKind header_kind(const FieldTexts& fields, const CloudRequest& request) {
+  const auto is_there = [&](const Column& column) { return column.number > 0 || has_column(fields, column.name); };
+  const bool is_known = is_by_name(request.columns)
+                            ? std::all_of(request.columns->begin(), request.columns->end(), is_there)
+                        : request.in_space ? !find_space_columns(fields).empty()
+                                           : find_coordinates(fields) || find_wkt(fields);
+  if (is_known && may_be_known_header(fields)) return HeaderKind::known_names;
+  const auto names = std::count_if(fields.begin(), fields.end(), [](std::string_view f) { return !is_missing(f); });
+  const std::size_t least = std::min<std::size_t>(fields.size(), request.in_space ? 3 : 2);
+  const bool is_unknown = static_cast<std::size_t>(names) >= least && is_unknown_header(fields, {0});
+  return is_unknown ? HeaderKind::unknown_names : HeaderKind::none;
 }
 
 TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const CloudRequest& request,

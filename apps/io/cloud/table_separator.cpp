@@ -54,8 +54,8 @@ struct Group {
 };
 
 /// Returns the group of lines of data with as many fields as the first line if that is not data and there is such a
-/// group; else the largest group.
-Group largest_group(std::string_view text, char separator, const std::string& name) {
+/// group; else the largest group. `by_most`: as for choose_separator().
+Group largest_group(std::string_view text, char separator, bool by_most, const std::string& name) {
   constexpr std::size_t most_lines = 64;
   TableLines lines(Content(text, name));
   lines.set_layout(separator, std::numeric_limits<std::size_t>::max());
@@ -65,7 +65,7 @@ Group largest_group(std::string_view text, char separator, const std::string& na
     const Split line(lines.line(), separator);
     if (!first) {
       first = line;
-      if (!line.is_data() && line.fields.all == 1)
+      if (!by_most && !line.is_data() && line.fields.all == 1)
         first->fields = count_fields(lines.line(), separator_of(lines.line()));
     }
     if (!line.is_data()) continue;
@@ -95,17 +95,18 @@ SeparatorChoice choose_separator(std::string_view text, std::optional<char> said
   if (text.size() > separator_sample)
     if (const std::size_t end = text.rfind('\n', separator_sample); end != std::string_view::npos)
       text = text.substr(0, end + 1);
-  if (said) return largest_group(text, *said, name).choice;
+  if (said) return largest_group(text, *said, by_most, name).choice;
   const bool tabs = same_letters(input_ending(name), "tsv");
   const auto rank = [&](const Group& group) {
     const SeparatorChoice& choice = group.choice;
+    const bool is_decimal = group.any_decimal && group.all_decimal;
     return std::tuple(!by_most && choice.first_fits && choice.lines > 0,
-                      tabs && choice.separator == '\t' && choice.lines > 0, choice.lines, choice.first_fits,
-                      group.any_decimal && group.all_decimal);
+                      tabs && choice.separator == '\t' && choice.lines > 0, choice.lines, by_most && is_decimal,
+                      choice.first_fits, is_decimal);
   };
   std::optional<Group> best;
   for (const char separator : {',', ';', '\t', blanks}) {
-    const Group group = largest_group(text, separator, name);
+    const Group group = largest_group(text, separator, by_most, name);
     if (!best || rank(group) > rank(*best)) best = group;
   }
   if (best->choice.lines == 0) {
@@ -113,6 +114,11 @@ SeparatorChoice choose_separator(std::string_view text, std::optional<char> said
     if (lines.next()) best->choice.separator = separator_of(lines.line());
   }
   return best->choice;
+}
+
+std::optional<FieldCount> fields_of_data(std::string_view line, char separator) {
+  const Split split(line, separator);
+  return split.is_data() ? std::optional(split.fields) : std::nullopt;
 }
 
 }  // namespace rbpa::app

@@ -26,9 +26,13 @@ struct SeparatorChoice {
 constexpr std::size_t separator_sample = std::size_t{1} << 16U;
 
 /// Returns the separator of the table that begins with `text`, of which only the first separator_sample bytes count.
-/// `said` is the separator of "sep=". With `by_most` the first line may be no line of the table. `name` is that of the
+/// `said` is the separator of "sep=". With `by_most` the first line may be no line of the
+/// table, and lines of data alone choose. `name` is that of the
 /// file: its ending may be .tsv.
 SeparatorChoice choose_separator(std::string_view text, std::optional<char> said, bool by_most,
                                  const std::string& name);
+
+/// Returns the number of fields of `line` if it is data, with two numbers or a geometry.
+std::optional<FieldCount> fields_of_data(std::string_view line, char separator);
 
 }  // namespace rbpa::app
