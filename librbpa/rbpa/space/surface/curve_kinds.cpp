@@ -82,7 +82,8 @@ std::vector<CurveKind> curve_kinds(std::span<const Point3> points, const Surface
     meshops::require(!curve.edges.empty(), "curve_kinds: a curve has no edge, expected holes()");
     for (const RimEdge& edge : curve.edges)
       meshops::require(
-          edge.from < points.size() && edge.to < points.size() && edge.triangle < components.number.size(),
+          edge.from < points.size() && edge.to < points.size() && edge.triangle < components.number.size() &&
+              components.number[edge.triangle] < components.all.size(),
           "curve_kinds: an edge of a curve has a point or a triangle that does not exist, expected points, components "
           "and curves of one surface");
   }
@@ -96,7 +97,7 @@ std::vector<CurveKind> curve_kinds(std::span<const Point3> points, const Surface
   std::vector<CurveKind> kinds(curves.size(), CurveKind::island);
   for (std::size_t first = 0, last = 0; first < order.size(); first = last) {
     const std::uint32_t number = component_of(order[first]);
-    const SurfaceComponent& component = components.all.at(number);
+    const SurfaceComponent& component = components.all[number];
     std::vector<const Hole*> around;
     for (; last < order.size() && component_of(order[last]) == number; ++last) around.push_back(&curves[order[last]]);
     if (is_island[number]) continue;
