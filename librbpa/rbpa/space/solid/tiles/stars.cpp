@@ -29,6 +29,7 @@ class StarSearch : public StarFinder, private ApexSearch {
     found.is_within.clear();
     found.shared.clear();
     found.shared_is_within.clear();
+    found.exact = 0;
     const Leaf& of = leaves_[leaf];
     if (!tile_.gather(leaves_, leaf)) {
       for (Place i = of.first; i < of.end; ++i) found.unsettled.push_back(i);
