@@ -135,7 +135,7 @@ TEST_CASE("curves of another surface are refused") {
   std::vector<Hole> curves = rbpa::holes(sheet.points, sheet.normals, 0.15, surface);
   CHECK_THROWS_AS(rbpa::curve_kinds({}, components, curves), meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::curve_kinds(sheet.points, {}, curves), meshops::ContractViolation);
-  CHECK_THROWS_AS(rbpa::curve_kinds(sheet.points, {.number = components.number}, curves), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::curve_kinds(sheet.points, {{}, components.number}, curves), meshops::ContractViolation);
   curves.emplace_back();
   CHECK_THROWS_AS(rbpa::curve_kinds(sheet.points, components, curves), meshops::ContractViolation);
 }
