@@ -37,8 +37,8 @@ class Boundary {
     }
   }
 
-  /// Returns the rings. Each walk is around one piece of the inside; if it returns to a place, the part in between is a
-  /// ring of its own.
+  /// Returns the rings. Each walk leads around one piece of the inside; where a walk returns to a place, the part since
+  /// the first visit is a ring of its own.
   std::vector<Ring> rings() {
     Corners next(edges_.size());
     for (auto& [corner, ends] : at_) pair(corner, ends, next);
@@ -58,7 +58,7 @@ class Boundary {
   struct DirectedEdge {
     std::uint32_t from, to;
   };
-  /// An edge at a corner, given by its other end.
+  /// An edge at a corner: the corner at its other end, its number, and whether it leaves the corner.
   struct End {
     std::uint32_t other, edge;
     bool leaves;
@@ -110,7 +110,7 @@ class Boundary {
   std::vector<Ring> rings_ = {};
 };
 
-/// The rings around the part left of the line.
+/// A builder of the rings around the part left of the line.
 class LeftRings {
  public:
   /// Takes the points of PolygonCut. Point `first_crossing` + i is the crossing of an edge whose end right of the line
@@ -122,7 +122,8 @@ class LeftRings {
   /// Messages call the line x = `line`.
   std::vector<Ring> find(const std::vector<Corners>& rings, double line) {
     for (const Corners& ring : rings) take(ring);
-    // Along the line from below, a part on its left begins at the end of a chain and ends where the next chain begins.
+    // Upward along the line, each stretch inside the polygon begins at the last end of a chain and ends at the first of
+    // another.
     std::sort(ends_.begin(), ends_.end(), [this](const End& a, const End& b) { return is_below(a, b); });
     Corners next(chains_.size());
     for (std::size_t i = 0; i < ends_.size(); i += 2) {

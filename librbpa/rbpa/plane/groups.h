@@ -89,13 +89,13 @@ struct GroupProblem {
   friend bool operator==(const GroupProblem&, const GroupProblem&) = default;
 };
 
-/// The solid alpha complexes of groups. Entry g of a vector is that of group g, unless stated otherwise.
+/// The solid alpha complexes of groups. Entry g of a vector belongs to group g, unless stated otherwise.
 struct GroupShapes {
   /// The given or chosen radius of each group. NaN if a point is not finite, if the group's own radius is not above 0,
   /// or if the rule finds no radius.
   std::vector<double> alphas;
-  /// The polygons of all groups, one group after another, each sorted as by outline_polygons(); input indices. Those of
-  /// group g are numbers polygon_begin[g] to polygon_begin[g + 1] − 1.
+  /// The polygons of all groups, one group after another, each sorted as by outline_polygons(); input indices. Group g
+  /// has the polygons polygon_begin[g] to polygon_begin[g + 1] − 1.
   std::vector<Polygon> polygons;
   std::vector<std::uint64_t> polygon_begin = {0};
   std::vector<PolygonTotals> totals;

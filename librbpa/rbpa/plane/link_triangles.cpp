@@ -9,7 +9,7 @@
 namespace rbpa {
 namespace {
 
-/// A side of a triangle, seen from the end with the lower index, the point.
+/// A side of a triangle, listed at its end with the lower index, which is called the point.
 struct SideAt {
   std::uint32_t other;  // the other end
   bool comes;           // whether it runs to the point

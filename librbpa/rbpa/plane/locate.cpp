@@ -84,7 +84,7 @@ std::array<double, 3> shares(const std::array<Point, 3>& corners, const Point& q
   Areas area = is_of_any_size ? areas_of_any_size(seen) : areas([&](std::size_t i, std::size_t j) {
     return seen.at[i].x * seen.at[j].y - seen.at[i].y * seen.at[j].x;
   });
-  // If a triangle is thin compared with its length, rounded differences lose its area.
+  // If a triangle is thin compared with its length, rounding of differences may hide the area.
   if (!is_of_any_size && sum(area) < 0x1p-20 * seen.largest() * seen.largest())
     area = areas([&](std::size_t i, std::size_t j) {
       const auto x = [&](std::size_t k) { return DoubleDouble::difference(corners[k].x, query.x); };
@@ -173,7 +173,8 @@ class Locator::Impl {
   }
 
  private:
-  /// Returns 1 if the query is inside of the side across from corner k, 0 if it is on its line, −1 if outside.
+  /// Returns the side of the line across from corner k of triangle t on which the query lies: 1 inner, 0 on the line,
+  /// −1 outer.
   int side(std::uint32_t t, std::size_t k, const Point& query) const {
     const auto& corners = of_.triangles[t];
     return Predicates<long double>::orientation(points_[corners[(k + 1) % 3]], points_[corners[(k + 2) % 3]], query);

@@ -47,10 +47,10 @@ class Order {
 /// A collector of the rings of each component.
 class RingsByComponent {
  public:
-  /// Prepares for components with names below `names`.
+  /// Prepares for curves on points below `points`, of components whose names are below `names`.
   RingsByComponent(std::size_t points, std::size_t names) : splitter_(points), number_(names, 0) {}
 
-  /// Adds a boundary curve with the complex on its left.
+  /// Adds a boundary curve of the component `component`, with the complex on the left.
   void add(std::span<const std::uint32_t> curve, std::uint32_t component) {
     std::uint32_t& number = number_[component];
     if (number == 0) {

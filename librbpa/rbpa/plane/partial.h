@@ -115,8 +115,8 @@ RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoi
 
 /// Merges two sets of regions into one.
 /// Throws: InvalidInput when alphas differ, when a part of the plane is in both arguments, or when the arguments
-///         contradict each other about a common triangle, because a halo was not complete or points differed. After an
-///         exception neither argument may be used.
+///         contradict each other about a common triangle or boundary edge, because a halo was not complete or points
+///         differed. After an exception neither argument may be used.
 /// Cost:   n log n in the rims; an amortized constant for polygons.
 RBPA_API Partial merge(Partial&& a, Partial&& b);
 

@@ -71,7 +71,7 @@ void add_counts(Writer& writer, const PartialCounts& counts) {
     writer.add(count);
 }
 
-/// Returns pointers to the items, in order.
+/// Returns pointers to the items, sorted by `less`.
 template <typename Item, typename Less>
 std::vector<const Item*> in_order(const std::vector<Item>& items, Less less) {
   std::vector<const Item*> order;

@@ -12,7 +12,7 @@
 
 namespace rbpa {
 
-/// Returns the bytes of `partial`.
+/// Returns `partial` as bytes.
 /// Cost: linear, and that of a sort of the polygons.
 RBPA_API std::vector<std::uint8_t> to_bytes(const Partial& partial);
 

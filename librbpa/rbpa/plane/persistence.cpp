@@ -25,7 +25,7 @@ std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtrat
   require_same(filtration, delaunay.triangulation(), "persistence");
   Steps pulse(go_on);
   FilteredCells cells = filtered_cells(delaunay, distinct_points(delaunay), filtration, kind, pulse);
-  // The order of equal alphas only affects pairs of no length.
+  // The order of edges with equal alphas affects only pairs with birth = death, which are left out.
   std::sort(cells.edges.begin(), cells.edges.end(), [&](const FilteredCells::Edge& a, const FilteredCells::Edge& b) {
     pulse();
     return a.alpha < b.alpha;

@@ -30,7 +30,7 @@ double reach_of(std::span<const Point> points) {
   return static_cast<double>(std::sqrt(width * width + height * height) / 2);
 }
 
-/// Returns the plateau of a range.
+/// Returns the plateau of a range of steps whose ratio is `ratio`.
 Plateau plateau_of(const StepRange& range, const Filtration& filtration, const std::vector<ShapeState>& curve,
                    double ratio) {
   const std::vector<FiltrationStep>& steps = filtration.steps;

@@ -55,7 +55,7 @@ inline constexpr double plateau_settles = 2;
 /// unless there is no other. The change at alpha is the product P · H · ⁸√E of
 ///   P  Σ nᵢ², the greatest so far: the probability, up to a factor, that two points are in one part;
 ///   H  the product over all steps so far of the factor ≥ 1 by which 1 − hole_share rises or falls;
-///   E  the area of complex and holes; because of the eighth root, E may grow within a plateau by a factor of up to 2.1.
+///   E  the area of complex and holes; because of the eighth root, E may grow in a plateau by a factor of up to 2.1.
 /// Requires: `filtration` is filtration(delaunay).
 /// Throws:   ContractViolation when the filtration is visibly that of another triangulation; Cancelled.
 RBPA_API std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtration, const GoOn& go_on = {});

@@ -32,7 +32,7 @@ std::optional<double> first_enough(const TriangleArrays& delaunay, std::size_t p
   const std::vector<std::uint32_t> faces = ascending(radii, step);
   const OwnedTriangles triangles = in_order(delaunay, faces);
   SolidParts solid(triangles, points);
-  // This number of triangles, joined by edges, has at most two vertices more.
+  // n triangles that are joined by edges have at most n + 2 vertices.
   PartSizes sizes(static_cast<std::uint32_t>(faces.size()) + 2);
   for (std::size_t i = 0; i < faces.size(); ++i) {
     step();

@@ -87,7 +87,8 @@ void Unfilled::bound(Side beyond, Site from, Site to) {
     link(beyond, none);
 }
 
-/// Inserts a new site into the triangle around it, or, if it is on a side, into both triangles.
+/// Inserts `site`, which forms an empty triangle with `edge`, into the triangle around the site, or into both triangles
+/// at the side on which the site lies.
 void Unfilled::split(const FrontEdge& edge, Site site) {
   const std::optional<Side> around = this->around(edge, places_[site], unlimited);
   meshops::require(around.has_value(), "fill: a new point lies in no empty triangle");
@@ -118,7 +119,8 @@ void Unfilled::split(const FrontEdge& edge, Site site) {
   }
 }
 
-/// Gathers the triangles that the triangle of a side and an apex crosses, and its rims on the left and on the right.
+/// Gathers in crossed_ the triangles that the triangle of `side` and `apex` crosses, and in left_ and right_ the rims
+/// of that triangle's cavity.
 void Unfilled::cross(Side side, Site apex) {
   const Site a = from(side), b = to(side);
   crossed_.clear();
@@ -174,7 +176,8 @@ void Unfilled::close(Site from, const Rim& to, Side inner, bool is_right) {
   waiting_.erase(other);
 }
 
-/// Flips until no apex lies in the circle beyond. Each flip lowers the surface of the points lifted to the paraboloid.
+/// Flips queued sides until no apex lies in the circle of the triangle across its side. Each flip lowers the surface of
+/// the points lifted to the paraboloid.
 void Unfilled::flip_all() {
   while (!queue_.empty()) {
     const Side side = queue_.back();
@@ -220,7 +223,7 @@ void Unfilled::empty(const std::array<Site, 3>& corners, const std::array<bool, 
   for (Side i = 0; i < 3; ++i) queue_.push_back(t + i);
   for (Side i = 0; i < 3; ++i) {
     if (is_front[i] || is_front[(i + 2) % 3]) continue;
-    // If another corner was removed before, this one is across from a side of a new triangle.
+    // If another corner was removed before, corner i is across from a side of a triangle that replaced it.
     const auto at = std::find_if(queue_.begin(), queue_.end(), [&](Side side) { return corner_[side] == corners[i]; });
     if (is_inner(*at)) take_out(*at);
   }

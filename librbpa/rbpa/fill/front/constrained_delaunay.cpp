@@ -223,7 +223,8 @@ class Constrained {
     rim.resize(kept);
   }
 
-  /// Flips edges of the new triangles until none has the apex beyond in the circle of its triangle.
+  /// Flips edges of the new triangles, except edges of rings, until no apex beyond an edge is in the circle of the
+  /// triangle before it.
   void flip_all() {
     for (const std::uint32_t t : slots_)
       for (std::uint32_t k = 0; k < 3; ++k) queue_.push_back({t, k});

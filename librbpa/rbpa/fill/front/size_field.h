@@ -24,7 +24,7 @@ class SizeField {
   double grade() const { return grade_; }
 
  private:
-  /// A range of sources, in a tree whose node k has the children 2 k + 1 and 2 k + 2.
+  /// The box and the least size of a range of sources, in a tree whose node k has the children 2 k + 1 and 2 k + 2.
   struct Node {
     double left, right, bottom, top;
     double least;

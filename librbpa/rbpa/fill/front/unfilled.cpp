@@ -66,12 +66,12 @@ void Unfilled::look_from(const FrontEdge& edge, std::size_t most) const {
   most_ = most;
   of_look_ = 0;
   seen_ = {apex};
-  // Through either of these two sides the apex is one bound of the view. The end of the edge in place of the other
-  // bound means none, as nothing lies right of the edge.
+  // The apex is one bound of the view through either of these two sides. An end of the edge stands for no other bound,
+  // as nothing lies right of the edge.
   closed_ = {{after(first), apex, edge.from}, {before(first), edge.to, apex}};
 }
 
-/// Searches through every side that is seen from the whole edge, within the box.
+/// Looks through every gate that meets the box, and keeps the other gates for the next call.
 std::span<const Unfilled::Site> Unfilled::free_sites(const Box& box) const {
   const auto [a, b] = eye_;
   const Point at_a = places_[a], at_b = places_[b];

@@ -63,7 +63,8 @@ class RingSweep {
 
   std::uint32_t point_at(const RingsMeet::Side& v) const { return rings_[v.ring].points[v.edge]; }
 
-  /// Finds places that occur twice in one ring, or as two points. Points that several rings share are kept.
+  /// Returns whether a place occurs twice in one ring, or as two points, and reports the first such place. Until then,
+  /// lists in shared_ the points that several rings share.
   bool find_repeated() {
     std::vector<RingsMeet::Side> vertices;
     for (const Edge& edge : edges_) vertices.push_back(edge.side);
@@ -177,7 +178,7 @@ class RingSweep {
       if (remove(*end)) return;
   }
 
-  /// Returns the vertex at an end.
+  /// Returns the vertex at the lower or higher end of an edge.
   RingsMeet::Side low_end(const Edge& edge) const { return end_of(edge, !edge.runs_up); }
   RingsMeet::Side high_end(const Edge& edge) const { return end_of(edge, edge.runs_up); }
   RingsMeet::Side end_of(const Edge& edge, bool last) const {
@@ -199,7 +200,7 @@ class RingSweep {
     return between && test(*below, **above);
   }
 
-  /// Nests a ring at its first point, at which two of its edges begin.
+  /// Computes the position of a ring at its lexicographically least point, where `lower` is the lower of its two edges.
   void nest(std::size_t ring, const Edge* lower) {
     const auto place = place_[number(lower)];
     nested_.place[ring].is_counter_clockwise = lower->runs_up;

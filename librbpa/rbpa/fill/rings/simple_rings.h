@@ -60,7 +60,7 @@ struct NestedRings {
 /// Throws:   Cancelled.
 NestedRings nest_rings(std::span<const Point> points, std::span<const Ring> rings, const GoOn& go_on = {});
 
-/// Checks the points of rings.
+/// Checks the points of each ring; name(r) is the name of ring r in messages.
 /// Throws: InvalidInput when a ring has fewer than three points, names one that does not exist or is not finite, or has
 ///         no area.
 void check_points(std::span<const Point> points, std::span<const Ring> rings, const RingName& name);

@@ -15,7 +15,7 @@ namespace {
 using Rational = boost::multiprecision::cpp_rational;
 using Wide = boost::multiprecision::cpp_bin_float_50;  // exponents to 2^31
 
-/// Returns (a − b) · 2^exponent; as a rational number exactly, and without the power.
+/// Returns (a − b) · 2^exponent in the precision of Number; for Rational, exactly a − b.
 template <typename Number>
 Number difference(double a, double b, int exponent);
 template <>

@@ -30,10 +30,10 @@ struct PointShare {
 
 class NaturalNeighbors {
  public:
-  /// Keeps the span and the arrays.
+  /// Keeps the spans; points, triangles and neighbors must outlive the object.
   NaturalNeighbors(std::span<const Point> points, const TriangleArrays& delaunay) : points_(points), of_(delaunay) {}
 
-  /// Returns the neighbors and their shares; valid until the next call.
+  /// Returns the natural neighbors of `query` and their shares; the span is valid until the next call.
   /// Requires: triangle t contains the query, which is not one of its corners and not on the convex hull.
   std::span<const PointShare> find(const Point& query, std::uint32_t t);
 
@@ -46,7 +46,7 @@ class NaturalNeighbors {
   };
   std::uint32_t begin(const Side& s) const { return of_.triangles[s.triangle][(s.across + 1) % 3]; }
   std::uint32_t end(const Side& s) const { return of_.triangles[s.triangle][(s.across + 2) % 3]; }
-  /// Returns the side that begins at the end of this one, in the same triangle.
+  /// Returns the side of the same triangle that begins where `s` ends.
   static Side next(const Side& s) { return {s.triangle, (s.across + 1) % 3}; }
   bool goes_on_beyond(const Side& s, const Point& query) const;
   Side beyond(const Side& s) const;

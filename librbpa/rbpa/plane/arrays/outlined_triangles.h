@@ -16,7 +16,7 @@
 
 namespace rbpa {
 
-/// A list of patches with its boundary. `List` is TriangleList, or another one with its interface.
+/// A list of the triangles of patches, and their boundary. `List` is TriangleList or has the same interface.
 template <typename List>
 class OutlinedTriangles {
  public:

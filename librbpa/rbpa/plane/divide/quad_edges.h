@@ -44,7 +44,7 @@ class QuadEdges {
   static Edge sym(Edge e) { return e ^ 1; }
   Corner org(Edge e) const { return edges_[e].org; }
   Corner dest(Edge e) const { return edges_[sym(e)].org; }
-  /// Returns the next edge that leaves the same point, counter-clockwise or clockwise.
+  /// Returns the next edge with the same origin: onext() counter-clockwise, oprev() clockwise.
   Edge onext(Edge e) const { return edges_[e].onext; }
   Edge oprev(Edge e) const { return edges_[e].oprev; }
   /// Returns the next edge along the left face, or the edge before along the right face; both leave the point dest(e).

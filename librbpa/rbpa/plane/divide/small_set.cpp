@@ -41,7 +41,7 @@ class DistinctPoints {
   static_assert(small_set_limit < empty);
 
   std::size_t hash(const Point& p) const {
-    // Adding zero makes both zeros one.
+    // Adding 0 turns −0 into 0: equal points have equal hashes.
     const auto x = std::bit_cast<std::uint64_t>(p.x + 0.0), y = std::bit_cast<std::uint64_t>(p.y + 0.0);
     const std::uint64_t mixed = (x * 0x9e3779b97f4a7c15u) ^ std::rotl(y * 0xc2b2ae3d27d4eb4fu, 29);
     return (mixed * 0xff51afd7ed558ccdu) >> shift_;

@@ -342,8 +342,8 @@ class Enumeration {
 
   static Bits lowest(std::size_t count) { return (Bits{1} << count) - 1; }
 
-  // A pair or a triple in one number: the number of the listed point, and the positions of the others among those near
-  // it.
+  // A pair or a triple in one number: the number of the listed point, and the positions of the other corners among the
+  // points near that point.
   //   triple:  31 … 16  number of the listed point
   //            15 … 10  second corner    9 … 4  third corner    0  they are to be exchanged
   static constexpr int of_point = 16, of_second = 10, of_third = 4;
@@ -382,7 +382,7 @@ HWY_EXPORT(enumerate_on);
 bool find_by_enumeration(const Tile& tile, const Radius& alpha, TileWorkspace& workspace, EnumerationWorkspace& own,
                          TilePatch& found) {
   if (alpha.is_infinite() || !HWY_DYNAMIC_DISPATCH(enumerate_on)(tile, alpha.value(), workspace, own)) return false;
-  // Everything found is within alpha.
+  // All triangles found are within alpha: an infinite radius filters nothing.
   extract_patch(tile, workspace.coordinates, workspace.front, Radius(), workspace.extraction, found);
   found.unsettled_neighbors.insert(found.unsettled_neighbors.end(), own.near_rim.begin(), own.near_rim.end());
   return true;

@@ -58,7 +58,8 @@ class GroupsDone {
   std::size_t done_ = 0;
 };
 
-/// Number of points in a group from which its computation may use several threads, and checks for cancellation.
+/// The least number of points of a group for which the computation of the group may use several threads, and calls
+/// go_on().
 constexpr std::size_t long_enough = 16384;
 
 class GroupShaper {
@@ -186,8 +187,8 @@ GroupShapes shapes_of_groups(std::span<const Point> points, const Groups& groups
   GroupShaper shaper(alpha, options);
   const std::vector<Chunk> chunks = chunks_of(groups);
   Threads threads = threads_for(groups.members.size(), options.threads);
-  // All threads work together on a group with more points than one thread's share of all: one thread alone would keep
-  // the others waiting.
+  // All threads work together on a group with more than an equal share of all points: one thread alone would keep the
+  // other threads waiting.
   const auto is_for_all = [&](const Chunk& chunk) {
     const std::size_t size = groups[chunk.first].size();
     return size >= long_enough && size > groups.members.size() / threads.count();

@@ -25,7 +25,8 @@ class LevelRecord {
     // The last level has the user's alpha: a radius beyond all circumradii is infinite to the run.
     level.alpha = is_last ? alpha_ : radius.value();
     level.triangles = front.faces();
-    // Sites may have been visited in vain; which ones depends on the order of the input.
+    // A level without a triangle is left out, but its search may have visited sites, which depend on the order of the
+    // input.
     if (!result_.levels.empty() && level.triangles == result_.levels.back().triangles && !is_last) {
       result_.looked_in_vain += level.taking_part;
       return;

@@ -37,7 +37,7 @@ class LevelsAtOnce {
   std::vector<Level> levels(double alpha) const;
 
  private:
-  /// The additions of a level.
+  /// The numbers of items that a level adds.
   struct Growth {
     std::size_t triangles = 0, edges = 0;
     std::size_t sites = 0;   ///< sites with a triangle of the level

@@ -58,7 +58,7 @@ class Quadtree {
     if (checkpoint) checkpoint();
     if (points.size() <= capacity_) return square.side;
     square = around(points, square);
-    // Deep enough that evenly spaced points need no further cut, and that the counts stay in a cache.
+    // The depth is such that evenly spaced points need no further cut, and that the counts stay in a cache.
     int depth = 1;
     while (depth < 8 && (capacity_ << 2 * depth) < 16 * points.size()) ++depth;
     EqualSquares<Real> squares(square, depth);

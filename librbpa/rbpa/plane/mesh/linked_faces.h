@@ -7,7 +7,7 @@
 
 namespace rbpa {
 
-/// Returns the faces as triangles, in their order; corners are vertices.
+/// Returns the faces as triangles, in the order of their numbers; corners are numbers of vertices.
 OwnedTriangles linked_faces(const Mesh& mesh);
 
 }  // namespace rbpa

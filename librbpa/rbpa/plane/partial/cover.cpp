@@ -11,8 +11,8 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Weights at places of a vertical line, in a segment tree that has the least and the greatest of their partial sums
-/// from below. The partial sum at a place is the number of regions that cover it.
+/// Weights at places of a vertical line, in a segment tree that has the least and the greatest of the partial sums of
+/// the weights from below. The partial sum at a place is the number of regions that cover it.
 class Heights {
  public:
   explicit Heights(std::span<const Quadrant> quadrants) {
@@ -37,7 +37,7 @@ class Heights {
   int least() const { return nodes_[1].least; }
   int most() const { return nodes_[1].most; }
 
-  /// Returns the y of the lowest place for whose partial sum is_meant(sum) is true. Requires: there is one.
+  /// Returns the y of the lowest place for whose partial sum is_meant(sum) is true. Requires: there is such a place.
   template <typename IsMeant>
   double find(IsMeant is_meant) const {
     int sum = 0;

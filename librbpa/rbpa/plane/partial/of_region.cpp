@@ -25,13 +25,13 @@ void check_at(std::size_t step, const Checkpoint& checkpoint) {
   if (checkpoint && step % 65536 == 0) checkpoint();
 }
 
-/// The side of a triangle across from a corner, without a neighbor.
+/// A side without a neighbor, of triangle `triangle` across from its corner `across`.
 struct OpenSide {
   std::uint32_t triangle;
   std::uint32_t across;
 };
 
-/// Walks along the boundary sides of a region's triangles, as far as the region determines their continuation.
+/// A walk along the boundary sides of a region's triangles, as far as the region determines the next side.
 class RimWalk {
  public:
   explicit RimWalk(const RegionComplex& of) : of_(of), seen_(of.triangulation().triangles.size(), 0) {}
@@ -59,7 +59,8 @@ class RimWalk {
  private:
   std::uint32_t corner(std::uint32_t t, std::uint32_t k) const { return of_.triangulation().triangles[t][k % 3]; }
 
-  /// Returns the side that begins where this one ends, at the other end of the fan around that point.
+  /// Returns the boundary side that begins where `side` ends, at the other end of the fan of triangles around that
+  /// point.
   OpenSide side_after(const OpenSide& side) const {
     const std::uint32_t pivot = to(side);
     OpenSide at{side.triangle, (side.across + 1) % 3};
@@ -207,7 +208,7 @@ class Builder {
     counts.edges = pass_.twice_edges / 2;
   }
 
-  /// Adds a duplicate to the component of the point that it repeats, if there is one.
+  /// Adds a duplicate of point `of` to the component or the pinch of that point, if there is one.
   void add_duplicate(std::uint32_t of) {
     ++state_.counts.duplicates;
     if (const std::uint32_t t = pass_.triangle_at[of]; t != no_index) {

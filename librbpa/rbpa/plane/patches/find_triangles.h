@@ -9,7 +9,7 @@
 
 namespace rbpa {
 
-/// A sink of patches that fills a list. `List` is TriangleList, or another one with its interface.
+/// A sink of patches that fills a list. `List` is TriangleList or has the same interface.
 template <typename List>
 struct ListSink {
   using Share = typename List::Place;

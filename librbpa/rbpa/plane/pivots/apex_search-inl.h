@@ -250,7 +250,7 @@ class ApexSearch {
     Index point;
     float high;  // infinity without an apex
   };
-  /// The ends of loops are unpredictable; within them nothing branches.
+  /// Returns the apex of an edge among the points of `cells`. Only the ends of loops are unpredictable branches.
   HWY_NOINLINE Winner among(std::size_t edge, const Cells& cells) {
     const D d;
     constexpr std::size_t N = lanes;
@@ -287,7 +287,7 @@ class ApexSearch {
       candidates += static_cast<std::uint32_t>(std::popcount(can_win));
       last = can_win != 0 ? part_[j].first + static_cast<std::uint32_t>(std::countr_zero(can_win)) : last;
     }
-    // A circle full of points is left to the remainder.
+    // A circle with very many points on it is left to the remainder.
     if (candidates == 0 || candidates > max_candidates) return {none, high};
     if (candidates == 1) return {static_cast<Index>(last), high};
     work_ += work_of_candidate * candidates;

@@ -23,8 +23,8 @@ struct EdgeBatch {
   /// The cells to search; their extent; and whether the tile has all points there, except in unknown cells.
   alignas(64) std::int32_t c0[size], c1[size], r0[size], r1[size], is_inside[size];
   alignas(64) float extent[size];
-  /// Whether these cells are at most three rows of at most sixteen points; the points of each row, and which are ends
-  /// of the edge.
+  /// Whether these cells are at most three rows of at most sixteen points; the first point and the number of points of
+  /// each row, and a bit for each point that is an end of the edge.
   alignas(64) std::int32_t fits[size];
   alignas(64) std::int32_t first[rows_at_once][size], count[rows_at_once][size], ends[rows_at_once][size];
 

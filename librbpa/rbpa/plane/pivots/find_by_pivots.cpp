@@ -33,7 +33,7 @@ class TileFront {
         circumradius_(own.circumradius),
         apexes_(tile, workspace.coordinates) {}
 
-  /// Runs the front. Returns false if it has given up.
+  /// Runs the front. Returns false if the front has given up.
   bool run() {
     front_.begin(tile_.points.size());
     if (const std::size_t triangles = 2 * tile_.points.size() + 2; circumradius_.size() < triangles) {
@@ -97,7 +97,7 @@ class TileFront {
     return Predicates<double>::compare_distances(tile_.points[v], tile_.points[p], tile_.points[q]) < 0;
   }
 
-  /// Queues a side. Only a side that ends at an owned point concerns the tile.
+  /// Queues a side if it is on the front and one of its ends is owned: other sides do not concern the tile.
   void activate(Index side, bool on_front) {
     queue_[queued_] = side;
     const auto owned = static_cast<unsigned>(tile_.owned[front_.from(side)] | tile_.owned[front_.to(side)]);
@@ -173,7 +173,8 @@ HWY_EXPORT(advance_on);
 bool is_along_curves(const Tile& tile) {
   constexpr double max_per_cell = 4;     // evenly scattered points have 2.3 per cell that is not empty
   constexpr double min_neighbors = 1.3;  // filled cells right or above: 1 along a curve, 1.7 if scattered
-  // occupancy seen by a point, as a multiple of the mean over cells; higher in clusters
+  // mean over points of the number of points in the same cell, divided by the mean over filled cells; higher in
+  // clusters
   constexpr double max_occupancy = 2.5;
   const auto columns = static_cast<std::size_t>(tile.columns), cells = tile.cells();
   std::uint64_t filled = 0, neighbors = 0, squares = 0;

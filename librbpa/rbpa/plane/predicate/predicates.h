@@ -66,7 +66,7 @@ class Predicates {
         const FixedVector &ab = fixed[0], &ap = fixed[1], &aq = fixed[2];
         return sign_of(Integer128{ap.dot(ap - ab)} * ab.cross(aq) - Integer128{aq.dot(aq - ab)} * ab.cross(ap));
       }
-      // Cocircular up to rounding. A few bits more nearly always decide.
+      // The points are cocircular up to rounding. A few bits more nearly always decide.
       if constexpr (has_extended) {
         const CircleTest<long double> finer(a, b, p, q);
         if (finer.is_sure()) return finer.sign();
@@ -87,7 +87,7 @@ class Predicates {
 
   /// Returns in_circle() as if no four points were on a circle: q cocircular with (a, b, p) is moved off the circle by
   /// the symbolic perturbation (docs/explanation/exact_decisions.md). Requires: (a, b, p) turns left and q is none of
-  /// them.
+  /// these three.
   static int in_perturbed_circle(const Point& a, const Point& b, const Point& p, const Point& q) {
     const int side = in_circle(a, b, p, q);
     return side != 0 ? side : perturbed_side(a, b, p, q);

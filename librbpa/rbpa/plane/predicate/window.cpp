@@ -8,7 +8,7 @@ namespace rbpa {
 namespace {
 
 constexpr int width = largest_in_double - least_in_double;
-// The exponents of doubles, from the last bit of the least to one above the first bit of the greatest.
+// The range of exponents of bits in doubles: of the least bit of all, and one above the greatest.
 constexpr int least_bit = -1074, end_bits = 1024;
 
 /// Returns the least exponent of the window that has the most points; `most` becomes their number, without points at

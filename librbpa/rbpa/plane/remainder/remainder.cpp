@@ -65,7 +65,7 @@ void Remainder::complete(Threads& threads, const Checkpoint& working, TilePatch&
     return std::binary_search(found.begin(), found.end(), corners) ? meshops::Patch::open : 0;
   };
   const auto divide = fits ? divide_and_conquer<double> : divide_and_conquer<long double>;
-  // If there is no radius and tiles found nothing, all are missing.
+  // If the radius is infinite and no tile found anything, all triangles are missing.
   const bool are_all_missing = radius.is_infinite() && found.empty() &&
                                std::none_of(missing_.begin(), missing_.end(), [](int n) { return n == 0; });
   rest.clear();

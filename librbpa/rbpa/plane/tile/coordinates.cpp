@@ -24,7 +24,7 @@ float lattice_extent(const Tile& tile, const Point& origin, double scale) {
   };
   for (const Point& p : tile.points)
     if (!take(p.x, origin.x) || !take(p.y, origin.y)) return 0;
-  // Differences of 11 digits have products of 22.
+  // Differences of 11 bits have products of 22 bits, whose sums a float holds exactly.
   return all == 0 ? 0 : static_cast<float>(std::ldexp(1.0, std::countr_zero(all) - digits + 11));
 }
 
