@@ -102,29 +102,51 @@ void read_facts(const Json& json, PointsFacts& facts) {
   facts.degrees = json.at("degrees");
 }
 
+/// Returns a path of the manifest as the user may write it: relative if it is in the current folder.
+std::string short_path(const Json& path) {
+  const std::string text = bytes_of_json_text(path.get<std::string>());
+  const std::string here = std::filesystem::current_path().string() + "/";
+  return printable(text.starts_with(here) ? text.substr(here.size()) : text);
+}
+
+/// Returns the options that set the value of a key of json_of(RunKey).
+std::string as_options(const std::string& key, const Json& value) {
+  std::string text;
+  if (key == "targets") {
+    for (const Json& path : value) text += (text.empty() ? "-o " : " -o ") + short_path(path);
+    return text.empty() ? "no -o" : shown(text);
+  }
+  if (key == "inputs") {
+    for (const Json& file : value) text += (text.empty() ? "" : " ") + short_path(file.at(0));
+    return counted(value.size(), "input") + " (" + shown(text) + ")";
+  }
+  if (key == "options") {
+    text = bytes_of_json_text(value.get<std::string>());
+    return text.empty() ? "no option that says how POINTS are read" : shown(text);
+  }
+  if (key == "tile_size") return value == 0 ? "no --tile-size" : "--tile-size " + value.dump();
+  if (key == "keep_tiles") return value == true ? "--keep-tiles" : "no --keep-tiles";
+  return "--" + key + " " + value.dump() + (key == "memory" ? " (bytes)" : "");
+}
+
 /// Throws WrongUsage that names a difference between the request and that of the run in the folder.
 void require_same(const Json& before, const RunKey& run_key, const std::string& folder) {
   const Json now = json_of(run_key);
   if (before == now) return;
-  const std::string run = " of the run in " + folder;
+  const auto refuse = [&](const std::string& found, const std::string& expected) {
+    throw WrongUsage("--resume: found " + found + ", expected " + expected + ", as the run in " + folder +
+                     " has (or remove " + folder + " to start again)");
+  };
   const Json &old_inputs = before.at("inputs"), &inputs = now.at("inputs");
   for (std::size_t i = 0; i < std::min(old_inputs.size(), inputs.size()); ++i) {
-    const std::string name = in_quotes(bytes_of_json_text(inputs[i].at(0).get<std::string>()));
     if (inputs[i].at(0) != old_inputs[i].at(0))
-      throw WrongUsage("--resume: found the input " + name + ", expected " +
-                       in_quotes(bytes_of_json_text(old_inputs[i].at(0).get<std::string>())) + run);
+      refuse("the input " + short_path(inputs[i].at(0)), short_path(old_inputs[i].at(0)));
     if (inputs[i] != old_inputs[i])
-      throw WrongUsage("--resume: found " + name + " changed since the run in " + folder + " began (remove " + folder +
-                       " and start again)");
+      throw WrongUsage("--resume: found " + short_path(inputs[i].at(0)) + " changed since the run in " + folder +
+                       " began, expected the same file (or remove " + folder + " to start again)");
   }
-  for (const auto& [key, value] : now.items()) {
-    if (before.at(key) == value) continue;
-    if (value.is_array())
-      throw WrongUsage("--resume: found other " + key + " (" + std::to_string(value.size()) + "), expected the " +
-                       std::to_string(before.at(key).size()) + run);
-    throw WrongUsage("--resume: found " + key + " " + shown(value.dump()) + ", expected " +
-                     shown(before.at(key).dump()) + run);
-  }
+  for (const auto& [key, value] : now.items())
+    if (before.at(key) != value) refuse(as_options(key, value), as_options(key, before.at(key)));
 }
 
 }  // namespace

@@ -193,9 +193,9 @@ class Starter {
     }
   }
 
-  /// Leaves out the lines above the header, or without a header those above the data. The header is the last line before
-  /// the data with names that the request requires, or else with known names, or else with names. Returns the separator
-  /// of the data, by which the current line fits; nothing if the first lines have no data or begin with them.
+  /// Leaves out the lines above the header, or without a header the lines above the data. The header is the last line
+  /// above the data with names that the request requires, or else with known names, or else with any names. Returns the
+  /// separator of the data; nothing if the first lines have no data or begin with data.
   std::optional<SeparatorChoice> pass_title(std::optional<char> said) {
     SeparatorChoice choice = choose_separator(lines_.ahead(separator_sample), said, true, lines_.name());
     if (choice.lines == 0) return std::nullopt;

@@ -55,8 +55,8 @@ struct TableBeginning {
 /// How sure it is that a line is a header.
 enum class HeaderKind { none, unknown_names, known_names };
 
-/// Returns known_names if `fields` may be a header with the columns that are requested by name, or else with known names
-/// of coordinates or geometries; unknown_names if they are texts, enough for the coordinates or for all fields.
+/// Returns known_names if `fields` may be a header with the columns that are requested by name, or else with known
+/// names of coordinates or geometries; unknown_names if all are texts, and enough of them are names of columns.
 HeaderKind header_kind(const std::vector<std::string_view>& fields, const CloudRequest& request);
 
 /// Returns the layout of a table, and adds warnings to `warnings`. Throws BadInput that names the line; WrongUsage if

@@ -26,9 +26,8 @@ struct SeparatorChoice {
 constexpr std::size_t separator_sample = std::size_t{1} << 16U;
 
 /// Returns the separator of the table that begins with `text`, of which only the first separator_sample bytes count.
-/// `said` is the separator of "sep=". With `by_most` the first line may be no line of the
-/// table, and lines of data alone choose. `name` is that of the
-/// file: its ending may be .tsv.
+/// `said` is the separator of "sep=". With `by_most` the first line may be no line of the table, and the lines of data
+/// alone decide. `name` is that of the file: its ending may be .tsv.
 SeparatorChoice choose_separator(std::string_view text, std::optional<char> said, bool by_most,
                                  const std::string& name);
 

@@ -54,19 +54,20 @@ std::vector<PointSource> parse_sources(const StreamArguments& arguments) {
 /// Returns the options about reading files as a text, to compare the options of two runs.
 std::string reading_options(const PointArguments& arguments) {
   std::string text;
-  const auto add = [&](const char* name, const std::optional<std::string>& value) {
-    if (value) text += std::string(name) + "=" + *value + " ";
+  const auto append = [&](const std::string& words) { text += (text.empty() ? "" : " ") + words; };
+  const auto add = [&](const std::string& name, const std::optional<std::string>& value) {
+    if (value) append(name + " " + *value);
   };
-  add("format", arguments.format);
-  add("columns", arguments.columns);
-  add("foreground", arguments.pixels.foreground);
-  add("threshold", arguments.pixels.threshold);
-  add("where", arguments.where);
-  add("crs", arguments.crs);
-  add("layer", arguments.layer);
-  if (arguments.skip_invalid) text += "skip-invalid ";
-  if (arguments.vertices) text += "vertices ";
-  if (arguments.shift_longitude) text += "shift-longitude ";
+  add("--format", arguments.format);
+  add("--columns", arguments.columns);
+  add("--foreground", arguments.pixels.foreground);
+  add("--threshold", arguments.pixels.threshold);
+  add("--where", arguments.where);
+  add("--crs", arguments.crs);
+  add("--layer", arguments.layer);
+  if (arguments.skip_invalid) append("--skip-invalid");
+  if (arguments.vertices) append("--vertices");
+  if (arguments.shift_longitude) append("--shift-longitude");
   return text;
 }
 

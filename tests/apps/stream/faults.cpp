@@ -212,16 +212,19 @@ TEST_CASE("a run with another request is not resumed") {
     CHECK(text.starts_with("rbpa: --resume: found "));
     CHECK(text.find(part) != std::string::npos);
   };
-  check("a.f64xy b.f64xy --alpha 4 -o t.npy", "alpha 4");
-  check("a.f64xy --alpha 3 -o t.npy", "other inputs (1)");
-  check("b.f64xy a.f64xy --alpha 3 -o t.npy", "b.f64xy");
-  check("a.f64xy b.f64xy --alpha 3 -o u.npy", "target");
-  check("a.f64xy b.f64xy --alpha 3 -o t.npy --memory 500M", "memory");
-  check("a.f64xy b.f64xy --alpha 3 -o t.npy --tile-size 77", "tile_size 77");
-  check("a.f64xy b.f64xy --alpha 3 -o t.npy --format f64xy", "options");
+  check("a.f64xy b.f64xy --alpha 4 -o t.npy",
+        "found --alpha 4.0, expected --alpha 3.0, as the run in s has (or remove s to start again)");
+  check("a.f64xy --alpha 3 -o t.npy", "found 1 input (a.f64xy), expected 2 inputs (a.f64xy b.f64xy), as");
+  check("b.f64xy a.f64xy --alpha 3 -o t.npy", "found the input b.f64xy, expected a.f64xy, as");
+  check("a.f64xy b.f64xy --alpha 3 -o u.npy",
+        "found -o u.npy, expected -o t.npy, as the run in s has (or remove s to start again)");
+  check("a.f64xy b.f64xy --alpha 3 -o t.npy --memory 500M", "found --memory 500000000 (bytes), expected --memory ");
+  check("a.f64xy b.f64xy --alpha 3 -o t.npy --tile-size 77", "found --tile-size 77, expected no --tile-size, as");
+  check("a.f64xy b.f64xy --alpha 3 -o t.npy --format f64xy",
+        "found --format f64xy, expected no option that says how POINTS are read, as");
   std::string content = folder.content("b.f64xy");
   folder.file("b.f64xy", content.substr(0, content.size() / 2));
-  check("a.f64xy b.f64xy --alpha 3 -o t.npy", "changed");
+  check("a.f64xy b.f64xy --alpha 3 -o t.npy", "found b.f64xy changed since the run in s began");
   folder.file("s/manifest.json", "{}");
   CHECK(refusal(folder, same + " --resume").find("s/manifest.json: found a file that was truncated or changed") !=
         std::string::npos);

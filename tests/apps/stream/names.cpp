@@ -60,7 +60,8 @@ TEST_CASE("inputs, targets and scratch may have names in Latin-1") {
   check("t" + e + ".npy", "p" + e + ".wkt");
   const Outcome other = folder.rbpa(run_key + "-o 'q" + e + ".npy' " + scratch + "--resume");
   CHECK(other.code == 2);
-  CHECK(other.err.find("--resume: found other targets (1)") != std::string::npos);
+  CHECK(other.err.find("--resume: found -o q\\xe9.npy, expected -o t\\xe9.npy -o p\\xe9.wkt, as the run in ") !=
+        std::string::npos);
   folder.file("q" + e + "%E9.xy", points());
   const Outcome name =
       folder.rbpa("stream 'q" + e + "%E9.xy' --alpha 90 --tile-size 60 -q " + targets + scratch + "--resume");
