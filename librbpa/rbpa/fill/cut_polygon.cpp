@@ -113,8 +113,8 @@ class Boundary {
 /// A builder of the rings around the part left of the line.
 class LeftRings {
  public:
-  /// Takes the points of PolygonCut. Point `first_crossing` + i is the crossing of an edge whose end right of the line
-  /// is right_end[i].
+  /// Takes the points of PolygonCut. Point `first_crossing` + i is on an edge whose end right of the line is
+  /// right_end[i].
   LeftRings(std::span<const Point> points, double x, std::uint32_t first_crossing, const Corners& right_end)
       : points_(points), x_(x), first_crossing_(first_crossing), right_end_(right_end), boundary_(points) {}
 
@@ -122,7 +122,7 @@ class LeftRings {
   /// Messages call the line x = `line`.
   std::vector<Ring> find(const std::vector<Corners>& rings, double line) {
     for (const Corners& ring : rings) take(ring);
-    // Upward along the line, each stretch inside the polygon begins at the last end of a chain and ends at the first of
+    // Upward along the line, each stretch in the polygon begins at the last end of a chain and ends at the first of
     // another.
     std::sort(ends_.begin(), ends_.end(), [this](const End& a, const End& b) { return is_below(a, b); });
     Corners next(chains_.size());

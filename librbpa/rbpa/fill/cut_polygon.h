@@ -1,8 +1,6 @@
-// What: cuts a polygon along a vertical line, such as the meridian at longitude 180, into the parts left and right of
-//       the line.
+// What: cuts a polygon along a vertical line, such as the meridian at longitude 180, into its parts on either side.
 // Law:  the parts on each side are valid polygons, whose points are points of the polygon or of the line. Their
-//       topology is decided exactly; a point at which an edge crosses the line is rounded, to the same number on both
-//       sides.
+//       topology is decided exactly; a crossing of an edge and the line is rounded, to the same number on both sides.
 // Cost: n log n in the vertices.
 #pragma once
 

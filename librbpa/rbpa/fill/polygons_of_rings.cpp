@@ -37,8 +37,7 @@ class ApartRings {
     return polygons;
   }
 
-  /// Returns the regions directly within holes as polygons: each hole becomes a shell, and the shells in it become
-  /// holes.
+  /// Returns the regions directly within holes as polygons: each hole becomes a shell, and shells in it become holes.
   std::vector<Polygon> holes() const { return regions(true); }
 
  private:

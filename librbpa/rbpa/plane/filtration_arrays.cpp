@@ -64,8 +64,7 @@ Numbers add_triangles(FiltrationArrays& arrays, const std::vector<Triangle>& tri
   return inverse(order);
 }
 
-/// Returns the cells, numbered as in the arrays, with the edges sorted by alpha and ends; the result depends on the
-/// points alone.
+/// Returns the cells, numbered as in the arrays, edges sorted by alpha and ends: a function of the points alone.
 FilteredCells renumbered(FilteredCells cells, const Numbers& vertices, const Numbers& faces, Steps& pulse) {
   FilteredCells result = cells;
   for (std::size_t v = 0; v < vertices.size(); ++v) result.vertices[vertices[v]] = cells.vertices[v];

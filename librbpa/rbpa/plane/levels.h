@@ -19,8 +19,7 @@ struct Level {
   double alpha = 0;  ///< the radius: 2^number α₀, or on the last level the alpha of the whole run
   int number = 0;    ///< exponent of the radius; levels without a triangle between the first and the last are left out
   std::size_t transferred = 0;  ///< number of points transferred from the level before: isolated or on the boundary
-  /// Number of points with a triangle of this level; in rbpa::paper, which examines all transferred points, equal to
-  /// `transferred`.
+  /// Number of points with a triangle of this level; in rbpa::paper, all transferred points.
   std::size_t taking_part = 0;
   std::size_t advancing = 0;  ///< number of halfedges on the front when the level began
   /// Number of triangles of the mesh when the level ended; the triangles of this level have the last numbers.

@@ -50,8 +50,7 @@ struct SeenFrom {
 
 using Areas = std::array<double, 3>;
 
-/// Returns for each corner the area across from the corner: cross(i, j) of the two other corners, or 0 if that is
-/// negative.
+/// Returns for each corner the area across from the corner: cross(i, j) of the two others, or 0 if that is negative.
 template <typename Cross>
 Areas areas(Cross cross) {
   return {std::max(0.0, cross(1, 2)), std::max(0.0, cross(2, 0)), std::max(0.0, cross(0, 1))};
@@ -173,8 +172,7 @@ class Locator::Impl {
   }
 
  private:
-  /// Returns the side of the line across from corner k of triangle t on which the query lies: 1 inner, 0 on the line,
-  /// −1 outer.
+  /// Returns 1 if the query is inside of the line across from corner k of triangle t, 0 if on the line, −1 if outside.
   int side(std::uint32_t t, std::size_t k, const Point& query) const {
     const auto& corners = of_.triangles[t];
     return Predicates<long double>::orientation(points_[corners[(k + 1) % 3]], points_[corners[(k + 2) % 3]], query);

@@ -18,8 +18,7 @@
 namespace rbpa {
 namespace {
 
-/// The lexicographic order of rings, and of polygons, by their first two points. An edge is on one ring, so no two are
-/// equal in this order.
+/// The lexicographic order of rings, and of polygons, by the first two points. An edge is on one ring: none are equal.
 class Order {
  public:
   explicit Order(std::span<const Point> points) : points_(points) {}

@@ -164,8 +164,7 @@ Unfilled::Side Unfilled::cut_ears(std::vector<Rim>& rim, bool is_right) {
 }
 
 /// Joins side `inner` of a new triangle to the side beyond the edge of the rim from `from` to `to`. If the triangle
-/// beyond was crossed as well, the rim passes the edge twice, in both directions, and both of the edge's triangles are
-/// new.
+/// beyond was crossed as well, the rim passes the edge in both directions, and both triangles at it are new.
 void Unfilled::close(Site from, const Rim& to, Side inner, bool is_right) {
   if (to.is_new || to.beyond == none || stamp_[to.beyond / 3] != looks_) return link(inner, to.beyond);
   const Site begin = is_right ? from : to.site, end = is_right ? to.site : from;

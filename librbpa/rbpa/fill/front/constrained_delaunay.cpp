@@ -223,8 +223,7 @@ class Constrained {
     rim.resize(kept);
   }
 
-  /// Flips edges of the new triangles, except edges of rings, until no apex beyond an edge is in the circle of the
-  /// triangle before it.
+  /// Flips edges of the new triangles, except ring edges, until no apex beyond is in the circle of the triangle before.
   void flip_all() {
     for (const std::uint32_t t : slots_)
       for (std::uint32_t k = 0; k < 3; ++k) queue_.push_back({t, k});
@@ -319,8 +318,7 @@ class Constrained {
     }
   }
 
-  /// Returns the triangles on the left of rings, and all triangles that can be reached from them without crossing a
-  /// ring.
+  /// Returns the triangles on the left of rings, and all that can be reached from these without crossing a ring.
   std::vector<Triangle> inside() {
     std::vector<bool> seen(corners_.size(), false);
     std::vector<std::uint32_t> found;

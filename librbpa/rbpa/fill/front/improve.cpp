@@ -41,8 +41,8 @@ class EdgeQueue {
   std::vector<meshops::Edge> edges_;
 };
 
-/// Returns whether the apex of one triangle of the edge is inside the circle of the other; both triangles then form a
-/// convex quadrilateral.
+/// Returns whether an apex of the edge is inside the circle of the other triangle; both then form a convex
+/// quadrilateral.
 bool is_illegal(const Mesh& mesh, meshops::Edge e) {
   if (mesh.is_boundary(e)) return false;
   const meshops::Halfedge h = mesh.halfedge_handle(e, 0), other = mesh.halfedge_handle(e, 1);

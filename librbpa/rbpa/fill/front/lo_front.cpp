@@ -95,8 +95,8 @@ std::optional<Site> LoFront::near_ideal(const Task& task, double reach) const {
   return nearest ? std::optional(nearest->second) : std::nullopt;
 }
 
-/// Returns the candidate that makes the best-shaped triangle; on a tie, the one with the least site number; nothing if
-/// there is no candidate.
+/// Returns the candidate that makes the best-shaped triangle, on a tie the least site number; nothing without
+/// candidates.
 std::optional<LoFront::Choice> LoFront::best_of(const Task& task) const {
   std::optional<Choice> best;
   for (const Site s : task.candidates) {

@@ -45,8 +45,7 @@ std::vector<double> cuts(const Point& a, const Point& b, const SizeField& field,
   return shares;
 }
 
-/// The edges of all rings, each once for both directions, with the points to be added on each from its lower end to its
-/// higher one.
+/// The edges of all rings, each once for both directions, with the points to be added on each from its lower end up.
 class CutEdges {
  public:
   CutEdges(const Outline& outline, const SizeField& field, Steps& step) {

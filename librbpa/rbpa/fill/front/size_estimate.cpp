@@ -61,8 +61,7 @@ struct Stretch {
   std::array<Stretch, 2> halves() const { return {Stretch{a, middle()}, Stretch{middle(), b}}; }
 };
 
-/// The integral over one part: an estimate `value`, a lower bound `least`, and `doubt`, how far an upper bound exceeds
-/// `least`.
+/// The integral over one part: an estimate `value`, a lower bound `least`, and an upper bound `least` + `doubt`.
 template <typename Part>
 struct Piece {
   Piece(const Part& of, std::size_t piece_of, const SizeField& field) : part(of), whole(piece_of) {

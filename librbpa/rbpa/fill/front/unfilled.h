@@ -82,8 +82,7 @@ class Unfilled {
   Site from(Side side) const { return corner_[after(side)]; }
   Site to(Side side) const { return corner_[before(side)]; }
 
-  /// A corner of the cavity that a filled triangle cuts, and the side beyond the edge of the rim that leads to the
-  /// corner.
+  /// A corner of the cavity that a filled triangle cuts, and the side beyond the rim's edge that leads to the corner.
   struct Rim {
     Site site;
     Side beyond;

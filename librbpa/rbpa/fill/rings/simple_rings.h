@@ -48,8 +48,7 @@ struct RingsMeet {
   Side first, second;
 };
 
-/// The result of nest_rings(): the position of each ring, or two edges that meet; `place` is unspecified if `meet` is
-/// set.
+/// The result of nest_rings(): the position of each ring; or two edges that meet, and then `place` is unspecified.
 struct NestedRings {
   std::vector<RingPlace> place = {};
   std::optional<RingsMeet> meet = std::nullopt;

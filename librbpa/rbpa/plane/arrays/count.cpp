@@ -90,8 +90,8 @@ class BoundarySides {
     bool goes_out;
   };
 
-  /// Links the sides at point `at`. The sides that leave `at` are numbered from `first` on; `into` are the sides that
-  /// end there.
+  /// Links the sides at point `at`. Sides that leave `at` are numbered from `first` on; `into` are the sides that end
+  /// there.
   void link(std::uint32_t at, std::size_t first, std::span<const std::uint32_t> into) {
     if (into.size() == 1) {
       along_fan_[into[0]] = across_gap_[into[0]] = static_cast<std::uint32_t>(first);
@@ -116,8 +116,7 @@ class BoundarySides {
     }
   }
 
-  /// Returns whether the direction from v to a comes before that from v to b, counter-clockwise from the direction of
-  /// +x.
+  /// Returns whether the direction from v to a comes before the one to b, counter-clockwise from the direction of +x.
   static bool comes_before(const Point& v, const Point& a, const Point& b) {
     const auto is_below = [&](const Point& p) { return p.y < v.y || (p.y == v.y && p.x < v.x); };
     if (is_below(a) != is_below(b)) return is_below(b);

@@ -22,8 +22,7 @@ class LinkedTriangles {
  public:
   static constexpr std::uint32_t none = TriangleArrays::none;
 
-  /// Prepares for triangles on `sites` sites. names[s] is the number of site s in the result, and less than `bound`.
-  /// Keeps the span.
+  /// Prepares for triangles on `sites` sites. names[s] < bound is the number of site s in the result. Keeps the span.
   LinkedTriangles(std::size_t sites, std::span<const std::uint32_t> names, std::size_t bound, const Threads& threads);
 
   /// The state of one patch between the steps.
@@ -46,8 +45,7 @@ class LinkedTriangles {
   OwnedTriangles sorted(Threads& threads, const Checkpoint& checkpoint = {});
 
  private:
-  /// An open side that waits for the side beyond: the site at its end, and the entry of neighbors_ for the triangle
-  /// beyond.
+  /// An open side that waits for the side beyond: the site at its end, and its entry in neighbors_.
   struct Open {
     meshops::Site to;
     std::uint32_t triangle, corner;

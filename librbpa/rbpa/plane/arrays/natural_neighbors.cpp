@@ -60,8 +60,7 @@ Vector<Number> to_circumcenter(const Vector<Number>& u, const Vector<Number>& v)
   return {Number((v.y * uu - u.y * vv) / twice), Number((u.x * vv - v.x * uu) / twice)};
 }
 
-/// The maximum distance of the weighted mean of the neighbors from the query, as a fraction of the nearest neighbor's
-/// distance.
+/// The maximum distance of the neighbors' weighted mean from the query, divided by the distance of the nearest one.
 constexpr double tolerance = 1e-9;
 
 /// Returns whether products of six numbers of the size of `way` stay within the exponents of double.

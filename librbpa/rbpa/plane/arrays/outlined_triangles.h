@@ -23,8 +23,8 @@ class OutlinedTriangles {
   /// A directed side, by the names of its points.
   using Side = std::array<std::uint32_t, 2>;
 
-  /// Keeps a reference to an empty list of triangles on `sites` sites, and the span: names[s] is the number of site s
-  /// in the result.
+  /// Keeps a reference to an empty list of triangles on `sites` sites, and the span of the sites' numbers in the
+  /// result.
   OutlinedTriangles(std::size_t sites, std::span<const std::uint32_t> names, List& list) : names_(names), list_(list) {
     seams_.begin(sites);
   }

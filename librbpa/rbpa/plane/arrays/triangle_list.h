@@ -16,8 +16,7 @@ namespace rbpa {
 
 class TriangleList {
  public:
-  /// Prepares for triangles on `sites` sites. names[s] is the number of site s in the result, and less than `bound`.
-  /// Keeps the span.
+  /// Prepares for triangles on `sites` sites. names[s] < bound is the number of site s in the result. Keeps the span.
   TriangleList(std::size_t sites, std::span<const std::uint32_t> names, std::size_t bound, const Threads& threads)
       : names_(names), order_(bound, 2 * sites, threads.count()) {}
 

@@ -211,8 +211,8 @@ class DelaunayEdges {
     }
   }
 
-  /// Marks the outside of the hull as no triangle: edges with the outside on their left get the number `no_triangle`
-  /// and the lnext() 0.
+  /// Marks the outside of the hull: edges with the outside on their left get the number `no_triangle` and the lnext()
+  /// 0.
   void open_hull(Corner on_hull) {
     const Edge first = sym(hull_[on_hull]);
     Edge outer = first;

@@ -25,8 +25,7 @@ using Fate = std::function<int(const SitePoint&, const SitePoint&, const SitePoi
 
 /// Returns the kept triangles, counter-clockwise, with sites for corners; Patch::nothing is across the sides of the
 /// hull. There is no triangle if all points are on a line. Reorders `places`. Replaces `outline`, unless null, by the
-/// outline of the patch. Calls working(), if any, repeatedly, in any thread and one call at a time; working() may throw
-/// to end the run.
+/// outline of the patch. Calls working(), if any, repeatedly, in any thread, one call at a time; working() may throw.
 /// Requires: distinct points, at most as many as rbpa() accepts, that the predicates of `Real` can decide: double if
 ///           they fit (fits_double()), long double for any.
 template <typename Real>

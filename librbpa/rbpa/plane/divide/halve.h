@@ -97,8 +97,7 @@ class Sample {
 };
 
 /// Divides the points into two parts, the first before the second in the order `before`, and returns the position at
-/// which the second begins. Each part has at least n / 8 of the n points, rounded down. Requires: `sample` is of these
-/// points.
+/// which the second begins. Each part has at least ⌊n / 8⌋ of the n points. Requires: `sample` is of these points.
 template <typename Order>
 std::size_t halve(std::span<SitePoint> places, const Sample& sample, Order before) {
   const std::size_t n = places.size();

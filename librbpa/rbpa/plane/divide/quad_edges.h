@@ -17,8 +17,7 @@ class QuadEdges {
   using Edge = std::uint32_t;
   using Corner = std::uint32_t;
 
-  /// A list of unused edges. No edge is in two lists, so threads with a list each may add and remove edges at the same
-  /// time.
+  /// A list of unused edges. No edge is in two lists: threads with a list each may add and remove edges concurrently.
   struct Unused {
     Edge first, last;
   };

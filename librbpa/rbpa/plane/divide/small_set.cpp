@@ -88,8 +88,7 @@ class SortedTriangles {
     }
   }
 
-  /// Fills in the triangles in canonical order, and their neighbors unless `neighbors` is null; called once, after
-  /// find().
+  /// Fills in triangles in canonical order, and neighbors unless `neighbors` is null; called once, after find().
   void sort(std::vector<Triangle>& triangles, std::vector<Triangle>* neighbors) {
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     const auto order = std::make_unique_for_overwrite<std::uint32_t[]>(size_);

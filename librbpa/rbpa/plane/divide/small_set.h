@@ -1,6 +1,5 @@
 // What: the solid alpha complex of a small set: one triangulation by divide and conquer; the triangles are read off the
-//       edges in canonical order. Uses no grid, tiles, lanes or threads, whose preparation would take longer than the
-//       work.
+//       edges in canonical order. Grid, tiles, lanes and threads would take longer to prepare than the work takes.
 // Law:  the result equals the result by tiles (patches/for_each_patch.h), to the last index.
 // Cost: O(n log n); about 150 bytes a point while it runs.
 #pragma once

@@ -25,8 +25,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// An enumeration of triangles for a few points at a time, in steps: find the points near each point, then pairs of the
 /// point and a near one, then triples of circumradius ≤ alpha, then the triples that have no point in their circle. The
-/// result of a step is a list whose next entry is always written, and counted only if it belongs there: no branch has
-/// to be predicted.
+/// result of a step is a list whose next entry is always written, and counted only if it belongs there, without a
+/// branch.
 class Enumeration {
  public:
   Enumeration(const Tile& tile, double alpha, TileWorkspace& workspace, EnumerationWorkspace& own)
@@ -140,8 +140,8 @@ class Enumeration {
                        [](std::int32_t around) { return around <= static_cast<std::int32_t>(max_near); });
   }
 
-  /// Lists a point that has at least two later points within its reach, if the tile owns the point or some point within
-  /// that reach.
+  /// Lists a point that has at least two later points within reach, if the tile owns the point or some point within
+  /// reach.
   HWY_INLINE void find_near(std::size_t j, std::size_t point) {
     const D d;
     const V px = hn::Set(d, at_.x[point]), py = hn::Set(d, at_.y[point]), reach = hn::Set(d, reach_ * reach_);
@@ -228,8 +228,7 @@ class Enumeration {
     pairs_ += count - near.next - 1;
   }
 
-  /// Lists the triples of a pair and a later near point that have a circumradius ≤ alpha and a corner that the tile
-  /// owns.
+  /// Lists the triples of a pair and a later near point with a circumradius ≤ alpha and a corner that the tile owns.
   HWY_INLINE void find_triples(std::int32_t pair) {
     const D d;
     const DI di;
@@ -265,7 +264,7 @@ class Enumeration {
     triple_[triples_++] = pair | static_cast<std::int32_t>(third << of_third | std::size_t{is_right});
   }
 
-  /// Lists the triples of a pair with the near points from number v on that are `sure`, or `uncertain` and pass exact
+  /// Lists the triples of a pair with near points from number v on that are `sure`, or `uncertain` and pass exact
   /// tests.
   HWY_NOINLINE void list_exactly(std::int32_t pair, std::size_t v, Bits sure, Bits uncertain, Bits right) {
     const std::size_t second = static_cast<std::size_t>(pair) >> of_second & max_number;

@@ -62,8 +62,7 @@ class OwnedPoints {
   /// Returns the box of the owned points, in TileCoordinates; low = ∞, high = −∞ if there are none.
   const Box& box() const { return box_; }
 
-  /// Returns a bit for each of `word` points, the lowest for `point`: 1 if the tile owns the point, 0 after the last
-  /// point.
+  /// Returns a bit for each of `word` points, the lowest for `point`: 1 if the tile owns it; 0 after the last point.
   HWY_INLINE Bits from(std::size_t point) const {
     const std::size_t first = point / word, skipped = point % word;
     return bits_[first] >> skipped | bits_[first + 1] << 1 << (word - 1 - skipped);

@@ -12,8 +12,7 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// An edge of the triangulation: the side of `triangle` across from its corner `corner`, and the triangle beyond, or
-/// none.
+/// An edge of the triangulation: the side of `triangle` across from corner `corner`, and the triangle beyond, or none.
 struct Side {
   std::uint32_t triangle, corner, beyond;
 };

@@ -33,8 +33,7 @@ struct DistinctPoints {
 };
 DistinctPoints distinct_points(const Delaunay& delaunay);
 
-/// Returns the cells with their alphas. Counts each edge as a step. If there is no triangle, a solid complex has no
-/// cell.
+/// Returns the cells with their alphas; a solid complex without a triangle has none. Counts each edge as a step.
 /// Requires: `filtration` is filtration(of); `distinct` is distinct_points(of).
 FilteredCells filtered_cells(const Delaunay& of, const DistinctPoints& distinct, const Filtration& filtration,
                              ComplexKind kind, Steps& pulse);

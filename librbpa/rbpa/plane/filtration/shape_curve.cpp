@@ -64,8 +64,7 @@ class Gaps {
   std::vector<std::uint32_t> next_;  // the faces of a gap are a ring
 };
 
-/// Returns for each face the first step at which the face is in the complex or in a hole. Requires: faces in the order
-/// of their steps.
+/// Returns for each face the first step at which the face is in the complex or in a hole. Requires: faces by step.
 std::vector<std::uint32_t> enclosed_from(const OwnedTriangles& of, const std::vector<std::uint32_t>& step_of,
                                          Steps& pulse) {
   const auto outside = static_cast<std::uint32_t>(of.triangles.size());

@@ -16,8 +16,7 @@ namespace rbpa {
 
 class SolidParts {
  public:
-  /// Prepares for the triangles of a Delaunay triangulation of `points` points, in the order in which add_next() adds
-  /// them. Keeps the spans.
+  /// Prepares for the triangles of a Delaunay triangulation of `points` points, in adding order. Keeps the spans.
   SolidParts(const TriangleArrays& arrays, std::size_t points);
 
   /// Adds the next triangle. Calls left(size) for every component that the triangle joins, then come(size) for the new

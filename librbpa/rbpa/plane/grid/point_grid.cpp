@@ -111,7 +111,7 @@ void PointGrid::find_duplicates(std::uint32_t first, std::uint32_t last, Repeate
 }
 
 /// Returns whether any of the points `first` … `last` − 1 equals one of the `nearby` points before it. There is no
-/// branch for each point: on a lattice half of the points have the same x as the point before, and a branch would be
+/// branch for each point: on a lattice, where half of the points have the same x as the point before, it would be
 /// mispredicted.
 bool PointGrid::repeats_nearby(std::uint32_t first, std::uint32_t last) const {
   decltype(Two<double>() == Two<double>()) repeats = {};

@@ -34,8 +34,7 @@ class PointGrid {
 
   /// Returns the distinct points in the order of their cells. A position in this list is called a site.
   std::span<const Point> points() const { return points_; }
-  /// Returns for each site the name of the point there, of equal points the lowest; names are input indices unless
-  /// given.
+  /// Returns for each site the name of its point, of equal points the lowest; names are input indices unless given.
   std::span<const std::uint32_t> input_index() const { return index_; }
   const std::vector<Duplicate>& duplicates() const { return duplicates_; }
 

@@ -39,8 +39,7 @@ class Quadtree {
  private:
   static constexpr std::size_t many = 4096;  ///< number of points from which counting pays
 
-  /// Returns the smallest square of the tree within `square` that holds all of `points`, computed from the points' box
-  /// alone.
+  /// Returns the smallest square of the tree within `square` that holds all of `points`, from the points' box alone.
   Square<Real> around(std::span<const Point> points, Square<Real> square) const {
     const auto [low, high] = box_of(points);
     while (square.can_be_cut()) {

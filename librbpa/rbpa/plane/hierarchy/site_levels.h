@@ -20,8 +20,7 @@ class SiteLevels {
   SiteLevels(const Sites& sites, const Ladder& ladder)
       : sites_(sites), ladder_(ladder), scaled_ladder_(ladder, sites.window()) {}
 
-  /// Returns the first level whose radius admits the triangle. Requires: the radius of the last level admits the
-  /// triangle.
+  /// Returns the first level whose radius admits the triangle. Requires: the last level's radius admits the triangle.
   int of(const std::array<meshops::Site, 3>& t) const {
     const std::span<const Point> points = sites_.grid().points();
     const std::size_t in_window = points.size();

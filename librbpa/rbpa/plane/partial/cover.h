@@ -33,8 +33,7 @@ class Cover {
 
   std::span<const Quadrant> quadrants() const { return quadrants_; }
   bool is_whole() const;
-  /// Returns the lower left corner of an area that is covered more than once, or a negative number of times; nothing if
-  /// no area is.
+  /// Returns the lower left corner of an area that is covered more than once or a negative number of times, if any.
   std::optional<Point> wrong() const;
   /// Returns the lower left corner of an area that is not covered; nothing if the whole plane is covered.
   std::optional<Point> missing() const;

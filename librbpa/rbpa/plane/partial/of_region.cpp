@@ -59,8 +59,7 @@ class RimWalk {
  private:
   std::uint32_t corner(std::uint32_t t, std::uint32_t k) const { return of_.triangulation().triangles[t][k % 3]; }
 
-  /// Returns the boundary side that begins where `side` ends, at the other end of the fan of triangles around that
-  /// point.
+  /// Returns the boundary side that begins where `side` ends, at the other end of the fan around that point.
   OpenSide side_after(const OpenSide& side) const {
     const std::uint32_t pivot = to(side);
     OpenSide at{side.triangle, (side.across + 1) % 3};

@@ -13,8 +13,7 @@ namespace rbpa {
 /// Throws: InvalidInput when a ring has fewer than three points, so the curve bounds no triangles. Cost: n log n.
 void add_curve(OpenComponent& component, std::vector<Corner>&& curve);
 
-/// Returns whether `a` comes before `b`: by first point, then by second. An edge is on one ring, so no two rings are
-/// equal in this order.
+/// Returns whether `a` comes before `b`: by first point, then by second. An edge is on one ring, so no two are equal.
 bool ring_before(const CornerRing& a, const CornerRing& b);
 
 /// Returns the polygon of a component all of whose curves are closed.

@@ -88,8 +88,7 @@ void drop_losers(Pinch& pinch, const PartialState& state) {
   std::erase_if(pinch.members, [&](std::uint32_t m) { return m >= open && m != first; });
 }
 
-/// Adds the points of each pinch that has a single member left to that member, and unites the other pinches that have
-/// the same members.
+/// Adds the points of each pinch with a single member left to that member, and unites pinches with equal members.
 void settle_pinches(PartialState& state) {
   const auto open = static_cast<std::uint32_t>(state.open.size());
   std::vector<Pinch> undecided;

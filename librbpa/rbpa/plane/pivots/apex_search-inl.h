@@ -138,8 +138,7 @@ class ApexSearch {
             hn::Set(d, right_of_[i])};
   }
 
-  /// Bounds of k for points, one in each lane; whether each point is certainly left of the chord, and whether it may
-  /// be.
+  /// Bounds of k for points, one in each lane; whether each is certainly left of the chord, and whether it may be.
   struct Bounds {
     V low, high;
     hn::Mask<D> left, perhaps;

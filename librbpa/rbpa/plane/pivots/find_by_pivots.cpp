@@ -64,8 +64,7 @@ class TileFront {
   }
 
   /// Returns whether the front has given up, as searches took too long. Long searches are few where points are
-  /// scattered. Elsewhere, along curves and in clusters, the remainder needs less time, and decides the points that are
-  /// left.
+  /// scattered. Along curves and in clusters the remainder needs less time, and decides the points that are left.
   bool has_given_up() const {
     constexpr std::size_t max_work = 200;                          // measured: points read for a triangle
     const std::size_t in_advance = 24 + tile_.points.size() / 16;  // triangles: edges of the hull may come first
@@ -173,8 +172,7 @@ HWY_EXPORT(advance_on);
 bool is_along_curves(const Tile& tile) {
   constexpr double max_per_cell = 4;     // evenly scattered points have 2.3 per cell that is not empty
   constexpr double min_neighbors = 1.3;  // filled cells right or above: 1 along a curve, 1.7 if scattered
-  // mean over points of the number of points in the same cell, divided by the mean over filled cells; higher in
-  // clusters
+  // mean over points of the number of points in their cell, divided by the mean over filled cells; high in clusters
   constexpr double max_occupancy = 2.5;
   const auto columns = static_cast<std::size_t>(tile.columns), cells = tile.cells();
   std::uint64_t filled = 0, neighbors = 0, squares = 0;

@@ -81,8 +81,7 @@ class SearchWindow {
   }
 
   /// Verifies the apex of every edge: the part of its circle left of the edge must lie in the cells of the window,
-  /// where the tile has all points. Replaces the cells of the window by the cells that this part meets, in which to
-  /// search on.
+  /// where the tile has all points. Replaces the window's cells by the cells that this part meets.
   HWY_NOINLINE void verify() {
     const D d;
     const I di;

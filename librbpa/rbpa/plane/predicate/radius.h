@@ -8,8 +8,7 @@
 
 namespace rbpa {
 
-/// Alpha as used in computations: a positive number, or infinite, which also stands for a number above every
-/// circumradius.
+/// Alpha as used in computations: a positive number, or infinite, also for a number above every circumradius.
 class Radius {
  public:
   Radius() = default;

@@ -19,8 +19,8 @@ struct Window {
   std::vector<std::uint32_t> beyond;  ///< the positions of the points beyond the window, ascending
   RadiusBounds bounds{};              ///< bounds of the circumradii of points in the window, scaled
 
-  /// Returns alpha in the scale of the window: 2^exponent alpha, or an equivalent value if all circumradii are larger,
-  /// or all are smaller.
+  /// Returns alpha in the scale of the window: 2^exponent alpha, or an equivalent value if all circumradii are larger
+  /// or all smaller.
   Radius scaled(const Radius& alpha) const;
 };
 

@@ -2,8 +2,7 @@
 //         settled and their neighbors.
 // Law:    the triangles of the tiles and those of complete() are the solid alpha complex, each once.
 // How:    a star is settled when every triangle of the complex around its site is in some patch. A missing triangle has
-//         no settled corner, and is in the Delaunay triangulation of the sites that are not settled and their
-//         neighbors.
+//         no settled corner, and is in the Delaunay triangulation of unsettled sites and their neighbors.
 // Cost:   linear in the lists of the patches; O(r log r) for the r sites that are not done: at worst all.
 // Source: docs/explanation/plane.md, sections 12 to 14.
 #pragma once
@@ -31,8 +30,7 @@ class Remainder {
   /// Returns whether every triangle of the complex at the site is in a patch; called after all tiles.
   bool is_settled(std::uint32_t site) const { return missing_[site] == 0; }
 
-  /// Returns the sites that are not settled, or that may have a neighbor that is not, ascending; called after all
-  /// tiles.
+  /// Returns the sites that are not settled or may have a neighbor that is not, ascending; called after all tiles.
   std::vector<std::uint32_t> not_done() const;
 
   /// Replaces rest.patch by the triangles of the complex that are in no patch of a tile, on the sites, and

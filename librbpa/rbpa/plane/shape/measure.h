@@ -42,8 +42,7 @@ class LengthSum {
   bool infinite_ = false;
 };
 
-/// The area that the edges of a polygon's rings enclose, and the total length of the edges. Every edge has the polygon
-/// on its left.
+/// The area that the edges of a polygon's rings enclose, and their total length. Edges have the polygon on the left.
 class BoundaryMeasure {
  public:
   BoundaryMeasure() = default;

@@ -19,8 +19,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Returns a bound of the error in a component of the difference of two points, if no computed component exceeds
-/// `extent`.
+/// Returns the error bound of a component of a difference of two points, if no computed component exceeds `extent`.
 template <typename D, typename V = hn::Vec<D>>
 HWY_INLINE V error_of_difference(D d, V extent) {
   return hn::Set(d, 2 * TileCoordinates::rounding) + hn::Set(d, 1.1f * TileCoordinates::unit_roundoff) * extent;

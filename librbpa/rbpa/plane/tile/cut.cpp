@@ -64,8 +64,7 @@ std::array<Block, 2> halves(const Level& level, const Block& block) {
 /// Returns the mean number of points in a cell of the block.
 double density(const Block& block) { return block.points / (double(block.columns) * block.rows); }
 
-/// Returns whether two blocks differ in density by a factor of at most max_contrast, so that cells of one size suit
-/// both.
+/// Returns whether two blocks differ in density by at most the factor max_contrast: cells of one size then suit both.
 bool is_uniform(const Block& a, const Block& b) {
   return std::max(density(a), density(b)) <= max_contrast * std::min(density(a), density(b));
 }
@@ -134,8 +133,7 @@ void Cutter::cut(const Block& block, Tile& tile) {
 /// Lays cells whose size suits the block: the cells of the level suit the level's points on average only.
 void Cutter::lay_cells(const Level& level, const Block& block, Tile& tile) {
   const double width = block.columns * level.cell, height = block.rows * level.cell;
-  // If density varies, most points lie where it is above the mean. Points in rows have the same effect, but a smaller
-  // one.
+  // If density varies, most points lie where it is above the mean. Points in rows have this effect too, but less.
   const double mean = density(block), seen = mean_occupancy(level, block) - 1;
   const double finer = seen > 1.5 * mean ? std::sqrt(std::min(seen / mean, 4.0)) : 1;
   const double ratio = std::sqrt(points_per_cell / mean) / finer;

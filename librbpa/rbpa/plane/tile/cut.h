@@ -21,8 +21,8 @@ struct Block {
   std::uint32_t points, merged;
 };
 
-/// Returns blocks that together have every point. Each block has at least one point and, unless it is a single cell, at
-/// most `max_points`.
+/// Returns blocks that together have every point. Each has at least one point and, unless a single cell, at most
+/// `max_points`.
 std::vector<Block> blocks(const PointGrid& grid, std::uint32_t max_points);
 
 /// A cutter of tiles from a grid, one after another in the same memory.

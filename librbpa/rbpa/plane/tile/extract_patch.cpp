@@ -9,8 +9,7 @@ namespace {
 using meshops::Patch;
 using meshops::Site;
 
-/// The status of the star of a point. Bit 0: the tile has seen the star. Bit 1: the star is also completely in the
-/// patch.
+/// The status of the star of a point. Bit 0: the tile has seen the star. Bit 1: the star is also all in the patch.
 enum StarStatus : std::uint8_t { unseen = 0, shared = 1, settled = 3 };
 
 constexpr int no_side = -1;
@@ -114,8 +113,7 @@ class PatchExtraction {
     }
   }
 
-  /// Determines the triangles of the patch, and for each side the entry of Patch::across by which a neighbor refers to
-  /// it.
+  /// Determines the triangles of the patch, and for each side the entry by which a neighbor's Patch::across names it.
   template <typename IsWithin>
   void number_sides(IsWithin is_within) {
     const std::size_t triangles = front_.triangles();
@@ -214,8 +212,7 @@ class PatchExtraction {
   }
 
   /// Divides the sides across which the patch has no triangle into holes and rim, and finds the next hole of each hole.
-  /// Mostly a single such side ends at a site; if that side is a hole, it is the next hole of the hole that begins
-  /// there.
+  /// Mostly a single such side ends at a site; a hole among these is the next hole of the hole that begins there.
   void find_holes(std::span<const int> outer) {
     constexpr int several = -2;
     meshops::Outline& outline = result_.outline;

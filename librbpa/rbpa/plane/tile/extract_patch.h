@@ -32,8 +32,7 @@ struct ExtractionWorkspace {
   std::vector<int> outer;
 };
 
-/// Replaces `result` by the triangles on the front, of circumradius at most alpha, that the tile owns, and the sites
-/// that the tile settles.
+/// Replaces `result` by the triangles on the front of circumradius ≤ alpha that the tile owns, and the settled sites.
 /// Requires: `coordinates` are those of the tile.
 void extract_patch(const Tile& tile, const TileCoordinates& coordinates, const LocalFront& front, const Radius& alpha,
                    ExtractionWorkspace& workspace, TilePatch& result);

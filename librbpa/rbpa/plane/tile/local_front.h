@@ -35,8 +35,7 @@ class LocalFront {
   Index to(std::size_t side) const { return corner_[side + 1]; }
   /// Returns from() of all sides.
   const Index* corners() const { return corner_.data(); }
-  /// Returns the side across an edge; `none` if `side` is on the front; `nothing` if `side` was on the front when it
-  /// was sealed.
+  /// Returns the side across; `none` if `side` is on the front, `nothing` if `side` was on the front when sealed.
   Index across(std::size_t side) const { return across_[side]; }
 
   /// Returns whether a triangle has a corner on the point, or the point was sealed.
@@ -44,8 +43,7 @@ class LocalFront {
   /// Returns whether a side on the front ends at the point.
   bool is_on_front(std::size_t point) const { return head_[point] != none; }
 
-  /// Adds a triangle, and glues its sides where they meet the front. Calls added(side, is on the front) for each of its
-  /// sides.
+  /// Adds a triangle, and glues its sides where they meet the front. Calls added(side, is on the front) for each side.
   template <typename Added>
   void create(Index a, Index b, Index c, Added added) {
     const Index s = next_triangle(a, b, c);
@@ -55,7 +53,7 @@ class LocalFront {
     touched_[a] = touched_[b] = touched_[c] = 1;
   }
 
-  /// Adds triangle (a, b, c) across `side`, which is on the front and runs from b to a. Calls added() for the two other
+  /// Adds triangle (a, b, c) across `side`, which is on the front and runs from b to a. Calls added() for its other
   /// sides.
   template <typename Added>
   void attach(Index side, Index a, Index b, Index c, Added added) {

@@ -12,8 +12,8 @@
 namespace rbpa {
 
 /// The result of a tile. The star of a site is the set of triangles of the complex around the site. A tile has seen the
-/// star when the tile owns the site and found all these triangles; the star is settled when all of them are in the
-/// tile's patch.
+/// star when the tile owns the site and found all these triangles; the star is settled when the tile's patch has them
+/// all.
 struct TilePatch {
   bool with_outline = true;  ///< whether to compute the outline
   meshops::Patch patch;      ///< on the sites
