@@ -109,11 +109,11 @@ struct GroupShapes {
 
 /// Computes the solid alpha complex of each group. Groups may overlap. Each group that has no polygon is listed in
 /// `problems`, also if a point is not finite or the group's own radius is not above 0.
-/// Requires: 0 < alpha ≤ infinity, if one radius is given for all groups; 0 < cover ≤ 1 and 1 ≤ rank, if the rule uses
-///           them.
+/// Requires: 0 < alpha ≤ infinity, if one radius is given for all groups; 0 < cover ≤ 1, 1 ≤ max_components and
+///           1 ≤ rank, if the rule uses them.
 /// Throws:   InvalidInput as for_each_group(), when the number of radii is not 0, 1 or the number of groups, when the
-///           one radius is not above 0, and when a bound of the filter is negative or not a number; ContractViolation
-///           when cover is out of its bounds; Cancelled.
+///           one radius is not above 0, when max_components or rank is 0, and when a bound of the filter is negative or
+///           not a number; ContractViolation when cover is out of its bounds; Cancelled.
 RBPA_API GroupShapes shapes_of_groups(std::span<const Point> points, const Groups& groups, const GroupAlpha& alpha,
                                       const GroupShapesOptions& options = {});
 

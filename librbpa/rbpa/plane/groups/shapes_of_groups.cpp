@@ -175,7 +175,12 @@ void check(const GroupAlpha& alpha, std::size_t groups) {
     throw InvalidInput("alpha: found " + std::to_string(given) + " radii for " + std::to_string(groups) +
                        " groups, expected as many, or one for all");
   if (given == 1) check(std::span<const Point>(), alpha.given[0]);
-  if (given == 0 && alpha.choice.rule == AlphaRule::given) check(std::span<const Point>(), alpha.choice.radius);
+  if (given > 0) return;
+  const AlphaChoice& choice = alpha.choice;
+  if (choice.rule == AlphaRule::given) check(std::span<const Point>(), choice.radius);
+  if (choice.rule == AlphaRule::plateau && choice.rank == 0) require_rank(choice, 0);
+  if (takes_components(choice.rule) && choice.max_components == 0)
+    throw InvalidInput("alpha " + name_of(choice) + ": found 0 for max_components, expected 1 or more");
 }
 
 }  // namespace

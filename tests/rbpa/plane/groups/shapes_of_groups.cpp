@@ -299,6 +299,14 @@ TEST_CASE("every group is visited once, with its points; an exception or cancell
   }
 }
 
+TEST_CASE("a rule for groups with no component or rank 0 is refused") {
+  const Points points = uniform(50, 5);
+  const Groups groups = rbpa::groups_of(std::vector<std::uint32_t>(points.size(), 0), 1);
+  for (const rbpa::AlphaChoice& choice : {rbpa::AlphaChoice{.rule = AlphaRule::plateau, .rank = 0},
+                                          rbpa::AlphaChoice{.rule = AlphaRule::automatic, .max_components = 0}})
+    CHECK_THROWS_AS(rbpa::shapes_of_groups(points, groups, {.choice = choice}), rbpa::InvalidInput);
+}
+
 TEST_CASE("work on a large group can be cancelled, by every rule") {
   const Points points = uniform(120000, 5);
   const Groups groups = rbpa::groups_of(std::vector<std::uint32_t>(points.size(), 1), 3);
