@@ -181,9 +181,11 @@ TEST_SUITE("compressed pcd") {
     CHECK(refusal(three(with_sizes(lzf_repeated('\0', 35), 36))) ==
           "p: after line 5: found 35 bytes decompressed, expected 36");
     CHECK(refusal(three(with_sizes(lzf_repeated('\0', 37), 36))) ==
-          "p: after line 5: found damaged compressed data, expected data for 36 bytes");
+          "p: after line 5: found compressed data that are damaged, expected 36 bytes of points (copy the file again, "
+          "or save it as DATA binary)");
     CHECK(refusal(three(with_sizes(lzf_copy(36, 1), 36))) ==
-          "p: after line 5: found damaged compressed data, expected data for 36 bytes");  // of nothing before it
+          "p: after line 5: found compressed data that are damaged, expected 36 bytes of points (copy the file again, "
+          "or save it as DATA binary)");  // of nothing before it
     CHECK(refusal(three(with_sizes(zeros.substr(0, zeros.size() - 1), 36))).starts_with("p: after line 5: found "));
     CHECK(refusal(three(with_sizes("", 36))) ==
           "p: after line 5: found 0 bytes of compressed data, expected 1 or more for 36 bytes decompressed");

@@ -319,7 +319,8 @@ TEST_SUITE("surface") {
         "does without)");
     folder.file("far.xyz", "0 0 0\n1e60 0 0\n0 1e60 0\n");
     refuses(folder, "far.xyz --radius 1e60 -o m.stl -q", 3,
-            "m.stl: found the coordinate 1e+60, expected one that single precision of STL holds, or another format");
+            "m.stl: found the coordinate 1e+60, expected at most 3.4e38 in size, as STL is in single precision (.ply "
+            "keeps doubles)");
     refuses(folder, "none.xyz --radius 1 -o m.off", 3, "none.xyz: found no such file, expected a file of points");
     folder.file("plane.xyz", "0 0\n1 0\n");
     CHECK(folder.rbpa("surface plane.xyz --radius 1 -o m.off").code == 3);

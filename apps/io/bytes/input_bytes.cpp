@@ -36,8 +36,8 @@ constexpr double bytes_for_each = 5;
 void require_text(std::string_view text, const std::string& name) {
   const std::size_t zero = text.find('\0');
   if (zero != std::string_view::npos && !text.starts_with("\xFF\xFE") && !text.starts_with("\xFE\xFF"))
-    bad_input(name, "a zero byte at byte " + std::to_string(zero),
-              "text (in the first " + counted(text.size(), "byte") + " decompressed)");
+    bad_input(name, "a zero byte after " + counted(zero, "byte") + " of decompressed text",
+              "text (--format names another format)");
 }
 
 }  // namespace

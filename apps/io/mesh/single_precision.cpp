@@ -94,8 +94,8 @@ SinglePositions single_positions(Format format, std::span<const Point3> vertices
       const double x = p[k] - result.shift[k];
       if (!(std::abs(x) <= std::numeric_limits<float>::max()))
         bad_input(file, "the coordinate " + text_of(p[k]),
-                  std::string("one that single precision of ") + (format == Format::stl ? "STL" : "GLB") +
-                      " holds, or another format");
+                  std::string("at most 3.4e38 in size, as ") + (format == Format::stl ? "STL" : "GLB") +
+                      " is in single precision (.ply keeps doubles)");
       result.at[i][k] = static_cast<float>(x);
     }
   }

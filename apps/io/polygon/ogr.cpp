@@ -1,4 +1,5 @@
 #include "io/polygon/ogr.h"
+#include "io/bytes/number.h"
 
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
@@ -103,7 +104,8 @@ class OgrReader {
     if (p.IsEmpty()) return;
     const Point point{p.getX(), p.getY()};
     if (!is_finite(point))
-      bad_input(source_ + ": feature " + std::to_string(features_), "a coordinate that is not finite", "numbers");
+      bad_input(source_ + ": feature " + std::to_string(features_),
+                "the point (" + text_of(point.x) + ", " + text_of(point.y) + ")", "finite coordinates");
     const bool has_z = p.Is3D() != 0;
     file_.points.push_back(point);
     file_.z.push_back(has_z ? p.getZ() : std::numeric_limits<double>::quiet_NaN());

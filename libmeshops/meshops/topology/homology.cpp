@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <sstream>
 
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
@@ -235,7 +236,10 @@ void check(const Connectivity& mesh, std::span<const double> lengths) {
   require_one_each("homology", lengths.size(), "lengths", mesh.n_edges(), "edges");
   double sum = 0;
   for_each_edge(mesh, [&](Edge e) {
-    require(lengths[at(e)] >= 0, "homology: the length of edge ", e.idx(), " is negative or not a number");
+    if (!(lengths[at(e)] >= 0))
+      throw ContractViolation((std::ostringstream() << "homology: found the length " << lengths[at(e)] << " of edge "
+                                                    << e.idx() << ", expected 0 or more")
+                                  .str());
     sum += lengths[at(e)];
   });
   require(std::isfinite(sum), "homology: the sum of the lengths is not finite");

@@ -206,7 +206,8 @@ Partial merge(Partial&& a, Partial&& b) {
   if (a.alpha() == 0) return std::move(b);
   if (b.alpha() == 0) return std::move(a);
   if (a.alpha() != b.alpha())
-    throw InvalidInput("alpha is " + text(a.alpha()) + " and " + text(b.alpha()) + ", expected the same");
+    throw InvalidInput("merge: found parts of alpha " + text(a.alpha()) + " and of alpha " + text(b.alpha()) +
+                       ", expected one alpha (compute all parts with the same)");
   Cover cover = a.state().cover + b.state().cover;
   if (const std::optional<Point> twice = cover.wrong())
     throw InvalidInput("both sets of regions contain the area with the lower left corner (" + text(twice->x) + ", " +

@@ -25,8 +25,9 @@ class VoidSearch {
   VoidSearch(std::span<const Point3> points, const SolidFiltration& filtration)
       : points_(points), filtration_(filtration), is_reached_(filtration.triangles_of.size(), false) {}
 
-  /// Returns the void that contains `tetrahedron` at `alpha`. Throws ContractViolation if it is not bounded.
-  SolidRepresentative of(std::uint32_t tetrahedron, double alpha, Steps& step) {
+  /// Returns the void that contains `tetrahedron` at `alpha`. Throws ContractViolation, which names the number `pair`, if
+  /// the void is not bounded.
+  SolidRepresentative of(std::uint32_t tetrahedron, double alpha, std::size_t pair, Steps& step) {
     SolidRepresentative result;
     auto& reached = result.tetrahedra;
     reached = {tetrahedron};
@@ -37,8 +38,9 @@ class VoidSearch {
         const std::uint32_t triangle = filtration_.triangles_of[reached[i]][k];
         if (filtration_.triangle_alpha[triangle] <= alpha) continue;
         const std::uint32_t beyond = filtration_.delaunay.neighbors[reached[i]][k];
-        meshops::require(beyond != none,
-                         "solid_representatives: a void reaches the outside, expected pairs of this filtration");
+        meshops::require(beyond != none, "solid_representatives: pair ", static_cast<long long>(pair),
+                         " has a void that reaches the outside, expected pairs of solid_persistence() of this "
+                         "filtration");
         if (is_reached_[beyond]) continue;
         is_reached_[beyond] = true;
         reached.push_back(beyond);
@@ -131,7 +133,7 @@ std::vector<SolidRepresentative> solid_representatives(std::span<const Point3> p
     if (pair.dimension == 1) {
       result.push_back(cycle_of(pair));
     } else if (pair.dimension == 2) {
-      result.push_back(voids.of(pair.ended_by, pair.birth, step));
+      result.push_back(voids.of(pair.ended_by, pair.birth, static_cast<std::size_t>(&pair - pairs.data()), step));
     } else {
       result.emplace_back();
       if (!pair.death) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <string>
 
 #include "meshops/core/contract.h"
 #include "meshops/core/progress.h"
@@ -19,7 +20,11 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing_triangles(
   space::check_points(points);
   for (const std::array<std::uint32_t, 3>& t : triangles)
     for (const std::uint32_t vertex : t)
-      meshops::require(vertex < points.size(), "crossing_triangles: a triangle has a corner that is not a point");
+      if (vertex >= points.size())
+        throw meshops::ContractViolation("crossing_triangles: found corner " + std::to_string(vertex) +
+                                         " of triangle " + std::to_string(&t - triangles.data()) +
+                                         ", expected an index below " + std::to_string(points.size()) +
+                                         ", the number of points");
   std::vector<space::Corners> corners;
   std::vector<space::Box> boxes;
   std::vector<std::uint32_t> number;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <utility>
 
 #include "meshops/core/contract.h"
@@ -16,8 +17,10 @@ namespace {
 std::uint32_t vertex_at(const Surface& surface, const SplitFans& fans, std::uint32_t triangle, std::uint32_t point) {
   const Triangle& corners = surface.triangles[triangle];
   const auto k = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), point) - corners.begin());
-  meshops::require(
-      k < 3, "fill_holes: an edge of a curve begins at no corner of its triangle, expected curves of the surface");
+  if (k == 3)
+    throw meshops::ContractViolation("fill_holes: found an edge of a curve from point " + std::to_string(point) +
+                                     ", which is no corner of its triangle " + std::to_string(triangle) +
+                                     ", expected boundary curves of this surface");
   return fans.triangles[triangle][k];
 }
 

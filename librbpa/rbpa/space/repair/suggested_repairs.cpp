@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 #include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -356,11 +357,14 @@ std::vector<SuggestedRepair> suggested_repairs(std::span<const Point3> points, s
   space::check_normals(points, normals);
   require_linked(space::arrays_of(surface), points.size());
   for (const Hole& hole : holes) {
-    meshops::require(!hole.edges.empty(), "suggested_repairs: a hole has no edge, expected holes()");
+    const std::string name = "suggested_repairs: found hole " + std::to_string(&hole - holes.data());
+    const char* const expected = ", expected the result of holes() for these points and this surface";
+    if (hole.edges.empty()) throw meshops::ContractViolation(name + " without edges" + expected);
     for (const RimEdge& edge : hole.edges)
-      meshops::require(
-          edge.triangle < surface.triangles.size() && edge.from < points.size() && edge.to < points.size(),
-          "suggested_repairs: an edge of a hole has a point or a triangle that does not exist, expected holes()");
+      if (edge.triangle >= surface.triangles.size() || edge.from >= points.size() || edge.to >= points.size())
+        throw meshops::ContractViolation(name + " with point " + std::to_string(std::max(edge.from, edge.to)) +
+                                         " or triangle " + std::to_string(edge.triangle) + ", which do not exist" +
+                                         expected);
   }
   return Repairs(points, normals, radii, surface, holes, options).run();
 }

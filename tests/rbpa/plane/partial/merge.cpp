@@ -275,7 +275,8 @@ TEST_CASE("different radii and overlapping regions are not merged") {
   const auto part = [&](const Region& region, double alpha) {
     return rbpa::partial(region, given(region, points, alpha), alpha);
   };
-  CHECK(says(refusal([&] { rbpa::merge(part(halves[0], 1), part(halves[1], 2)); }), "alpha is 1 and 2"));
+  CHECK(says(refusal([&] { rbpa::merge(part(halves[0], 1), part(halves[1], 2)); }),
+             "merge: found parts of alpha 1 and of alpha 2, expected one alpha"));
   CHECK(says(refusal([&] { rbpa::merge(part(halves[0], 1), part(halves[0], 1)); }), "both sets of regions contain"));
   CHECK(says(refusal([&] {
                rbpa::merge(part({0, 0, 6, 9}, 1), part({5, 8, 7, 12}, 1));

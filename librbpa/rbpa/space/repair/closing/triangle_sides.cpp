@@ -90,8 +90,11 @@ BoundarySides::BoundarySides(std::span<const std::array<std::uint32_t, 3>> trian
       step(2);
       const std::uint32_t from = loop[k], to = loop[(k + 1) % loop.size()];
       const auto side = find(sides, to, from);
-      meshops::require(side != sides.end() && find(sides, from, to) == sides.end(),
-                       "fill_holes: a loop has an edge that is not a boundary side with its triangle to the right");
+      if (side == sides.end() || find(sides, from, to) != sides.end())
+        throw meshops::ContractViolation("fill_holes: found the edge from vertex " + std::to_string(from) +
+                                         " to vertex " + std::to_string(to) +
+                                         " in a loop, expected a boundary side with its triangle to the right (loops "
+                                         "of boundary_loops() of these triangles)");
       const auto number = static_cast<std::size_t>(side - sides.begin());
       if (is_used[number])
         throw meshops::ContractViolation("fill_holes: the loops pass the edge from vertex " + std::to_string(from) +
