@@ -42,7 +42,8 @@ class Random {
   std::mt19937 engine_{1999};
 };
 
-/// Returns points at which f is 0, no two of them nearer than `spacing`: random points, moved there along the gradient.
+/// Returns points at which f is 0, of which no two are nearer than `spacing`: random points that are moved along the
+/// gradient.
 template <typename Function>
 Samples on_surface(const std::string& name, double size, double spacing, int trials, Function f) {
   Random random;
@@ -100,8 +101,8 @@ Samples noisy_sphere() {
   return samples;
 }
 
-/// Returns integer points on the surface of a box, some of them twice, and a radius at which four and more touch the
-/// ball.
+/// Returns integer points on the surface of a box, some of them twice, and a radius at which four points or more touch
+/// a ball.
 Samples grid() {
   Samples samples{"grid", {}, {}, {1}};
   const auto side = [](int i, int last) { return i == 0 ? -1.0 : i == last ? 1.0 : 0.0; };
@@ -118,7 +119,7 @@ Samples grid() {
   return samples;
 }
 
-/// Returns points on a sphere that is scanned five times as densely above its equator, with a radius for each half.
+/// Returns points on a sphere, five times as dense above the equator as below it, and a radius for each half.
 Samples uneven_sphere() {
   Samples samples{"uneven sphere", {}, {}, {0.1, 0.25}};
   for (const double side : {-1, 1})
@@ -131,7 +132,7 @@ Samples uneven_sphere() {
   return samples;
 }
 
-/// Reads lines of six numbers: a point and its normal.
+/// Returns the points and normals of a file, in lines of six numbers.
 Samples of_file(const std::string& path, const std::string& radii) {
   Samples samples{path, {}, {}, {}};
   std::istringstream list(radii);

@@ -20,7 +20,8 @@ class BallPivoting {
  public:
   using Triangle = std::array<meshops::Site, 3>;
 
-  /// Prepares the present level of the front: `carried` is the result of next_level(). Interior points stay closed.
+  /// Prepares the current level of the front. Requires: `carried` is the result of next_level(). Interior points remain
+  /// closed.
   BallPivoting(const rbpa::RollingBall& ball, const meshops::Front& front, std::vector<meshops::Site> carried)
       : ball_(ball), level_(front.level()), open_(std::move(carried)) {
     std::erase_if(open_, [&](meshops::Site s) {
@@ -30,7 +31,8 @@ class BallPivoting {
     });
   }
 
-  /// Tries every triangle on which the ball rests, point by point: no component can be missed.
+  /// Returns the next candidate, point by point, of all triangles on which the ball rests, so that no component is
+  /// missed; nothing at the end.
   std::optional<Triangle> seed(const meshops::Front& front) {
     while (true) {
       for (; !waiting_.empty(); waiting_.pop_back()) {
@@ -42,21 +44,23 @@ class BallPivoting {
     }
   }
 
-  /// Proposes the triangle beyond h; if it is not allowed, the surface ends there.
+  /// Proposes the triangle beyond h; nothing if it is not a candidate, so that the surface ends there.
   std::optional<meshops::Site> propose(const meshops::Front& front, meshops::Halfedge h) const {
     const auto p = beyond(front, h);
     return p && is_candidate(front, {front.from_site(h), front.to_site(h), *p}) ? p : std::nullopt;
   }
 
-  /// Glues a triangle to h only if it is the one beyond h. Other triangles can lie on the same two points: sheets touch
-  /// along edges, and a triangle that overhangs an edge separates those on either side of it.
+  /// Returns whether the triangle with `apex` is the one beyond h; only this is glued to h. Other triangles can have
+  /// the same two points: sheets touch along edges, and a triangle that overhangs an edge separates the triangles on
+  /// both sides of it.
   bool glues(const meshops::Front& front, meshops::Halfedge h, meshops::Site apex) const {
     return beyond(front, h) == apex;
   }
 
  private:
   /// Returns the apex of the triangle beyond h. The ball rests on the triangle behind h, and rolls over h until it
-  /// touches a point. If it is too large to rest there, the next candidate around the edge is taken.
+  /// touches a point. If the ball is too large to rest on the triangle behind h, the next candidate around the edge is
+  /// taken.
   std::optional<meshops::Site> beyond(const meshops::Front& front, meshops::Halfedge h) const {
     const meshops::Halfedge behind = front.mesh().opposite_halfedge_handle(h);
     const meshops::Site a = front.from_site(behind), b = front.to_site(behind), c = apex(front, behind);
@@ -64,7 +68,7 @@ class BallPivoting {
     return p ? p : facing(front, a, b, c);
   }
 
-  /// Returns the candidate whose side faces that of the triangle (a, b, c), by its third corner.
+  /// Returns the third corner of the candidate that faces the triangle (a, b, c) across the edge of a and b.
   std::optional<meshops::Site> facing(const meshops::Front& front, meshops::Site a, meshops::Site b,
                                       meshops::Site c) const {
     constexpr std::uint32_t before = 0, candidate = 1;
@@ -85,7 +89,7 @@ class BallPivoting {
   }
 
   /// Returns whether the triangle agrees with the normals, is not from an earlier level, and touches no point that was
-  /// interior at the beginning of this level. Points that became interior since do not matter.
+  /// interior at the beginning of this level. Points that became interior later do not count.
   bool is_candidate(const meshops::Front& front, const Triangle& t) const {
     for (unsigned i = 0; i < 3; ++i) {
       if (!std::binary_search(open_.begin(), open_.end(), t[i])) return false;
@@ -96,7 +100,7 @@ class BallPivoting {
     return (!there.is_valid() || front.level(there) == level_) && ball_.agrees(t);
   }
 
-  /// Returns whether a triangle of an earlier level lies on the left of h.
+  /// Returns whether a triangle of an earlier level is on the left of h.
   bool is_of_before(const meshops::Front& front, meshops::Halfedge h) const {
     const meshops::Face f = front.mesh().face_handle(h);
     return f.is_valid() && front.level(f) < level_;

@@ -1,4 +1,4 @@
-// The recipes of docs/reference/operators.md, section 7, one after the other on one mesh.
+// The recipes of docs/reference/operators.md, section 7, one after another on one mesh.
 #include "meshops/meshops.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

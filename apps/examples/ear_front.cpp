@@ -1,5 +1,5 @@
-// Cuts a polygon into ears, the shortest cut first: an example of keys that change with the neighbors, and of deferred
-// edges. Copy and change it.
+// Cuts a polygon into ears, with the shortest cut first: an example of keys that change with the neighbors, and of
+// deferred edges. Copy and change it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ struct Place {
   std::int64_t x, y;  // integers, so that every decision is exact
 };
 
-/// Returns twice the area of a triangle; positive when it is counter-clockwise.
+/// Returns twice the area of a triangle; positive if the triangle is counter-clockwise.
 std::int64_t area(const Place& a, const Place& b, const Place& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -29,7 +29,7 @@ class Ears {
  public:
   explicit Ears(const std::vector<Place>& polygon) : at_(polygon) {}
 
-  /// Returns the square of the length of the cut. A cut nearby changes it; the key is then computed again.
+  /// Returns the square of the length of the cut. A cut nearby changes this key, which is then computed again.
   static constexpr bool rekeys_neighbors = true;
   std::int64_t key(const Front& front, Halfedge h) const {
     const auto [a, b, c] = ear(front, h);
@@ -37,10 +37,10 @@ class Ears {
     return x * x + y * y;
   }
 
-  /// Proposes no triangle apart from the others.
+  /// Proposes no separate triangle.
   std::optional<Proposal::Triangle> seed(const Front&) const { return std::nullopt; }
 
-  /// Proposes the ear, or defers the edge until something has been cut off.
+  /// Proposes the ear, or defers the edge until another ear has been cut off.
   Proposal propose(const Front& front, Halfedge h) {
     const auto [a, b, c] = ear(front, h);
     if (is_empty(a, b, c)) return c;
@@ -66,8 +66,8 @@ class Ears {
   const std::vector<Place>& at_;
 };
 
-/// Returns a corridor that goes up and down: the cut across a bend is the shortest, and its opposite corner is in the
-/// way.
+/// Returns a corridor that goes up and down: the cut across a bend is the shortest, and the opposite corner of the bend
+/// is in the way.
 std::vector<Place> zigzag(std::int64_t turns) {
   std::vector<Place> corners;
   for (std::int64_t i = 0; i <= turns; ++i) corners.push_back({4 * i, i % 2 * 10});
@@ -80,7 +80,7 @@ int main() {
   const auto count = static_cast<Site>(polygon.size());
   OpenMesh::TriMesh_ArrayKernelT<> mesh;
   Front front(mesh, count + 1);
-  // A front needs faces behind it: a cone, whose apex is a site without a place.
+  // Make faces behind the front, which needs them: a cone, whose apex is a site without a place.
   for (Site s = 0; s < count; ++s) front.create(count, (s + 1) % count, s);
 
   Ears ears(polygon);
@@ -92,7 +92,7 @@ int main() {
   for (const meshops::Face f : mesh.faces()) {
     std::vector<Site> corner;
     for (const meshops::Vertex v : mesh.fv_range(f)) corner.push_back(site[static_cast<std::size_t>(v.idx())]);
-    if (std::find(corner.begin(), corner.end(), count) != corner.end()) continue;  // a triangle of the cone
+    if (std::find(corner.begin(), corner.end(), count) != corner.end()) continue;  // skip triangles of the cone
     ++triangles;
     covered += area(polygon[corner[0]], polygon[corner[1]], polygon[corner[2]]);
   }

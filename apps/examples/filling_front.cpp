@@ -1,5 +1,5 @@
-// A front that begins on a mesh and processes its edges in its own order: it fills a hole, the shortest edge first.
-// Copy and change it.
+// A front that begins on a mesh and processes its edges in its own order: it fills a hole, with the shortest edge
+// first. Copy and change it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <iostream>
 #include <optional>
@@ -27,13 +27,14 @@ class ShortestFirst {
       rim_.push_back(static_cast<Site>(mesh.from_vertex_handle(h).idx()));
   }
 
-  /// Returns the square of the length: the least key comes first.
+  /// Returns the square of the length of h: the least key is next.
   double key(const Front& front, Halfedge h) const { return (at(front.from_site(h)) - at(front.to_site(h))).sqrnorm(); }
 
-  /// Proposes no triangle apart from the others.
+  /// Proposes no separate triangle.
   std::optional<std::array<Site, 3>> seed(const Front&) const { return std::nullopt; }
 
-  /// Proposes the nearest point on the rim of the hole that makes a triangle into which nothing reaches.
+  /// Proposes the nearest point of the rim with which the triangle contains no point of the rim and no edge of the
+  /// front crosses it.
   std::optional<Site> propose(const Front& front, Halfedge h) const {
     const Site a = front.from_site(h), b = front.to_site(h);
     std::optional<Site> best;
@@ -48,7 +49,7 @@ class ShortestFirst {
   const Mesh::Point& at(Site s) const { return mesh_.point(meshops::Vertex(static_cast<int>(s))); }
   double distance(Site a, Site b, Site s) const { return (at(a) + at(b) - 2 * at(s)).sqrnorm(); }
 
-  /// Returns a positive number when c is left of the line from a to b.
+  /// Returns a number that is positive if c is left of the line from a to b.
   double side(Site a, Site b, Site c) const { return ((at(b) - at(a)) % (at(c) - at(a)))[2]; }
 
   bool is_empty(const Front& front, Site a, Site b, Site c) const {
@@ -69,7 +70,7 @@ class ShortestFirst {
   std::vector<Site> rim_;
 };
 
-/// Returns a square sheet of triangles with a hole that is not convex: all near a slanting line is missing.
+/// Returns a square sheet of triangles with a hole that is not convex: triangles near a slanting line are missing.
 Mesh sheet_with_hole(int side) {
   Mesh mesh;
   for (int y = 0; y <= side; ++y)

@@ -1,9 +1,9 @@
-// What: a grid over the sides of a front in the plane, which answers whether a new side crosses the front. Copy it.
+// What: a grid over the sides of a front in the plane, which tells whether a new side crosses the front. Copy it.
 // Law:  the answer equals that of a test of every side of the front (tested). It is exact for integer coordinates: a
-//       lesser coordinate never has a greater cell, so that sides that cross have a cell in common, and no product
-//       overflows. For doubles, call exact predicates of your own in turn().
-// Cost: for a side no longer than a few times the mean distance of points, the sides near it; for a long one, its
-//       cells.
+//       smaller coordinate never has a larger cell number, so that sides that cross have a cell in common, and no
+//       product overflows. For doubles, call exact predicates of your own in turn().
+// Cost: for a side no longer than a few times the mean distance of points, the number of sides near it; for a longer
+//       side, the number of its cells.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,9 @@ struct Place {
   std::int64_t x, y;  ///< from −2³⁰ to 2³⁰
 };
 
-/// Visitor that keeps the grid in step with the front: pass it to meshops::advance(). Sites are indices of places. If a
-/// policy adds places, they must be in the vector, and inside the box of the others, before their triangle is inserted.
+/// A visitor that updates the grid when the front changes: pass it to meshops::advance(). Sites are indices of places.
+/// If a policy adds a place, it must be in the vector, and inside the box of the others, before its triangle is
+/// inserted.
 class FrontGrid : public meshops::FrontVisitor {
  public:
   explicit FrontGrid(const std::vector<Place>& places) : places_(places) {
@@ -32,11 +33,11 @@ class FrontGrid : public meshops::FrontVisitor {
     cells_.resize(static_cast<std::size_t>(columns_ * rows_));
   }
 
-  /// Returns whether the segment between a and b crosses a side of the front in the inner parts of both. Touching is no
-  /// crossing, and neither is a common end.
+  /// Returns whether the segment between a and b crosses a side of the front at an inner point of both. Touching, and a
+  /// common end, do not count.
   bool crosses(const meshops::Front& front, meshops::Site a, meshops::Site b) {
     return any_cell(a, b, [&](std::vector<Side>& cell) {
-      // Sides that are no longer at the front are removed when they are met.
+      // Remove sides that are no longer at the front.
       std::erase_if(cell, [&](const Side& s) { return !front.boundary_between(s.from, s.to).is_valid(); });
       return std::ranges::any_of(cell, [&](const Side& s) { return cross(a, b, s.from, s.to); });
     });
@@ -51,7 +52,7 @@ class FrontGrid : public meshops::FrontVisitor {
       if (side.is_valid()) add(front, side);
   }
 
-  /// Returns 1 when a, b, c turn left, −1 when they turn right, 0 when they are on a line.
+  /// Returns 1 if a, b, c turn left, −1 if they turn right, 0 if they are on a line.
   int turn(meshops::Site a, meshops::Site b, meshops::Site c) const {
     const Place &p = places_[a], &q = places_[b], &r = places_[c];
     const std::int64_t area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
@@ -68,7 +69,7 @@ class FrontGrid : public meshops::FrontVisitor {
     friend bool operator==(const Side&, const Side&) = default;
   };
 
-  /// Adds those sides of a new triangle that are at the front.
+  /// Adds the sides of a new triangle that are at the front.
   void add(const meshops::Front& front, const std::array<meshops::Halfedge, 3>& sides) {
     for (const meshops::Halfedge side : sides) {
       const meshops::Halfedge beyond = front.mesh().opposite_halfedge_handle(side);
@@ -86,7 +87,8 @@ class FrontGrid : public meshops::FrontVisitor {
   static std::int64_t step(std::int64_t from, std::int64_t size, std::int64_t at, std::int64_t steps) {
     return std::clamp<std::int64_t>((at - from) / size, 0, steps - 1);
   }
-  /// Calls visit(cell) for the cells of the box around both places, until it returns true.
+  /// Calls visit(cell) for the cells of the box around the places of a and b, until a call returns true; returns
+  /// whether one did.
   template <typename Visit>
   bool any_cell(meshops::Site a, meshops::Site b, Visit visit) {
     const Place &p = places_[a], &q = places_[b];

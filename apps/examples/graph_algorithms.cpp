@@ -20,7 +20,7 @@ using Mesh = OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
 
 namespace {
 
-/// Returns three by two unit squares, each cut along its rising diagonal, and a triangle apart from them.
+/// Returns three by two unit squares, each cut along its rising diagonal, and a separate triangle.
 ///
 ///     8--9-10-11
 ///     | /| /| /|
@@ -60,7 +60,7 @@ int main() {
   std::printf("components: %zu by vertices, %zu by faces\n", component_count(primal), component_count(dual));
   std::printf("boundary curves: %zu\n", component_count(boundary));
 
-  // The shortest path along edges, weighted by the distances of the points.
+  // Find the shortest path along edges, weighted by the distances of the points.
   const auto length = length_map(mesh);
   std::vector<double> distance(num_vertices(primal));
   std::vector<Vertex> before(num_vertices(primal));
@@ -72,21 +72,21 @@ int main() {
   for (Vertex v = last; v != first; v = before[static_cast<std::size_t>(v.idx())]) std::printf(" %d", v.idx());
   std::printf(" 0\n");
 
-  // A shortest spanning forest of all vertices, as halfedges, one of each edge.
+  // Find a shortest spanning forest of all vertices, as one halfedge of each edge.
   std::vector<Halfedge> forest;
   boost::kruskal_minimum_spanning_tree(primal, std::back_inserter(forest), boost::weight_map(length));
   double total = 0;
   for (const Halfedge h : forest) total += get(length, h);
   std::printf("spanning forest: %zu edges of total length %.3f\n", forest.size(), total);
 
-  // The number of edges to cross from face to face.
+  // Count the edges to cross from a face to each other.
   std::vector<int> crossed(num_vertices(dual), 0);
   boost::breadth_first_search(dual, Face(0),
                               boost::visitor(boost::make_bfs_visitor(boost::record_distances(
                                   by_index(crossed, get(boost::vertex_index, dual)), boost::on_tree_edge()))));
   std::printf("from face 0 to face 11: %d edges crossed\n", crossed[11]);
 
-  // The number of paths between two vertices that have no edge in common: a maximum flow with capacity one.
+  // Count the paths between two vertices that have no edge in common: a maximum flow with capacity one.
   auto both_ways = directed(primal);
   std::vector<int> residual(num_edges(both_ways));
   const auto one = edge_map([](Edge) { return 1; });

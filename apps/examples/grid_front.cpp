@@ -1,5 +1,5 @@
-// A front that queries a grid whether a new side would cross it, instead of testing every side. Here each answer is
-// compared with a test of all sides; your own front would leave this out.
+// A front that finds by a grid whether a new side would cross it, instead of testing every side. Here each answer is
+// compared with a test of all sides; your own front would omit this test.
 #include "examples/front_grid.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
@@ -15,7 +15,7 @@ using meshops::Front;
 using meshops::Halfedge;
 using meshops::Site;
 
-/// Policy that attaches to every edge the nearest possible point on its left.
+/// A policy that attaches to every edge the nearest possible point on its left.
 class NearestByGrid {
  public:
   NearestByGrid(const std::vector<Place>& places, FrontGrid& grid) : places_(places), grid_(grid) {}

@@ -14,7 +14,7 @@ struct Place {
   std::int64_t x, y;  // integers, so that every decision is exact
 };
 
-/// Returns a positive number when c is left of the line from a to b.
+/// Returns a number that is positive if c is left of the line from a to b.
 std::int64_t side(const Place& a, const Place& b, const Place& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
@@ -32,7 +32,7 @@ class NearestPoint {
       if (distance(first, first, s) < distance(first, first, second)) second = s;
     if (const auto third = nearest(front, first, second)) return std::array{first, second, *third};
     if (const auto third = nearest(front, second, first)) return std::array{second, first, *third};
-    return std::nullopt;  // all on one line
+    return std::nullopt;  // all points are on one line
   }
 
   /// Proposes the point to attach to the edge h, whose left side is empty.
@@ -44,7 +44,7 @@ class NearestPoint {
   meshops::Site count() const { return static_cast<meshops::Site>(places_.size()); }
   const Place& at(meshops::Site s) const { return places_[s]; }
 
-  /// Returns four times the square of the distance from the middle of a and b.
+  /// Returns four times the square of the distance of s from the middle of a and b.
   std::int64_t distance(meshops::Site a, meshops::Site b, meshops::Site s) const {
     const std::int64_t x = 2 * at(s).x - at(a).x - at(b).x, y = 2 * at(s).y - at(a).y - at(b).y;
     return x * x + y * y;
@@ -58,7 +58,7 @@ class NearestPoint {
     return best;
   }
 
-  /// Returns whether the triangle holds no other point, and no edge of the front crosses its new sides.
+  /// Returns whether the triangle contains no other point, and no edge of the front crosses its new sides.
   bool fits(const meshops::Front& front, meshops::Site a, meshops::Site b, meshops::Site c) const {
     for (meshops::Site s = 0; s < count(); ++s)
       if (s != a && s != b && s != c && side(at(a), at(b), at(s)) >= 0 && side(at(b), at(c), at(s)) >= 0 &&
@@ -93,7 +93,7 @@ int main() {
   NearestPoint policy(places);
   meshops::advance(front, policy);
 
-  const std::vector<meshops::Site> site = front.finish();  // for each vertex of the mesh
+  const std::vector<meshops::Site> site = front.finish();  // the site of each vertex of the mesh
   for (std::size_t v = 0; v < site.size(); ++v) {
     const Place& place = places[site[v]];
     mesh.set_point(meshops::Vertex(static_cast<int>(v)),

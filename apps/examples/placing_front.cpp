@@ -19,14 +19,15 @@ class EvenTriangles {
   explicit EvenTriangles(double radius) : radius_(radius) {}
   const std::vector<Vec>& places() const { return places_; }
 
-  /// Proposes one triangle in the middle, on the three next sites, which are the first ones.
+  /// Proposes one triangle in the middle, on the first three sites; nothing if the front has faces.
   std::optional<std::array<Site, 3>> seed(const Front& front) {
     if (front.faces() > 0) return std::nullopt;
     places_ = {{0, 0}, {1, 0}, third_corner({0, 0}, {1, 0})};
     return std::array<Site, 3>{0, 1, 2};
   }
 
-  /// Proposes the point that exists near the ideal third corner, or a new point there if it is still on the plate.
+  /// Proposes an existing point near the ideal third corner, or a new point there; nothing if that corner is off the
+  /// plate.
   std::optional<Site> propose(const Front& front, Halfedge h) {
     places_.resize(front.sites());
     const Vec apex = third_corner(places_[front.from_site(h)], places_[front.to_site(h)]);
@@ -44,7 +45,7 @@ class EvenTriangles {
   }
 
   double radius_;
-  std::vector<Vec> places_;  // for each site
+  std::vector<Vec> places_;  // the place of each site
 };
 
 int main() {

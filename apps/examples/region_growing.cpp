@@ -21,8 +21,8 @@ using meshops::Site;
 using meshops::Vertex;
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// Policy for a mesh of triangles whose edges join different vertices. Sites are its vertices. `is_crease(edge)` is
-/// called for inner edges.
+/// A policy for a mesh of triangles, each of whose edges joins two different vertices. Sites are the vertices of the
+/// mesh. is_crease(edge) is called for inner edges.
 template <typename IsCrease>
 class Regions {
  public:
@@ -42,7 +42,7 @@ class Regions {
     const Halfedge h = beyond(front, at);
     return ends_at(h) ? std::nullopt : std::optional(apex(h));
   }
-  /// Keeps regions apart: on either side of a crease, each region has an edge of its own.
+  /// Returns whether to glue across the edge: not at a crease, so that regions on both sides have an edge of their own.
   bool glues(const Front& front, Halfedge at, Site) const { return !ends_at(beyond(front, at)); }
 
  private:
@@ -61,8 +61,8 @@ class Regions {
 
 namespace {
 
-/// Returns the surface of a cube of side³ small cubes, two triangles per square; integer coordinates, so that normals
-/// are exact.
+/// Returns the surface of a cube of side³ small cubes, with two triangles for each square, and integer coordinates, so
+/// that normals are exact.
 Mesh cube(int side) {
   Mesh mesh;
   std::map<std::array<int, 3>, std::uint32_t> point;
@@ -97,7 +97,7 @@ Mesh cube(int side) {
   return mesh;
 }
 
-/// Returns whether the two triangles of the edge lie in different planes.
+/// Returns whether the two triangles of the edge are in different planes.
 bool is_fold(const Mesh& mesh, Edge e) {
   const auto normal = [&](Halfedge h) {
     const auto& a = mesh.point(mesh.from_vertex_handle(h));
@@ -107,7 +107,7 @@ bool is_fold(const Mesh& mesh, Edge e) {
   return (normal(mesh.halfedge_handle(e, 0)) % normal(mesh.halfedge_handle(e, 1))).sqrnorm() != 0;
 }
 
-/// Returns the regions by definition: faces that are connected across edges that are not a crease.
+/// Returns the regions by their definition: sets of faces that are connected across edges that are not creases.
 template <typename IsCrease>
 std::map<std::uint32_t, std::size_t> flood(const Mesh& mesh, IsCrease is_crease) {
   meshops::DisjointSets sets(mesh.n_faces());
@@ -153,7 +153,7 @@ void segment(const char* name, const Mesh& mesh, IsCrease is_crease) {
 int main() {
   const Mesh mesh = cube(4);
   segment("sides of a cube", mesh, [&](Edge e) { return is_fold(mesh, e); });
-  // A crease that ends inside a region separates nothing: one region with a slit.
+  // Test a crease that ends inside a region: it separates nothing, and there is one region with a slit.
   segment("a slit", mesh, [&](Edge e) { return e.idx() == 40; });
   segment("every edge", mesh, [](Edge) { return true; });
   segment("none", mesh, [](Edge) { return false; });

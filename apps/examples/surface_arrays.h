@@ -1,4 +1,4 @@
-// Converts the mesh of a front to plain arrays in canonical order, as rbpa::surface() returns them.
+// Converts the mesh of a front to plain arrays in canonical order, such as rbpa::surface() returns.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,15 @@
 #include "meshops/front/front.h"
 #include "rbpa/space/surface/surface.h"
 
-/// Returns triangles in canonical order, the triangles across from their corners, and levels from 0, as
-/// rbpa::surface().
+/// Returns a surface as rbpa::surface() does: triangles in canonical order, the triangle opposite to each of their
+/// corners, and levels from 0.
 /// Requires: `site` is the result of finish(), and next_level() was called before each radius.
 inline rbpa::Surface arrays(const meshops::Front& front, const std::vector<meshops::Site>& site) {
   using meshops::Halfedge;
   const meshops::Connectivity& mesh = front.mesh();
   const auto site_at = [&](Halfedge h) { return site[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())]; };
   std::vector<std::pair<std::array<meshops::Site, 3>, Halfedge>>
-      found;  // corners, and the halfedge that leads to the first
+      found;  // corners, and the halfedge to the first corner
   for (const meshops::Face f : mesh.faces()) {
     Halfedge h = mesh.halfedge_handle(f);
     while (site_at(h) > site_at(mesh.next_halfedge_handle(h)) || site_at(h) > site_at(mesh.prev_halfedge_handle(h)))
@@ -36,7 +36,7 @@ inline rbpa::Surface arrays(const meshops::Front& front, const std::vector<mesho
     surface.triangles.push_back(corners);
     surface.levels.push_back(static_cast<std::uint32_t>(front.level(mesh.face_handle(first)) - 1));
     auto& across = surface.neighbors.emplace_back();
-    Halfedge h = mesh.prev_halfedge_handle(first);  // across from the first corner
+    Halfedge h = mesh.prev_halfedge_handle(first);  // opposite to the first corner
     for (std::uint32_t& other : across) {
       const meshops::Face f = mesh.face_handle(mesh.opposite_halfedge_handle(h));
       other = f.is_valid() ? number[static_cast<std::size_t>(f.idx())] : rbpa::Surface::none;

@@ -14,7 +14,7 @@ namespace rbpa::app {
 namespace {
 
 /// EPSG codes of common geographic systems: WGS 84, ETRS89, NAD83, NAD27 and national systems. Any other system counts
-/// as geographic only if the file says so.
+/// as geographic only if the file names it so.
 constexpr std::string_view geographic_codes[] = {
     "4326", "4979", "4258", "4937", "4269", "4267", "4283", "7844", "4171", "4230", "4277", "4289", "4313", "4314",
     "4149", "4150", "4167", "4152", "4612", "6668", "4490", "4610", "4214", "4674", "4618", "4617", "6318", "4275",

@@ -1,5 +1,5 @@
-// What: the exports of every WebAssembly module: memory for inputs, and arrays and a message as outputs.
-// Law:  one call at a time; its results are valid until the next call, or until they are cleared.
+// What: the exports that every WebAssembly module has: memory for inputs; arrays and a message as outputs.
+// Law:  one call at a time. The results of a call are valid until the next call, or until they are cleared.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace rbpa::javascript {
 class Results {
  public:
   void clear() { arrays_.clear(); }
-  /// Adds an array. Requires: items without padding, as JavaScript reads all bytes as numbers.
+  /// Adds an array. Requires: an Item has no padding, as JavaScript reads all bytes as numbers.
   template <typename Item>
   void add(std::vector<Item> items) {
     const auto kept = std::make_shared<std::vector<Item>>(std::move(items));
@@ -40,7 +40,7 @@ class Results {
 inline Results results;
 inline std::string message;
 
-/// Runs work(). Returns whether it ended without an exception; otherwise `message` has the text of the exception.
+/// Calls work(). Returns whether it threw no exception; if it threw one, sets `message` to the text of the exception.
 template <typename Work>
 bool completes(const Work& work) {
   results.clear();

@@ -1,5 +1,5 @@
-// What: parts of C++20 that the library uses and that the standard library of Emscripten 3.1.6 (libc++ 13) lacks.
-//       Included before each source.
+// What: parts of C++20 that the library uses, and that the standard library of Emscripten 3.1.6 (libc++ 13) lacks. The
+//       build includes this header before each source.
 #pragma once
 
 #include <version>
@@ -11,7 +11,8 @@
 #include <memory>
 #include <type_traits>
 
-/// Writes a number as text; returns its length, or −1 if `room` is too small. Implemented in common.js.
+/// Writes `value` as text to `at`. Returns the length of the text, or −1 if it is longer than `room` characters.
+/// Implemented in common.js.
 extern "C" __attribute__((import_module("rbpa"), import_name("text"))) int rbpa_text(double value, char* at, int room);
 
 namespace std {
@@ -38,7 +39,7 @@ class atomic_ref {
   T& value_;
 };
 
-/// Writes the shortest text that reads back, as JavaScript does.
+/// Writes the shortest text that reads back to `value`, as JavaScript formats it.
 inline to_chars_result to_chars(char* first, char* last, double value) {
   const int length = rbpa_text(value, first, static_cast<int>(last - first));
   return length < 0 ? to_chars_result{last, errc::value_too_large} : to_chars_result{first + length, errc()};

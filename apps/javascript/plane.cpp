@@ -1,5 +1,5 @@
-// What: the functions of the plane that WebAssembly exports. Points are numbers in its memory, results are arrays
-//       there.
+// What: the functions of the plane that WebAssembly exports. Points are numbers in the memory of WebAssembly; results
+//       are arrays there.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -37,8 +37,8 @@ std::span<const Point> points_of(const double* numbers, std::size_t count) {
 }
 enum class Seen { y_up, y_down };  ///< direction of y in which the corners of triangles are counter-clockwise
 
-/// Returns for each side of a triangle, from corner i to the next, the same side of the triangle beyond, or −1. If y
-/// points down, corners b and c are swapped later, so that the sides come in the opposite order.
+/// Returns for each side of a triangle, from corner i to the next, the number of the same side in the triangle beyond,
+/// or −1. If y points down, sides are in the opposite order, as the caller swaps corners b and c.
 std::vector<std::int32_t> halfedges_of(const std::vector<Triangle>& triangles, const std::vector<Triangle>& neighbors,
                                        Seen seen) {
   std::vector<std::int32_t> halfedges(3 * triangles.size());
@@ -48,7 +48,7 @@ std::vector<std::int32_t> halfedges_of(const std::vector<Triangle>& triangles, c
       const std::size_t here = side(t, i);
       const std::uint32_t beyond = neighbors[t][(i + 2) % 3];
       if (beyond == AlphaComplex::none) halfedges[here] = -1;
-      if (beyond == AlphaComplex::none || beyond < t) continue;  // a lesser triangle has set both
+      if (beyond == AlphaComplex::none || beyond < t) continue;  // the triangle of the lower number sets both
       const Triangle& other = triangles[beyond];
       const std::uint32_t end = triangles[t][(i + 1) % 3];
       const std::size_t there = side(beyond, other[1] == end ? 1U : other[2] == end ? 2U : 0U);
@@ -62,14 +62,14 @@ AlphaComplex triangulated(std::span<const Point> points, double alpha) {
   return rbpa::alpha_complex(points, alpha, {.neighbors = true, .boundary = true});
 }
 
-/// Parses a rule; without one, the choice is the radius.
+/// Returns the choice that `rule` names; if it is null, the choice of `radius`.
 rbpa::AlphaChoice choice_of(const char* rule, double radius) {
   if (!rule) return {.radius = radius};
   if (const std::optional<rbpa::AlphaChoice> choice = rbpa::parse_alpha_rule(rule)) return *choice;
   throw rbpa::InvalidInput("alpha: found '" + std::string(rule) + "', expected " + std::string(rbpa::expected_alpha));
 }
 
-/// Returns the radius, given or chosen by the rule; 0 if the points have no triangle at any radius.
+/// Returns the radius that `choice` has or chooses; 0 if the points have no triangle at any radius.
 double chosen(const rbpa::AlphaChoice& choice, const rbpa::Delaunay& delaunay) {
   return rbpa::choose_alpha(choice, delaunay).alpha.value_or(0);
 }
@@ -83,7 +83,7 @@ void add_triangulation(AlphaComplex made) {
   results.add(std::move(made.duplicates));
 }
 
-/// Adds the first ring of each polygon, the first point of each ring, and the points.
+/// Adds three arrays to the results: the first ring of each polygon, the first point of each ring, and the points.
 void add_polygons(const std::vector<rbpa::Polygon>& polygons) {
   std::vector<std::uint32_t> first_ring = {0}, first_point = {0}, points;
   std::vector<double> area, perimeter;
@@ -113,8 +113,8 @@ RBPA_EXPORT bool rbpa_alpha_complex(const double* points, std::size_t count, dou
   return completes([&] { add_triangulation(triangulated(points_of(points, count), alpha)); });
 }
 
-/// Computes the members of Delaunator: triangles counter-clockwise if y points down, the twins of their sides, the
-/// sides of the hull.
+/// Computes the members of Delaunator: triangles that are counter-clockwise if y points down; the twin of each of their
+/// sides; the hull.
 RBPA_EXPORT bool rbpa_delaunator(const double* points, std::size_t count) {
   return completes([&] {
     AlphaComplex made = triangulated(points_of(points, count), infinity);

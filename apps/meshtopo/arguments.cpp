@@ -21,7 +21,7 @@ MeshSource parse_source(const std::string& path, const std::optional<std::string
   refuse_ending(path, endings(Use::mesh), "--format");
 }
 
-/// Returns the target of a mesh; as in rbpa, --output-format decides if the ending does not.
+/// Returns the target of a mesh. The format is that of the ending of `path`, else `format`, that of --output-format.
 TopologyTarget parse_mesh_target(const std::string& option, const std::string& path,
                                  const std::optional<std::string>& format) {
   const std::optional<Format> named = format ? find_format(Use::mesh, *format) : std::nullopt;
@@ -38,7 +38,7 @@ TopologyTarget parse_generator_target(const std::string& path) {
                    endings(Use::polylines));
 }
 
-/// Returns the target of a report, with its format by the ending or by --json.
+/// Returns the target of a report, in the format of the ending of `path` or of --json.
 TopologyTarget parse_report_target(const std::string& path, bool json) {
   if (path == "-") return {path, json ? Format::json : Format::text};
   const std::string_view name = ending(path);
@@ -74,7 +74,7 @@ double parse_length(const std::string& option, const std::string& text) {
   throw WrongUsage(option + ": found " + in_quotes(text) + ", expected a length, such as 2.5");
 }
 
-/// Returns the first option on the command line that changes the mesh.
+/// Returns the first option that changes the mesh. Requires: there is one, other than --repair.
 std::string change_option(const TopologyArguments& arguments) {
   return arguments.weld           ? "--weld"
          : arguments.keep_largest ? "--keep-largest"
@@ -84,7 +84,8 @@ std::string change_option(const TopologyArguments& arguments) {
                                   : "--close-tunnels-below";
 }
 
-/// Returns whether -o names the mesh, not the report: --repair has no OUT, or the mesh is changed and not repaired.
+/// Returns whether -o names the mesh and not the report: --repair has no OUT, or, without --repair, another option
+/// changes the mesh and the format of -o is that of a mesh.
 bool writes_mesh(const TopologyArguments& arguments) {
   if (arguments.repair) return arguments.repaired.empty();
   const bool changes = arguments.weld || arguments.keep_largest || arguments.drop_small || arguments.orient ||
@@ -92,7 +93,7 @@ bool writes_mesh(const TopologyArguments& arguments) {
   return changes && (arguments.output_format || find_format(Use::mesh, ending(*arguments.output)));
 }
 
-/// Throws WrongUsage if an option would write a mesh or generators, which is possible for a single input only.
+/// Throws WrongUsage for an option that writes a mesh or generators, as it applies only to a single input.
 void require_reports_alone(const TopologyArguments& arguments) {
   const auto refuse = [&](const char* option) {
     throw WrongUsage(std::string(option) + ": found " + std::to_string(arguments.meshes.size()) +
@@ -116,7 +117,7 @@ std::vector<std::string> TopologyPlan::outputs() const {
 }
 
 TopologyPlan plan(TopologyArguments arguments) {
-  // `--repair MESH -o OUT`: the argument of --repair is the mesh if there is no other.
+  // Accept `--repair MESH -o OUT`: if no mesh is named otherwise, the argument of --repair is the mesh.
   if (arguments.meshes.empty() && arguments.output && !arguments.repaired.empty())
     arguments.meshes = {std::exchange(arguments.repaired, std::string())};
   if (arguments.meshes.empty())

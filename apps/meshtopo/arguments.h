@@ -28,7 +28,7 @@ struct TopologyArguments {
   std::optional<std::string> fill_holes;
   std::optional<std::string> close_tunnels_below;
   bool repair = false;
-  std::string repaired;  ///< OUT of --repair; empty if -o names the file
+  std::string repaired;  ///< path OUT of --repair; empty if -o names it
   std::optional<std::string> generators;
   bool shortest = false;
   std::vector<std::string> checks;  ///< comma-separated lists
@@ -44,7 +44,7 @@ struct TopologyTarget {
 
 /// The inputs, actions and outputs of a run.
 struct TopologyPlan {
-  std::vector<MeshSource> sources;  ///< if there are several, only reports are written
+  std::vector<MeshSource> sources;  ///< if there are several, only a report is written
   std::size_t max_defects;
   bool quiet;  ///< show no progress
   std::vector<Check> checks = {};
@@ -53,18 +53,18 @@ struct TopologyPlan {
   std::optional<HoleChoice> fill = std::nullopt;
   std::optional<double> tunnels_below = std::nullopt;
   std::optional<TopologyTarget> report = std::nullopt;
-  std::optional<TopologyTarget> written = std::nullopt;  ///< the mesh, edited and repaired as requested
-  std::optional<Shift> shift = std::nullopt;             ///< subtracted from the mesh, for STL
+  std::optional<TopologyTarget> written = std::nullopt;  ///< for the mesh, edited and repaired as requested
+  std::optional<Shift> shift = std::nullopt;             ///< what is subtracted from positions for STL
   std::optional<TopologyTarget> generators = std::nullopt;
   bool shortest = false;  ///< write shortest generators
 
   /// Returns whether an option other than --repair changes the mesh.
   bool changes() const { return edits.any() || fill || tunnels_below; }
-  /// Returns the paths of mesh, generators and report, those that are written, in this order.
+  /// Returns the paths of mesh, generators and report, in this order, as far as they are written.
   std::vector<std::string> outputs() const;
 };
 
-/// Parses and checks the arguments. Throws WrongUsage naming the value.
+/// Parses and checks the arguments. Throws WrongUsage that names the value.
 TopologyPlan plan(TopologyArguments arguments);
 
 }  // namespace rbpa::app

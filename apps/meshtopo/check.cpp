@@ -46,7 +46,7 @@ Check parse_check(const std::string& text) {
 
 long value_of(std::size_t number) { return static_cast<long>(number); }
 
-/// Returns the number of the report that the check `name` compares; nothing for the genus of a mesh without one.
+/// Returns the number in the report that the check `name` compares; nothing for the genus of a mesh that has none.
 std::optional<long> count_of(std::string_view name, const Examined& mesh) {
   const meshops::TopologyReport& t = mesh.topology;
   if (name == "euler") return t.euler();
@@ -64,7 +64,7 @@ std::optional<long> count_of(std::string_view name, const Examined& mesh) {
       std::find_if(std::begin(numbers), std::end(numbers), [&](const auto& n) { return n.first == name; })->second);
 }
 
-/// Returns "2 non-manifold edges and 1 pinch"; an empty text if there is no defect of `kinds`.
+/// Returns "2 non-manifold edges and 1 pinch"; "" if there is no defect of `kinds`.
 std::string counted_kinds(const Examined& mesh, std::initializer_list<SoupDefectKind> kinds) {
   std::vector<std::string> parts;
   for (const SoupDefectKind kind : kinds) {

@@ -1,5 +1,5 @@
-// What: the properties that --check requires of a mesh, and their evaluation.
-// Law:  every property is computed from the report and the list of defects alone.
+// What: parses and evaluates the properties that --check requires of a mesh.
+// Law:  properties follow from the report and the list of defects alone.
 #pragma once
 
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace rbpa::app {
 
-/// Parses a comma-separated list of properties: "closed,genus=0" has two. Throws WrongUsage with the known properties.
+/// Parses a comma-separated list of properties: "closed,genus=0" has two. Throws WrongUsage that lists the known
+/// properties.
 std::vector<Check> parse_checks(const std::string& list);
 
 /// Returns the properties for help and messages: "closed, manifold, oriented, orientable, vertices=N, ...".
@@ -17,7 +18,7 @@ std::string known_checks();
 
 CheckResult evaluate(const Check& check, const Examined& mesh);
 
-/// Returns "closed: found 1 boundary curve, expected none" for a check that does not hold.
+/// Returns the message for a check that does not hold: "closed: found 1 boundary curve, expected none".
 std::string failure_of(const CheckResult& result);
 
 }  // namespace rbpa::app

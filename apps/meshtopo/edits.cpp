@@ -19,7 +19,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Compares lexicographically, with −0 before +0, so that one of equal positions is the least.
+/// Returns whether `a` is lexicographically less than `b`. −0 is less than +0, so that of positions which are equal
+/// numbers one is the least.
 bool is_before(const Position& a, const Position& b) {
   const auto key = [](const Position& p) {
     return std::tuple(p[0], p[1], p[2], !std::signbit(p[0]), !std::signbit(p[1]), !std::signbit(p[2]));
@@ -52,15 +53,15 @@ void weld(EditedMesh& edited, double distance) {
 }
 
 struct KeptComponents {
-  std::vector<bool> faces;  ///< for each face whether it is kept; degenerate and repeated faces are not
+  std::vector<bool> faces;  ///< for each face whether it is kept; degenerate and repeated faces are dropped
   std::size_t dropped = 0;  ///< number of dropped components
 };
 
-/// Returns the faces of the chosen components, which are connected through edges. Sizes are as in `rbpa surface`: a
-/// face of n corners counts as the n − 2 triangles of a fan. The choice does not depend on the order of vertices and
-/// faces. Requires: `choice` is not restricted to outer shells. Cost: that of a repair, plus n log n.
+/// Returns the faces of the chosen components, which are connected through edges. Sizes are those of `rbpa surface`: a
+/// face of n corners counts as n − 2 triangles, a fan. The choice does not depend on the order of vertices and faces.
+/// Requires: `choice` is not restricted to outer shells. Cost: that of meshops::repair(), and O(n log n).
 KeptComponents kept_components(const MeshFile& mesh, const ComponentChoice& choice) {
-  // The repair makes the faces of each component agree, and splits no component.
+  // Repair: it makes the faces of each component agree in direction, and splits no component.
   const meshops::Repair repaired = meshops::repair(mesh.soup, until_interrupted());
   const FaceFans fans(repaired, mesh.positions);
   const SurfaceComponents components = surface_components(fans.points, fans.surface, until_interrupted());
@@ -85,7 +86,8 @@ void drop(EditedMesh& edited, const ComponentChoice& choice) {
   renumber(edited, part);
 }
 
-/// Returns the faces of each closed orientable component as triangles that agree in direction; none for the others.
+/// Returns for each component the triangles of its faces, which agree in direction, if it is closed and orientable;
+/// else an empty list.
 std::vector<std::vector<Triangle>> triangles_by_piece(const MeshFile& mesh, const meshops::Orientation& orientation) {
   std::vector<std::vector<Triangle>> triangles(orientation.pieces.size());
   for (std::size_t f = 0; f < mesh.soup.faces(); ++f) {

@@ -1,6 +1,6 @@
-// What: the changes of a mesh before a repair: --weld, --keep-largest and --drop-small, --orient, in this order.
-// Law:  positions stay as in the file, and no face is added. The result does not depend on the order of vertices and
-//       faces, except for their numbers, and for the direction of an open component half of whose faces run either way.
+// What: changes a mesh before a repair, in this order: --weld, --keep-largest and --drop-small, --orient.
+// Law:  no position is changed, and no face is added. The order of vertices and faces affects only their numbers, and
+//       the direction of an open component of which exactly half of the faces have each direction.
 #pragma once
 
 #include <cstddef>
@@ -24,19 +24,19 @@ struct Edits {
 
 struct Dropped {
   std::size_t components = 0;
-  std::size_t faces = 0;     ///< dropped faces: those of dropped components, and degenerate and repeated ones
-  std::size_t vertices = 0;  ///< dropped vertices: all that are corners of no kept face
+  std::size_t faces = 0;     ///< dropped faces: of dropped components, degenerate and repeated
+  std::size_t vertices = 0;  ///< dropped vertices: those that are corners of no kept face
 };
 
 struct Oriented {
-  std::size_t faces = 0;                         ///< number of reversed faces
-  std::size_t outward = 0;                       ///< closed components that enclose a volume, and face outward
-  std::size_t inward = 0;                        ///< closed components in an odd number of others: walls of cavities
-  std::size_t nested = 0;                        ///< closed components within one or more others
-  std::vector<std::size_t> not_orientable = {};  ///< first face of each such component, by its number in the file
+  std::size_t faces = 0;    ///< number of reversed faces
+  std::size_t outward = 0;  ///< number of closed components that enclose a volume and face outward
+  std::size_t inward = 0;   ///< closed components within an odd number of others: walls of cavities
+  std::size_t nested = 0;   ///< closed components within one or more others
+  std::vector<std::size_t> not_orientable = {};  ///< number in the file of the first face of each component
 };
 
-/// The effects of the changes; absent if a change was not requested.
+/// The effects of the changes; each is absent unless the change was requested.
 struct EditReport {
   std::optional<Welded> weld = {};
   std::optional<Dropped> drop = {};
@@ -47,12 +47,13 @@ struct EditReport {
 
 struct EditedMesh {
   MeshFile mesh;                         ///< without line numbers
-  std::vector<std::uint32_t> point_was;  ///< for each vertex, its number in the file; of merged vertices, the least
-  std::vector<std::size_t> face_was;     ///< for each face, its number in the file
+  std::vector<std::uint32_t> point_was;  ///< number of each vertex in the file; of merged vertices the least number
+  std::vector<std::size_t> face_was;     ///< number of each face in the file
   EditReport report;
 };
 
-/// Applies the requested changes. Cost: that of near_vertices(), kept_components(), orient(). Throws Cancelled.
+/// Applies the requested changes to a copy of `mesh`. Cost: that of near_vertices(), meshops::repair() and
+/// meshops::orient(), and a sort. Throws Cancelled.
 EditedMesh edit(const MeshFile& mesh, const Edits& edits);
 
 }  // namespace rbpa::app

@@ -1,6 +1,7 @@
-// What: exact predicates of positions: the direction that a closed surface faces, and whether two positions are near.
-// Law:  the answer is that of real numbers, at any magnitude: rounded numbers decide if their error bound allows it,
-//       and integers of any length otherwise.
+// What: exact predicates of positions: the direction in which a closed surface faces, and whether two positions are
+//       near.
+// Law:  the answers are exact for coordinates of any magnitude: rounded numbers decide if their error bound allows it,
+//       otherwise integers of any length.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +14,11 @@ namespace rbpa::app {
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Returns the sign of the volume that a closed surface encloses: 1 if its triangles on the whole face outward, −1 if
-/// they face inward, 0 if the volume is 0. Cost: linear. Throws Cancelled.
+/// they face inward, 0 if the volume is 0. Requires: finite positions; triangles that agree in direction. Cost: linear.
+/// Throws Cancelled.
 int volume_sign(std::span<const Position> positions, std::span<const Triangle> triangles);
 
-/// Returns whether two positions are at most `distance` apart. Requires: 0 ≤ distance < ∞.
+/// Returns whether two positions are at most `distance` apart. Requires: 0 ≤ distance < ∞; finite positions.
 bool are_within(const Position& a, const Position& b, double distance);
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: splits the faces of a surface into triangles that are glued as the faces are.
+// What: splits the faces of a surface into triangles, which are glued to each other and where the faces are glued.
 // Why:  the library's functions for triangle surfaces then apply to faces of any number of corners.
 // Cost: a sort of the sides.
 #pragma once
@@ -15,11 +15,12 @@
 namespace rbpa::app {
 
 struct FaceFans {
-  Surface surface = {};                ///< on the vertices of the repaired soup; one fan of triangles around each
-  std::vector<Point3> points = {};     ///< position of each vertex
-  std::vector<std::size_t> face = {};  ///< face of each triangle, by its number in the repaired soup
+  Surface surface = {};             ///< of vertices of the repaired soup; around each vertex the triangles are one fan
+  std::vector<Point3> points = {};  ///< position of each vertex
+  std::vector<std::size_t> face = {};  ///< number of the face of each triangle, in the repaired soup
 
-  /// Requires: `repaired` is the repair of a mesh with these positions. Throws Cancelled.
+  /// Splits the faces of `repaired`. Requires: it is the repair of a mesh whose points have the positions `positions`.
+  /// Throws Cancelled.
   FaceFans(const meshops::Repair& repaired, std::span<const std::array<double, 3>> positions);
 };
 

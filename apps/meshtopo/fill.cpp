@@ -18,7 +18,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Returns the mean of points, which does not depend on their order.
+/// Returns the mean of the positions of `corners`, which does not depend on their order.
 Point3 mean_of(std::span<const std::uint32_t> corners, std::span<const Point3> points) {
   const auto mean = [&](double Point3::*coordinate) {
     std::vector<double> shares;
@@ -30,7 +30,7 @@ Point3 mean_of(std::span<const std::uint32_t> corners, std::span<const Point3> p
   return {mean(&Point3::x), mean(&Point3::y), mean(&Point3::z)};
 }
 
-/// The obstacles to new triangles: the faces as triangles of their vertices, and of the means of larger faces.
+/// The obstacles to new triangles: faces as triangles; a larger face as triangles around the mean of its corners.
 struct Obstacles {
   std::vector<Point3> points;
   std::vector<Triangle> triangles;
@@ -53,7 +53,7 @@ Obstacles obstacles_of(const meshops::PolygonSoup& soup, const std::vector<Point
   return obstacles;
 }
 
-/// Returns the chosen boundary curves as lists of vertices; counts the others.
+/// Returns the chosen boundary curves as lists of vertices, and counts the others by kind.
 std::vector<std::vector<std::uint32_t>> chosen_loops(const FaceFans& fans, std::span<const std::uint32_t> stands_on,
                                                      const CurveChoice& choice,
                                                      std::array<std::size_t, 3>& not_chosen) {
@@ -84,7 +84,7 @@ bool is_surface(const meshops::PolygonSoup& soup) {
 }  // namespace
 
 FilledMesh fill(const MeshFile& mesh, const CurveChoice& choice) {
-  const meshops::Repair parts = meshops::repair(mesh.soup, until_interrupted());  // a vertex for each fan
+  const meshops::Repair parts = meshops::repair(mesh.soup, until_interrupted());  // has a vertex for each fan
   FilledMesh result{.mesh = {.positions = mesh.positions, .soup = mesh.soup, .point_lines = {}, .face_lines = {}},
                     .point_was = std::vector<std::uint32_t>(mesh.positions.size()),
                     .report = {}};
@@ -117,7 +117,7 @@ FilledMesh fill(const MeshFile& mesh, const CurveChoice& choice) {
   result.report.merged = merged.merged;
   result.mesh.soup = std::move(merged.soup);
   result.point_was = std::move(merged.point_was);
-  // Merged vertices may have edges in common, which then have more than two faces.
+  // Cut edges of more than two faces: merged vertices may have edges in common.
   if (!is_surface(result.mesh.soup)) {
     meshops::Repair again = meshops::repair(result.mesh.soup, until_interrupted());
     result.mesh.soup = std::move(again.soup);

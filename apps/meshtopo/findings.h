@@ -1,4 +1,4 @@
-// What: everything that a run reports about one mesh.
+// What: the facts that a run reports about one mesh.
 #pragma once
 
 #include <optional>
@@ -17,17 +17,17 @@
 
 namespace rbpa::app {
 
-/// A property that holds or does not, or a number that is required.
+/// A required property, or a required number.
 struct Check {
   std::string name;
-  std::optional<long> number;  ///< the required number; absent for a property that holds or does not
+  std::optional<long> number;  ///< the required number; absent for a property
 };
 
 struct CheckResult {
   Check check;
   bool holds;
   std::string found, expected;  ///< texts for the message
-  std::optional<long> number;   ///< the found number; absent if there is none, such as a genus that is undefined
+  std::optional<long> number;   ///< the found number; absent if there is none, such as an undefined genus
 };
 
 struct Examined {
@@ -47,7 +47,7 @@ struct Findings {
 
   bool has_changes() const { return edits.any() || fill || tunnels; }
 
-  std::optional<Examined> result = std::nullopt;  ///< the resulting mesh, if it differs from the given one
+  std::optional<Examined> result = std::nullopt;  ///< facts about the resulting mesh; absent if it is the given mesh
   std::vector<CheckResult> checks = {};
 };
 

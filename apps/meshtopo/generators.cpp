@@ -16,7 +16,7 @@ namespace {
 
 using meshops::Connectivity;
 
-/// Returns the exponent of the power of two that scales coordinates into [−1, 1], so that no sum of lengths overflows.
+/// Returns the exponent of a power of two that scales coordinates into [−1, 1], so that no sum of lengths overflows.
 int scale_of(std::span<const std::array<double, 3>> positions) {
   double greatest = 0;
   for (const auto& p : positions)
@@ -24,7 +24,7 @@ int scale_of(std::span<const std::array<double, 3>> positions) {
   return greatest > 0 ? -(std::ilogb(greatest) + 1) : 0;
 }
 
-/// Returns the lengths of the edges, by edge index.
+/// Returns the scaled length of each edge, by edge index.
 std::vector<double> edge_lengths(const Connectivity& mesh, std::span<const std::uint32_t> point_of,
                                  std::span<const std::array<double, 3>> positions, int exponent) {
   std::vector<double> lengths(mesh.n_edges(), 0);
@@ -40,11 +40,11 @@ std::vector<double> edge_lengths(const Connectivity& mesh, std::span<const std::
   return lengths;
 }
 
-/// The surface as a mesh with lengths of edges.
+/// The surface as a mesh, with the lengths of its edges.
 struct Measured {
   OpenMesh::PolyConnectivity mesh;
   std::vector<std::uint32_t> point_of;  // number of the point of each vertex
-  int exponent;                         // lengths are multiplied by 2 to this power
+  int exponent;                         // lengths are multiplied by 2^exponent
   std::vector<double> lengths;
 
   Measured(const meshops::PolygonSoup& soup, std::span<const std::array<double, 3>> positions)

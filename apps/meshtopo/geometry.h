@@ -1,5 +1,5 @@
 // What: finds geometric defects of a mesh: faces without area, and vertices at equal positions.
-// Law:  exact: no near miss is reported.
+// Law:  exact: faces of a small area, and vertices that are only near each other, are not reported.
 #pragma once
 
 #include <cstddef>
@@ -12,21 +12,21 @@
 namespace rbpa::app {
 
 enum class GeometryKind {
-  zero_area_face,      ///< all corners lie on one line
-  coincident_vertices  ///< vertices with the same coordinates
+  zero_area_face,      ///< a face with all corners on one line
+  coincident_vertices  ///< several vertices with equal coordinates
 };
 
 struct GeometricDefect {
   GeometryKind kind;
   std::vector<std::uint32_t> points;  ///< the corners of the face; all vertices at the position, ascending
-  std::vector<std::size_t> faces;     ///< the face; empty for vertices
+  std::vector<std::size_t> faces;     ///< the face; empty for coincident vertices
 };
 
 std::string_view name(GeometryKind kind);
 
-/// Returns the faces without area in their order, then the shared positions in the order of their first vertices.
-/// Ignores faces with fewer than three corners or with a vertex twice, which are topological defects. Cost: linear.
-/// Throws Cancelled.
+/// Returns the faces without area in their order, then the positions with several vertices, in the order of their first
+/// vertices. Ignores faces with fewer than three corners, or with the same vertex twice, which are topological defects.
+/// Cost: linear. Throws Cancelled.
 std::vector<GeometricDefect> find_geometric_defects(const MeshFile& mesh);
 
 }  // namespace rbpa::app

@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   int code = 0;
-  // Options are declared within run(), which reports that memory has run out.
+  // Declare options within run(), which reports it if memory runs out.
   const int failed = rbpa::app::run(rbpa::app::program, [&] { code = rbpa::app::main(argc, argv); });
   return failed != 0 ? failed : code;
 }

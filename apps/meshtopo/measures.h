@@ -1,5 +1,5 @@
-// What: measures of a mesh: area, volume, bounding box.
-// Law:  numbers are rounded, by compensated sums; the topology decides whether there is a volume.
+// What: computes area, volume and bounding box of a mesh.
+// Law:  area and volume are rounded, by compensated sums; the topology decides whether there is a volume.
 #pragma once
 
 #include <array>
@@ -10,12 +10,12 @@
 namespace rbpa::app {
 
 struct Measures {
-  double area = 0;  ///< sum over all faces, split as by for_each_fan_triangle()
-  /// The sum of the volumes of the closed and oriented components, negative for one that faces inward; absent if there
-  /// is no such component.
+  double area = 0;  ///< sum over all faces, of the triangles of for_each_fan_triangle()
+  /// The sum of the volumes of the closed and oriented components; that of a component that faces inward is negative.
+  /// Absent if there is no such component.
   std::optional<double> volume = std::nullopt;
   std::optional<std::array<std::array<double, 3>, 2>> box =
-      std::nullopt;  ///< least and greatest corner; absent without vertices
+      std::nullopt;  ///< least and greatest corner; absent if there are no vertices
 };
 
 /// Measures a mesh. Cost: that of meshops::orient(). Throws Cancelled.

@@ -1,4 +1,4 @@
-// What: the place of vertices and faces in the mesh's file, for reports.
+// What: formats the place of vertices and faces in the file of the mesh, for reports.
 #pragma once
 
 #include <cstddef>
@@ -17,11 +17,12 @@ struct Place {
   std::span<const std::size_t> faces;
 };
 
-/// Returns "vertices 3 4, faces 0 7, lines 12 19": the lines of the faces, or of the vertices if there are no faces; no
-/// lines for a binary file. Long lists are cut off, and their length follows.
+/// Returns "vertices 3 4, faces 0 7, lines 12 19": lines are those of the faces, or of the vertices if there are no
+/// faces; none for a binary file. Of a long list only the beginning and the length are shown.
 std::string for_people(const Place& place, const MeshFile& mesh);
 
-/// Returns {"vertices": […], "faces": […]}, for a text file also "vertex_lines" and "face_lines", one for each.
+/// Returns {"vertices": […], "faces": […]}, for a text file also "vertex_lines" and "face_lines", the number of the
+/// line of each.
 nlohmann::ordered_json as_json(const Place& place, const MeshFile& mesh);
 
 }  // namespace rbpa::app

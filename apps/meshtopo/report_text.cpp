@@ -56,7 +56,7 @@ std::string numbers(const Examined& mesh) {
   return text + sizes(mesh.measures);
 }
 
-/// Returns "  ... and 5 more", or nothing if all are shown.
+/// Returns the line "  ... and 5 more"; "" if all are shown.
 std::string rest(std::size_t all, std::size_t shown) {
   return all > shown ? "  ... and " + std::to_string(all - shown) + " more\n" : "";
 }
@@ -82,7 +82,7 @@ std::string pieces(const std::vector<meshops::ComponentReport>& all, std::size_t
   return text + rest(all.size(), shown);
 }
 
-/// Returns defects, or steps of a repair, one per line.
+/// Returns defects, or steps of a repair, each in a line: at most `most`, and the number of the others.
 template <typename Item>
 std::string listed(const std::vector<Item>& items, const MeshFile& mesh, std::size_t most) {
   std::string text;
@@ -94,7 +94,7 @@ std::string listed(const std::vector<Item>& items, const MeshFile& mesh, std::si
   return text + rest(items.size(), shown);
 }
 
-/// Returns a count with a noun whose plural is not formed with s.
+/// Returns a count with its noun, `one` or `several`.
 std::string counted(std::size_t count, const char* one, const char* several) {
   return std::to_string(count) + " " + (count == 1 ? one : several);
 }
@@ -169,7 +169,7 @@ std::string checks(const std::vector<CheckResult>& results) {
 
 }  // namespace
 
-// If there is no genus and all components are orientable, an edge has more than two faces.
+// Explain why there is no genus: a component is not orientable, or else an edge has more than two faces.
 std::string genus_text(const meshops::TopologyReport& topology) {
   if (topology.genus) return std::to_string(*topology.genus);
   const bool orientable = std::all_of(topology.per_component.begin(), topology.per_component.end(),

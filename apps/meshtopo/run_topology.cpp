@@ -20,15 +20,15 @@ namespace {
 
 std::string name_of(const MeshSource& source) { return source.path == "-" ? "standard input" : source.path; }
 
-/// Replaces the numbers that vertices and faces have in the edited mesh by those that they have in the file.
+/// Replaces the numbers of vertices and faces in the edited mesh, which `item` has, by their numbers in the file.
 template <typename Item>
 void number_as_in_file(Item& item, const EditedMesh& edited) {
   for (std::uint32_t& p : item.points) p = edited.point_was[p];
   for (std::size_t& f : item.faces) f = edited.face_was[f];
 }
 
-/// Throws BadInput unless the mesh is a surface, as `option` requires: its only defects are pinches, which are split
-/// automatically.
+/// Throws BadInput unless the mesh is a surface, as `option` requires, without other defects than pinches, which are
+/// split automatically.
 void require_surface(const std::string& option, const Findings& findings,
                      const std::vector<meshops::SoupDefect>& defects, const MeshSource& source) {
   const auto defect = std::find_if(defects.begin(), defects.end(), [](const meshops::SoupDefect& d) {
@@ -41,7 +41,7 @@ void require_surface(const std::string& option, const Findings& findings,
             "a surface, as " + option + " requires (--repair makes one)");
 }
 
-/// The steps of a run, each with its progress line, and the data that they share.
+/// The steps of a run, each with a progress line, and the data that the steps share.
 class Run {
  public:
   explicit Run(const TopologyPlan& plan) : plan_(plan) {}
@@ -120,14 +120,15 @@ class Run {
     report(findings);
   }
 
-  /// Examines the mesh as a reader of the STL file will find it, and warns about losses. Returns whether to write it.
+  /// Examines the mesh that a reader of the STL file gets, and prints a warning about losses. Returns whether the file
+  /// is to be written.
   bool keep_in_stl(const MeshFile& mesh, bool is_wanted, Findings& findings) {
     const std::string& name = plan_.written->path;
     const TriangulatedFaces faces(mesh.positions, mesh.soup);
     const SinglePositions positions = single_positions(Format::stl, faces.vertices, faces.triangles, plan_.shift, name);
     const std::string why = why_not_kept(positions, Format::stl, faces.vertices, faces.triangles, name);
     const MeshFile kept = as_stl_mesh(positions, faces.triangles);
-    const bool joins = kept.positions.size() < mesh.positions.size();  // also if a vertex has no face
+    const bool joins = kept.positions.size() < mesh.positions.size();  // true also if a vertex has no face
     if (is_wanted || joins) findings.result = examine(kept);
     if (joins && why.empty()) {
       const auto count = [&](meshops::SoupDefectKind kind) {
@@ -168,7 +169,7 @@ class Run {
     });
   }
 
-  /// Reports one mesh after the other, and keeps no report in memory.
+  /// Reports one mesh after another, and keeps no report in memory.
   void report_all() {
     OutputFile* const file = plan_.report ? &outputs_.add(plan_.report->path) : nullptr;
     const bool as_json = plan_.report && plan_.report->format == Format::json;
@@ -197,7 +198,7 @@ class Run {
     file->finish();
   }
 
-  /// Evaluates the checks for the resulting mesh, and prints those that do not hold.
+  /// Evaluates the checks for the resulting mesh, and prints the checks that do not hold.
   void check(Findings& findings, const MeshSource& source) {
     for (const Check& wanted : plan_.checks) {
       findings.checks.push_back(evaluate(wanted, findings.result ? *findings.result : findings.given));
@@ -207,7 +208,7 @@ class Run {
     }
   }
 
-  /// Returns a progress line; it is hidden with --quiet, and if the terminal is used for input or output.
+  /// Returns a progress line that shows `doing`; nothing is shown with --quiet or if `in_the_way`.
   ProgressLine line(const std::string& doing, bool in_the_way = false) const {
     return {"meshtopo", !plan_.quiet && !in_the_way, doing};
   }

@@ -1,5 +1,5 @@
-// What: one run of meshtopo.
-// Law:  output files appear when all are complete and the report is written.
+// What: runs meshtopo.
+// Law:  no output file has its name before all are complete and the report is written.
 #pragma once
 
 #include "meshtopo/arguments.h"
@@ -7,9 +7,9 @@
 
 namespace rbpa::app {
 
-/// Runs the program. Reports every check that does not hold on standard error; of several meshes also those that cannot
-/// be read, and continues with the others. Returns the worst result: bad_input_given, check_failed or done. Throws
-/// WrongUsage, BadInput (for a single mesh), Failure, Cancelled.
+/// Runs the program. Prints on standard error every check that does not hold, and, if there are several meshes, every
+/// mesh that cannot be read; the others are examined. Returns the worst result: bad_input_given, check_failed or done.
+/// Throws WrongUsage, BadInput (for a single mesh), Failure, ClosedPipe, Cancelled.
 ExitCode run_topology(const TopologyArguments& arguments);
 
 }  // namespace rbpa::app

@@ -16,7 +16,7 @@ namespace {
 
 using meshops::PolygonSoup;
 
-/// Returns for each face whether it has one of the points of the loop.
+/// Returns for each face whether a point of the loop is a corner of it.
 std::vector<bool> faces_at(const PolygonSoup& soup, const Polyline& loop) {
   std::vector<bool> is_on_loop(soup.points, false), at(soup.faces(), false);
   for (const std::uint32_t p : loop) is_on_loop[p] = true;
@@ -49,13 +49,15 @@ class Closing {
   }
 
  private:
-  /// Closes loops that have no face in common, so that they do not change each other. Returns whether one was closed.
+  /// Closes loops of which no two have a face in common, so that closing one does not change another. Returns whether
+  /// any was closed.
   bool round() {
     result_.report.left = 0;
     std::size_t closed = 0;
-    std::vector<bool> is_taken(result_.mesh.soup.points, false);  // points of faces that this round removed
+    std::vector<bool> is_taken(result_.mesh.soup.points,
+                               false);  // true for points of faces that this round has removed
     for (const Polyline& loop : shortest_generators(result_.mesh.soup, result_.mesh.positions, below_)) {
-      std::vector<std::uint32_t> places;  // original numbers, which no round changes
+      std::vector<std::uint32_t> places;  // numbers in the given mesh, which no round changes
       for (const std::uint32_t p : loop) places.push_back(result_.point_was[p]);
       std::sort(places.begin(), places.end());
       const bool is_free = std::none_of(loop.begin(), loop.end(), [&](std::uint32_t p) { return is_taken[p]; });
@@ -85,12 +87,13 @@ class Closing {
       if (gone[f])
         for (const std::uint32_t p : soup.face(f)) is_around[p] = true;
     }
-    // The new holes have only points of the removed faces; an older hole has other points, or is unchanged.
+    // Choose the new holes, which have only points of the removed faces; an older hole has other points, or is
+    // unchanged.
     FilledMesh filled = fill(open, [&](const Hole&, CurveKind, std::span<const std::uint32_t> points) {
       return std::all_of(points.begin(), points.end(), [&](std::uint32_t p) { return is_around[p]; });
     });
     if (filled.report.counts.left() > 0 || filled.report.merged > 0) return false;
-    if (filled.mesh.soup.points != soup.points) return false;  // the filling has split a vertex
+    if (filled.mesh.soup.points != soup.points) return false;  // as the filling has split a vertex
     meshops::TopologyReport topology = meshops::report(filled.mesh.soup, until_interrupted());
     if (!is_simpler(topology)) return false;
     topology_ = std::move(topology);
@@ -107,7 +110,7 @@ class Closing {
            topology.boundary_curves == topology_.boundary_curves && topology.pinches <= topology_.pinches;
   }
 
-  /// Removes points that have lost all their faces.
+  /// Removes points that had faces and have none any more.
   void drop_points() {
     meshops::SoupPart part =
         meshops::keep_faces(result_.mesh.soup, std::vector<bool>(result_.mesh.soup.faces(), true), until_interrupted());

@@ -1,9 +1,9 @@
-// What: cuts handles and closes tunnels that have a short loop around them: --close-tunnels-below.
-// How:  the loops are the shortest generators. Removing the faces at the points of a loop leaves a hole on either side,
-//       and both are filled as by --fill-holes. This removes a thin bridge, or closes a small tunnel, without
-//       intersections.
+// What: cuts handles and closes tunnels around which there is a short loop, for --close-tunnels-below.
+// How:  the loops are the shortest generators. Removing the faces at the points of a loop leaves a hole on either side
+//       of the loop; both holes are filled as by --fill-holes. This removes a thin bridge, or closes a small tunnel,
+//       without intersections.
 // Law:  each closed loop reduces the genus by one and adds no component, boundary curve or pinch; if that is
-//       impossible, the mesh stays unchanged there.
+//       impossible, the mesh is not changed at this loop.
 // Cost: for each round that closes a loop, that of shortest_generators(); for each loop, that of a report and of
 //       rbpa::fill_holes().
 #pragma once
@@ -17,8 +17,8 @@
 namespace rbpa::app {
 
 struct ClosedTunnels {
-  std::size_t closed = 0, left = 0;    ///< numbers of loops shorter than `below`: closed, and not
-  std::size_t removed = 0, added = 0;  ///< numbers of faces
+  std::size_t closed = 0, left = 0;    ///< numbers of loops shorter than `below` that were closed, and not closed
+  std::size_t removed = 0, added = 0;  ///< numbers of removed and of added faces
 };
 
 struct SimplerMesh {
@@ -27,8 +27,8 @@ struct SimplerMesh {
   ClosedTunnels report;
 };
 
-/// Cuts handles and closes tunnels along generators shorter than `below`. Requires: a surface without defects other
-/// than pinches. Throws Cancelled.
+/// Cuts handles and closes tunnels of a copy of `mesh`, along generators shorter than `below`. Requires: `mesh` is a
+/// surface without defects other than pinches. Throws Cancelled.
 SimplerMesh close_tunnels(const MeshFile& mesh, double below);
 
 }  // namespace rbpa::app

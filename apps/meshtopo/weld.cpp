@@ -28,10 +28,10 @@ std::vector<std::uint32_t> at_equal_places(const Positions& positions) {
   return least;
 }
 
-/// A grid of cells with a side a little over half the distance: vertices in one cell are near each other, and near
+/// A grid of cells with a side of a little over half the distance: vertices in one cell are near each other, and near
 /// vertices are in cells at most two apart along each axis. Positions are scaled by a power of two, so that nothing
-/// overflows, and only choose the pairs to compare: are_within() decides. If the distance is below about
-/// 2⁻³⁹ of the box, the cells are larger, 2⁴⁰ along the box; then vertices of one cell are compared, too.
+/// overflows. The grid only chooses the pairs to compare; are_within() decides. If the distance is below about 2⁻³⁹ of
+/// the box, cells are larger, 2⁴⁰ along the box; then vertices in one cell are also compared.
 class NearVertices {
  public:
   NearVertices(const Positions& positions, double distance)
@@ -44,7 +44,7 @@ class NearVertices {
 
   std::vector<std::uint32_t> operator()() {
     for (std::size_t c = 0; c + 1 < begin_.size(); ++c) join_within(c);
-    // Only half of the neighbors of a cell, those after it in the order of cells, have to be searched.
+    // Search only the neighbors that are after a cell in the order of cells: half of them.
     for (std::int64_t x = 0; x <= 2; ++x)
       for (std::int64_t y = -2; y <= 2; ++y)
         if (x > 0 || y >= 0) join_across(x, y, x == 0 && y == 0 ? 1 : -2);
@@ -72,7 +72,7 @@ class NearVertices {
       for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], std::scalbn(p[k], -exponent));
     for (const Position& p : positions_)
       for (std::size_t k = 0; k < 3; ++k) size = std::max(size, std::scalbn(p[k], -exponent) - low[k]);
-    // Rounding changes (position - low) / side, in cells, by less than 2⁻¹²; the extra 1/256 of the side covers it.
+    // Enlarge the side by 1/256: rounding changes (position - low) / side by less than 2⁻¹² cells.
     double side = std::scalbn(distance_, -exponent) / 2 * (1 + 1.0 / 256);
     is_near_within_ = side >= size / most_cells && side > 0x1p-1000;
     if (!is_near_within_) side = std::max({side, size / most_cells, 0x1p-1000});
@@ -93,7 +93,7 @@ class NearVertices {
       sets_.join(vertices_[begin_[cell]].vertex, vertices_[i].vertex);
   }
 
-  /// Joins each cell with those that are x and y cells away, and along z from `first` to 2.
+  /// Joins each cell with the cells that are `x` and `y` cells away along x and y, and `first` to 2 along z.
   void join_across(std::int64_t x, std::int64_t y, std::int64_t first) {
     for (std::size_t c = 0, other = 0; c + 1 < begin_.size(); ++c) {
       if (c % 1024 == 0) stop_if_interrupted();
@@ -104,7 +104,8 @@ class NearVertices {
     }
   }
 
-  /// Joins two cells if a pair of their vertices is near; compares all pairs if vertices of one cell need not be near.
+  /// Joins two cells if a pair of their vertices is near. Unless is_near_within_, compares all pairs, and joins near
+  /// vertices.
   void join(std::size_t cell, std::size_t other) {
     if (is_near_within_ && sets_.find(vertices_[begin_[cell]].vertex) == sets_.find(vertices_[begin_[other]].vertex))
       return;
@@ -124,7 +125,7 @@ class NearVertices {
   meshops::DisjointSets sets_;
   bool is_near_within_ = true;      // vertices in one cell are near each other
   std::vector<Placed> vertices_;    // in the order of cells
-  std::vector<std::size_t> begin_;  // first vertex of each cell, and the end
+  std::vector<std::size_t> begin_;  // index of the first vertex of each cell, and the end
 };
 
 }  // namespace

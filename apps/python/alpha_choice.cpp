@@ -9,7 +9,7 @@
 namespace rbpa::python {
 namespace {
 
-/// Returns the rule that a text names, with its options; nothing if the text names no rule.
+/// Returns the rule that `text` names, with the options `cover` and `components`; nothing if it names no rule.
 std::optional<AlphaChoice> alpha_rule(const std::string& text, double cover, std::size_t components) {
   std::optional<AlphaChoice> choice = parse_alpha_rule(text);
   if (!choice) return std::nullopt;

@@ -1,5 +1,6 @@
-// What: passes NumPy arrays as the library's spans, and the library's vectors as NumPy arrays, without copies.
-// Law:  an array made here owns its vector. It is writable unless other arrays view the same vector.
+// What: passes NumPy arrays to the library as spans, and vectors of the library to Python as NumPy arrays, without
+//       copies.
+// Law:  an array made here owns the vector that it views. It is writable unless other arrays view the same vector.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -26,7 +27,7 @@ namespace py = pybind11;
 using Doubles = py::array_t<double, py::array::c_style>;
 using Indices = py::array_t<std::int32_t, py::array::c_style>;
 using Begins = py::array_t<std::int64_t, py::array::c_style>;
-/// Returns an argument of a binding that is not converted: an array must have the type of the parameter.
+/// Returns the declaration of an argument that is not converted: an array must have the type of the parameter.
 inline py::arg as_is(const char* name) { return py::arg(name).noconvert(); }
 
 using Triple = std::array<std::uint32_t, 3>;
@@ -59,7 +60,7 @@ inline std::span<const Point3> points3_of(const Doubles& array, const char* name
 }
 
 using MaybeDoubles = std::optional<Doubles>;
-/// Views an array as above, and nothing as no points.
+/// Views the array as points3_of() above does; returns an empty span if there is no array.
 inline std::span<const Point3> points3_of(const MaybeDoubles& array, const char* name) {
   return array ? points3_of(*array, name) : std::span<const Point3>();
 }
@@ -69,7 +70,7 @@ inline std::span<const Triple> triples_of(const Indices& array, const char* name
   return {reinterpret_cast<const Triple*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
-/// Views a contiguous float64 array as numbers. The array must outlive the span.
+/// Views a contiguous float64 array as a list of numbers. The array must outlive the span.
 inline std::span<const double> line_of(const Doubles& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
@@ -80,14 +81,14 @@ inline std::span<const Quadruple> quadruples_of(const Indices& array, const char
   return {reinterpret_cast<const Quadruple*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
-/// Views arrays of shape (m, 3) as triangles and neighbors. −1, SciPy's sign for no neighbor, has the bits of
-/// TriangleArrays::none.
+/// Views arrays of shape (m, 3) as triangles and neighbors, and must not outlive them. −1, SciPy's sign for no
+/// neighbor, has the bits of TriangleArrays::none.
 inline TriangleArrays triangle_arrays_of(const Indices& simplices, const Indices& neighbors) {
   static_assert(static_cast<std::uint32_t>(-1) == TriangleArrays::none);
   return {triples_of(simplices, "simplices"), triples_of(neighbors, "neighbors")};
 }
 
-/// A value that arrays view, and that Python frees with the last of them.
+/// A value that arrays view; Python frees it with the last of these arrays.
 template <typename Value>
 class Kept {
  public:
@@ -97,8 +98,8 @@ class Kept {
   const Value& operator*() const { return *value_; }
   const Value* operator->() const { return value_; }
 
-  /// Returns an array that views the numbers from `first` on, with the given shape and strides in bytes. It is
-  /// read-only, as other arrays may view the numbers, unless `is_alone`.
+  /// Returns an array that views the numbers from `first` on, with shape `shape` and `strides` in bytes. The array is
+  /// read-only unless `is_alone`: other arrays may view the numbers.
   template <typename Number>
   py::array view(const void* first, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides,
                  bool is_alone = false) const {
@@ -112,7 +113,7 @@ class Kept {
   py::capsule owner_;
 };
 
-/// Returns the numbers of a vector as an array of shape (n, columns), or (n,) if `columns` is 0.
+/// Returns the numbers of `items` as an array of shape (n, columns), or (n,) if `columns` is 0.
 template <typename Number, typename Item>
 py::array_t<Number, py::array::c_style> array_of(std::vector<Item> items, std::size_t columns) {
   const Kept kept(std::move(items));
@@ -125,20 +126,20 @@ py::array_t<Number, py::array::c_style> array_of(std::vector<Item> items, std::s
   return py::reinterpret_steal<py::array_t<Number, py::array::c_style>>(array.release());
 }
 
-/// Returns a vector as a two-dimensional array; each item is a row.
+/// Returns `items` as a two-dimensional array; each item is a row.
 template <typename Number, typename Item>
 auto rows(std::vector<Item> items) {
   return array_of<Number>(std::move(items), sizeof(Item) / sizeof(Number));
 }
 
-/// Returns a vector of numbers as a one-dimensional array.
+/// Returns `items`, which are numbers, as a one-dimensional array.
 template <typename Number, typename Item>
 auto line(std::vector<Item> items) {
   static_assert(sizeof(Number) == sizeof(Item));
   return array_of<Number>(std::move(items), 0);
 }
 
-/// Returns a member of each item, or a function of it, as an array with a number, or a row, for each item.
+/// Returns `member`, a member or a function, of each item as an array with a number, or a row, for each item.
 template <typename Number, typename Item, typename Member>
 auto column(const std::vector<Item>& items, Member member) {
   using Value = std::remove_cvref_t<std::invoke_result_t<Member, const Item&>>;
@@ -149,7 +150,7 @@ auto column(const std::vector<Item>& items, Member member) {
   return array_of<Number>(std::move(values), std::is_class_v<Value> ? sizeof(Value) / sizeof(Number) : 0);
 }
 
-/// Views a member of each item as column() does, without a copy.
+/// Returns the array of column() for `member`, as a view of `items`, without a copy.
 template <typename Number, typename Item, typename Member>
 py::array view_column(const Kept<std::vector<Item>>& items, Member Item::*member) {
   static_assert(sizeof(Member) % sizeof(Number) == 0);

@@ -1,4 +1,4 @@
-// What: translates errors of reading and writing files into Python's.
+// What: translates errors of reading and writing files into exceptions that Python gets.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -8,7 +8,8 @@
 
 namespace rbpa::python {
 
-/// Returns work(). Bad input and wrong usage become InvalidInput, failures OSError, with the same text.
+/// Returns work(). If it throws BadInput or WrongUsage, throws InvalidInput with the same text; for Failure raises
+/// OSError.
 template <typename Work>
 auto with_file_errors(Work work) {
   try {

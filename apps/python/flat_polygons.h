@@ -1,5 +1,6 @@
-// What: polygons with holes as flat arrays: the points of all rings one after the other, the shell of each polygon
-//       before its holes; the begin of each ring, and the first ring of each polygon, each list with the end.
+// What: polygons with holes as flat arrays: the points of one ring after another, with the shell of a polygon before
+//       its holes; the index of the first point of each ring, and of the first ring of each polygon, each list with the
+//       end.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +14,8 @@
 
 namespace rbpa::python {
 
-/// `Index` is the type of a point's index: 32 bits, or 64 bits if the points are elsewhere and the coordinates are kept
-/// here.
+/// `Index` is the type of the index of a point: 32 bits, or 64 bits if Python does not have the points, so that their
+/// coordinates are kept here.
 template <typename Index>
 struct FlatPolygons {
   std::vector<Index> indices = {};
@@ -31,7 +32,7 @@ struct FlatPolygons {
     perimeters.push_back(polygon.perimeter);
   }
 
-  /// Moves the content into NumPy arrays, and leaves this object empty.
+  /// Returns the content as NumPy arrays, and leaves this object empty.
   py::dict as_arrays() {
     py::dict result;
     result["indices"] = line<std::make_signed_t<Index>>(std::move(indices));

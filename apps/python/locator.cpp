@@ -7,7 +7,7 @@
 namespace rbpa::python {
 namespace {
 
-/// A Locator that keeps its arrays alive.
+/// A Locator, and the arrays that it views.
 class ArrayLocator {
  public:
   ArrayLocator(Doubles points, Indices simplices, Indices neighbors)
@@ -23,7 +23,7 @@ class ArrayLocator {
     }));
   }
 
-  /// `values`: an array of shape (n, k), with a row for each point.
+  /// Returns an array of shape (number of queries, k). `values` has shape (n, k), with a row for each point.
   Doubles interpolate(const Doubles& values, const Doubles& queries, bool by_natural_neighbors) const {
     require_shape(values.ndim() == 2, values, "values", "(n, k)");
     const auto input = points_of(queries);
@@ -49,7 +49,7 @@ class ArrayLocator {
   Locator locator_;
 };
 
-/// A SolidLocator that keeps its arrays alive.
+/// A SolidLocator, and the arrays that it views.
 class ArraySolidLocator {
  public:
   ArraySolidLocator(Doubles points, Indices simplices, Indices neighbors)

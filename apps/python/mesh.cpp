@@ -38,7 +38,7 @@ std::unique_ptr<Mesh> make_mesh(const Indices& corners, const Begins& begin, std
   return mesh;
 }
 
-/// Returns the handle. Throws ContractViolation unless its element exists.
+/// Returns `handle`. Throws ContractViolation unless its element exists in `mesh`.
 template <typename Handle>
 Handle live(const meshops::Connectivity& mesh, Handle handle, const char* kind) {
   if (!meshops::is_live(mesh, handle))
@@ -47,7 +47,7 @@ Handle live(const meshops::Connectivity& mesh, Handle handle, const char* kind) 
   return handle;
 }
 
-// Stateless functions below are function pointers, so that pybind11 compiles each signature only once.
+// Bind stateless functions as function pointers, so that pybind11 compiles each signature only once.
 using Count = std::size_t (*)(const Mesh&);
 
 template <typename ForEach>
@@ -194,7 +194,8 @@ std::unique_ptr<Mesh> mesh_of(const Indices& vertices, const Indices& halfedges,
     m.status(Halfedge(h)).set_deleted(h_at(h, 4) != 0);
     if (in(h_at(h, 1), h_at.shape(0)) >= 0) m.set_next_halfedge_handle(Halfedge(h), Halfedge(h_at(h, 1)));
   }
-  // After all next links: setting one also sets the prev link of the other halfedge, even from a deleted halfedge.
+  // Set prev links after all next links: setting a next link also sets the prev link of the other halfedge, even from a
+  // deleted halfedge.
   for (int h = 0; h < h_at.shape(0); ++h)
     m.set_prev_halfedge_handle(Halfedge(h), Halfedge(in(h_at(h, 2), h_at.shape(0))));
   for (int f = 0; f < f_at.shape(0); ++f) {

@@ -1,4 +1,4 @@
-// What: the halfedge mesh of Python. Handles are ints there, and invalid handles None.
+// What: the halfedge mesh of Python. In Python a handle is an int, and an invalid handle None.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -15,7 +15,7 @@
 
 namespace rbpa::python {
 
-/// Connectivity without coordinates that can mark elements of every kind as deleted.
+/// Connectivity without coordinates, which can mark elements of every kind as deleted.
 struct MeshKernel : OpenMesh::PolyMesh_ArrayKernelT<> {
   MeshKernel() {
     request_vertex_status();
@@ -24,8 +24,8 @@ struct MeshKernel : OpenMesh::PolyMesh_ArrayKernelT<> {
     request_face_status();
   }
 
-  /// Takes the elements and links of a mesh that marks none as deleted. Adds the marks to `other` first, since OpenMesh
-  /// would otherwise remove them here.
+  /// Replaces the elements and links by those of `other`. Adds status to `other` first, since OpenMesh would otherwise
+  /// remove it from this mesh. Requires: no element of `other` is marked as deleted.
   void take_links(OpenMesh::PolyConnectivity& other) {
     other.request_vertex_status();
     other.request_halfedge_status();
@@ -38,8 +38,8 @@ struct MeshKernel : OpenMesh::PolyMesh_ArrayKernelT<> {
 class Mesh {
  public:
   const meshops::Connectivity& seen() const { return kernel_; }
-  /// Returns the connectivity for a change. Throws ContractViolation while another thread of Python, or a caller of the
-  /// current function, works on the mesh.
+  /// Returns the connectivity, for a change. Throws ContractViolation while a Look exists: another thread of Python, or
+  /// a caller of the current function, works on the mesh.
   meshops::Connectivity& changed() {
     meshops::require(
         looking_ == 0,
@@ -48,7 +48,7 @@ class Mesh {
   }
   MeshKernel& kernel() { return kernel_; }
 
-  /// Forbids changes of the mesh while it exists, so that Python's lock may be released.
+  /// While it exists, changed() throws, so that Python's lock may be released.
   class Look {
    public:
     explicit Look(Mesh& mesh) : mesh_(mesh) { ++mesh_.looking_; }
@@ -60,14 +60,14 @@ class Mesh {
     Mesh& mesh_;
   };
 
-  std::vector<std::uint32_t> built_on;  ///< the point, in the given faces, of each vertex that the mesh was built with
+  std::vector<std::uint32_t> built_on;  ///< for each vertex with which the mesh was built, its point in the given faces
 
  private:
   MeshKernel kernel_;
   int looking_ = 0;
 };
 
-/// Returns a handle, or None for an invalid one, in a type that Python's type checkers know.
+/// Returns the handle; nothing, which is None in Python, if it is invalid.
 template <typename Handle>
 std::optional<Handle> maybe(Handle handle) {
   return handle.is_valid() ? std::optional<Handle>(handle) : std::nullopt;
@@ -83,7 +83,7 @@ template <typename Handle>
 struct MeshHandleCaster {
   PYBIND11_TYPE_CASTER(Handle, const_name("int"));
 
-  /// Accepts integers of Python and NumPy; refuses bool, and other numbers, which would be rounded.
+  /// Converts an integer of Python or NumPy. Returns false for bool, and for other numbers, which would be rounded.
   bool load(handle source, bool convert) {
     if (PyBool_Check(source.ptr())) return false;
     const auto whole = reinterpret_steal<object>(PyNumber_Index(source.ptr()));

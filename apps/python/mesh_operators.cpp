@@ -73,7 +73,8 @@ void bind_delta(py::module_& module) {
       .attr("__module__") = "rbpa.meshops";
 }
 
-/// Binds an effect: the record of an operator's change, by which it can be undone. Handles are ints, or None.
+/// Binds an effect: the record of the change by an operator, with which the change can be undone. Handles are ints, or
+/// None.
 template <typename Effect, typename... Base>
 py::class_<Effect, Base...> bind_effect(py::module_& module, const char* name, const char* what) {
   py::class_<Effect, Base...> effect(module, name, what);
@@ -171,8 +172,8 @@ void bind_stellar_effects(py::module_& module) {
       .def_readonly("faces", &meshops::TriangulateFaceEffect::faces);
 }
 
-/// Binds an operator with arguments `Given`, and its blocker. Both are stateless and bound as function pointers, so
-/// that pybind11 compiles each signature only once.
+/// Binds an operator with arguments `Given`, and the blocker of the operator. Both are stateless, and are bound as
+/// function pointers, so that pybind11 compiles each signature only once.
 template <typename... Given, typename Operator, typename Blocker, typename... Arguments>
 void bind_operator(py::class_<Mesh>& mesh, const std::string& name, Operator, Blocker, const char* what,
                    const Arguments&... arguments) {
@@ -183,7 +184,7 @@ void bind_operator(py::class_<Mesh>& mesh, const std::string& name, Operator, Bl
            ("Returns why " + name + "() would refuse, or None.").c_str());
 }
 
-// Operators and blockers are overloaded, so that they are passed as lambdas.
+// Pass operators and blockers as lambdas, as they are overloaded.
 #define RBPA_OPERATOR(name) \
 #name, [](auto& on, const auto&... given) { return meshops::name(on, given...); }, \
       [](auto& on, const auto&... given) { return meshops::name##_blocker(on, given...); }

@@ -1,4 +1,4 @@
-// What: the extension module rbpa._core: private functions of arrays.
+// What: the extension module rbpa._core: private functions on arrays.
 #include "python/module.h"
 
 #include "meshops/core/contract.h"
@@ -28,7 +28,7 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of rbpa.";
   module.attr("version") = RBPA_VERSION;
   bind_errors(module);
-  // Classes come before functions that have them in their signatures, so that these show the Python types.
+  // Bind classes before functions that have them in their signatures, so that signatures show the Python types.
   using namespace rbpa::python;
   for (Bind* bind : {bind_alpha_choice, bind_triangulation, bind_polygons, bind_points, bind_filtration, bind_groups,
                      bind_locators, bind_nearest, bind_partial, bind_soups, bind_mesh, bind_space_points, bind_surface,

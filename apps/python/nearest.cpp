@@ -15,7 +15,7 @@
 namespace rbpa::python {
 namespace {
 
-using Real = long double;  // has the exponents for squares of coordinates
+using Real = long double;  // its range of exponents holds squares of coordinates
 using Vector = std::array<Real, 3>;
 using Weights = std::array<double, 3>;
 
@@ -26,11 +26,11 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Finds the nearest positions on facets: triangles; segments, as triangles with two equal corners; and points, with
-/// three. A tree of boxes halves the facets along the longest side.
+/// Finds the nearest positions on facets: triangles; segments, as triangles with two equal corners; and points, as
+/// triangles with three. A tree of boxes halves the facets along the longest side of a box.
 class NearestPlaces {
  public:
-  /// Keeps the arrays alive.
+  /// Views `points` and `facets`, and keeps these arrays alive.
   NearestPlaces(Doubles points, Indices facets)
       : points_array_(std::move(points)),
         facets_array_(std::move(facets)),
@@ -46,7 +46,8 @@ class NearestPlaces {
     if (!order_.empty()) build(0, order_.size());
   }
 
-  /// Returns for each query the nearest facet, the first of equally near ones, and the weights of its corners.
+  /// Returns for each query the nearest facet, of equally near facets the first, and the weights of its corners at the
+  /// nearest position.
   std::pair<Indices, Doubles> find(const Doubles& queries) const {
     const auto input = points3_of(queries, "queries");
     if (facets_.empty()) throw py::value_error("facets: found none, expected at least one");
@@ -65,13 +66,13 @@ class NearestPlaces {
 
  private:
   struct Place {
-    Real square = std::numeric_limits<Real>::infinity();  ///< of the distance
+    Real square = std::numeric_limits<Real>::infinity();  ///< square of the distance
     Weights weights{};
   };
   struct Box {
     Vector low, high;
-    std::size_t begin, end;    // range of the ordered facets
-    std::size_t second_child;  // the first child follows the box; 0: none
+    std::size_t begin, end;    // range in the order of the facets
+    std::size_t second_child;  // index; the first child follows the box; 0: there are no children
   };
 
   std::size_t build(std::size_t begin, std::size_t end) {
@@ -126,7 +127,7 @@ class NearestPlaces {
                                    second = {distance(q, boxes_[box.second_child]), box.second_child};
       if (first.first < second.first) std::swap(first, second);
       open.push_back(first);
-      open.push_back(second);  // the nearer child is next
+      open.push_back(second);  // the nearer child, which is on top, is next
     }
     return {facet, best.weights};
   }
@@ -145,7 +146,7 @@ class NearestPlaces {
     for (std::size_t k = 0; k < 3; ++k) corner[k] = coordinates(points_[facet[k]]);
     Place best;
     const bool is_segment = facet[1] == facet[2];
-    for (std::size_t k = 0; k < (is_segment ? 1U : 3U); ++k) {  // on each side
+    for (std::size_t k = 0; k < (is_segment ? 1U : 3U); ++k) {  // for each side of the facet
       const Vector &a = corner[k], side = corner[(k + 1) % 3] - a, to = q - a;
       const Real length = dot(side, side), t = length > 0 ? std::clamp(dot(to, side) / length, Real{0}, Real{1}) : 0;
       const Vector away = {to[0] - t * side[0], to[1] - t * side[1], to[2] - t * side[2]};

@@ -26,7 +26,7 @@ Format format_of(const std::string& path, const MaybeText& name, app::Use use) {
   app::refuse_input(path, use, "format");
 }
 
-/// The requested fields: the name of each, and its kind, "number" or "text", or empty for that of its values.
+/// The requested fields: the name of each, and the kind: "number", "text", or "" for the kind that its values have.
 using WantedFields = std::vector<std::pair<std::string, std::string>>;
 
 std::vector<app::WantedColumn> columns_of(const WantedFields& fields, app::Use use, bool texts) {
@@ -70,7 +70,7 @@ app::PointSource source_of(const std::string& path, bool space, const WantedFiel
   return source;
 }
 
-/// Returns texts for Python, with escapes for bytes that are not UTF-8.
+/// Returns a list of texts for Python, with escapes for bytes that are not UTF-8.
 py::list printable_texts(const std::vector<std::string>& texts) {
   py::list list;
   for (const std::string& text : texts) try {
@@ -81,7 +81,8 @@ py::list printable_texts(const std::vector<std::string>& texts) {
   return list;
 }
 
-/// Moves the data of a file, of points in the plane or in space, into a dict; normals and colors are None.
+/// Returns the data of `file`, of points in the plane or in space, as a dict, and leaves `file` empty; normals and
+/// colors are None.
 template <typename File>
 py::dict dict_of(File& file, const app::PointSource& source) {
   py::dict result;
@@ -89,7 +90,7 @@ py::dict dict_of(File& file, const app::PointSource& source) {
   result["normals"] = py::none();
   result["colors"] = py::none();
   py::list fields;
-  file.fields.resize(source.where ? source.where->columns() : 0);  // a file without points has none
+  file.fields.resize(source.where ? source.where->columns() : 0);  // a file without points has no fields
   for (std::size_t k = 0; k < file.fields.size(); ++k)
     if (k < file.texts.size() && file.texts[k])
       fields.append(py::make_tuple(line<double>(std::move(file.fields[k])), printable_texts(*file.texts[k])));
@@ -107,7 +108,7 @@ py::dict dict_of(File& file, const app::PointSource& source) {
 
 template <typename Read>
 auto read_watched(Read read) {
-  constexpr std::size_t many = std::numeric_limits<std::size_t>::max();  // the number of points is unknown
+  constexpr std::size_t many = std::numeric_limits<std::size_t>::max();  // as the number of points is unknown
   return watched(many, py::none(), [&](Watch& watch) {
     const app::Interruption interruption(watch.until_stopped());
     return read();

@@ -40,7 +40,7 @@ Doubles radii_of(const Doubles& points, const Indices& simplices, unsigned threa
   }));
 }
 
-/// Returns the radius that the rule chooses. Requires all tetrahedra of the points.
+/// Returns the radius that `choice` chooses. Requires: `simplices` are all tetrahedra of the points.
 double choose_solid_alpha_of(const Doubles& points, const Indices& simplices, const Indices& neighbors,
                              const Doubles& radii, std::size_t distinct, const AlphaChoice& choice) {
   const auto input = points3_of(points, "points");
@@ -51,7 +51,8 @@ double choose_solid_alpha_of(const Doubles& points, const Indices& simplices, co
   });
 }
 
-/// Returns the tetrahedra and neighbors of a part of a solid, and the corners that are in none of them.
+/// Returns the tetrahedra with a radius of at most `alpha`, their neighbors, and the corners that are in none of these
+/// tetrahedra.
 py::dict within_of(const Indices& simplices, const Indices& neighbors, const Doubles& radii, double alpha) {
   Solid made = watched(static_cast<std::size_t>(radii.size()), py::none(),
                        [&](Watch&) { return within(solid_again(simplices, neighbors), line_of(radii), alpha); });
@@ -70,7 +71,7 @@ std::pair<double, double> balls_of(const Doubles& points, double radius, unsigne
   return {found.volume, found.area};
 }
 
-/// Returns the dangling simplices of the full alpha complex; computes its own triangulation.
+/// Returns the dangling simplices of the full alpha complex; triangulates the points itself.
 std::tuple<Indices, Indices, Indices> dangling_of(const Doubles& points, double alpha) {
   const auto input = points3_of(points, "points");
   DanglingFaces found = watched(input.size(), py::none(), [&](Watch& watch) {
@@ -91,7 +92,7 @@ py::list as_list(std::vector<SolidVoid> voids) {
   return list;
 }
 
-/// Returns the boundary of a solid, and its voids.
+/// Returns the boundary and the voids of a solid.
 py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
   struct Made {
@@ -119,7 +120,7 @@ py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices
   return result;
 }
 
-/// Returns the Betti numbers of the full alpha complex, and its voids; computes its own triangulation.
+/// Returns the Betti numbers and the voids of the full alpha complex; triangulates the points itself.
 py::dict full_of(const Doubles& points, double alpha) {
   const auto input = points3_of(points, "points");
   FullTopology made = watched(input.size(), py::none(), [&](Watch& watch) {

@@ -19,7 +19,7 @@
 namespace rbpa::python {
 namespace {
 
-/// Returns the simplices with their radii, the persistence pairs, and the radii of the rules min and auto.
+/// Returns the simplices with their radii, the persistence pairs, and the radii that the rules min and auto choose.
 py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
   struct Made {
@@ -121,7 +121,7 @@ py::list solid_plateaus_of(const Doubles& points, const Indices& simplices, cons
   return list;
 }
 
-/// Returns the nodes of the tree of voids as columns.
+/// Returns the nodes of the tree of voids, as an array for each of their members.
 py::dict void_tree_of(const Doubles& points, const Indices& simplices, const Indices& neighbors, const Doubles& radii,
                       bool full, unsigned threads) {
   const auto input = points3_of(points, "points");

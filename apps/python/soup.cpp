@@ -47,7 +47,7 @@ meshops::TopologyReport report_of(const Indices& corners, const Begins& begin, s
   return watched(soup.faces(), py::none(), [&](Watch& watch) { return meshops::report(soup, watch.until_stopped()); });
 }
 
-/// Binds the common members of defects and of steps of a repair.
+/// Binds the members that defects and steps of a repair have in common.
 template <typename Item>
 void bind_item(py::module_& module, const char* class_name, const char* what) {
   py::class_<Item>(module, class_name, what)

@@ -28,7 +28,7 @@ namespace {
 
 using Flags = py::array_t<std::uint8_t, py::array::c_style>;
 
-/// Returns the sides without a neighbor as pairs of corners, with the triangle on the left.
+/// Returns the sides without a neighbor, as pairs of corners such that the triangle is on the left.
 std::vector<std::array<std::uint32_t, 2>> boundary_of(const Surface& surface) {
   std::vector<std::array<std::uint32_t, 2>> sides;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -38,7 +38,7 @@ std::vector<std::array<std::uint32_t, 2>> boundary_of(const Surface& surface) {
   return sides;
 }
 
-/// Takes the columns out of a surface: triangles, neighbors and boundary.
+/// Returns triangles, neighbors and boundary of a surface as arrays, and moves them out of `made`.
 py::dict as_dict(Surface& made) {
   std::vector<std::array<std::uint32_t, 2>> boundary;
   {
@@ -52,14 +52,15 @@ py::dict as_dict(Surface& made) {
   return result;
 }
 
-/// Takes the columns out of a surface with filled holes, and for each triangle whether it is new.
+/// Returns the arrays of a surface with filled holes, and for each triangle whether it is new; moves them out of
+/// `made`.
 py::dict as_dict(FilledSurface& made) {
   py::dict result = as_dict(made.surface);
   result["is_new"] = line<std::uint8_t>(std::vector<std::uint8_t>(made.is_new.begin(), made.is_new.end()));
   return result;
 }
 
-/// Returns the surface of points by the given normals, by estimated ones, or without any; with the radii, and with the
+/// Returns the surface of points with `normals`, with estimated normals, or without any; also the radii, and the
 /// normals if they are estimated.
 py::dict reconstructed(const Doubles& points, const MaybeDoubles& normals, bool estimates, const Doubles& radii,
                        double max_radius, unsigned threads, const py::object& progress) {
@@ -77,7 +78,7 @@ py::dict reconstructed(const Doubles& points, const MaybeDoubles& normals, bool 
                                                       .progress = watch.progress()});
   });
   static_assert(static_cast<std::uint32_t>(-1) == Surface::none);
-  made.surface.levels.resize(made.surface.triangles.size());  // empty for one radius: all triangles are of level 0
+  made.surface.levels.resize(made.surface.triangles.size());  // empty for one radius: fill with level 0
   py::dict result = as_dict(made.surface);
   result["levels"] = line<std::int32_t>(std::move(made.surface.levels));
   result["duplicates"] = rows<std::int32_t>(std::move(made.surface.duplicates));
@@ -86,7 +87,7 @@ py::dict reconstructed(const Doubles& points, const MaybeDoubles& normals, bool 
   return result;
 }
 
-/// Returns the user's triangles as a surface; `given` has the user's number of each triangle.
+/// Returns `triangles` of the user as a surface; the member `given` has the number of each triangle in `triangles`.
 py::dict surface_of_triangles(const Doubles& points, const Indices& triangles) {
   const auto input = points3_of(points, "points");
   const auto rows_given = triples_of(triangles, "triangles");
@@ -99,7 +100,7 @@ py::dict surface_of_triangles(const Doubles& points, const Indices& triangles) {
   return result;
 }
 
-/// Triangles and neighbors of a surface, to be copied without Python's lock.
+/// Views of the triangles and neighbors of a surface, which can be copied without Python's lock.
 struct Links {
   std::span<const Triple> triangles, neighbors;
 
@@ -130,8 +131,8 @@ py::dict components_of(const Doubles& points, const Indices& triangles, const In
   return result;
 }
 
-/// Returns for each component whether it is one of the largest, is not too small, and, if there is a radius, is an
-/// outer shell.
+/// Returns for each component whether it is one of the `largest` largest, is not too small, and, if there is a radius,
+/// is an outer shell.
 std::vector<bool> kept_of(const Doubles& points, const Indices& triangles, const Indices& neighbors,
                           std::optional<double> radius, std::optional<std::size_t> largest, std::size_t min_triangles,
                           double min_area) {
@@ -151,7 +152,7 @@ std::vector<bool> kept_of(const Doubles& points, const Indices& triangles, const
   });
 }
 
-/// Fills the holes of at most `most_edges` edges and length `most_length`.
+/// Fills the holes of at most `most_edges` edges and of at most length `most_length`; with `rims` also rims.
 py::dict filled(const Doubles& points, const Indices& triangles, const Indices& neighbors, std::size_t most_edges,
                 double most_length, bool rims, unsigned threads) {
   const auto input = points3_of(points, "points");
@@ -163,7 +164,7 @@ py::dict filled(const Doubles& points, const Indices& triangles, const Indices& 
   return as_dict(made);
 }
 
-/// Refines the new triangles; returns also the added points and their normals.
+/// Refines the new triangles. Returns the surface, the added points, and the normals of these.
 py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indices& triangles, const Indices& neighbors,
                  const Flags& is_new, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
@@ -185,7 +186,8 @@ py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indic
   return result;
 }
 
-/// Makes the surface watertight; returns also which triangles are kept, and how many curves are open and pairs cross.
+/// Makes the surface watertight. Returns it, which triangles are kept, and the numbers of open curves and of crossing
+/// pairs.
 py::dict watertight(const Doubles& points, const Indices& triangles, const Indices& neighbors, unsigned threads) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
@@ -199,7 +201,7 @@ py::dict watertight(const Doubles& points, const Indices& triangles, const Indic
   return result;
 }
 
-/// Throws InvalidInput if single precision does not keep the triangles.
+/// Throws InvalidInput if triangles lose their area or vertices coincide in single precision.
 void require_kept(app::Format format, const app::SpaceMesh& mesh, const std::string& path) {
   std::string why = app::why_not_kept(app::single_positions(format, mesh.vertices, mesh.triangles, mesh.shift, path),
                                       format, mesh.vertices, mesh.triangles, path);
@@ -210,7 +212,8 @@ void require_kept(app::Format format, const app::SpaceMesh& mesh, const std::str
   throw InvalidInput("save: " + why);
 }
 
-/// Writes a mesh file by its ending, with a vertex for each fan if `manifold`, or with the points as vertices.
+/// Writes a mesh file in the format of its ending. If `manifold`, there is a vertex for each fan; otherwise the points
+/// are the vertices.
 void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& normals, const Indices& triangles,
            const Indices& neighbors, bool manifold, const std::optional<std::string>& shift) {
   const std::string path = name;
@@ -243,7 +246,7 @@ void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& nor
   });
 }
 
-/// Fills an empty mesh: face i is triangle i, glued to its neighbors on the surface.
+/// Fills `mesh`, which is empty: face i is triangle i, and is glued to the neighbors of this triangle.
 void mesh_of(Mesh& mesh, const Doubles& points, const Indices& triangles, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);

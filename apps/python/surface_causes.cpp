@@ -18,8 +18,8 @@ namespace {
 
 using Causes = py::array_t<std::uint8_t, py::array::c_style>;
 
-/// The input of a surface. Without normals the surface is the exposed triangles of one radius; without radii it was not
-/// made by a ball.
+/// The input of a surface. A surface without normals consists of the exposed triangles of one radius; a surface without
+/// radii was not made by a ball.
 struct SurfaceInput {
   std::span<const Point3> points, normals;
   std::span<const double> radii;
@@ -35,7 +35,7 @@ struct SurfaceInput {
   }
 };
 
-/// Rebuilds a surface from the arrays that surface_of() returned.
+/// Returns the surface whose arrays surface_of() has returned.
 Surface surface_again(const SurfaceInput& input, const Indices& triangles, const Indices& neighbors,
                       const Indices& levels, const Indices& duplicates) {
   Surface made;
@@ -61,8 +61,8 @@ Surface surface_again(const SurfaceInput& input, const Indices& triangles, const
   return made;
 }
 
-/// Returns the sides of all boundary curves as columns, and the begin of each curve. Without radii the surface was not
-/// made by a ball, and sides have no cause.
+/// Returns the sides of all boundary curves, as an array for each of their members, and the index of the first side of
+/// each curve. Without radii the surface was not made by a ball, and sides have no cause.
 py::dict holes_of(const Doubles& points, const MaybeDoubles& normals, const Doubles& radii, const Indices& triangles,
                   const Indices& neighbors, const Indices& levels, const Indices& duplicates, unsigned threads) {
   const SurfaceInput input(points, normals, radii);
@@ -101,8 +101,8 @@ py::dict holes_of(const Doubles& points, const MaybeDoubles& normals, const Doub
   return result;
 }
 
-/// Returns for each curve of kind hole its number, the kind of the suggested repair, the radius, the begin of its
-/// points, and these points.
+/// Returns for each curve of kind hole its number, and the kind, the radius and the points of the suggested repair: all
+/// points in one array, with the index of the first point of each repair.
 py::dict repairs_of(const Doubles& points, const Doubles& normals, const Doubles& radii, const Indices& triangles,
                     const Indices& neighbors, const Indices& levels, const Indices& duplicates, unsigned threads,
                     const py::object& progress) {
@@ -140,7 +140,7 @@ py::dict repairs_of(const Doubles& points, const Doubles& normals, const Doubles
   return result;
 }
 
-/// Returns the points without a triangle, and the number of the cause of each.
+/// Returns the points in no triangle, and the number of the cause of each.
 std::tuple<Indices, Causes> unused_of(const Doubles& points, const MaybeDoubles& normals, const Doubles& radii,
                                       const Indices& triangles, const Indices& neighbors, const Indices& levels,
                                       const Indices& duplicates, unsigned threads) {

@@ -28,7 +28,7 @@ py::dict triangulate(const Doubles& points, double alpha, unsigned threads, cons
   return result;
 }
 
-/// The ascending neighbors of each point, one list after the other, and the begin of each list.
+/// The neighbors of each point in ascending order, one list after another, and the index at which each list begins.
 struct NeighborLists {
   std::vector<std::int32_t> begin, neighbors;
 };
@@ -47,7 +47,7 @@ NeighborLists neighbor_lists(std::span<const Triple> triangles, std::size_t poin
     }
   }
   for (std::size_t i = 0; i < points; ++i) next[i + 1] += next[i];
-  std::vector<std::int32_t> twice(next[points]);  // an inner edge is a side of two triangles
+  std::vector<std::int32_t> twice(next[points]);  // has each inner edge twice, as a side of two triangles
   const std::vector<std::size_t> first = next;
   for (const Triple& t : triangles) {
     ask();
@@ -73,12 +73,13 @@ std::tuple<Indices, Indices> vertex_neighbors(const Indices& simplices, std::siz
   return {line<std::int32_t>(std::move(lists.begin)), line<std::int32_t>(std::move(lists.neighbors))};
 }
 
-/// Returns a hash of the bits of contiguous numbers, by which an object detects that its points were changed.
+/// Returns a hash of the bits of the numbers of a contiguous array, with which an object detects that its points were
+/// changed.
 std::uint64_t fingerprint(const Doubles& points) {
   const auto words = static_cast<std::size_t>(points.size());
   const auto* const at = reinterpret_cast<const unsigned char*>(points.data());
   const py::gil_scoped_release unlocked;
-  constexpr std::size_t lanes = 8;  // independent chains of products
+  constexpr std::size_t lanes = 8;  // number of independent chains of products
   constexpr std::uint64_t prime = 0x100000001b3;
   std::array<std::uint64_t, lanes> hash{};
   const auto word = [&](std::size_t i) {

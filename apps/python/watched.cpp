@@ -11,7 +11,7 @@
 namespace rbpa::python {
 namespace {
 
-/// Runs work in its own thread.
+/// Runs work in a thread of its own.
 class Running {
  public:
   Running(const std::function<void(Watch&)>& work, Watch& watch)
@@ -33,7 +33,7 @@ class Running {
     std::unique_lock lock(mutex_);
     return done_.wait_for(lock, time, [&] { return is_done_; });
   }
-  /// Returns the exception of the work, or null. Requires: the work has ended.
+  /// Returns the exception that the work has thrown, or null. Requires: the work has ended.
   const std::exception_ptr& failure() const { return failure_; }
 
  private:
@@ -44,8 +44,9 @@ class Running {
   std::thread thread_;  // the last member, as it uses the others
 };
 
-/// Checks signals, and calls `progress` if it is time. Requires Python's lock. Throws exceptions that a signal handler
-/// or `progress` raises; Cancelled.
+/// Checks signals, and calls `progress` if `is_time_to_tell`. Requires: this thread holds Python's lock. Throws the
+/// exceptions that a signal handler or `progress` raises; Cancelled if `progress` returns a false value other than
+/// None.
 void ask(const Watch& watch, const py::object& progress, bool is_time_to_tell) {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   if (progress.is_none() || !is_time_to_tell) return;

@@ -18,11 +18,11 @@
 namespace rbpa::app {
 namespace {
 
-/// Returns the memory not used for tiles: a sixteenth that the allocator may keep (return_freed_memory), as much for
-/// triangles that wait to be written, and as much for the parts between tiles that are still open.
+/// Returns the memory that is not for tiles: that of the program, and three sixteenths: one that the allocator may keep
+/// (return_freed_memory()), one for triangles that wait to be written, and one for unfinished parts between tiles.
 std::uint64_t reserve_of(std::uint64_t memory) { return program_bytes + memory / 16 * 3; }
 
-/// Throws Failure if the disk has less room than needed. A disk whose size is unknown passes.
+/// Throws Failure if the disk of `folder` has less room than `needed` bytes. Does nothing if the room is unknown.
 void require_room(const std::string& folder, double needed, const std::string& where, const std::string& what) {
   struct statvfs status {};
   if (statvfs(folder.c_str(), &status) != 0) return;
@@ -36,7 +36,7 @@ void require_room(const std::string& folder, double needed, const std::string& w
 
 Budget divide(std::uint64_t memory, unsigned threads) {
   const std::uint64_t left = memory - std::min(memory, reserve_of(memory));
-  // Fewer workers are better than smaller tiles, which have more points around them than in them.
+  // Prefer fewer workers to smaller tiles, which have more points around them than in them.
   constexpr std::uint64_t points_worth_a_worker = 50'000;
   const std::uint64_t most = std::max<std::uint64_t>(left / (points_worth_a_worker * bytes_of_tile_point), 1);
   Budget budget{};
@@ -50,9 +50,9 @@ Budget divide(std::uint64_t memory, unsigned threads) {
 
 void return_freed_memory([[maybe_unused]] std::uint64_t memory, [[maybe_unused]] unsigned workers) {
 #ifdef __GLIBC__
-  // Larger arrays are mapped separately, and are returned when freed. Of smaller ones each thread, including the one
-  // that reads, may keep twice this size: together a sixteenth of the memory. A size above the upper bound gains
-  // nothing.
+  // Set the size from which arrays are mapped separately, so that they are returned when freed. Of smaller arrays each
+  // thread, including the one that reads, may keep twice this size: together a sixteenth of the memory. A size above
+  // the upper bound gains nothing.
   const std::uint64_t share = memory / 32 / (workers + 1);
   const auto size =
       static_cast<int>(std::clamp<std::uint64_t>(share, std::uint64_t{1} << 17U, std::uint64_t{1} << 23U));
@@ -74,7 +74,7 @@ std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads) {
 
 void PackedSample::add(std::span<const Point> points, std::uint64_t first) {
   if (points.empty()) return;
-  // Samples the first nine blocks, and from the 19th on every second one.
+  // Sample the first nine blocks, and from the 19th on every second block.
   if (blocks_++ < 2 * taken_ && taken_ > 8) return;
   ++taken_;
   const std::span<const Point> some = points.first(std::min(points.size(), most_in_packed_block));
@@ -92,7 +92,8 @@ double PackedSample::bytes_per_point() const {
 }
 
 void require_room_for_tiles(const std::string& folder, double points, const PackedSample& sample) {
-  // Indices are farther apart and coordinates closer in a tile: a point takes at least 0.8 times the sample's bytes.
+  // Count 0.8 times the bytes of the sample for a point, the least: in a tile indices are farther apart and coordinates
+  // closer.
   require_room(folder, points * sample.bytes_per_point() * 0.8, folder, "the files of tiles");
 }
 

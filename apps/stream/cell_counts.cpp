@@ -9,7 +9,7 @@ namespace {
 
 constexpr int least_exponent = -1074, greatest_exponent = 1023;
 
-/// Multiplies by 2^-exponent, as two factors that are both doubles.
+/// Multiplies by 2^−exponent, as two factors, each within the range of double.
 struct Scaling {
   explicit Scaling(int exponent)
       : first(std::ldexp(1.0, -exponent / 2)), second(std::ldexp(1.0, -exponent - -exponent / 2)) {}
@@ -30,7 +30,7 @@ CellCounts::CellCounts(std::size_t most) : most_(most), table_(64) {}
 
 double CellCounts::side() const { return std::ldexp(1.0, exponent_); }
 
-/// Sets the size of cells by the first points; later points may enlarge it.
+/// Sets the size of cells by the first points; for later points it may become larger.
 void CellCounts::begin() {
   const double extent = std::max(greatest_.x / 2 - least_.x / 2, greatest_.y / 2 - least_.y / 2);
   constexpr int cells_across = 12;  // 2 to this power
@@ -47,7 +47,7 @@ void CellCounts::add(std::span<const Point> points) {
   if (points_ == 0) begin();
   const double largest =
       std::max({std::abs(least_.x), std::abs(least_.y), std::abs(greatest_.x), std::abs(greatest_.y)});
-  // Columns have numbers of 60 bits and either sign.
+  // Limit the numbers of columns to 60 bits and a sign.
   constexpr int bits = 60;
   if (largest > 0 && std::ilogb(largest) - bits >= exponent_)
     grow_side(std::min(std::ilogb(largest) - bits + 1, greatest_exponent) - exponent_);
@@ -58,7 +58,7 @@ void CellCounts::add(std::span<const Point> points) {
     const int exponent = exponent_;
     while (first < points.size() && exponent == exponent_) {
       const std::int64_t column = scaled(points[first].x), row = scaled(points[first].y);
-      std::size_t last = first + 1;  // successive points are usually close
+      std::size_t last = first + 1;  // successive points are usually in one cell
       while (last < points.size() && scaled(points[last].x) == column && scaled(points[last].y) == row) ++last;
       add(column, row, last - first);
       first = last;

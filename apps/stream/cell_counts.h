@@ -1,7 +1,9 @@
-// What: counts points in the squares of a grid, whose side is a power of two that grows with the input.
+// What: counts points in the squares of a grid. The side of a square is a power of two that grows with the extent of
+//       the points.
 // Law:  the counts add up to the number of points, for any finite coordinates. Counts choose tiles and do not affect
 //       the result.
-// Cost: one access of a hash table per point, fewer if successive points are in one square; memory for `most` cells.
+// Cost: one access of a hash table for each point, fewer if successive points are in one square; memory for `most`
+//       cells.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +15,7 @@
 
 namespace rbpa::app {
 
-/// A square that contains points. Its corners are multiples of the side.
+/// A square that contains points, and their number. Coordinates of its corners are multiples of the side.
 struct Cell {
   std::int64_t column = 0, row = 0;
   std::uint64_t count = 0;
@@ -21,13 +23,13 @@ struct Cell {
 
 class CellCounts {
  public:
-  /// Uses at most `most` cells: doubles their side when there would be more.
+  /// Uses at most `most` cells: doubles the side whenever there would be more.
   explicit CellCounts(std::size_t most);
 
   /// Counts the points. Requires: finite coordinates.
   void add(std::span<const Point> points);
 
-  std::vector<Cell> cells() const;  ///< the cells with points, sorted by column, then by row
+  std::vector<Cell> cells() const;  ///< the cells that contain points, sorted by column, then by row
   double side() const;
   std::uint64_t points() const { return points_; }
   const Point& least() const { return least_; }        ///< least coordinates of all points; (0, 0) without points
@@ -42,8 +44,8 @@ class CellCounts {
 
   std::size_t most_;
   std::size_t used_ = 0;
-  std::vector<Cell> table_;  // open addressing, at most half full; count 0: free
-  int exponent_ = 0;         // of the side
+  std::vector<Cell> table_;  // open addressing, at most half full; a free place has count 0
+  int exponent_ = 0;         // the side is 2^exponent_
   std::uint64_t points_ = 0;
   Point least_ = {}, greatest_ = {};
 };

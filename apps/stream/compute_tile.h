@@ -1,6 +1,6 @@
 // What: computes the contribution of one tile to the complex, and writes the triangles that it owns as a mesh file.
 // Law:  the result is a function of the points in the file of the tile.
-// Cost: that of triangulating the points; memory of a few hundred bytes per point (budget.h).
+// Cost: that of triangulating the points; memory of bytes_of_tile_point for each point (budget.h).
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,17 @@
 
 namespace rbpa::app {
 
-/// Computes a tile with at most `threads` threads. Unless `wants_triangles`, PartialAndItems::owned stays empty. Throws
-/// Cancelled, and InvalidInput as partial() does.
+/// Computes the tile with the box `region` with at most `threads` threads. Unless `wants_triangles`,
+/// PartialAndItems::owned is empty. Requires: `points` are all points of the file of the tile. Throws Cancelled, and
+/// InvalidInput as partial() does.
 PartialAndItems compute_tile(const Region& region, const IndexedPoints& points, double alpha, unsigned threads,
                              bool wants_triangles);
 
-/// Returns "tiles/000012.ply" for "tiles/*.ply" and tile 12.
+/// Returns the path of the mesh of a tile: "tiles/000012.ply" for "tiles/*.ply" and tile 12.
 std::string tile_mesh_path(const std::string& pattern, std::uint32_t tile);
 
-/// Writes a PLY with the points that the triangles use, in the order of their indices. Requires: these points are among
-/// `points`. Throws Failure, Cancelled.
+/// Writes a PLY with the points that `triangles` use, in the order of their indices. Requires: `points` contains these
+/// points. Throws Failure, Cancelled.
 void write_tile_mesh(const std::string& path, const IndexedPoints& points, std::span<const TriangleRow> triangles);
 
 }  // namespace rbpa::app

@@ -53,13 +53,13 @@ std::vector<Partial> read_partials(const std::string& path, std::size_t count) {
   return partials;
 }
 
-/// The progress of the computation, saved in files of scratch. It is saved completely or not at all: progress.json
-/// names the file with the open parts, which is complete before.
+/// The progress of the computation, saved in files of scratch. It is saved completely or not at all: the file with the
+/// open parts is complete before progress.json names it.
 struct ComputeState {
   std::uint64_t generation = 0;
   std::size_t tiles_done = 0;  ///< number of tiles that are done, in the order of the tree
   std::uint64_t points_done = 0;
-  std::vector<Partial> open = {};  ///< finished parts of the tree, not yet merged with others
+  std::vector<Partial> open = {};  ///< results of parts of the tree that are not merged with others yet
   RowsState rows = {};
   LogState polygons = {};
 };
@@ -78,7 +78,7 @@ void save(const ComputeState& state, const Scratch& scratch) {
   if (state.generation > 0) unlink(scratch.partials(state.generation - 1).c_str());
 }
 
-/// Loads the progress; nothing if no tile was done. Throws BadInput if the files are damaged.
+/// Loads the progress; returns nothing if no tile was done. Throws BadInput if the files are damaged.
 std::optional<ComputeState> load_state(const Scratch& scratch) {
   const std::string text = checked_content(scratch.progress());
   if (text.empty()) return std::nullopt;
@@ -98,7 +98,8 @@ std::optional<ComputeState> load_state(const Scratch& scratch) {
   }
 }
 
-/// Returns for each tile, in the order of the tree, how many parts of the tree are complete when this tile is done.
+/// Returns for each tile, in the order of the tree, how many parts of the tree are complete with this tile and were not
+/// before.
 std::vector<unsigned> parts_that_end(const TileTree& tree) {
   std::vector<unsigned> ends;
   const auto visit = [&](const auto& self, std::uint32_t at, unsigned above) -> void {
@@ -140,7 +141,7 @@ class Computation {
 
   PartialCounts run() {
     const auto tile = [&](std::size_t i) { return order_[begun_ + i]; };
-    // The result of a small tile takes little memory compared with computing a tile.
+    // Call a tile small if its result takes little memory compared with computing a tile.
     const auto is_small = [&](std::size_t i) { return manifest_.tiles[tile(i)].points <= budget_.tile_points / 8; };
     join_in_order(
         budget_.workers, order_.size() - begun_, [&](std::size_t i) { return compute(tile(i)); }, is_small,
@@ -153,7 +154,7 @@ class Computation {
   }
 
  private:
-  /// Checks that the number of open parts is the one that the tree has after so many tiles.
+  /// Throws BadInput unless there are as many open parts as the tree has after tiles_done tiles.
   void require_plausible() const {
     std::size_t open = 0;
     for (std::size_t i = 0; i < std::min(state_.tiles_done, ends_.size()); ++i) open = open + 1 - ends_[i];
@@ -161,7 +162,7 @@ class Computation {
     begin_anew(scratch_.progress(), "the progress of another run", scratch_.folder());
   }
 
-  /// Returns the points of a tile. Makes its file again if it is damaged.
+  /// Returns the points of a tile. If the file of the tile is damaged, makes the file again.
   IndexedPoints points_of(std::uint32_t tile) {
     try {
       return read(tile);
@@ -192,7 +193,7 @@ class Computation {
     return made;
   }
 
-  /// Merges the result of a tile into the open parts. Called in the order of tiles, one at a time.
+  /// Merges the result of a tile into the open parts. Requires: calls are in the order of the tiles, one at a time.
   void commit(std::size_t position, PartialAndItems made) {
     if (request_.wants(StreamFormat::npy)) rows_.add(made.owned.triangles);
     made.owned = {};
@@ -212,8 +213,8 @@ class Computation {
     state_.tiles_done = position + 1;
   }
 
-  /// Writes finished polygons to files, or drops them if none are requested, so that memory does not grow with their
-  /// number.
+  /// Moves finished polygons and holes from `partial` to files, or drops them if no polygons are requested, so that
+  /// memory does not grow with their number.
   void keep_finished(Partial& partial) {
     const Finished finished = take_finished(partial);
     if (!request_.wants_polygons()) return;
@@ -221,7 +222,7 @@ class Computation {
     polygons_.add(finished.holes);
   }
 
-  /// Returns whether to save the progress: rarely, so that saving takes a small part of the time.
+  /// Returns whether to save the progress now: so rarely that saving takes a small part of the time.
   bool is_time_to_save(std::size_t position) const {
     if (!request_.scratch || position + 1 == order_.size()) return false;
     constexpr int part = 20;

@@ -18,7 +18,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Returns the part of a tile's box farther than `reach` from its border: other tiles do not need the points there.
+/// Returns the part of a tile's box that is farther than `reach` from the border of the box: other tiles do not need
+/// the points there.
 Region inside_of(const Region& box, double reach) {
   const auto low = [&](double at) { return std::isinf(at) ? at : above(above(at, reach), 0); };
   const auto high = [&](double at) { return std::isinf(at) ? at : below(below(at, reach), 0); };
@@ -35,11 +36,11 @@ class Cutter {
     }
   }
 
-  /// Continues the files from the given state.
+  /// Continues the files from the state `tiles`.
   void resume(const std::vector<TileSummary>& tiles) {
     for (std::size_t tile = 0; tile < tiles.size(); ++tile) writers_[tile].resume(tiles[tile]);
   }
-  /// Makes add() write only the points of `tile`.
+  /// From now on add() writes only the points of `tile`.
   void want_only(std::uint32_t tile) { wanted_ = tile; }
 
   void add(const std::vector<Point>& points, std::uint64_t first) {
@@ -96,14 +97,14 @@ class Cutter {
   std::size_t most_waiting_, waiting_ = 0;
   std::vector<TileWriter> writers_;
   std::vector<Region> inside_;
-  std::uint32_t last_ = 0;  // successive points are usually close
+  std::uint32_t last_ = 0;  // tile of the last point: successive points are usually close
   std::optional<std::uint32_t> wanted_ = std::nullopt;
 };
 
-/// Time between two saves: each writes all points that wait.
+/// Time between two saves; each save writes all waiting points.
 constexpr std::chrono::seconds time_between_saves(10);
 
-/// A cut through the middle of a tile, across its longer axis.
+/// A line that cuts a tile in the middle, across its longer axis.
 struct Line {
   TileTree::Part::Kind kind;
   double at;
@@ -131,7 +132,7 @@ std::optional<Line> middle_of(std::vector<Point>& sample) {
   return Line{TileTree::Part::Kind::cut_y, y};
 }
 
-/// Approximate size of the sample of points from which the middle is found.
+/// Approximate number of points in the sample that determines the middle.
 constexpr std::size_t sample_size = 1U << 14U;
 
 class SmallerCutter {
@@ -152,7 +153,7 @@ class SmallerCutter {
     return tile.points > budget_.tile_points || tile.owned > request_.tile_size.value_or(budget_.tile_points);
   }
 
-  /// Returns an even sample of the points that the tile owns, and their extent.
+  /// Returns an even sample of the points that the tile owns, and sets `extent` to the extent of all of these points.
   std::vector<Point> sample_of(std::uint32_t tile, Region& extent) const {
     const Region box = manifest_.tree.box(tile);
     const std::uint64_t step = manifest_.tiles[tile].owned / sample_size + 1;
@@ -173,7 +174,7 @@ class SmallerCutter {
     return sample;
   }
 
-  /// Returns how many points of the file are within reach of the extent of the tile's own points.
+  /// Returns how many points of the file are within reach of `extent`, the extent of the tile's own points.
   std::uint64_t count_near(std::uint32_t tile, const Region& extent) const {
     const double reach = reach_of(request_.alpha);
     TileReader reader(scratch_.tile(tile), manifest_.tree.box(tile), request_.alpha);
@@ -190,7 +191,7 @@ class SmallerCutter {
   bool cut_or_repair(std::uint32_t tile) {
     try {
       return cut(tile);
-    } catch (const Damaged&) {  // a killed run has left the files of two parts in different states
+    } catch (const Damaged&) {  // of a killed run, which left the files of two parts in different states
       cut_again(request_, budget_, scratch_, manifest_, tile);
       return cut(tile);
     }
@@ -202,15 +203,15 @@ class SmallerCutter {
     std::vector<Point> sample = sample_of(tile, extent);
     const TileSummary& summary = manifest_.tiles[tile];
     const std::optional<Line> line = middle_of(sample);
-    // If the extent is this small, the points around any part of it are around all of it, and a cut does not help.
+    // Refuse a small extent: the points around any part of it are around all of it, so that a cut does not help.
     const double size = std::max(extent.x1 - extent.x0, extent.y1 - extent.y0);
     const bool hopeless = !line || size < reach_of(request_.alpha) / 8;
     if (hopeless && summary.points > budget_.tile_points) {
       const std::uint64_t near = count_near(tile, extent);
       if (near > budget_.tile_points) refuse_dense({{extent.x0, extent.y0}, near}, request_, budget_);
-      return false;  // most points are around the box, far from its own points: a cut leaves them in one half
+      return false;  // a cut leaves most of the points, which are around the box, in one half
     }
-    if (!line) return false;  // all points are equal: they have to be one tile
+    if (!line) return false;  // all points are equal, and have to be in one tile
     split(tile, *line);
     return true;
   }
@@ -221,7 +222,7 @@ class SmallerCutter {
     const std::uint32_t other = tree.cut(tile, line.kind, line.at);
     const double reach = reach_of(request_.alpha);
     const bool x = line.kind == TileTree::Part::Kind::cut_x;
-    // The file of the first part replaces the old one when both parts are complete.
+    // Write the first part to a new file, which replaces the old one when both parts are complete.
     const std::string whole = scratch_.tile(tile), part = whole + ".new";
     TileWriter first(part, tree.box(tile), request_.alpha),
         second(scratch_.tile(other), tree.box(other), request_.alpha);

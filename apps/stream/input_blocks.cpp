@@ -12,7 +12,7 @@ namespace rbpa::app {
 void for_each_input_block(std::span<const PointSource> sources, const InputPlace& from, PassProgress& progress,
                           const std::function<void(const InputBlock&)>& visit) {
   InputPlace at = from;
-  std::unique_ptr<PointBlocks> file;  // null before the next file is opened
+  std::unique_ptr<PointBlocks> file;  // null until the next file is open
   std::atomic<std::uint64_t> bytes = at.bytes;
   ReadAhead<InputBlock> blocks(4, [&](InputBlock& block) {
     if (at.files >= sources.size()) return false;

@@ -1,4 +1,4 @@
-// What: reads the points of all input files, one file after the other, ahead of their consumer.
+// What: reads the points of all input files, one file after another, in a thread that is ahead of the caller.
 // Law:  the index of a point is its position in the whole input.
 // Cost: memory of a few blocks.
 #pragma once
@@ -16,19 +16,20 @@ namespace rbpa::app {
 
 struct InputBlock {
   std::vector<Point> points = {};
-  std::uint64_t first = 0;  ///< index of the first point
+  std::uint64_t first = 0;  ///< index, in the whole input, of the first point
   std::size_t file = 0;     ///< number of the file that contains `points`
-  bool ends_file = false;   ///< true: the block has no points, and `about` has the information on the file
+  bool ends_file = false;   ///< true: the block has no points, and `about` has the facts about the file
   PointFile about = {};
 };
 
-/// The beginning of an input file: the number of files, points and bytes before it.
+/// The beginning of an input file: the numbers of files, points and bytes before it.
 struct InputPlace {
   std::size_t files = 0;
   std::uint64_t points = 0, bytes = 0;
 };
 
-/// Calls visit(block) with all blocks from `from` on. Throws as read_points(), Cancelled.
+/// Calls visit(block) with all blocks from `from` on, in order, in this thread. Throws as read_points(), and what
+/// visit() throws.
 void for_each_input_block(std::span<const PointSource> sources, const InputPlace& from, PassProgress& progress,
                           const std::function<void(const InputBlock&)>& visit);
 

@@ -34,7 +34,8 @@ void require(bool is_so, const char* found) {
   if (!is_so) throw std::runtime_error(found);
 }
 
-/// Checks that parents come before their parts, that each part has one parent, and that tiles are numbered from 0.
+/// Throws std::runtime_error unless parents precede their parts, each part has one parent, and tiles have different
+/// numbers from 0 on.
 void require_tree(const std::vector<TileTree::Part>& parts) {
   using Kind = TileTree::Part::Kind;
   require(!parts.empty(), "no tiles");
@@ -129,7 +130,7 @@ std::string as_options(const std::string& key, const Json& value) {
   return "--" + key + " " + value.dump() + (key == "memory" ? " (bytes)" : "");
 }
 
-/// Throws WrongUsage that names a difference between the request and that of the run in the folder.
+/// Throws WrongUsage that names a difference if `before`, the request of the run in `folder`, is not `run_key`.
 void require_same(const Json& before, const RunKey& run_key, const std::string& folder) {
   const Json now = json_of(run_key);
   if (before == now) return;
@@ -160,7 +161,7 @@ RunKey run_key_of(const StreamRequest& request) {
   for (const PointSource& source : request.sources) {
     struct stat status {};
     if (stat(source.path.c_str(), &status) != 0) refuse_to_open(source.path, "a file of points");
-    if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))  // a folder is refused where it is read
+    if (!S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode))  // folders are refused when they are read
       bad_input(source.path, "a pipe, a socket or a device", "a regular file, as it is read twice");
     constexpr std::int64_t second = 1'000'000'000;
     run_key.inputs.push_back({absolute(source.path), static_cast<std::uint64_t>(status.st_size),

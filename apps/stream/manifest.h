@@ -1,5 +1,5 @@
 // What: saves the progress of a run in a file of its scratch folder, so that another run can resume it.
-// Law:  the file is written completely or not at all, and its entries about other files are correct.
+// Law:  the file is written completely or not at all, after the files whose state it records.
 #pragma once
 
 #include <cstdint>
@@ -16,24 +16,24 @@
 
 namespace rbpa::app {
 
-/// A file of the input with its size and time of change when the run began.
+/// A file of the input, with its size and its time of change at the beginning of the run.
 struct InputFile {
   std::string path;
   std::uint64_t size = 0;
-  std::int64_t changed = 0;  ///< time of the last change, in nanoseconds
+  std::int64_t changed = 0;  ///< time of the last change, in nanoseconds since 1970
   friend bool operator==(const InputFile&, const InputFile&) = default;
 };
 
-/// The request of a run, which must be the same when the run is resumed.
+/// The request of a run. A run can be resumed only with an equal request.
 struct RunKey {
   std::vector<InputFile> inputs = {};
-  std::string options = {};  ///< how the inputs are read, as text
+  std::string options = {};  ///< the options about reading the inputs, as text
   double alpha = 0;
   std::uint64_t memory = 0, tile_size = 0;
   bool keep_tiles = false;
   std::vector<std::string> targets = {};
 
-  /// Returns the size of all inputs.
+  /// Returns the sum of the sizes of all inputs, in bytes.
   std::uint64_t bytes() const {
     std::uint64_t sum = 0;
     for (const InputFile& file : inputs) sum += file.size;
@@ -41,7 +41,8 @@ struct RunKey {
   }
 };
 
-/// Returns the key of a request, with the sizes and times of its files. Throws BadInput if a file is missing.
+/// Returns the key of a request, with the sizes and times of its files. Throws BadInput if a file is missing, or is a
+/// pipe, a socket or a device.
 RunKey run_key_of(const StreamRequest& request);
 
 /// The extent and coordinate system of all points.
@@ -58,22 +59,22 @@ struct Manifest {
   unsigned workers = 1;
   Pass pass = Pass::count;
 
-  // Filled in from Pass::cut on.
+  // The rest is filled in from Pass::cut on.
   std::uint64_t points = 0;
   PointsFacts facts = {};
   TileTree tree = {};
 
-  // While tiles are cut: the number of input files that are done, and the index after their points. `tiles` are then
-  // the summaries of the files of tiles as written so far.
+  // While tiles are cut, the number of input files that are done, and the index after their points. Then `tiles` has
+  // the summaries of the files of tiles as they were at that place of the input.
   std::size_t files_done = 0;
   std::uint64_t next_index = 0;
-  std::vector<TileSummary> tiles = {};  ///< by the number of the tile
+  std::vector<TileSummary> tiles = {};  ///< indexed by the number of the tile
 };
 
 void save(const Manifest& manifest, const Scratch& scratch);
 
-/// Loads the manifest of a run with the same request. Throws WrongUsage that names a difference, BadInput if the file
-/// is not a manifest.
+/// Loads the manifest of a run with the same request. Throws WrongUsage that names a difference between the requests;
+/// BadInput if the file is not a manifest; Failure.
 Manifest load_manifest(const Scratch& scratch, const RunKey& run_key);
 
 }  // namespace rbpa::app

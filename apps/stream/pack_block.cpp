@@ -10,14 +10,14 @@
 namespace rbpa::app {
 namespace {
 
-// Numbers of any width from 0 to 64 bits, packed without gaps.
+// Packing: numbers of any width from 0 to 64 bits, without gaps between them.
 
 unsigned bits_of(std::uint64_t value) { return static_cast<unsigned>(std::bit_width(value)); }
 
-/// Returns how many bytes `count` packed numbers take, rounded up to whole words.
+/// Returns how many bytes `count` packed numbers of `width` bits take, rounded up to whole words of 8 bytes.
 std::size_t packed_size(std::size_t count, unsigned width) { return (count * width + 63) / 64 * 8; }
 
-/// Appends the lowest `width` bits of each value. Requires: the other bits are 0.
+/// Appends the lowest `width` bits of each value to `bytes`. Requires: the other bits are 0.
 void pack(std::span<const std::uint64_t> values, unsigned width, std::string& bytes) {
   if (width == 0) return;
   const std::size_t before = bytes.size();
@@ -40,11 +40,11 @@ void pack(std::span<const std::uint64_t> values, unsigned width, std::string& by
   if (used > 0) emit();
 }
 
-/// Reverses pack(). Requires: `bytes` has packed_size() bytes.
+/// Reverses pack(): sets all `values`. Requires: `bytes` points to packed_size(values.size(), width) bytes.
 void unpack(const char* bytes, unsigned width, std::span<std::uint64_t> values) {
   const std::uint64_t mask = width == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << width) - 1;
   std::uint64_t word = 0;
-  unsigned left = 0;  // bits of the word that are not read yet
+  unsigned left = 0;  // number of bits of the word that are not read yet
   for (std::uint64_t& value : values) {
     if (left >= width) {
       value = word & mask;
@@ -67,7 +67,7 @@ constexpr std::array<double, 16> powers = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6
 constexpr std::uint8_t as_keys = 0xff;
 constexpr std::uint64_t sign = std::uint64_t{1} << 63U;
 
-/// Maps doubles to integers in the same order.
+/// Returns an integer for a double, such that integers have the order of the doubles.
 std::uint64_t key_of(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & sign) != 0 ? ~bits : bits | sign;
@@ -76,10 +76,10 @@ double of_key(std::uint64_t key) { return std::bit_cast<double>((key & sign) != 
 
 using Values = std::array<std::uint64_t, most_in_packed_block>;
 
-/// A column of a block: value i is base + (packed value i << shift).
+/// The frame of a column of a block: value i is base + (packed value i << shift).
 struct Frame {
-  std::uint8_t kind;   // decimal places, or as_keys; 0 for indices
-  std::uint8_t width;  // bits of a packed value
+  std::uint8_t kind;   // number of decimal places, or as_keys; 0 for indices
+  std::uint8_t width;  // number of bits of a packed value
   std::uint8_t shift;
   std::uint64_t base;
 };
@@ -102,11 +102,12 @@ void append_packed(std::uint8_t kind, std::span<std::uint64_t> values, std::uint
   pack(values, width, bytes);
 }
 
-/// Multiplies the coordinates by 10^places, to integers. Returns false unless dividing gives the same bits back.
+/// Sets `values` to the coordinates times 10^places, as integers. Returns false unless division gives the same bits
+/// back.
 template <double Point::*axis>
 bool as_decimals(std::span<const Point> points, unsigned places, std::span<std::uint64_t> values) {
   const double power = powers[places];
-  // A larger number than `most` has no fraction. Adding `rounding` puts the integer into the last bits.
+  // Refuse numbers above `most`, which have no fraction. Add `rounding`, so that the last bits are the integer.
   constexpr double most = 0x1p51, rounding = 0x1.8p52;
   const auto rounding_bits = std::bit_cast<std::uint64_t>(rounding);
   bool exact = true;
@@ -115,7 +116,7 @@ bool as_decimals(std::span<const Point> points, unsigned places, std::span<std::
     const double sum = (std::abs(scaled) < most ? scaled : 0) + rounding;
     const double whole = sum - rounding;
     exact &= std::bit_cast<std::uint64_t>(whole / power + 0.0) == std::bit_cast<std::uint64_t>(value);
-    values[i] = std::bit_cast<std::uint64_t>(sum) - rounding_bits + sign;  // the same order as the doubles
+    values[i] = std::bit_cast<std::uint64_t>(sum) - rounding_bits + sign;  // in the order of the doubles
   }
   return exact;
 }
@@ -127,7 +128,7 @@ bool find_decimals(std::span<const Point> points, unsigned& hint, std::span<std:
     return as_decimals<axis>(points.first(few), places, values) && as_decimals<axis>(points, places, values);
   };
   if (hint == as_keys) return false;
-  // Numbers with fewer decimal places fit as well.
+  // Begin with `hint` places: numbers with fewer decimal places also fit.
   for (unsigned places = hint; places < powers.size(); ++places)
     if (fits(places)) {
       hint = places;
@@ -162,7 +163,8 @@ void pack_indices(std::span<const std::uint64_t> indices, std::string& bytes) {
   pack(values, width, bytes);
 }
 
-/// Reads the frame and the packed values of a column from the front of `bytes`, and removes them.
+/// Removes the frame and the packed values of a column from the front of `bytes`, and sets `values` to the packed
+/// values. Returns the frame; nothing if the bytes are not a column.
 std::optional<Frame> unpack_column(std::string_view& bytes, std::span<std::uint64_t> values) {
   if (bytes.size() < frame_size) return std::nullopt;
   Frame frame{static_cast<std::uint8_t>(bytes[0]), static_cast<std::uint8_t>(bytes[1]),

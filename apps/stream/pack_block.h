@@ -1,7 +1,7 @@
-// What: compresses points and their indices.
+// What: compresses and decompresses points and their indices.
 // Law:  decompressing gives the same bits, also for -0.
-// Cost: one pass. Coordinates with few decimals take as many bits as their distance from the least of the block needs,
-//       others at most 64. docs/reference/file_formats.md has the format.
+// Cost: one pass. A coordinate with few decimals takes as many bits as its distance from the least coordinate of the
+//       block needs, any other at most 64. docs/reference/file_formats.md has the format.
 #pragma once
 
 #include <cstdint>
@@ -29,16 +29,17 @@ struct IndexedPoints {
 /// The most points that a block may have.
 constexpr std::size_t most_in_packed_block = 4096;
 
-/// The decimal places of the last block of a tile, where the search for those of the next block begins.
+/// The numbers of decimal places of the last block of a tile, with which the search for those of the next block begins.
 struct PackingHint {
   unsigned places[2] = {0, 0};
 };
 
-/// Appends a compressed block. Requires: 1 to most_in_packed_block points, finite, with ascending indices.
+/// Appends a compressed block to `bytes`, and updates `hint`. Requires: 1 to most_in_packed_block points, finite, with
+/// ascending indices.
 void pack_block(std::span<const Point> points, std::span<const std::uint64_t> indices, PackingHint& hint,
                 std::string& bytes);
 
-/// Appends the points of a block. Returns false if the bytes are not a block.
+/// Appends the points of the block `bytes` to `points`. Returns false if the bytes are not a block.
 bool unpack_block(std::string_view bytes, IndexedPoints& points);
 
 }  // namespace rbpa::app

@@ -11,10 +11,11 @@ namespace rbpa::app {
 
 class PassProgress {
  public:
-  /// Shows `doing`, such as "2/4 cutting". `whole` is the size of the pass, in bytes or points.
+  /// Shows `doing`, such as "2/4 cutting", if `wanted` and standard error is a terminal. `whole` is the size of the
+  /// pass, in bytes or points.
   PassProgress(bool wanted, std::string doing, std::uint64_t whole);
 
-  /// Sets how much is done so far, in units of `whole` and in points. Any thread may call it.
+  /// Sets how much of the pass is done, in the unit of `whole` and in points. Any thread may call it.
   void at(std::uint64_t done, std::uint64_t points) {
     done_ = done;
     points_ = points;

@@ -31,7 +31,7 @@ class Planner {
  private:
   double begin(std::int64_t number) const { return static_cast<double>(number) * side_; }
 
-  /// Returns the share of a cell that is within reach of the box, along an axis.
+  /// Returns the share of a cell, along an axis, that is within reach of the box, which extends from `low` to `high`.
   double share(std::int64_t number, double low, double high) const {
     const double first = std::max(begin(number), below_or_same(low)),
                  last = std::min(begin(number + 1), above_or_same(high));
@@ -45,7 +45,7 @@ class Planner {
     return static_cast<double>(cell.count) * share(cell.column, box.x0, box.x1) * share(cell.row, box.y0, box.y1);
   }
 
-  /// Returns the box of the cells.
+  /// Returns the box around the cells.
   Region extent_of(std::span<const Cell> cells) const {
     Cell least = cells.front(), greatest = cells.front();
     for (const Cell& cell : cells) {
@@ -55,7 +55,7 @@ class Planner {
     return {begin(least.column), begin(least.row), begin(greatest.column + 1), begin(greatest.row + 1)};
   }
 
-  /// Throws TooDense if any part of the extent would have too many points around it, so that cutting does not help.
+  /// Throws TooDense if every part of `extent` would have too many points around it, so that cutting does not help.
   void stop_if_dense(const Region& extent, std::span<const Cell> owned, std::span<const Cell> around) const {
     const double wide = extent.x1 - extent.x0, high = extent.y1 - extent.y0;
     const double left = limits_.reach - std::max(wide, high);
@@ -71,7 +71,8 @@ class Planner {
     if (points > limits_.points) throw TooDense{{extent.x0, extent.y0}, points};
   }
 
-  /// Returns the line between columns, or rows, that best halves the points; nothing if all are in one.
+  /// Returns the line between columns (or rows, unless `x`) that best halves the `count` points; nothing if all are in
+  /// one column or row. Sorts `cells`.
   std::optional<double> middle(std::vector<Cell>& cells, bool x, std::uint64_t count) const {
     const auto number = along(x);
     std::sort(cells.begin(), cells.end(), [&](const Cell& a, const Cell& b) { return a.*number < b.*number; });
@@ -107,7 +108,7 @@ class Planner {
     bool x = extent.x1 - extent.x0 >= extent.y1 - extent.y0;
     std::optional<double> line = middle(owned, x, count);
     if (!line) line = middle(owned, x = !x, count);
-    if (!line || !std::isfinite(*line)) return keep(all);  // it is cut when its points have been read
+    if (!line || !std::isfinite(*line)) return keep(all);  // cut it later, by its points
 
     const std::uint32_t other = tree_.cut(tile, x ? Kind::cut_x : Kind::cut_y, *line);
     const auto number = along(x);
@@ -118,7 +119,7 @@ class Planner {
     std::vector<Cell> around_first = around, around_second = std::move(around);
     around_first.insert(around_first.end(), second.begin(), second.end());
     around_second.insert(around_second.end(), first.begin(), first.end());
-    // The first half is finished before the second begins, so that few cells wait at a time.
+    // Finish the first half before the second, so that few cells are in memory at a time.
     divide(tile, std::move(first), std::move(around_first));
     divide(other, std::move(second), std::move(around_second));
   }

@@ -1,6 +1,7 @@
 // What: plans tiles by the counts of points in cells.
-// Law:  by the counts no tile has more points than allowed, those around it included, unless a single cell has. Counts
-//       do not tell where in a cell a point lies, so a tile may turn out too large and has to be cut again.
+// Law:  by the counts no tile has, with the points around it, more points than allowed, unless a single cell has.
+//       Counts do not tell where in a cell a point is, so a tile may have more points than planned; it is then cut
+//       again.
 // Cost: O(n log n) in the number of cells.
 #pragma once
 
@@ -15,12 +16,12 @@ namespace rbpa::app {
 
 /// The limits of a tile.
 struct TileLimits {
-  std::uint64_t points = 0;  ///< the most points, those around it included, so that it fits into memory
-  std::uint64_t owned = 0;   ///< the most points of its own
-  double reach = 0;          ///< distance up to which points around the tile matter
+  std::uint64_t points = 0;  ///< the most points, including those around the tile, so that it fits into memory
+  std::uint64_t owned = 0;   ///< the most points in the box of the tile
+  double reach = 0;          ///< distance from the tile up to which points matter for it
 };
 
-/// Thrown if no tile is small enough, as so many points are within reach of each other.
+/// The exception if no tile is small enough, as too many points are within reach of each other.
 struct TooDense {
   Point where;
   std::uint64_t points;
@@ -28,13 +29,14 @@ struct TooDense {
 
 struct TilePlan {
   TileTree tree = {};
-  double points = 0;  ///< estimated sum over all tiles, with the points around each
+  double points = 0;  ///< estimated sum of the points of all tiles, including the points around them
 };
 
-/// Throws Failure that names the place, its number of points, how many fit, and the memory that suffices.
+/// Throws Failure that names the place, the number of points there, how many fit into memory, and the memory that
+/// suffices.
 [[noreturn]] void refuse_dense(const TooDense& dense, const StreamRequest& request, const Budget& budget);
 
-/// Returns the plan. Throws TooDense.
+/// Returns the plan of the tiles. Throws TooDense.
 TilePlan plan_tiles(const CellCounts& counts, const TileLimits& limits);
 
 }  // namespace rbpa::app

@@ -15,22 +15,23 @@ namespace {
 
 constexpr std::size_t read_ahead = std::size_t{1} << 20U;
 
-/// The key by which polygons, and the holes of one, are sorted: the first two points of a ring.
+/// The key by which polygons, and the holes of a polygon, are sorted: the first two points of a ring.
 struct RingKey {
   Point first, second;
   friend auto operator<=>(const RingKey&, const RingKey&) = default;
 };
 
-/// The head of a polygon's record. The rings that are with it follow: each is its number of points and the points.
+/// The head of the record of a polygon. The rings that are not in the file of holes follow: for each, the number of
+/// points and the points.
 struct PolygonHead {
-  std::uint64_t size;   // bytes of the rings that follow, with their numbers of points
-  std::uint64_t taken;  // number of its holes that are in the file of holes
+  std::uint64_t size;   // bytes of the record after the head
+  std::uint64_t taken;  // number of holes of the polygon that are in the file of holes
   PolygonFacts facts;
 };
 static_assert(sizeof(PolygonHead) == 48 && std::is_trivially_copyable_v<PolygonHead>);
 
-/// The head of a hole's record. The points of the hole follow, or, if `points` is 0, the key of the polygon that has
-/// the holes of `name`.
+/// The head of a record in the file of holes. The `points` points of a hole follow; or, if `points` is 0, the key of
+/// the polygon to which the holes called `name` belong.
 struct HoleHead {
   std::uint64_t points;
   ComponentName name;
@@ -51,7 +52,7 @@ T taken_from(std::string_view& bytes) {
   return value;
 }
 
-/// A file of records, to be read in order or at any position.
+/// A file of records that is read in order or from any position.
 struct RecordFile {
   explicit RecordFile(const std::string& at) : path(at), file(at, ScratchFile::Mode::read) {}
   /// Returns a reader of the file from byte `at`.
@@ -61,7 +62,8 @@ struct RecordFile {
   ScratchFile file;
 };
 
-/// Reads the rest of a record whose beginning is in `record`. Skips the rest if the record is too long.
+/// Appends to `record`, the beginning of a record of `size` bytes, the rest of it; if size > long_record, only skips
+/// the rest.
 void take_rest(RecordReader& from, std::uint64_t size, std::string& record) {
   const bool all = size <= long_record;
   for (std::uint64_t left = size - record.size(), some = 0; left > 0; left -= some) {
@@ -76,7 +78,7 @@ void require_same(bool is_so, const std::string& path, const char* what, const S
   if (!is_so) begin_anew(path, std::string("other ") + what + " than were written", scratch.folder());
 }
 
-/// The holes that were written separately, sorted by polygon and key.
+/// The holes in the file of holes, sorted by polygon and key.
 class HolesInOrder {
  public:
   HolesInOrder(const RecordLog& log, const Scratch& scratch, RunFiles& runs, std::uint64_t memory)
@@ -98,7 +100,8 @@ class HolesInOrder {
     sorted_.begin();
   }
 
-  /// Gives the next hole of the polygon to the sink if it comes before `before`. Returns whether it does.
+  /// Gives the next hole of `polygon` to `sink` if there is one and its key is below `before`, or `before` is null.
+  /// Returns whether it has.
   bool show_next(const RingKey& polygon, const RingKey* before, PolygonSink& sink) {
     if (sorted_.at_end() || sorted_.key().polygon != polygon) return false;
     if (before != nullptr && !(sorted_.key().hole < *before)) return false;
@@ -122,7 +125,7 @@ class HolesInOrder {
     sink.ring(ring_);
   }
 
-  /// Reads the file into `names` and `holes`, both by component name, and returns its checksum.
+  /// Reads the file into `names` and `holes`, both with the component name as key. Returns the checksum of the file.
   std::uint32_t read(SortedRecords<ComponentName>& names, SortedRecords<ComponentName>& holes) const {
     RecordReader reader = file_.reader(0, read_ahead);
     std::string record;
@@ -173,12 +176,12 @@ class PolygonsInOrder {
   }
 
  private:
-  /// Reads the file into sorted_, and returns its checksum.
+  /// Reads the file into sorted_. Returns the checksum of the file.
   std::uint32_t read() {
     RecordReader reader = file_.reader(0, read_ahead);
     std::string record;
     for (std::uint64_t at = 0; !reader.at_end();) {
-      constexpr std::size_t ring_size = sizeof(std::uint64_t);  // the shell follows the head
+      constexpr std::size_t ring_size = sizeof(std::uint64_t);  // number of points of the shell, which follows the head
       record = reader.take(sizeof(PolygonHead) + ring_size + sizeof(RingKey));
       std::string_view beginning = record;
       const std::uint64_t size = sizeof(PolygonHead) + taken_from<PolygonHead>(beginning).size;
@@ -191,7 +194,7 @@ class PolygonsInOrder {
     return reader.checksum();
   }
 
-  /// Gives one polygon to the sink. take(size) returns the next bytes of its record.
+  /// Gives the current polygon to `sink`. take(size) returns the next `size` bytes of its record.
   template <typename Take>
   void show_one(Take take, HolesInOrder* holes, PolygonSink& sink) {
     std::string_view bytes = take(sizeof(PolygonHead));
@@ -223,7 +226,7 @@ class PolygonsInOrder {
 }  // namespace
 
 Finished take_finished(Partial& partial) {
-  // With so many corners, holes take more memory than the record that replaces them.
+  // Take holes from this number of corners on: with so many they take more memory than the record that replaces them.
   constexpr std::size_t many_corners = 256;
   std::vector<CornerPolygon> polygons = take_settled(partial);
   return {std::move(polygons), take_holes(partial, many_corners)};
@@ -271,8 +274,8 @@ LogState PolygonLog::flush() { return {polygons_.flush(), holes_.flush()}; }
 void PolygonLog::sorted(std::uint64_t memory, PolygonSink& sink) const {
   if (polygons_.state().bytes > 0) {
     RunFiles runs(scratch_);
-    // Three sorts share the memory: names, holes by name, holes by polygon. Later only the last and that of polygons
-    // remain.
+    // Divide the memory by three, for names, holes by name, and holes by polygon. Later there are only two sorts: of
+    // holes by polygon, and of polygons.
     const bool any = holes_.state().bytes > 0;
     std::unique_ptr<HolesInOrder> holes;
     if (any) holes = std::make_unique<HolesInOrder>(holes_, scratch_, runs, memory / 3);

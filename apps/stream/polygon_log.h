@@ -1,7 +1,7 @@
-// What: stores polygons in a file of scratch in the order in which they are finished, and holes that come before their
-//       polygon in another file; reads them in canonical order.
-// Cost: each polygon is written and read once, or twice if all do not fit into memory; each hole that comes before its
-//       polygon twice more. The largest ring has to fit into memory.
+// What: stores polygons in a file of scratch in the order in which they are finished, and in another file holes that
+//       are finished before the polygon around them; reads polygons in canonical order.
+// Cost: each polygon is written and read once, or twice if all do not fit into memory; each hole in the other file
+//       twice more. The largest ring has to fit into memory.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,15 @@
 
 namespace rbpa::app {
 
-/// Polygons and holes that need not wait for other tiles.
+/// Polygons and holes that other tiles cannot change.
 struct Finished {
   std::vector<CornerPolygon> polygons;
   std::vector<TakenHoles> holes;
 };
-/// Removes the finished polygons and holes from `partial` and returns them.
+/// Removes the finished polygons, and holes of at least 256 corners, from `partial`, and returns them.
 Finished take_finished(Partial& partial);
 
-/// The state of the files, from which they are resumed.
+/// The state of the files, from which they can be resumed.
 struct LogState {
   RecordState polygons = {}, holes = {};
 };
@@ -32,15 +32,18 @@ class PolygonLog {
  public:
   explicit PolygonLog(const Scratch& scratch);
 
-  /// Resumes the files from a state. Throws BadInput if there is less in them.
+  /// Continues from a state that flush() returned: cuts off what was written after it. Throws BadInput if a file is
+  /// shorter; Failure.
   void resume(const LogState& state);
   void add(std::span<const CornerPolygon> polygons);
-  /// Adds holes, with the names of their polygons, which will be added later.
+  /// Adds holes, with the names of their polygons. Requires: these polygons are added later.
   void add(std::span<const TakenHoles> holes);
-  /// Writes everything that was added to the files, and returns their state.
+  /// Writes everything that was added to the files, and returns the state of the files. Throws Failure, Cancelled.
   LogState flush();
 
-  /// Gives all polygons to `sink` in canonical order. Throws BadInput if a file is damaged, Cancelled.
+  /// Gives all polygons to `sink` in canonical order, and calls sink.finish(). Uses about `memory` bytes. Requires:
+  /// flush() after the last add(). Throws BadInput if a file is damaged, perhaps after polygons were given; Failure,
+  /// Cancelled, and what `sink` throws.
   void sorted(std::uint64_t memory, PolygonSink& sink) const;
 
  private:

@@ -1,5 +1,5 @@
-// What: records in a file of scratch, one after the other, with a checksum of all.
-// Law:  reading returns what was written, or throws BadInput.
+// What: writes and reads a file of scratch with one record after another, and computes a checksum of all.
+// Law:  reading returns the written bytes, or throws BadInput; the caller compares the checksums.
 #pragma once
 
 #include <algorithm>
@@ -12,30 +12,30 @@
 
 namespace rbpa::app {
 
-/// The state of a file, from which it can be continued.
+/// The state of a file, from which writing can be continued.
 struct RecordState {
   std::uint64_t bytes = 0;
   std::uint32_t checksum = 0;
 };
 
-/// Appends to the file at `path`, which is open only during a write.
+/// Appends to the file at `path`, which is open only while bytes are written.
 class RecordLog {
  public:
   explicit RecordLog(std::string path) : path_(std::move(path)) {}
 
   /// Continues the file from a state that flush() returned: cuts off what was written after it. Throws BadInput if the
-  /// file is shorter.
+  /// file is shorter; Failure.
   void resume(const RecordState& state);
   template <typename T>
   void append(const T& value) {
     append(std::string_view(reinterpret_cast<const char*>(&value), sizeof value));
   }
   void append(std::string_view bytes);
-  /// Writes everything that was appended to the file, and returns its state.
+  /// Writes everything that was appended to the file, and returns the state of the file. Throws Failure, Cancelled.
   RecordState flush();
 
   const std::string& path() const { return path_; }
-  const RecordState& state() const { return state_; }  ///< of the written part of the file
+  const RecordState& state() const { return state_; }  ///< state of the written part of the file
 
  private:
   std::string path_;
@@ -50,7 +50,8 @@ class RecordReader {
       : file_(file), path_(path), at_(at), end_(file.size()), ahead_(ahead) {}
 
   bool at_end() const { return at_ == end_ && used_ == buffer_.size(); }
-  /// Returns the next bytes; valid until the next call. Throws BadInput if the file has fewer.
+  /// Returns the next `size` bytes; valid until the next call. Throws BadInput if the file has fewer; Failure,
+  /// Cancelled.
   std::string_view take(std::uint64_t size);
   template <typename T>
   T take() {
@@ -58,18 +59,18 @@ class RecordReader {
     std::memcpy(static_cast<void*>(&value), take(sizeof value).data(), sizeof value);
     return value;
   }
-  std::uint32_t checksum() const { return checksum_; }  ///< of everything read so far
+  std::uint32_t checksum() const { return checksum_; }  ///< checksum of all bytes that take() has returned
 
  private:
   const ScratchFile& file_;
   const std::string& path_;
-  std::uint64_t at_, end_;  // position in the file after the buffer, and end of the file
+  std::uint64_t at_, end_;  // offset of the byte after the buffer, and size of the file
   std::size_t ahead_, used_ = 0;
   std::string buffer_ = {};
   std::uint32_t checksum_ = 0;
 };
 
-/// Size from which a record, for lack of room among others, is read piece by piece when it is needed.
+/// The size in bytes above which a record is not kept in memory for sorting, but read when it is needed.
 constexpr std::uint64_t long_record = std::uint64_t{1} << 16U;
 
 }  // namespace rbpa::app

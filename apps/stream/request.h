@@ -1,4 +1,4 @@
-// What: the request of a run of `rbpa stream`: its inputs, outputs and limits.
+// What: the request of a run of `rbpa stream`: inputs, outputs and limits.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 namespace rbpa::app {
 
 enum class StreamFormat {
-  npy,      ///< triangles, as `rbpa mesh` writes them
+  npy,      ///< triangles, with the bytes of `rbpa mesh`
   geojson,  ///< polygons, as `rbpa shape` writes them
   wkt,      ///< polygons, as `rbpa shape` writes them
-  ply       ///< a mesh for each tile: the name has a '*' for its number
+  ply       ///< a mesh for each tile: the name has a '*' for the number of the tile
 };
 
 struct StreamTarget {
@@ -24,14 +24,14 @@ struct StreamTarget {
 
 struct StreamRequest {
   std::vector<PointSource> sources = {};
-  std::string options = {};  ///< how the sources are read; another text means another input
+  std::string options = {};  ///< the options about reading the sources, as text
   double alpha = 0;
-  std::uint64_t memory = 0;                               ///< bytes
+  std::uint64_t memory = 0;                               ///< in bytes
   std::optional<std::uint64_t> tile_size = std::nullopt;  ///< the most points that a tile may own
-  std::optional<std::string> scratch = std::nullopt;      ///< the folder; absent: a new one next to the first target
+  std::optional<std::string> scratch = std::nullopt;  ///< the folder; absent: a new folder in that of the first target
   bool keep_tiles = false;
   bool resume = false;
-  unsigned threads = 1;  ///< at most this many
+  unsigned threads = 1;  ///< the most threads
   bool quiet = false;
   bool shows_progress = false;
   std::vector<StreamTarget> targets = {};

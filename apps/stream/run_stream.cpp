@@ -33,8 +33,8 @@ class Run {
     write();
     result_.write_seconds = lap();
     before_names(result_);
-    // A process that is killed here leaves no temporary folder; a run in the folder of --scratch can be resumed until
-    // all outputs have their names.
+    // Remove a temporary folder first: a process that is killed from here on leaves none. Keep the folder of --scratch
+    // until all outputs have their names: until then the run can be resumed.
     if (!request_.scratch) scratch_.clear(request_.keep_tiles);
     outputs_.publish();
     if (request_.scratch) scratch_.clear(request_.keep_tiles);
@@ -49,7 +49,7 @@ class Run {
     result_.count_seconds = lap();
     if (manifest_.pass == Pass::cut) cut();
     cut_smaller(request_, budget_, scratch_, manifest_);
-    return_free_pages();  // returns the memory of the points that waited for their tiles
+    return_free_pages();  // memory of the points that waited for tiles
     result_.cut_seconds = lap();
   }
 
@@ -64,7 +64,7 @@ class Run {
     manifest_.workers = budget_.workers;
     if (!scratch_.has_run()) return save(manifest_, scratch_);
     manifest_ = load_manifest(scratch_, run_key_);
-    // The run that made the tiles chose their size for this number of workers.
+    // Take the number of workers for which the run that made the tiles chose the size of tiles.
     budget_ = divide(request_.memory, manifest_.workers);
     budget_.workers = std::min(budget_.workers, std::max(request_.threads, 1U));
   }
@@ -109,7 +109,7 @@ class Run {
     save(manifest_, scratch_);
   }
 
-  /// Plans tiles. Small tiles are fastest unless there are many points around them.
+  /// Returns the plan of the tiles. Small tiles are fastest unless there are many points around them.
   TilePlan plan_for(const CellCounts& counts) const {
     constexpr std::uint64_t small = 1U << 17U;
     TileLimits limits{budget_.tile_points, std::min(request_.tile_size.value_or(small), budget_.tile_points),
@@ -126,7 +126,7 @@ class Run {
   void cut() {
     try {
       cut_tiles(request_, budget_, scratch_, manifest_);
-    } catch (const Damaged&) {  // damaged since the run before
+    } catch (const Damaged&) {  // damaged since the earlier run
       manifest_.files_done = manifest_.next_index = 0;
       manifest_.tiles.clear();
       cut_tiles(request_, budget_, scratch_, manifest_);

@@ -1,5 +1,6 @@
-// What: computes a complex of more points than fit into memory, from files to files, through files of tiles.
-// Law:  the bytes are those of `rbpa mesh` and `rbpa shape`, for any tiles; targets appear complete or not at all.
+// What: computes a complex of more points than fit into memory, from files to files, by way of files of tiles.
+// Law:  targets have the bytes that `rbpa mesh` and `rbpa shape` write, for any tiles, and appear complete or not at
+//       all.
 // Source: docs/how_to/more_points_than_memory.md.
 #pragma once
 
@@ -18,16 +19,16 @@ namespace rbpa::app {
 struct StreamResult {
   PartialCounts counts = {};
   std::size_t tiles = 0;
-  /// Totals of the polygons; 0 unless polygons are requested.
+  /// Numbers of polygons and of their holes; 0 unless polygons are requested.
   std::uint64_t polygons = 0, holes = 0;
   double area = 0, perimeter = 0;
   std::optional<std::string> caution =
-      std::nullopt;  ///< a warning about coordinates that readers of GeoJSON may mistake
+      std::nullopt;  ///< a warning that readers of GeoJSON may misinterpret the coordinates
   double count_seconds = 0, cut_seconds = 0, compute_seconds = 0, write_seconds = 0;
 };
 
-/// Adds the targets to `outputs`, calls before_names(result), gives the files their names, and removes the scratch.
-/// Throws BadInput, WrongUsage, Failure, Cancelled.
+/// Adds the targets to `outputs`, calls before_names(result), gives the files their names, and removes the files of
+/// scratch, except tiles that request.keep_tiles keeps. Throws BadInput, WrongUsage, Failure, ClosedPipe, Cancelled.
 StreamResult run_stream(const StreamRequest& request, OutputSet& outputs,
                         const std::function<void(const StreamResult&)>& before_names);
 

@@ -41,7 +41,7 @@ std::string numbered(const std::string& folder, const char* part, std::uint64_t 
 
 enum class Lock { ours, busy, gone };
 
-/// Returns whether the path still names the open file.
+/// Returns whether the file that `descriptor` has open is still at `path`.
 bool is_same_file(int descriptor, const std::string& path) {
   struct stat open_one {
   }, named{};
@@ -49,7 +49,7 @@ bool is_same_file(int descriptor, const std::string& path) {
          open_one.st_ino == named.st_ino;
 }
 
-/// Locks the file. `descriptor` is open if the lock is ours.
+/// Locks the file at `path`. Sets `descriptor` to the open file if this process has the lock (Lock::ours), else to −1.
 Lock lock_file(const std::string& path, int flags, int& descriptor) {
   descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW | flags, 0666);
   if (descriptor < 0 && errno == ENOENT) return Lock::gone;
@@ -60,37 +60,37 @@ Lock lock_file(const std::string& path, int flags, int& descriptor) {
   return is_busy ? Lock::busy : Lock::gone;
 }
 
-/// Returns ".rbpa-stream-PROCESS-RANDOM". It is random as processes in two containers can have the same number.
+/// Returns ".rbpa-stream-PROCESS-RANDOM", with a random number, as processes in two containers can have the same
+/// number.
 std::string new_name() {
   char random[16];
   std::snprintf(random, sizeof random, "-%08x", std::random_device()());
   return std::string(beginning) + std::to_string(getpid()) + random;
 }
 
-/// Renames a folder unless the new name exists. Returns 0, or the error.
+/// Renames a folder unless the new name exists. Returns 0, or the number of the error.
 int rename_to_new(const std::string& from, const std::string& to) {
   if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != ENOSYS && errno != EINVAL) return errno;
-  // On a disk that cannot do this atomically, an empty folder that appears in between would be replaced.
+  // Check first on a disk that cannot do this atomically; an empty folder that appears after the check is replaced.
   if (access(to.c_str(), F_OK) == 0) return EEXIST;
   return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// Returns whether a process with the number in the folder's name may exist.
+/// Returns whether the process with the number in the name of the folder may exist.
 bool is_alive(const fs::path& folder) {
   const std::string number = folder.filename().string().substr(beginning.size());
   const long id = std::strtol(number.c_str(), nullptr, 10);
   return id <= 0 || kill(static_cast<pid_t>(id), 0) == 0 || errno != ESRCH;
 }
 
-/// Removes the folders of dead runs that are next to the targets.
-///
-/// No run loses its folder to another that starts at the same time. A process uses a folder only after it has locked
-/// the file in it and has then checked that the path still names the locked file (Lock::ours). A process removes a
-/// folder only under the same condition, and renames it first while the file is locked. If the owner is first, the
-/// other finds the lock held and stops. If the other is first, the owner finds the lock held, or no folder, or another
-/// file than the one it has locked, and makes a new folder. An empty folder without a lock may be removed at any time;
-/// its owner then makes a new one.
+/// Removes the folders of dead runs in the folder `beside`.
+///No run loses its folder to another run that starts at the same time. A process uses a folder only after it has locked
+/// the file in it, and has then checked that the locked file is still at its path (Lock::ours). A process removes a
+/// folder only under the same condition, and renames the folder first, while the file is locked. If the owner of the
+/// folder locks first, the other process finds the lock held and stops. If the other process locks first, the owner
+/// finds the lock held, or no folder, or another file at the path, and makes a new folder. An empty folder without a
+/// lock may be removed at any time; the owner then makes a new folder.
 void clear_dead(const std::string& beside) {
   std::error_code error;
   std::vector<fs::path> found;
@@ -100,11 +100,11 @@ void clear_dead(const std::string& beside) {
   }
   for (const fs::path& folder : found) {
     const std::string lock = folder.string() + lock_name;
-    if (folder.filename().string().find(dead_name) != std::string::npos) {  // it belongs to no run
+    if (folder.filename().string().find(dead_name) != std::string::npos) {  // no run uses it
       fs::remove_all(folder, error);
       continue;
     }
-    if (access(lock.c_str(), F_OK) != 0) {  // a run is about to lock it, or was killed before
+    if (access(lock.c_str(), F_OK) != 0) {  // a run is about to make the lock, or was killed before
       if (is_alive(folder)) continue;
       fs::remove(folder / created_name, error);
       fs::remove(folder, error);
@@ -114,7 +114,7 @@ void clear_dead(const std::string& beside) {
     try {
       if (lock_file(lock, 0, descriptor) != Lock::ours) continue;
     } catch (const Failure&) {
-      continue;  // it belongs to another user
+      continue;  // the folder is that of another user
     }
     const fs::path dead = folder.string() + dead_name + std::to_string(getpid());
     fs::rename(folder, dead, error);
@@ -152,7 +152,7 @@ Scratch::Scratch(const StreamRequest& request)
     if (!is_asked_for_) folder_ = beside + "/" + new_name();
     try {
       if (make(request)) return;
-    } catch (...) {  // no destructor runs
+    } catch (...) {  // the destructor is not called
       if (is_new_) remove_own();
       if (lock_ >= 0) close(lock_);
       throw;
@@ -168,7 +168,7 @@ bool Scratch::make(const StreamRequest& request) {
     throw Failure(folder_ + ": cannot make the folder: " + (error ? error.message() : "there is a file of this name"));
   has_run_ = fs::exists(manifest());
   if (!is_new_ && !has_run_) {
-    // Files of these names are allowed: a run that was killed before it began may have left some of them.
+    // Allow files of these names: a run that was killed at its beginning may have left some.
     const auto is_other = [](const fs::directory_entry& entry) {
       const std::string name = entry.path().filename().string();
       return name != lock_name + 1 && name != created_name &&
@@ -218,15 +218,15 @@ std::string Scratch::sorted_run(std::size_t number) const { return numbered(fold
 void Scratch::clear(bool keep_tiles) {
   std::error_code error;
   const std::string created = folder_ + "/" + created_name;
-  // The manifest is removed before the files that it lists, as the process may be killed in between.
+  // Remove the manifest before the files that it lists: the process may be killed in between.
   for (const char* file : files)
     if (!keep_tiles || std::string_view(file) != "manifest.json") fs::remove(folder_ + "/" + file, error);
   for (const char* part : parts)
     if (!keep_tiles || std::string_view(part) != "tiles") fs::remove_all(folder_ + "/" + part, error);
   fs::remove(folder_ + lock_name, error);
   if (keep_tiles || !fs::exists(created)) return;
-  // A folder without its mark would count as the user's, so it is renamed before it loses its mark. If it has other
-  // files, it stays.
+  // Rename the folder before its mark is removed: without a mark it counts as the user's. Keep it if it has other
+  // files.
   const auto is_other = [](const fs::directory_entry& entry) { return entry.path().filename() != created_name; };
   const fs::directory_iterator entries(folder_, error);
   if (error || std::any_of(begin(entries), end(entries), is_other)) {
@@ -250,7 +250,8 @@ void Scratch::clear_leftovers() const {
   }
 }
 
-/// Makes the folder: it is marked before it gets its name. An unmarked folder that a killed run has left is used again.
+/// Makes the requested folder, with a mark before it has its name; returns false if there is a folder of this name. A
+/// folder that a killed run has left before renaming is used again.
 bool Scratch::make_marked() const {
   std::error_code error;
   const std::string unmarked = folder_ + unmarked_name;

@@ -1,6 +1,6 @@
-// What: sorts records by their keys, also if few of them fit into memory.
-// Cost: if all do not fit, each record is written and read once, and once more for each factor of most_merged beyond
-//       that; memory as given, and the longest record.
+// What: sorts records by their keys, also if only few records fit into memory.
+// Cost: if not all fit, each record is written and read once, and once more for each factor of most_merged in the
+//       number of sorted files; about `memory` bytes, and the longest record, are in memory.
 #pragma once
 
 #include <unistd.h>
@@ -19,7 +19,7 @@
 
 namespace rbpa::app {
 
-/// Names files for sorted runs of records; next() returns no name twice.
+/// Makes names for files of sorted records; next() returns a new name each time.
 class RunFiles {
  public:
   explicit RunFiles(const Scratch& scratch) : scratch_(scratch) {}
@@ -30,12 +30,12 @@ class RunFiles {
   std::size_t number_ = 0;
 };
 
-/// Sorts records: add all, then call begin(). key() and record() are those of the current record, the least at first;
-/// next() goes to the next one.
+/// Sorts records: add all, then call begin(). key() and record() belong to the current record, which is the least after
+/// begin(); next() goes to the next record.
 template <typename Key>
 class SortedRecords {
  public:
-  /// Uses about `memory` bytes.
+  /// Uses about `memory` bytes. Keeps a reference to `files`.
   SortedRecords(RunFiles& files, std::uint64_t memory) : files_(files), memory_(memory) {}
 
   /// Adds a record. Requires: it is not empty.
@@ -44,13 +44,13 @@ class SortedRecords {
     entries_.push_back({key, bytes_.size(), record.size()});
     bytes_ += record;
   }
-  /// Adds a record that stays in a file of the caller, at byte `place`.
+  /// Adds a record that is in a file of the caller, at byte `place`.
   void add_place(const Key& key, std::uint64_t place) {
     make_room();
     entries_.push_back({key, place, 0});
   }
 
-  /// Sorts the added records. Throws Failure, Cancelled, as all members do.
+  /// Sorts the added records. All members throw BadInput if a file is damaged; Failure, Cancelled.
   void begin() {
     if (levels_.empty()) {
       sort();
@@ -67,7 +67,7 @@ class SortedRecords {
   /// Returns whether the current record was added by add_place(); place() returns its place.
   bool is_elsewhere() const { return entry().size == 0; }
   std::uint64_t place() const { return entry().begin; }
-  /// Returns the bytes of the current record, valid until next().
+  /// Returns the bytes of the current record; valid until next(). Requires: not at_end().
   std::string_view record() const {
     return merge_ ? merge_->record() : std::string_view(bytes_).substr(entry().begin, entry().size);
   }
@@ -75,7 +75,7 @@ class SortedRecords {
 
  private:
   static_assert(std::is_trivially_copyable_v<Key>);
-  static constexpr std::size_t most_merged = 64;  // most files of a level; all are open while they are merged
+  static constexpr std::size_t most_merged = 64;  // the most files of a level; all are open while they are merged
 
   struct Entry {
     Key key;
@@ -83,7 +83,7 @@ class SortedRecords {
     std::uint64_t size;   // 0: the record was added by add_place()
   };
 
-  /// A sorted run in a file; the destructor removes the file.
+  /// A file of sorted records; the destructor removes the file.
   struct StoredRun {
     StoredRun(const std::string& at, std::size_t ahead)
         : path(at), file(at, ScratchFile::Mode::read), reader(file, path, 0, ahead) {}
@@ -142,7 +142,7 @@ class SortedRecords {
   void sort() {
     std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
-  /// Writes the records in memory to a file.
+  /// Sorts the records in memory, and moves them to a file of level 0.
   void keep() {
     sort();
     const std::string path = files_.next();
@@ -158,7 +158,7 @@ class SortedRecords {
     bytes_ = {};
     keep(path, 0);
   }
-  /// Adds a file to a level; when a level is full, merges its files into one of the next.
+  /// Adds a file to a level. If the level is full then, merges its files into a file of the next level.
   void keep(const std::string& path, std::size_t level) {
     if (levels_.size() == level) levels_.emplace_back();
     levels_[level].push_back(path);

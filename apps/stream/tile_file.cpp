@@ -15,11 +15,11 @@ namespace {
 constexpr std::string_view magic = "RBPATILE";
 constexpr std::uint32_t file_version = 1;
 
-/// The first bytes of a file, as they lie in memory of a little-endian machine.
+/// The first bytes of a file, as they are in the memory of a little-endian machine.
 struct Header {
   char magic[8];
   std::uint32_t version;
-  std::uint32_t checksum;  // of what follows
+  std::uint32_t checksum;  // checksum of the members below
   double box[4];
   double alpha;
   std::uint64_t points, owned, bytes, blocks;
@@ -45,7 +45,7 @@ std::string bytes_of(const Region& box, double alpha, const TileSummary& summary
   return {bytes, sizeof header};
 }
 
-/// The head of each block.
+/// The bytes before each block.
 struct BlockFrame {
   std::uint32_t size, checksum;
 };
@@ -71,7 +71,7 @@ void TileWriter::resume(const TileSummary& summary) {
 void TileWriter::flush() {
   if (begun_ && waiting_.size() == 0) return;
   std::string bytes;
-  if (!begun_) bytes.assign(sizeof(Header), '\0');  // zeros until finish() writes the header
+  if (!begun_) bytes.assign(sizeof(Header), '\0');  // write zeros, which finish() replaces by the header
   for (std::size_t first = 0; first < waiting_.size(); first += most_in_packed_block) {
     const std::size_t count = std::min(most_in_packed_block, waiting_.size() - first);
     const std::size_t at = bytes.size();

@@ -1,5 +1,6 @@
-// What: the file of a tile in the scratch: the points that the tile owns, and those around it that matter for them.
-// Law:  reading returns what was written, or throws Damaged.
+// What: writes and reads the file of a tile in the scratch: the points that the tile owns, and the points around the
+//       tile that matter for these.
+// Law:  reading returns the written points, or throws Damaged.
 // Cost: memory of a few blocks. docs/reference/file_formats.md has the format.
 #pragma once
 
@@ -18,41 +19,44 @@
 
 namespace rbpa::app {
 
-/// Thrown if a file of scratch is not what was written.
+/// The exception if a file of scratch is not as it was written.
 class Damaged : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// The summary of a file, which must be correct when the file is read.
+/// The summary of a file, which the file must match when it is read.
 struct TileSummary {
-  std::uint64_t points = 0;  ///< all points of the file
-  std::uint64_t owned = 0;   ///< points in the box
-  std::uint64_t bytes = 0;   ///< size of the blocks
+  std::uint64_t points = 0;  ///< number of all points of the file
+  std::uint64_t owned = 0;   ///< number of points in the box of the tile
+  std::uint64_t bytes = 0;   ///< size of all blocks, in bytes
   std::uint64_t blocks = 0;
   std::uint32_t checksum = 0;  ///< CRC-32 of the checksums of all blocks
   friend bool operator==(const TileSummary&, const TileSummary&) = default;
 };
 
-/// Appends blocks to the file at `path`, which is open only during a write.
+/// Appends blocks to the file at `path`, which is open only while bytes are written.
 class TileWriter {
  public:
   TileWriter(std::string path, const Region& box, double alpha);
 
-  /// Adds a point. Requires: the index is larger than all before.
+  /// Adds a point to the points that wait in memory. `owned` tells whether it is in the box. Requires: `index` is
+  /// larger than all earlier indices.
   void add(const Point& p, std::uint64_t index, bool owned) {
     waiting_.points.push_back(p);
     waiting_.indices.push_back(index);
     summary_.owned += owned ? 1 : 0;
   }
-  /// Resumes the file from the state of `summary`. Throws Damaged if there is less in it, Failure.
+  /// Continues the file from the state `summary`: cuts off what was written after it. Throws Damaged if the file is
+  /// shorter; Failure.
   void resume(const TileSummary& summary);
 
   const TileSummary& summary() const { return summary_; }
   std::size_t waiting() const { return waiting_.size(); }
-  /// Writes the points that wait. Throws Failure.
+  /// Writes the waiting points. Throws Failure, Cancelled.
   void flush();
-  /// Writes the points that wait and the header, which completes the file. Throws Failure.
+  /// Writes the waiting points and the header, which completes the file. Returns the summary. Throws Failure,
+  /// Cancelled.
   TileSummary finish();
 
  private:
@@ -68,14 +72,15 @@ class TileWriter {
 /// Reads a file block by block.
 class TileReader {
  public:
-  /// Opens a file. Throws Damaged if it is missing, is not the file of a tile, or has another box or alpha; Failure.
+  /// Opens the file at `path`. Throws Damaged if it is missing, is not the file of a tile, or has another box or alpha;
+  /// Failure.
   TileReader(const std::string& path, const Region& box, double alpha);
   ~TileReader();
   TileReader(const TileReader&) = delete;
   TileReader& operator=(const TileReader&) = delete;
 
   const TileSummary& summary() const { return summary_; }
-  /// Appends a block to `points`. Returns false at the end. Throws Damaged, Failure.
+  /// Appends the points of the next block to `points`. Returns false at the end. Throws Damaged, Failure, Cancelled.
   bool next(IndexedPoints& points);
 
  private:
@@ -92,7 +97,7 @@ class TileReader {
 
 /// Returns all points that are not read yet. Throws Damaged, Failure, Cancelled.
 IndexedPoints read_tile(TileReader& reader);
-/// Calls visit(block) with all points that are not read yet, block by block. Throws as read_tile().
+/// Calls visit(block) for each block that is not read yet. Throws as read_tile(), and what visit() throws.
 template <typename Visit>
 void for_each_block(TileReader& reader, Visit visit) {
   for (IndexedPoints block; reader.next(block); block.clear()) {

@@ -6,7 +6,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Returns the two parts of a box.
+/// Returns the two boxes into which `part` cuts `box`.
 std::pair<Region, Region> halves(const Region& box, const TileTree::Part& part) {
   std::pair<Region, Region> both{box, box};
   const bool x = part.kind == TileTree::Part::Kind::cut_x;

@@ -1,6 +1,7 @@
-// What: cuts the plane in two, and each part again, until the parts are tiles.
+// What: a tree that cuts the plane in two, and each part again, until the parts are tiles.
 // Law:  every point is in the box of exactly one tile.
-// Cost: one comparison per cut to find the tile of a point; near sides of tiles, one search per tile in reach.
+// Cost: to find the tile of a point, one comparison for each cut above it; near sides of tiles, one search for each
+//       tile in reach.
 #pragma once
 
 #include <cmath>
@@ -13,9 +14,9 @@
 
 namespace rbpa::app {
 
-// Distances to the sides of regions, rounded so that no point is missing.
+// Distances to the sides of regions, rounded outward so that no point is missed.
 
-/// Return a number slightly below or equal to a − b, and one slightly above or equal to a + b.
+/// Return a number that is at most a − b, or at least a + b, and close to it.
 inline double below(double a, double b) {
   const double rounded = a - b;
   return rounded - std::abs(rounded) * 0x1p-52;
@@ -25,34 +26,36 @@ inline double above(double a, double b) {
   return rounded + std::abs(rounded) * 0x1p-52;
 }
 
-/// Returns the distance up to which points matter for a tile: at least 2 alpha; infinite beyond the range of double.
+/// Returns the distance from a tile up to which points matter for it: the next double above 2 alpha, or infinity.
 inline double reach_of(double alpha) { return std::nextafter(2 * alpha, std::numeric_limits<double>::infinity()); }
 
 class TileTree {
  public:
-  /// A part of the plane: cut at a line, or a tile.
+  /// A part of the plane: a tile, or cut at a line.
   struct Part {
     enum class Kind : std::uint8_t { tile, cut_x, cut_y };
     Kind kind = Kind::tile;
-    double line = 0;          ///< smaller coordinates are in the first part
-    std::uint32_t first = 0;  ///< numbers of the two parts; for a tile `first` is its number
+    double line = 0;          ///< the first part has the smaller coordinates
+    std::uint32_t first = 0;  ///< numbers of the two parts; of a tile, `first` is the number of the tile
     std::uint32_t second = 0;
   };
 
   /// Makes a tree of one tile, number 0: the whole plane.
   TileTree() : parts_{Part{}}, boxes_{Region{}} {}
-  /// Makes a tree of parts. Requires: they have the form that parts() returns.
+  /// Makes a tree of `parts`. Requires: these are the parts() of a tree.
   explicit TileTree(std::vector<Part> parts);
 
-  /// Cuts a tile at a line. The part of smaller coordinates keeps the number; returns the number of the other part.
+  /// Cuts tile number `tile` at a line. The part of smaller coordinates keeps this number. Returns the number of the
+  /// other tile.
   std::uint32_t cut(std::uint32_t tile, Part::Kind kind, double line);
 
   std::size_t tiles() const { return boxes_.size(); }
   const Region& box(std::uint32_t tile) const { return boxes_[tile]; }
-  /// Returns all parts, cut ones and tiles. Part 0 is the whole plane.
+  /// Returns all parts: those that are cut, and tiles. Part 0 is the whole plane.
   const std::vector<Part>& parts() const { return parts_; }
 
-  /// Returns the numbers of all tiles, part by part, so that neighbors are close to each other.
+  /// Returns the numbers of all tiles, in the order of a walk through the tree, so that neighbors are close to each
+  /// other.
   std::vector<std::uint32_t> order() const;
 
   std::uint32_t tile_of(const Point& p) const {

@@ -13,9 +13,9 @@ namespace rbpa::app {
 namespace {
 
 constexpr std::uint64_t few_bytes = std::uint64_t{1} << 20U;
-constexpr std::size_t buffer_bytes = 12 * 4096;  // a whole number of rows of either kind
+constexpr std::size_t buffer_bytes = 12 * 4096;  // a whole number of rows, of 12 bytes or of 24
 
-/// Returns a hash of a row. The sum of hashes does not depend on the order of rows.
+/// Returns a hash of a row. The sum of the hashes of rows does not depend on their order.
 std::uint64_t number_of(const TriangleRow& row) {
   std::uint64_t h = row[0] * 0x9e3779b97f4a7c15U;
   h = (h ^ h >> 32U ^ row[1]) * 0xc2b2ae3d27d4eb4fU;
@@ -23,7 +23,7 @@ std::uint64_t number_of(const TriangleRow& row) {
   return h ^ h >> 32U;
 }
 
-/// A file of rows of an integer type.
+/// A file of rows of three integers.
 template <typename Index>
 class RowFile {
  public:
@@ -45,7 +45,7 @@ class RowFile {
   std::vector<Row> rows_;
 };
 
-/// Returns the rows of a small file in order. Adds their hashes to `sum`.
+/// Returns the rows of a small file, sorted. Adds the hashes of the rows to `sum`.
 template <typename Index>
 std::vector<std::array<Index, 3>> sorted_rows(const std::string& path, std::uint64_t& sum) {
   std::vector<std::array<Index, 3>> rows;
@@ -57,7 +57,7 @@ std::vector<std::array<Index, 3>> sorted_rows(const std::string& path, std::uint
   return rows;
 }
 
-/// Sorts the rows of a file whose smallest indices are from `first` to `last`, part by part.
+/// Sorts the rows of a file part by part. The smallest indices of rows are from `first` to `last` − 1.
 template <typename Index>
 class BucketSort {
  public:
@@ -69,7 +69,7 @@ class BucketSort {
         counts_(last - first + 1),
         most_(std::max<std::uint64_t>(memory / sizeof(Row), 4096)) {}
 
-  /// Counts rows, and returns the sum of their hashes.
+  /// Adds the number of rows to `rows`, and returns the sum of the hashes of the rows.
   std::uint64_t count(std::uint64_t& rows) {
     std::uint64_t sum = 0;
     file_.for_each([&](const Row& row) {
@@ -127,7 +127,7 @@ std::uint64_t RowsState::total() const { return std::accumulate(rows.begin(), ro
 
 TriangleRows::TriangleRows(const Scratch& scratch, std::uint64_t points, std::uint64_t file_bytes)
     : scratch_(scratch), short_(points <= std::numeric_limits<std::uint32_t>::max()) {
-  // There are at most two triangles per point. If points are in random order, files of small least indices get three
+  // Expect at most two triangles for each point. If points are in random order, files of small least indices get three
   // times the average.
   const std::uint64_t bytes = 2 * points * row_bytes();
   constexpr std::uint64_t most_files = 4096, least_waiting = 24 * 64;
@@ -196,7 +196,7 @@ void TriangleRows::sorted(std::uint64_t memory, const std::function<void(std::st
       begin_anew(scratch_.rows(i), "other triangles than were written", scratch_.folder());
     };
     std::uint64_t sum = 0;
-    // If few indices are the least of a triangle, sorting the rows is cheaper than a counter for each index.
+    // Sort the rows if few indices are the least of a triangle: that is cheaper than a counter for each index.
     if (4 * buckets_[i].rows < width_ && buckets_[i].rows * row_bytes() < std::max(memory / 2, few_bytes)) {
       const auto rows = sorted_rows<Index>(scratch_.rows(i), sum);
       require_same(rows.size(), sum);

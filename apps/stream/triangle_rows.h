@@ -1,7 +1,7 @@
 // What: stores triangles in files of scratch by their least index, and reads them sorted.
-// Law:  all added triangles come out in lexicographic order, which is the canonical order of files.
-// Cost: each triangle is written once. sorted() reads a file once to count, and once for each part of it that fits into
-//       `memory`; a small, sparse file once in all. Memory: the buffers of all files while rows are added.
+// Law:  sorted() writes all added triangles in lexicographic order, which is the canonical order of files.
+// Cost: each triangle is written once. sorted() reads each file once to count, and once for each part that fits into
+//       `memory`; a small, sparse file only once. Memory: the buffers of all files while rows are added.
 #pragma once
 
 #include <array>
@@ -17,32 +17,34 @@ namespace rbpa::app {
 
 using TriangleRow = std::array<std::uint64_t, 3>;
 
-/// The state of the files, from which they are resumed.
+/// The state of the files, from which they can be resumed.
 struct RowsState {
   std::vector<std::uint64_t> rows = {};  ///< number of rows of each file
-  std::vector<std::uint64_t> sums = {};  ///< checksum of each file: a sum over its rows
+  std::vector<std::uint64_t> sums = {};  ///< checksum of each file: the sum of the hashes of its rows
   std::uint64_t total() const;
 };
 
 class TriangleRows {
  public:
-  /// Takes triangles of `points` points. A file has about `file_bytes` bytes at most, unless that takes more than 4096
-  /// files, or buffers of more than a quarter of `file_bytes`: then files are larger.
+  /// For triangles of `points` points. A file has at most about `file_bytes` bytes, unless that would take more than
+  /// 4096 files, or buffers of more than a quarter of `file_bytes`; then files are larger. Keeps a reference to
+  /// `scratch`.
   TriangleRows(const Scratch& scratch, std::uint64_t points, std::uint64_t file_bytes);
 
-  /// Resumes the files from a state, and cuts off rows that were written after it. Throws BadInput if there are other
-  /// files, or one is too short; sorted() finds other damage.
+  /// Continues from a state that flush() returned: cuts off rows written after that state. Throws BadInput if the
+  /// number of files is not that of the state, or a file is too short; Failure. Only sorted() finds other damage.
   void resume(const RowsState& state);
-  /// Adds triangles. Requires: the smallest index of each is first, and all are below the number of points.
+  /// Adds triangles. Requires: the smallest index of each triangle is first, and all indices are below `points` of the
+  /// constructor. Throws Failure, Cancelled.
   void add(std::span<const TriangleRow> triangles);
-  /// Writes everything that was added to the files, and returns their state.
+  /// Writes everything that was added to the files, and returns the state of the files. Throws Failure, Cancelled.
   RowsState flush();
 
   /// Returns whether an index in a row has 4 bytes; otherwise it has 8.
   bool are_short() const { return short_; }
-  /// Calls write(bytes) with all rows in order, some at a time, little-endian. Uses about `memory` bytes, and 4 for
-  /// each least index of a file. Requires: flush() after the last add(). Throws BadInput if a file is damaged, perhaps
-  /// after other rows were written.
+  /// Calls write(bytes) with all rows in order, some at a time, little-endian. Uses about `memory` bytes, and 4 bytes
+  /// for each index that may be least in a file. Requires: flush() after the last add(). Throws BadInput if a file is
+  /// damaged, perhaps after other rows were written; Failure, Cancelled, and what write() throws.
   void sorted(std::uint64_t memory, const std::function<void(std::string_view bytes)>& write) const;
 
  private:
@@ -55,9 +57,9 @@ class TriangleRows {
   void write(std::size_t bucket);
 
   const Scratch& scratch_;
-  bool short_;                // indices have 4 bytes, not 8
-  std::uint64_t width_;       // number of least indices in a bucket
-  std::size_t most_waiting_;  // bytes of a bucket, a whole number of rows
+  bool short_;                // true: indices have 4 bytes; false: 8
+  std::uint64_t width_;       // number of indices that may be least in a bucket
+  std::size_t most_waiting_;  // the most waiting bytes of a bucket, a whole number of rows
   std::vector<Bucket> buckets_;
 };
 

@@ -14,7 +14,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Counts polygons, holes, area and perimeter on their way to a writer.
+/// Passes polygons on to a writer, and counts polygons, holes, area and perimeter.
 class Adding final : public PolygonSink {
  public:
   explicit Adding(PolygonSink& to) : to_(to) {}

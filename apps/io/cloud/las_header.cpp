@@ -188,8 +188,8 @@ LasCrs crs_of_text(std::string_view text) {
   return in_unit(crs_of_wkt(text), factor ? unit_of_factor(*factor) : 0);
 }
 
-/// Returns the coordinate system that GeoTIFF keys name. `data` has four numbers, of which the last is the number of
-/// keys, and then four numbers for each key.
+/// Returns the coordinate system that GeoTIFF keys name. `data` has four numbers, the last of them the number of keys,
+/// and then four numbers for each key.
 LasCrs crs_of_keys(std::string_view data) {
   constexpr std::size_t entry = 8;
   const auto number = [&](std::size_t i, std::size_t k) {

@@ -65,8 +65,8 @@ struct LasHeader {
   std::array<double, 3> scale, offset;
 };
 
-/// Reads the header of a file of `size` bytes. `bytes` are the first of the file, up to two bytes after the beginning
-/// of the points; fewer suffice for the header, but the signature of version 1.0 is not recognized then. Throws
+/// Reads the header of a file of `size` bytes. Requires: `bytes` are the first of the file, and hold its header; the
+/// signature of version 1.0 is recognized only if they also hold two bytes from the beginning of the points on. Throws
 /// BadInput that names the fault if the file cannot be read.
 LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::string& name);
 

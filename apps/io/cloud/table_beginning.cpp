@@ -316,7 +316,8 @@ class Starter {
     lines_.set_layout(start_.separator, start_.layout.width.to_last_text);
   }
 
-  /// Returns the separator of the data, of which the header has `of_header`. Commas within a geometry separate nothing.
+  /// Returns the separator of the data below a header with separator `of_header`. Commas within a geometry separate
+  /// nothing.
   char separator_of_data(char of_header) {
     if (start_.layout.wkt) return count_fields(start_.header, of_header).all > 1 ? of_header : ';';
     lines_.set_layout(of_header, 0);

@@ -308,7 +308,7 @@ class Events {
     return scalar("a number", false);
   }
 
-  /// Finishes an object, of which the type is known now.
+  /// Finishes an object at its end, where its type is known.
   void finish(Frame& frame) {
     const auto* kind = std::find_if(std::begin(geojson_kinds), std::end(geojson_kinds),
                                     [&](const GeoJsonKind& known) { return known.name == frame.type; });

@@ -148,8 +148,8 @@ void WktGeometries::take_geometry(std::vector<Point>& points, int depth) {
   if (polygons_ != nullptr) polygons_->end_geometry(before, polygons_->features);
 }
 
-/// Reads nested brackets, `brackets` deep. The innermost are lines, or, if `rings`, rings, of which the last point
-/// repeats the first.
+/// Reads nested brackets, `brackets` deep. The innermost are lines, or, if `rings`, rings, whose last point repeats the
+/// first.
 void WktGeometries::take_lists(std::vector<Point>& points, int brackets, bool rings) {
   if (brackets == 1) return rings ? take_ring(points) : take_list(points);
   if (take_empty()) return;
