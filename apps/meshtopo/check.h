@@ -16,6 +16,7 @@ std::vector<Check> parse_checks(const std::string& list);
 /// Returns the properties for help and messages: "closed, manifold, oriented, orientable, vertices=N, ...".
 std::string known_checks();
 
+/// Returns whether the mesh passes the check, and the texts for a message.
 CheckResult evaluate(const Check& check, const Examined& mesh);
 
 /// Returns the message for a check that does not hold: "closed: found 1 boundary curve, expected none".

@@ -7,6 +7,7 @@
 
 namespace rbpa::app {
 
+/// Writes the scene. Throws as OutputFile::write().
 void write_svg(OutputFile& file, const Scene& scene);
 
 }  // namespace rbpa::app

@@ -36,7 +36,7 @@ void return_freed_memory(std::uint64_t memory, unsigned workers);
 /// free memory.
 void return_free_pages();
 
-/// Returns the least memory, in bytes, for which divide() with `threads` allows tiles of `tile_points` points.
+/// Returns memory, in bytes, that suffices for tiles of `tile_points` points with `threads` threads.
 std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads);
 
 /// Estimates from a sample how many bytes points take in the files of tiles.

@@ -103,14 +103,14 @@ void read_facts(const Json& json, PointsFacts& facts) {
   facts.degrees = json.at("degrees");
 }
 
-/// Returns a path of the manifest as the user may write it: relative if it is in the current folder.
+/// Returns a path of the manifest in the form that a user may write: relative if the file is in the current folder.
 std::string short_path(const Json& path) {
   const std::string text = bytes_of_json_text(path.get<std::string>());
   const std::string here = std::filesystem::current_path().string() + "/";
   return printable(text.starts_with(here) ? text.substr(here.size()) : text);
 }
 
-/// Returns the options that set the value of a key of json_of(RunKey).
+/// Returns the options of the command line that give `key` of json_of(RunKey) the value `value`.
 std::string as_options(const std::string& key, const Json& value) {
   std::string text;
   if (key == "targets") {

@@ -71,6 +71,7 @@ struct Manifest {
   std::vector<TileSummary> tiles = {};  ///< indexed by the number of the tile
 };
 
+/// Replaces the manifest in `scratch`, atomically. Throws as ScratchFile.
 void save(const Manifest& manifest, const Scratch& scratch);
 
 /// Loads the manifest of a run with the same request. Throws WrongUsage that names a difference between the requests;

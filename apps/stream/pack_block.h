@@ -17,7 +17,7 @@ namespace rbpa::app {
 /// Points and their indices in the input.
 struct IndexedPoints {
   std::vector<Point> points = {};
-  std::vector<std::uint64_t> indices = {};  ///< ascending, one for each point
+  std::vector<std::uint64_t> indices = {};  ///< index of each point, ascending
 
   std::size_t size() const { return points.size(); }
   void clear() {

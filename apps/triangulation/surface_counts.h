@@ -25,6 +25,7 @@ struct SurfaceCounts {
   std::size_t genus = 0;  ///< sum over all components
 };
 
+/// Returns the counts. Requires: `fans` and `components` are of the same surface.
 SurfaceCounts count(const SplitFans& fans, const SurfaceComponents& components);
 
 /// Returns the number of non-manifold edges: pairs of points that are corners of more than two triangles, however these

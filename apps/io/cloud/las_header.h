@@ -2,7 +2,7 @@
 //       records, and the coordinate reference system.
 // Law:  the number of point records comes only from LasCount::settle(), which throws BadInput, or warns, if it differs
 //       between the header and the file. All records that settle() counts lie within the file.
-// Source: ASPRS, LAS specification 1.4 R15, and those before it.
+// Source: ASPRS, LAS specification 1.4 R15, and the specifications of earlier versions.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ class LasCount {
   /// room.
   std::size_t sought(bool skip_invalid) const { return takes_all(skip_invalid) ? room_ : claimed_; }
   std::size_t room() const { return room_; }
-  /// Returns the count for the same file after its end was found, after `room` whole records.
+  /// Returns the count for the same file when its end is found, after `room` whole records.
   LasCount with_room(std::size_t room) const { return {claimed_, room, length_}; }
 
  private:

@@ -193,9 +193,10 @@ class Starter {
     }
   }
 
-  /// Leaves out the lines above the header, or without a header the lines above the data. The header is the last line
-  /// above the data with names that the request requires, or else with known names, or else with any names. Returns the
-  /// separator of the data; nothing if the first lines have no data or begin with data.
+  /// Leaves out the lines above the header, or, if there is no header, the lines above the data. The header is the last
+  /// line above the data with the names that the request requires, or else with known names, or else with any names.
+  /// Returns the choice of the separator, which the current line then fits; nothing if the first lines have no data or
+  /// begin with data.
   std::optional<SeparatorChoice> pass_title(std::optional<char> said) {
     SeparatorChoice choice = choose_separator(lines_.ahead(separator_sample), said, true, lines_.name());
     if (choice.lines == 0) return std::nullopt;
@@ -244,8 +245,9 @@ class Starter {
     return any_text;
   }
 
-  /// Returns how likely the current line of `lines` is the header of the table that `choice` describes; 0: it is none.
-  /// Only known names make a line of numbers a header, and one with another separator.
+  /// Returns a rank for the current line of `lines` as header of the table that `choice` describes: the higher, the
+  /// more likely; 0 if it is no header. A line of numbers, or a line with another separator than the data, is a header
+  /// only if it has known names.
   int header_rank(const TableLines& lines, const SeparatorChoice& choice, bool is_data) const {
     if (lines.is_open()) return 0;
     char separator = choice.separator;
@@ -344,7 +346,7 @@ class Starter {
   LineSelection& selection_;
   std::vector<std::string>& warnings_;
   std::string comment_ = {};   // the line before the first line of the table, or before the count
-  bool says_columns_ = false;  // as in TableBeginning
+  bool says_columns_ = false;  // TableBeginning::says_columns
   TableStart start_ = {};
 };
 

@@ -168,7 +168,8 @@ void warn_of_unknown_names(const TableBeginning& table, std::size_t numbers, std
   warnings.push_back("no name of a column is that of a coordinate; " + columns + " (" + way + ")");
 }
 
-/// Warns that the columns are the first ones, if lines of text above them were no header.
+/// If lines of text are left out above the data, adds the warning that there is no header, so that the first columns
+/// are read.
 void warn_of_no_header(const TableBeginning& table, const std::string& columns, std::vector<std::string>& warnings) {
   if (table.says_columns) warnings.push_back("no header was found; " + columns + " (--columns chooses others)");
 }

@@ -49,14 +49,15 @@ struct TableBeginning {
   std::string_view comment;
   std::vector<std::string_view> names = {};  ///< the fields of the comment
   SeparatorChoice choice;
-  bool says_columns = false;  ///< a warning names the columns of the points, as lines of text are left out
+  bool says_columns = false;  ///< a warning is to name the columns of the points, as lines of text are left out
 };
 
-/// How sure it is that a line is a header.
+/// The ways in which a line may be a header.
 enum class HeaderKind { none, unknown_names, known_names };
 
-/// Returns known_names if `fields` may be a header with the columns that are requested by name, or else with known
-/// names of coordinates or geometries; unknown_names if all are texts, and enough of them are names of columns.
+/// Returns known_names if `fields` may be a header with the columns that `request` has by name, or else with known
+/// names of coordinates or geometries; unknown_names if all fields are texts and enough of them may be names of
+/// columns; else none.
 HeaderKind header_kind(const std::vector<std::string_view>& fields, const CloudRequest& request);
 
 /// Returns the layout of a table, and adds warnings to `warnings`. Throws BadInput that names the line; WrongUsage if

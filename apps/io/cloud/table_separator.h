@@ -1,7 +1,7 @@
 // What: finds the separator of the fields of a table.
-// Law:  "sep=" decides. Otherwise the separator is chosen with which most of the first lines are data with as many
-//       fields as the first line. A first line that fits them counts more than the ending of the file's name, and the
-//       ending more than the number of lines. Commas that are decimal signs in all lines separate nothing.
+// Law:  "sep=" decides. Otherwise the first lines decide. Best is a separator with which lines are data, all with as
+//       many fields as the first line; then the tab, if the file ends in .tsv; then the separator with which most lines
+//       are data with equally many fields. Commas that are decimal signs in all lines separate nothing.
 #pragma once
 
 #include <cstddef>
@@ -27,11 +27,11 @@ constexpr std::size_t separator_sample = std::size_t{1} << 16U;
 
 /// Returns the separator of the table that begins with `text`, of which only the first separator_sample bytes count.
 /// `said` is the separator of "sep=". With `by_most` the first line may be no line of the table, and the lines of data
-/// alone decide. `name` is that of the file: its ending may be .tsv.
+/// alone decide. `name` is the name of the file, with the ending.
 SeparatorChoice choose_separator(std::string_view text, std::optional<char> said, bool by_most,
                                  const std::string& name);
 
-/// Returns the number of fields of `line` if it is data, with two numbers or a geometry.
+/// Returns the numbers of fields of `line` if it is data, that is, has two numbers or a geometry; else nothing.
 std::optional<FieldCount> fields_of_data(std::string_view line, char separator);
 
 }  // namespace rbpa::app

@@ -46,8 +46,8 @@ struct OffHeader {
 };
 
 /// Reads a header: OFF with any of the prefixes ST, C, N, or none; then the counts, in the same line or in the next.
-/// The vertices may follow the counts in their line. Throws BadInput naming the line, also if the file is too short for
-/// so many vertices of at least two coordinates.
+/// The vertices may follow the counts in their line. Throws BadInput that names the line, also if the file is too short
+/// for so many vertices of at least two coordinates.
 OffHeader read_off_header(std::string_view text, const std::string& name) {
   Lines lines(text);
   if (!lines.next_with_content()) bad_input(name, "no OFF header", "an ASCII .off file");
@@ -79,7 +79,7 @@ OffHeader read_off_header(std::string_view text, const std::string& name) {
                          .faces = *faces,
                          .line = line,
                          .lines = lines};
-  // The shortest line of a vertex is "0 0" and a line end, which the last line may lack.
+  // Count four bytes for a vertex: "0 0" and a line end, which the last line may lack.
   if (*vertices > (left + 1) / 4)
     bad_input(name, counted(left, "byte") + " of data", announced(header.elements(0).elements.front()));
   return header;

@@ -29,7 +29,7 @@ bool surely_span_area(const Position& a, const Position& b, const Position& c) {
 
 }  // namespace
 
-// Project: points are on one line in space if and only if their projections are on one line in all three planes.
+// Decide by projections: points are on one line in space if and only if they are on one line in all three projections.
 bool is_on_a_line(std::span<const std::uint32_t> face, std::span<const Position> positions) {
   for (std::size_t i = 2; i < face.size(); ++i)
     if (surely_span_area(positions[face[0]], positions[face[1]], positions[face[i]])) return false;

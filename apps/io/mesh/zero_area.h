@@ -10,7 +10,7 @@
 
 namespace rbpa::app {
 
-/// Returns whether all corners of a face lie on one line.
+/// Returns whether all corners of `face` are on one line. Requires: finite positions.
 bool is_on_a_line(std::span<const std::uint32_t> face, std::span<const Position> positions);
 
 }  // namespace rbpa::app

@@ -23,7 +23,7 @@ bool is_beyond_antimeridian(std::span<const Point> points);
 double within_antimeridian(double longitude);
 
 /// Returns the parts of a polygon, each with its shell first, counter-clockwise, and then its holes, clockwise.
-/// Requires: `polygon` is so as well, and its longitudes are within ±360.
+/// Requires: the rings of `polygon` have this order and these directions; longitudes are within ±360.
 std::vector<std::vector<PositionRing>> within_antimeridian(const std::vector<PositionRing>& polygon);
 
 /// Returns the parts of the line from `from` to `to`, in this direction. Requires: longitudes within ±360.

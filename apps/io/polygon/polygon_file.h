@@ -13,7 +13,7 @@ namespace rbpa::app {
 
 /// Consecutive polygons that form one geometry and should be a valid multipolygon.
 struct PolygonGeometry {
-  std::size_t first_polygon;  ///< index; the last polygon is before that of the next geometry
+  std::size_t first_polygon;  ///< index of the first polygon; the polygons end where those of the next geometry begin
   std::size_t feature;
 };
 

@@ -1,6 +1,6 @@
-// What: the verbs of `rbpa`: for each its arguments as text, its declaration, and its run.
-// Law:  a verb checks its whole command line, throwing WrongUsage, before it reads anything. It also throws BadInput,
-//       Failure and Cancelled (program/exit_code.h), and then leaves no file behind.
+// What: the verbs of `rbpa`: for each verb the arguments as text, the declaration, and the run.
+// Law:  a run checks its whole command line, and throws WrongUsage, before it reads anything. It also throws BadInput,
+//       Failure, ClosedPipe and Cancelled (program/exit_code.h), and then leaves no file behind.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ void run_group_meshes(const MeshArguments& arguments);
 struct ShapeArguments : ComplexArguments {
   std::string min_hole_area = "0";
   std::string min_part_area = "0";
-  std::optional<std::string> isolated;  ///< a file for the points in no polygon
+  std::optional<std::string> isolated;  ///< path of a file for the points in no polygon
 };
 void run_shape(const ShapeArguments& arguments);
 /// Runs `rbpa shape` for each group of the points. Requires: arguments.ask_for_groups().
