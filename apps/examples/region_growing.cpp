@@ -129,7 +129,7 @@ void segment(const char* name, const Mesh& mesh, IsCrease is_crease) {
   Front front(regions, mesh.n_vertices());
   Regions<IsCrease> policy(mesh, is_crease);
   meshops::advance(front, policy);
-  const std::vector<Site> vertex = front.finish();  // for each vertex of the regions, its vertex in the mesh
+  const std::vector<Site> vertex = front.finish();  // the vertex in the mesh of each vertex of the regions
 
   std::size_t wrong_edges = 0;
   const auto stands_on = [&](Vertex v) { return Vertex(static_cast<int>(vertex[static_cast<std::size_t>(v.idx())])); };

@@ -51,7 +51,7 @@ namespace {
 
 struct Character {
   char32_t code;
-  std::size_t size;  // in bytes
+  std::size_t size;  // number of bytes
 };
 
 /// Returns the first character of `text`, with size 0 if it is not UTF-8: a stray byte, a truncated or overlong

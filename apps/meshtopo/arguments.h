@@ -53,7 +53,7 @@ struct TopologyPlan {
   std::optional<HoleChoice> fill = std::nullopt;
   std::optional<double> tunnels_below = std::nullopt;
   std::optional<TopologyTarget> report = std::nullopt;
-  std::optional<TopologyTarget> written = std::nullopt;  ///< for the mesh, edited and repaired as requested
+  std::optional<TopologyTarget> written = std::nullopt;  ///< the file for the mesh, edited and repaired as requested
   std::optional<Shift> shift = std::nullopt;             ///< what is subtracted from positions for STL
   std::optional<TopologyTarget> generators = std::nullopt;
   bool shortest = false;  ///< write shortest generators

@@ -53,7 +53,7 @@ void weld(EditedMesh& edited, double distance) {
 }
 
 struct KeptComponents {
-  std::vector<bool> faces;  ///< for each face whether it is kept; degenerate and repeated faces are dropped
+  std::vector<bool> faces;  ///< tells for each face whether it is kept; degenerate and repeated ones are not
   std::size_t dropped = 0;  ///< number of dropped components
 };
 

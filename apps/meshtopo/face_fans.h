@@ -15,7 +15,7 @@
 namespace rbpa::app {
 
 struct FaceFans {
-  Surface surface = {};             ///< of vertices of the repaired soup; around each vertex the triangles are one fan
+  Surface surface = {};             ///< triangles of vertices of the repaired soup; around each vertex they are one fan
   std::vector<Point3> points = {};  ///< position of each vertex
   std::vector<std::size_t> face = {};  ///< number of the face of each triangle, in the repaired soup
 

@@ -93,7 +93,7 @@ class Closing {
       return std::all_of(points.begin(), points.end(), [&](std::uint32_t p) { return is_around[p]; });
     });
     if (filled.report.counts.left() > 0 || filled.report.merged > 0) return false;
-    if (filled.mesh.soup.points != soup.points) return false;  // as the filling has split a vertex
+    if (filled.mesh.soup.points != soup.points) return false;  // the filling has split a vertex
     meshops::TopologyReport topology = meshops::report(filled.mesh.soup, until_interrupted());
     if (!is_simpler(topology)) return false;
     topology_ = std::move(topology);

@@ -124,7 +124,7 @@ class NearVertices {
   const double distance_;
   meshops::DisjointSets sets_;
   bool is_near_within_ = true;      // vertices in one cell are near each other
-  std::vector<Placed> vertices_;    // in the order of cells
+  std::vector<Placed> vertices_;    // all vertices, in the order of their cells
   std::vector<std::size_t> begin_;  // index of the first vertex of each cell, and the end
 };
 

@@ -17,7 +17,7 @@ namespace rbpa::app {
 
 struct PlotCurve {
   std::string name;
-  const char* color;                     ///< in the syntax of SVG
+  const char* color;                     ///< color in the syntax of SVG
   std::vector<std::size_t> counts = {};  ///< counts[i] holds from FiltrationPlot::alpha[i] to the next value
 };
 

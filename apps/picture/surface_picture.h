@@ -24,7 +24,7 @@ struct SurfacePicture {
   std::span<const std::uint32_t> unused;
   std::span<const std::array<std::uint8_t, 3>>
       colors;                       ///< one for each point, or empty; shown on the front of triangles
-  const std::vector<bool>& filled;  ///< for each triangle whether it fills a hole; empty: none does
+  const std::vector<bool>& filled;  ///< tells for each triangle whether it fills a hole; empty if none does
 };
 
 /// Writes the picture. Requires: least_width ≤ width ≤ greatest_width (scene.h). Throws what OutputFile::write()

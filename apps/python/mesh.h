@@ -60,7 +60,7 @@ class Mesh {
     Mesh& mesh_;
   };
 
-  std::vector<std::uint32_t> built_on;  ///< for each vertex with which the mesh was built, its point in the given faces
+  std::vector<std::uint32_t> built_on;  ///< the point, in the given faces, of each vertex with which the mesh was built
 
  private:
   MeshKernel kernel_;

@@ -191,7 +191,7 @@ class SmallerCutter {
   bool cut_or_repair(std::uint32_t tile) {
     try {
       return cut(tile);
-    } catch (const Damaged&) {  // of a killed run, which left the files of two parts in different states
+    } catch (const Damaged&) {  // a killed run has left the files of two parts in different states
       cut_again(request_, budget_, scratch_, manifest_, tile);
       return cut(tile);
     }

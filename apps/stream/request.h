@@ -26,7 +26,7 @@ struct StreamRequest {
   std::vector<PointSource> sources = {};
   std::string options = {};  ///< the options about reading the sources, as text
   double alpha = 0;
-  std::uint64_t memory = 0;                               ///< in bytes
+  std::uint64_t memory = 0;                               ///< memory in bytes
   std::optional<std::uint64_t> tile_size = std::nullopt;  ///< the most points that a tile may own
   std::optional<std::string> scratch = std::nullopt;  ///< the folder; absent: a new folder in that of the first target
   bool keep_tiles = false;

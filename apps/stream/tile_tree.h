@@ -86,8 +86,8 @@ class TileTree {
   }
 
   std::vector<Part> parts_;
-  std::vector<Region> boxes_;                 // of each tile
-  std::vector<std::uint32_t> part_of_ = {0};  // of each tile
+  std::vector<Region> boxes_;                 // box of each tile
+  std::vector<std::uint32_t> part_of_ = {0};  // number of the part that is each tile
 };
 
 }  // namespace rbpa::app

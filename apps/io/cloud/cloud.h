@@ -41,7 +41,7 @@ struct CloudRequest {
   /// the header names, or else the first columns.
   std::optional<std::vector<Column>> columns = std::nullopt;
   std::optional<Condition> where = std::nullopt;  ///< selects points by their fields
-  bool heights = false;                           ///< in the plane: also read z, if the file has z
+  bool heights = false;                           ///< read z also in the plane, if the file has z
   bool skip_invalid = false;                      ///< leave out lines of text, and records of LAS, that are not points
   bool vertices = false;                          ///< take the vertices of lines and polygons in a column of geometries
   Waters waters = Waters::noted;

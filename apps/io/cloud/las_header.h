@@ -56,7 +56,7 @@ struct LasHeader {
   unsigned format;  ///< format of point records, 0 to 10
   std::size_t size;
   std::size_t records;  ///< number of variable length records, which begin after the header
-  LasCount count;       ///< of points: in the header, and in the room up to the next part of the file
+  LasCount count;       ///< number of points: in the header, and in the room before the next part of the file
   std::size_t length;   ///< size of a point record in bytes, with extra bytes
   std::size_t begin;    ///< offset of the first point record
   std::size_t extended_begin,

@@ -364,7 +364,8 @@ class TableCloud final : public Cloud {
   CloudRequest request_;
   TableKind kind_;
   std::optional<AnnouncedPoints> announced_ = std::nullopt;
-  std::size_t point_lines_ = 0, last_line_ = std::numeric_limits<std::size_t>::max();  // of points
+  std::size_t point_lines_ = 0,
+              last_line_ = std::numeric_limits<std::size_t>::max();  // lines of points: read, and to read
   std::size_t index_ = 0;  // number of the next point among all points of the file
   bool has_line_ = false, ended_ = false, any_points_ = false;
   char separator_ = blanks;

@@ -15,7 +15,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Reads the lines of a file, and numbers in them. All members throw BadInput that names the line.
+/// Reads the lines of a file, and numbers in them. Members throw BadInput that names the line.
 class ObjLines {
  public:
   ObjLines(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
@@ -190,7 +190,7 @@ class ObjCloud final : public Cloud {
 
   Content content_;
   ObjLines lines_;
-  std::vector<Point3> normals_ = {};  ///< of the lines "vn", in their order
+  std::vector<Point3> normals_ = {};  ///< normals of the lines "vn", in their order
   std::vector<Corner> corners_ = {};
   TextColors colors_ = TextColors();
   bool is_read_ = false;

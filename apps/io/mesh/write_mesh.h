@@ -41,7 +41,7 @@ struct SpaceMesh {
   std::span<const std::array<std::uint8_t, 3>> colors = {};
   std::span<const std::uint32_t> points = {};  ///< input index of the point of each vertex, to be written
   std::span<const double> confidence = {};     ///< confidence in the normals
-  std::optional<Shift> shift = std::nullopt;   ///< for STL and GLB
+  std::optional<Shift> shift = std::nullopt;   ///< shift of positions in STL and GLB
   std::span<const std::uint32_t> index = {};   ///< input index of each vertex; empty if vertex i has index i
 };
 

@@ -51,7 +51,7 @@ class Events {
         vertices_(vertices),
         polygons_(polygons),
         columns_(columns) {
-    if (columns_.key) file_.texts.emplace_back(std::vector<std::string>(1));  // for points without a key
+    if (columns_.key) file_.texts.emplace_back(std::vector<std::string>(1));  // text 0: points without a key
   }
 
   PointFile read() {
@@ -258,7 +258,7 @@ class Events {
   }
 
   bool at_end() {
-    constexpr char record_separator = '\x1E';  // of RFC 8142
+    constexpr char record_separator = '\x1E';  // before each text, by RFC 8142
     while (at_ != end_ && (is_blank(*at_) || *at_ == '\n' || *at_ == record_separator)) ++at_;
     return at_ == end_;
   }

@@ -144,7 +144,7 @@ class PolyReader {
   const std::string& name_;
   std::string_view rest_ = {};                           // rest of the current line
   std::size_t first_ = 0;                                // the number of the first vertex
-  std::vector<std::array<std::uint32_t, 2>> ends_ = {};  // for each vertex the other ends of its two segments
+  std::vector<std::array<std::uint32_t, 2>> ends_ = {};  // the other ends of the two segments at each vertex
 };
 
 }  // namespace

@@ -24,11 +24,11 @@ struct NumberProperty {
 };
 
 struct PolygonFile {
-  PointFile vertices = {};             ///< in the order of the file
+  PointFile vertices = {};             ///< vertices of all rings, in the order of the file
   std::vector<Polygon> polygons = {};  ///< rings of indices in `vertices`, unchecked; other members are not filled in
   std::vector<PolygonGeometry> geometries = {};  ///< geometries with polygons, in the order of the file
   std::size_t features = 0;                      ///< number of features, including those without polygons
-  std::vector<NumberProperty> properties = {};   ///< in the order of their first occurrence
+  std::vector<NumberProperty> properties = {};   ///< properties, in the order of their first occurrence
 
   /// Adds the vertices from `begin` to `end` to the last polygon, as its shell or as a hole.
   void add_ring(std::size_t begin, std::size_t end, bool is_shell) {

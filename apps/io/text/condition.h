@@ -15,9 +15,9 @@ namespace rbpa::app {
 
 /// The rule that decides which words of a condition name fields.
 struct FieldNames {
-  bool (*are)(std::string_view word);
-  std::string described;  ///< for messages, after "expected a number or "
-  bool texts = false;     ///< fields may be compared with texts
+  bool (*are)(std::string_view word);  ///< returns whether a word may name a field
+  std::string described;               ///< description for messages, after "expected a number or "
+  bool texts = false;                  ///< fields may be compared with texts
 };
 
 /// Returns the rule for tables: any word is the name of a field, and any text in double quotes, such as "point class".

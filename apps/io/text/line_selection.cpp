@@ -55,7 +55,7 @@ void LineSelection::settle_kinds(std::string_view line, Lines behind, char separ
 
 BadInput LineSelection::with_hint(const BadInput& refusal) {
   std::string message = refusal.what();
-  const std::size_t last = message.rfind(" (");  // of options, as in " (--columns ...)"
+  const std::size_t last = message.rfind(" (");  // the last bracket, perhaps of options: " (--columns ...)"
   const bool has_way =
       message.ends_with(')') && last != message.npos && std::string_view("-=e").find(message[last + 2]) != message.npos;
   if (has_way) message.pop_back();

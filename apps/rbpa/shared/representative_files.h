@@ -25,7 +25,7 @@ struct RepresentativeRequest {
   Target target;
   PairChoice choice;
   std::optional<std::vector<double>> levels;  ///< radii; only pairs that exist at one of them are written
-  std::optional<std::size_t> leaf_capacity;   ///< of hrbpa; only pairs that exist at one of its levels
+  std::optional<std::size_t> leaf_capacity;   ///< leaf capacity of hrbpa; only pairs at one of the levels
                                               ///< are written
 };
 

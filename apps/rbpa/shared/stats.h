@@ -24,7 +24,7 @@ struct FillStats {
 struct GroupStats {
   std::size_t groups = 0;
   std::size_t without_polygon = 0;
-  std::size_t triangles = 0;  ///< in all groups together
+  std::size_t triangles = 0;  ///< number of triangles in all groups together
 };
 
 struct Stats {

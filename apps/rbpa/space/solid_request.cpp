@@ -127,7 +127,7 @@ SolidRequest parse(const SolidArguments& arguments) {
 }
 
 std::string text_of_progress(const Progress& progress, double seconds) {
-  const auto done = static_cast<double>(progress.triangles);  // of solid(): the number of points done
+  const auto done = static_cast<double>(progress.triangles);  // solid() counts finished points here
   const std::string text = short_number(done) + " points";
   return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
 }

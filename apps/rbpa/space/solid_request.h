@@ -24,7 +24,7 @@ struct SolidRequest {
   std::optional<Point3> box;  ///< sides of the periodic box; all 0 for --box auto: the cell of the input
   std::vector<Target> targets;
   std::optional<Target> boundary, voids, pockets;
-  std::optional<Shift> shift = std::nullopt;  ///< for files of the boundary in single precision
+  std::optional<Shift> shift = std::nullopt;  ///< shift of files of the boundary in single precision
   double voids_above = 0;
   std::size_t top =
       std::numeric_limits<std::size_t>::max();  ///< the most voids, and the most pockets, that are written

@@ -63,7 +63,8 @@ std::span<const Item> largest(const std::vector<Item>& items, double above, std:
 
 /// Computes what the outputs need, with a progress line for each step.
 SolidFacts SolidRun::measured() {
-  constexpr std::array doing{"tetrahedra", "alpha", "boundary", "voids"};  // by SolidStep; balls belong to the voids
+  constexpr std::array doing{"tetrahedra", "alpha", "boundary",
+                             "voids"};  // indexed by SolidStep; the balls are part of "voids"
   const bool is_full = request_.walls == ComplexKind::full;
   const auto is_drawn = [](const Target& target) { return is_picture(target.format); };
   std::optional<TriangleProgress> line;

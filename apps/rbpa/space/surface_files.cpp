@@ -30,7 +30,7 @@ SplitFans without_unused(std::span<const std::array<std::uint32_t, 3>> triangles
 }
 
 void write_picture(OutputFile& file, const SurfaceFiles& of, int width) {
-  std::array<std::vector<std::array<std::uint32_t, 2>>, 3> sides;  // by kind of curve
+  std::array<std::vector<std::array<std::uint32_t, 2>>, 3> sides;  // sides of the curves of each kind
   for (std::size_t i = 0; i < of.facts.holes.size(); ++i)
     for (const RimEdge& edge : of.facts.holes[i].edges)
       sides[static_cast<std::size_t>(of.facts.kinds[i])].push_back({edge.from, edge.to});

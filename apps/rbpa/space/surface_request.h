@@ -18,7 +18,7 @@ struct SurfaceRequest {
   ReconstructionOptions how = {};  ///< without what the file has: normals, and viewpoints of the points
   bool colors_normals = false;     ///< colors show the confidence of normals
   std::vector<Target> targets = {};
-  std::optional<Shift> shift = {};  ///< for targets in single precision
+  std::optional<Shift> shift = {};  ///< shift of targets in single precision
   int width = 0;
   RunOptions run = {};
 };

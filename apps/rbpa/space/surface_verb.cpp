@@ -38,7 +38,7 @@ constexpr std::array<const char*, 12> step_texts{"looking for outliers",
                                                  nullptr,
                                                  "filling holes",
                                                  "refining fillings"};
-constexpr std::array source_names{"file", "estimate", "none"};  // by NormalSource
+constexpr std::array source_names{"file", "estimate", "none"};  // indexed by NormalSource
 
 class SurfaceRun : public Run {
  public:
