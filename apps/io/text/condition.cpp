@@ -46,7 +46,7 @@ class Parser {
   }
 
  private:
-  static constexpr int deepest = 100;  // the most nested brackets and nots
+  static constexpr int deepest = 100;  // nested brackets and nots that are refused
 
   /// Sets word_ to the next word: a name, perhaps in quotes, a number or a sign.
   void take() {
