@@ -12,6 +12,7 @@
 #include "program/exit_code.h"
 #include "program/manual.h"
 #include "program/narrow_help.h"
+#include "program/refuse_arguments.h"
 
 namespace rbpa::app {
 namespace {
@@ -117,7 +118,7 @@ int main(int argc, char** argv) {
     app.exit(e, text, nothing);
     return run(program, [&] { print(text.str()); });
   } catch (const CLI::ParseError& e) {
-    return report(program, std::string(e.what()) + " (see meshtopo --help)", wrong_usage);
+    return refuse_arguments(app, e);
   }
   arguments.repair = repair->count() > 0;
   ExitCode found = done;

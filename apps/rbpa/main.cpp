@@ -8,36 +8,17 @@
 #include <vector>
 
 #include "io/bytes/descriptor.h"
-#include "io/failure.h"
 #include "io/interrupt.h"
 #include "program/exit_code.h"
 #include "program/manual.h"
 #include "program/narrow_help.h"
+#include "program/refuse_arguments.h"
 #include "shared/verbs.h"
 
 namespace rbpa::app {
 namespace {
 
 constexpr const char* program = "rbpa";
-
-/// Returns the program and the verb of the command line, such as "rbpa mesh"; "rbpa" if there is no verb.
-std::string asked_for(const CLI::App& app) {
-  const auto verbs = app.get_subcommands();
-  return verbs.empty() ? program : program + (" " + verbs.front()->get_name());
-}
-
-std::string unexpected(const std::string& word, const CLI::App& app) {
-  const std::string found = "found " + in_quotes(word) + ", expected ";
-  if (app.get_subcommands().empty()) {
-    std::string verbs;
-    for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
-      verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
-    return found + "one of " + verbs + " (see rbpa --help)";
-  }
-  const std::string verb = asked_for(app);
-  return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + verb + " (see " + verb +
-         " --help)";
-}
 
 /// Returns the words of the command line in reverse order, as CLI11 parses them. "help VERB" becomes "VERB --help".
 std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
@@ -96,10 +77,7 @@ int main(int argc, char** argv) {
     app.exit(e, text, nothing);
     return run(program, [&] { print(text.str()); });
   } catch (const CLI::ParseError& e) {
-    // Look for unknown options first: a required option may be missing because its name is misspelled.
-    const std::vector<std::string> unknown = app.remaining(true);
-    if (!unknown.empty()) return report(program, unexpected(unknown.front(), app), wrong_usage);
-    return report(program, std::string(e.what()) + " (see " + asked_for(app) + " --help)", wrong_usage);
+    return refuse_arguments(app, e);
   }
   const auto chosen =
       std::find_if(verbs.begin(), verbs.end(), [](const Verb& verb) { return verb.declared->parsed(); });
