@@ -410,7 +410,9 @@ TEST_SUITE("las") {
     CHECK(refused_condition("red in (2 3)") == "--where: found '3', expected ',' or ')'");
     CHECK(refused_condition("red not 2") == "--where: found '2', expected in");
     CHECK(refused_condition("red == -blue") == "--where: found 'blue', expected a number");
-    CHECK(refused_condition(std::string(200, '(')).find("at most 100 nested brackets") != std::string::npos);
+    const auto nested = [](std::size_t depth) { return std::string(depth, '(') + "red = 2" + std::string(depth, ')'); };
+    CHECK(refused_condition(nested(101)).find("at most 100 nested brackets") != std::string::npos);
+    CHECK(refused_condition(nested(100) + " blue").find("found 'blue'") != std::string::npos);
   }
 
   TEST_CASE("class is the classification, in conditions and for groups") {

@@ -46,7 +46,7 @@ class Parser {
   }
 
  private:
-  static constexpr int deepest = 100;  // nested brackets and nots that are refused
+  static constexpr int deepest = 100;  // of nested brackets and nots
 
   /// Sets word_ to the next word: a name, perhaps in quotes, a number or a sign.
   void take() {
@@ -111,7 +111,7 @@ class Parser {
   }
 
   void take_term(int depth) {
-    if (depth == deepest) refuse("at most " + std::to_string(deepest) + " nested brackets");
+    if (depth > deepest) refuse("at most " + std::to_string(deepest) + " nested brackets");
     if (take_if("not", "!")) {
       take_term(depth + 1);
       result_.push_back({Step::negation});
