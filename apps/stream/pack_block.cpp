@@ -107,7 +107,8 @@ void append_packed(std::uint8_t kind, std::span<std::uint64_t> values, std::uint
 template <double Point::*axis>
 bool as_decimals(std::span<const Point> points, unsigned places, std::span<std::uint64_t> values) {
   const double power = powers[places];
-  // Refuse numbers above `most`, which have no fraction. Add `rounding`, so that the last bits are the integer.
+  // Add `rounding`, so that the last bits of the sum are the nearest integer. Refuse numbers of magnitude 2⁵¹ or more:
+  // with them the sum could leave [2⁵², 2⁵³), where the last bits of a double are a whole number.
   constexpr double most = 0x1p51, rounding = 0x1.8p52;
   const auto rounding_bits = std::bit_cast<std::uint64_t>(rounding);
   bool exact = true;

@@ -17,7 +17,7 @@ namespace rbpa::app {
 
 using TriangleRow = std::array<std::uint64_t, 3>;
 
-/// The state of the files, from which they can be resumed.
+/// The state of the files when writing stops, from which it can be resumed: the numbers and checksums of their rows.
 struct RowsState {
   std::vector<std::uint64_t> rows = {};  ///< number of rows of each file
   std::vector<std::uint64_t> sums = {};  ///< checksum of each file: the sum of the hashes of its rows

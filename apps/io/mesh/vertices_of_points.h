@@ -28,6 +28,7 @@ class VerticesOfPoints {
         triangles_(triangles),
         shift_(of_points.shift) {}
 
+  /// Returns a view of this object and of the triangles.
   SpaceMesh mesh() const {
     return {.vertices = places_,
             .triangles = triangles_,

@@ -32,7 +32,7 @@ namespace detail {
 class EngineSide;
 }  // namespace detail
 
-/// Triangle that was detached.
+/// A triangle that was detached: its corners, and the halfedges of its sides.
 struct DetachedTriangle {
   std::array<Site, 3> corners;
   /// Side i ran from corner i to corner i + 1. It is a boundary halfedge now, or invalid if no face lay beyond it.
@@ -279,7 +279,7 @@ class MESHOPS_API Front {
   SiteVertices vertices_;
   std::size_t supply_;
   bool keeps_handles_ = false;  // whether the front began with a mesh of the user
-  std::size_t edges_ = 0;       // number in use, dead ones included; the supply may have more
+  std::size_t edges_ = 0;  // edges handed out so far, deleted ones included; the mesh may have spare ones after them
   std::size_t faces_ = 0;
   std::size_t dead_edges_ = 0;
   std::size_t dead_faces_ = 0;

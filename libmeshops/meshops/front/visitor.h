@@ -18,7 +18,7 @@ struct FrontVisitor {
   void deferred(const Front&, Halfedge) {}
   /// Called when an edge has been frozen for this level.
   void frozen(const Front&, Halfedge) {}
-  /// Called when a triangle has been detached by proposal.
+  /// Called when a triangle has been detached because the policy proposed it (Proposal).
   void detached(const Front&, const DetachedTriangle&) {}
   /// Called when a triangle that was proposed for this edge is refused. If the edge is still on the boundary and not
   /// active, it is frozen next.

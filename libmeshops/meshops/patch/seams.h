@@ -15,10 +15,12 @@ namespace meshops {
 template <typename Side>
 class Seams {
  public:
-  /// Starts an empty table for `sites` sites.
+  /// Begins a table of sites below `sites`. Requires: the table is new, or end() was called after the last begin().
   void begin(std::size_t sites) { first_.assign(sites, none); }
   bool has_begun() const { return !first_.empty(); }
 
+  /// Adds a side that waits at the site `at`, which the caller chooses: an end of the side, for example.
+  /// Requires: at most 2³¹ − 1 sides are added between begin() and end(), taken ones included.
   void add(Site at, const Side& side) {
     int& first = first_[at];
     seams_.push_back({side, first});
@@ -28,7 +30,8 @@ class Seams {
   /// Prefetches the memory of a site, before take() or add() at it.
   void prepare(Site at) const { __builtin_prefetch(&first_[at]); }
 
-  /// Removes and returns a side at the site for which matches(side) is true; nothing when there is none.
+  /// Removes and returns a side that waits at the site `at` and for which matches(side) is true; of several, the one
+  /// added last. Returns nothing if there is none.
   template <typename Matches>
   std::optional<Side> take(Site at, Matches matches) {
     for (int* link = &first_[at]; *link != none;) {

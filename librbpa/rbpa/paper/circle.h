@@ -1,5 +1,6 @@
 // What:   the ball of radius α among points of the plane: it pivots on an edge, and it rolls around a point.
-// Law:    exact; each answer is a function of the set of points alone, not of their order or of a mesh.
+// Law:    exact; pivot() and roll() are functions of the set of points alone, not of the order of points or of a mesh;
+//         nearest() is too, except among points at equal distance.
 // Cost:   each call reads V_p, the points in nine cells of side 2α.
 // Source: Restricted BPA, sections 3.1, "Geometric step", and 3.2; rolling: docs/explanation/paper.md, section 3.
 #pragma once
@@ -22,7 +23,7 @@ class Ball {
   /// Returns the point that the ball touches first when it pivots on the Delaunay edge a→b, to the left of the edge:
   /// the point that sees the edge under the largest angle (figure 3), ties perturbed. Returns nothing if no point is
   /// left of the edge, or the circumradius of the triangle is above α.
-  /// Requires: |ab| ≤ 2α.
+  /// Requires: a→b is a Delaunay edge of the sites; |ab| ≤ 2α.
   std::optional<Site> pivot(Site a, Site b) const;
 
   /// Returns the point nearest to v other than v, any of several; nothing if the distance is above 2α, so that the ball

@@ -15,7 +15,7 @@ namespace {
 /// The radii α₀, 2α₀, 4α₀ …, with α in the place of the first that is not below it.
 class Radii {
  public:
-  /// Computes the radii. If α = ∞, it replaces the first radius that is not below `largest`.
+  /// Computes the radii. If α = ∞, α replaces the first radius that is not below `largest`.
   Radii(double minimal, Radius alpha, Real largest) : minimal_(minimal), alpha_(alpha) {
     const Real end =
         alpha.is_infinite() ? std::min(largest, Real(std::numeric_limits<double>::max())) : Real(alpha.value());

@@ -1,10 +1,11 @@
-// What: the least double alpha at which a triangle, or an edge, is in the complex.
+// What: the circumradius of a triangle, or half the length of an edge, rounded up to a double: the least alpha at which
+//       the triangle is in the complex, or the edge, if no point is inside its diametral circle.
 // Law:  exact: least_alpha(a, b, c) ≤ alpha if and only if the circumradius of (a, b, c) is ≤ alpha, for every double
 //       alpha > 0. A complex "at alpha" is therefore the cells whose least alpha is ≤ alpha, compared as plain doubles.
-// How:  computes an interval around the radius in long double. Nearly always a single double is the rounded-up radius;
-//       otherwise the exact predicates choose among the doubles that the interval leaves.
-//       docs/explanation/filtration_and_persistence.md, section 2 derives the interval.
-// Cost: about 0.1 µs; 1 µs where the interval does not decide (one triangle of fifteen), some µs at a tie.
+// How:  computes an interval around the radius in long double. For fourteen triangles of fifteen, both ends of the
+//       interval round up to the same double; for the others, the exact predicates choose among the doubles that the
+//       interval leaves. docs/explanation/filtration_and_persistence.md, section 2 derives the interval.
+// Cost: about 0.1 µs if the interval decides, 1 µs if it does not (one triangle of fifteen), some µs at a tie.
 #pragma once
 
 #include "rbpa/base/point.h"

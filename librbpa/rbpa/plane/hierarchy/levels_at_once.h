@@ -30,10 +30,12 @@ class LevelsAtOnce {
   LevelsAtOnce(const Sites& sites, const Ladder& ladder, Threads& threads, Monitor& monitor)
       : sites_(sites), ladder_(ladder), threads_(threads), monitor_(monitor) {}
 
-  /// Lays all triangles, with faces in the order of their levels; called once.
+  /// Lays all triangles. Faces are in ascending order of their levels; faces of one level are in the order in which
+  /// they were laid. Requires: called once; the mesh of `assembly` is empty. Throws: Cancelled.
   meshops::AssembledPatches lay(Assembly& assembly);
 
-  /// Returns the levels, the last with the radius `alpha`; their seconds are 0. To be called after lay().
+  /// Returns the first level, the last, and all others that add triangles; their seconds are 0. `alpha`, the radius of
+  /// the whole run, becomes the radius of the last level. Requires: lay() was called.
   std::vector<Level> levels(double alpha) const;
 
  private:

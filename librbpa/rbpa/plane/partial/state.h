@@ -61,7 +61,7 @@ struct PartialState {
   std::vector<SharedTriangle> shared = {};  // by corners
   std::vector<OpenComponent> open = {};
   std::vector<Chain> chains = {};            // by first edge
-  std::vector<Pinch> pinches = {};           // by members
+  std::vector<Pinch> pinches = {};           // sorted by members
   std::vector<CornerPolygon> held = {};      // finished, but at pinches whose first polygon is unknown; in order
   std::vector<CornerPolygon> polygons = {};  // finished
 };

@@ -63,8 +63,9 @@ class TileFront {
       front_.create(q, v, right, note);
   }
 
-  /// Returns whether the front has given up, as searches took too long. Long searches are few where points are
-  /// scattered. Along curves and in clusters the remainder needs less time, and decides the points that are left.
+  /// Returns whether the front has given up, as searches took too long. Where points are scattered, few searches are
+  /// long. Along curves and in clusters many are: there the search for the remainder (remainder.h) is faster, and takes
+  /// the points that are left.
   bool has_given_up() const {
     constexpr std::size_t max_work = 200;                          // measured: points read for a triangle
     const std::size_t in_advance = 24 + tile_.points.size() / 16;  // triangles: edges of the hull may come first

@@ -17,7 +17,8 @@ class LocalFront {
   static constexpr Index nothing = 1;         ///< no side, and none will be added
   static constexpr std::size_t padding = 16;  ///< triangles that can be read after the last
 
-  /// Removes all triangles and prepares for at most Tile::max_points points.
+  /// Removes all triangles, and makes room for `points` points and 2 · points + 1 triangles; to add more is undefined,
+  /// and not checked. Requires: points ≤ Tile::max_points.
   void begin(std::size_t points) {
     head_.assign(points, none);
     touched_.assign(points, 0);
@@ -43,7 +44,8 @@ class LocalFront {
   /// Returns whether a side on the front ends at the point.
   bool is_on_front(std::size_t point) const { return head_[point] != none; }
 
-  /// Adds a triangle, and glues its sides where they meet the front. Calls added(side, is on the front) for each side.
+  /// Adds triangle (a, b, c), and glues its sides where they meet the front. Calls added(side, is on the front) for
+  /// each side. Requires: a, b, c are counter-clockwise; no triangle has the side a→b, b→c or c→a yet; not sealed.
   template <typename Added>
   void create(Index a, Index b, Index c, Added added) {
     const Index s = next_triangle(a, b, c);
@@ -54,7 +56,7 @@ class LocalFront {
   }
 
   /// Adds triangle (a, b, c) across `side`, which is on the front and runs from b to a. Calls added() for its other
-  /// sides.
+  /// sides. Requires: as create().
   template <typename Added>
   void attach(Index side, Index a, Index b, Index c, Added added) {
     const Index s = next_triangle(a, b, c);
@@ -65,8 +67,9 @@ class LocalFront {
     touched_[c] = 1;
   }
 
-  /// Seals the marked points, at which there is no further triangle: they are touched, and no longer on the front.
-  /// Records of other points are undefined from then on.
+  /// Seals the marked points, at which there is no further triangle: they are touched, and no longer on the front. From
+  /// then on is_touched() and is_on_front() are meaningless for other points, and begin() is the only change allowed.
+  /// Requires: `marked` has 0 or 1 for each point.
   void seal(const std::vector<std::uint8_t>& marked) {
     for (std::size_t v = 0; v < head_.size(); ++v) {
       head_[v] = marked[v] ? none : head_[v];

@@ -58,7 +58,7 @@ struct MeasuredSolid {
   SolidBoundary boundary = {};
   BoundaryMeasures measures = {};       ///< with `counts`: volume and area of the solid
   SolidCounts counts = {};              ///< with `counts`: simplices and Betti numbers of the solid
-  std::optional<FullCounts> full = {};  ///< with `full`: the same of the full complex
+  std::optional<FullCounts> full = {};  ///< with `full`: simplices and Betti numbers of the full complex
   /// The voids, the largest volume first: with `full` those of the full complex, else with `counts` those of the solid.
   /// Their triangles are numbered in around_voids().
   std::vector<SolidVoid> voids = {};

@@ -22,7 +22,7 @@ struct SolidPlateau {
   double from = 0;
   std::optional<double> to = std::nullopt;  ///< absent: the last plateau, which has no end
   double ratio = 1;  ///< to / from; for the last plateau, half the diagonal of the points' box / from, at least 1
-  double alpha = 0;  ///< the recommended alpha: √(from · to), but at most twice `from`
+  double alpha = 0;  ///< the recommended alpha: from · √ratio, but at most twice `from`
   // At `alpha`:
   std::size_t tetrahedra = 0;  ///< number of tetrahedra in the complex
   std::size_t components = 0;  ///< components of the tetrahedra, connected through points

@@ -37,7 +37,7 @@ constexpr double none = -1;
 struct Gaps {
   space::Neighborhoods near;
   std::vector<double> gap;
-  std::vector<double> least;  // circumradii, used if no point has a gap
+  std::vector<double> least;  // for each point, nearest_circumradius() or none; used if no point has a gap
 };
 
 /// Returns whether a point is on a surface, as far as its neighbors show. An outlier is farther from its neighbors than

@@ -1,6 +1,7 @@
 // What: links tetrahedra at faces whose neighbor is unknown, by finding pairs of equal faces.
 // How:  sorts the faces into buckets by their first corner.
-// Cost: linear, if few faces have the same first corner; quadratic in their number.
+// Cost: linear in the number of faces and in `bound`, if few faces have the same first corner; quadratic in the number
+//       of faces with the same first corner.
 #pragma once
 
 #include <array>
@@ -29,7 +30,7 @@ inline BorderFace border_face(const Row& corners, std::uint32_t tetrahedron, std
 }
 
 /// Returns whether the corners of the face across from corner k, in ascending order, are counter-clockwise seen from
-/// outside of the tetrahedron.
+/// outside of the tetrahedron. Requires: `corners` are positively oriented.
 inline bool is_ascending_outside(const Row& corners, std::size_t k) {
   const auto& outer = outer_faces[k];
   const std::uint32_t a = corners[outer[0]], b = corners[outer[1]], c = corners[outer[2]];

@@ -147,7 +147,8 @@ class ApexSearch {
   bool is_flat_ = false;      // a point in the plane may touch every ball
   double least_b_ = 0;
   double farthest_ = 0, nearest_ = 0;  // upper and lower bound of T, the greatest |t| within alpha
-  // The least (a + E) / b, and (a − E) / b, of points with b > 0; the greatest of points with b < 0.
+  // upper_: the least (a + E) / b of points with b > least_b_; lower_: the greatest of points with b < −least_b_;
+  // upper_strong_ and lower_strong_: the same with a − E.
   double upper_ = 0, lower_ = 0, upper_strong_ = 0, lower_strong_ = 0;
   std::vector<double> above_, below_;  // (a − E) / b for near points with b > 0, and with b < 0; else ±infinity
 };

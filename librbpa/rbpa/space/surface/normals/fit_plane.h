@@ -35,9 +35,9 @@ struct PlanesOfPoints {
   std::vector<double> flatness;  ///< Plane::flatness, by position in `near`
 };
 
-/// Fits planes to the points and their `count` nearest others. If these are nearly on a line and at least 8, wider
-/// neighborhoods are used (find_nearest()); fewer than 8 points are on a line too often for that. Requirements and
-/// calls of go_on() are those of find_nearest().
+/// Fits a plane to each point and its `count` nearest others. If `count` is at least 8 and a point and these others
+/// do not determine a plane (Plane::is_certain()), a wider neighborhood is used (find_nearest()); fewer than 8 others
+/// are nearly on a line too often for that. Calls go_on() as find_nearest() does. Requires: as find_nearest().
 template <typename Real>
 PlanesOfPoints fit_planes(std::vector<Point3> points, std::size_t count, Threads& threads, const Checkpoint& go_on);
 

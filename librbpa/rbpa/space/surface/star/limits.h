@@ -31,9 +31,9 @@ static_assert(slack >= 10 * error);
 inline constexpr double placed = 1e-10;
 static_assert(placed > 1000 * unit_roundoff && placed < error);
 
-/// Error of the greatest and the least c · p − p²/2 for centers c on the circle of q, as a fraction of the radius times
-/// Σ|pᵢ|. Half of their difference is √(p² − (p · q)²/q²) √(r² − q²/4), whose differences are off by at most 15ε p² and
-/// 5ε r²; where these are near 0 the roots are off by the roots of the errors.
+/// Bound of the error of the greatest and the least c · p − p²/2 for centers c on the circle of q, as a fraction of
+/// the radius times Σ|pᵢ|. Half of their difference is √(p² − (p · q)²/q²) √(r² − q²/4). The differences under the
+/// roots are off by at most 15ε p² and 5ε r², and near 0 a root is off by the root of that.
 inline constexpr double extreme = 1e-7;
 static_assert(extreme * extreme > 2 * (15 + 5) * unit_roundoff);  // (√15 + √5)² < 2 (15 + 5)
 

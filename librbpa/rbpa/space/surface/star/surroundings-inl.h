@@ -50,7 +50,7 @@ class Surroundings {
   /// Returns all sites around the cell.
   std::span<const Site> sites() const { return {site_.data(), count_}; }
 
-  /// Sites near a point, which is among them; and the number of sites within about two radii of it.
+  /// The sites near a point, itself included, and the number of all sites within about two radii of it.
   struct Near {
     std::span<const Site> sites;
     std::size_t all;
