@@ -218,7 +218,8 @@ TEST_CASE("a run with another request is not resumed") {
   check("b.f64xy a.f64xy --alpha 3 -o t.npy", "found the input b.f64xy, expected a.f64xy, as");
   check("a.f64xy b.f64xy --alpha 3 -o u.npy",
         "found -o u.npy, expected -o t.npy, as the run in s has (or remove s to start again)");
-  check("a.f64xy b.f64xy --alpha 3 -o t.npy --memory 500M", "found --memory 500000000 (bytes), expected --memory ");
+  check("a.f64xy b.f64xy --alpha 3 -o t.npy --memory 500M",
+        "found --memory 524288000 (bytes), expected --memory 1073741824 (bytes), as");
   check("a.f64xy b.f64xy --alpha 3 -o t.npy --tile-size 77", "found --tile-size 77, expected no --tile-size, as");
   check("a.f64xy b.f64xy --alpha 3 -o t.npy --format f64xy",
         "found --format f64xy, expected no option that says how POINTS are read, as");
