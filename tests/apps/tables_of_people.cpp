@@ -1,4 +1,4 @@
-// Tables as people have them: names in the header, decimal commas, missing values, geometries in a column, .gz.
+// Tables as people have them: titles above the header, decimal commas, missing values, geometries in a column, .gz.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -16,6 +16,7 @@
 #include "io/failure.h"
 #include "io/text/fields.h"
 #include "support/program.h"
+#include "support/read_table.h"
 
 using namespace apps_test;
 using rbpa::Point;
@@ -23,174 +24,12 @@ using namespace rbpa::app;
 
 namespace {
 
-PointFile read(const std::string& text, const CloudRequest& rule = {}) {
-  return read_plane_points(*table_reader.open(Content(text, "t"), rule));
-}
-
-std::string refusal(const std::string& text, const CloudRequest& rule = {}) {
-  try {
-    read(text, rule);
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "none";
-}
-
 const std::vector<Point> three = {{13.4, 52.5}, {7.1, 50.7}, {-3, 40}};
 const CloudRequest skipping{.skip_invalid = true};
 
 }  // namespace
 
 TEST_SUITE("tables of people") {
-  TEST_CASE("columns are found by their names, in any order and among any others") {
-    struct Names {
-      std::string x, y;
-      bool degrees;
-    };
-    const Names names[] = {{"lon", "lat", true},
-                           {"Longitude", "Latitude", true},
-                           {"LNG", "LAT", true},
-                           {"long", "lat", true},
-                           {"decimalLongitude", "decimalLatitude", true},
-                           {"x", "y", false},
-                           {"X", "Y", false},
-                           {"x_coord", "y_coord", false},
-                           {"POINT_X", "POINT_Y", false},
-                           {"Easting", "Northing", false},
-                           {"E", "N", false},
-                           {"x [m]", "y [m]", false},
-                           {"Longitude (deg)", "Latitude (deg)", true},
-                           {"L\xC3\xA4nge", "Breite", true},
-                           {"L\xE4nge", "Breite", true},  // in Latin-1
-                           {"La\xCC\x88nge", "BREITE", true},
-                           {"LAENGE", "Breite", true},
-                           {"L\xC3\x84NGENGRAD", "Breitengrad", true},
-                           {"Laengengrad [deg]", "Breitengrad [deg]", true},
-                           {"longitud", "latitud", true},
-                           {"longitudine", "latitudine", true},
-                           {"lengtegraad", "breedtegraad", true},
-                           {"l\xC3\xA6ngdegrad", "breddegrad", true},
-                           {"D\xC5\x82ugo\xC5\x9B\xC4\x87", "Szeroko\xC5\x9B\xC4\x87", true},
-                           {"abscisse",
-                            "ordonn\xC3\xA9"
-                            "e",
-                            false},
-                           {"Coordonn\xC3\xA9"
-                            "e X",
-                            "Coordonn\xC3\xA9"
-                            "e Y",
-                            false},
-                           {"Ost", "Nord", false},
-                           {"este", "norte", false}};
-    for (const Names& name : names)
-      for (const char separator : {',', ';', '\t'})
-        for (const std::string order : {"xy", "yx", "ixy", "iyx", "xiy", "yix", "iixyi", "iiyxi"}) {
-          CAPTURE(name.x);
-          CAPTURE(order);
-          std::string text;
-          const auto add_line = [&](const std::string& x, const std::string& y, const std::string& other) {
-            std::string before;
-            for (const char column : order) {
-              text += before + (column == 'x' ? x : column == 'y' ? y : other);
-              before = separator;
-            }
-            text += '\n';
-          };
-          add_line(name.x, name.y, "name");
-          add_line("13.4", "52.5", "Berlin");
-          add_line("7.1", "\"50.7\"", "Bonn");
-          add_line("-3", "40", "\"17\"");
-          const PointFile file = read(text);
-          CHECK(file.points == three);
-          CHECK(file.degrees == name.degrees);
-          const bool said = order != "xy";
-          CHECK(file.warnings.size() == (said ? 1 : 0));
-        }
-  }
-
-  TEST_CASE("columns taken by name are reported") {
-    CHECK(read("lat,lon\n1,2\n").warnings ==
-          std::vector<std::string>{
-              "x is column 2, 'lon', and y is column 1, 'lat', as the header says (--columns chooses others)"});
-    const PointFile transposed =
-        read("lat,lon\n1,2\n", {.columns = std::vector<Column>{{.name = "lat"}, {.name = "lon"}}});
-    CHECK(transposed.points == std::vector<Point>{{1, 2}});
-    CHECK(transposed.warnings ==
-          std::vector<std::string>{"x is the latitude 'lat' and y the longitude 'lon', as --columns requires"});
-    CHECK_FALSE(transposed.degrees);
-  }
-
-  TEST_CASE("a header without a known name gives a warning, in the plane and in space, for any number of columns") {
-    struct Header {
-      std::string names;
-      bool in_space;
-      std::string columns, way;  ///< of the warning; none without columns
-    };
-    const std::string x = "x is column 1, ", y = "y is column 2, ";
-    for (const Header& header : std::initializer_list<Header>{
-             {"a,b", false, x + "'a', and " + y + "'b'", "--columns 2,1 exchanges them"},
-             {"a,b,c", false, x + "'a', and " + y + "'b'", "--columns chooses others"},
-             {"lat,b", false, x + "'lat', and " + y + "'b'", "--columns 2,1 exchanges them"},
-             {"lon,b,c", false, x + "'lon', and " + y + "'b'", "--columns chooses others"},
-             {"x,b", false, "", ""},
-             {"a,North", false, "", ""},
-             {"a,b,c", true, x + "'a', " + y + "'b', and z is column 3, 'c'", "--columns chooses another order"},
-             {"a,b,H\xC3\xB6he", true, "", ""},
-             {"x,y,c", true, "", ""}}) {
-      CAPTURE(header.names);
-      const bool three = header.names.find(',') != header.names.rfind(',');
-      const std::string text = header.names + (three ? "\n1,2,3\n4,5,7\n" : "\n1,2\n4,5\n");
-      const std::vector<std::string> warnings =
-          header.in_space ? space_points_in(text, "t", Format::text, {}).warnings : read(text).warnings;
-      if (header.columns.empty()) {
-        CHECK(warnings.empty());
-      } else {
-        CHECK(warnings == std::vector<std::string>{"no name of a column is that of a coordinate; " + header.columns +
-                                                   " (" + header.way + ")"});
-      }
-      const std::vector<Column> chosen = {{.number = 1}, {.number = 2}};
-      CHECK(read(text, {.columns = chosen}).warnings.empty());
-    }
-  }
-
-  TEST_CASE("a first column that numbers the lines of a table without a header gives a warning") {
-    const std::string lines = "1,345.1,678.2\n2,345.9,678.4\n3,346.2,677.9\n";
-    const std::vector<std::string> numbered = {
-        "x is column 1, which numbers the lines (--columns 2,3 takes the columns after it)"};
-    std::string grid;
-    for (const char* const y : {"0", "1"})
-      for (int i = 0; i < 100; ++i) grid += std::to_string(i) + " " + y + " 5.5\n";
-    struct Table {
-      std::string text;
-      bool is_numbered;
-    };
-    for (const Table& table :
-         std::initializer_list<Table>{{lines, true},
-                                      {"# points\n\n" + lines, true},
-                                      {"0 5 7\n1 6 7\n2 7 7\n3 7 9\n", true},
-                                      {"17;1,5;2\n18;2,5;3\n19;1,5;4\n", true},
-                                      {"1,345.1,678.2\n2,345.9,678.4\n", false},  // too few to tell
-                                      {"1,345.1,678.2\n2,345.9,678.4\n4,1,2\n", false},
-                                      {"1,5,678.2\n2,5,678.4\n3,5,6\n", false},  // a row of a grid
-                                      {"1,5,a\n2,6,b\n3,7,c\n", false},          // no third number
-                                      {"1,5\n2,6\n3,7\n", false},
-                                      {grid, false},
-                                      {"x,y,z\n" + lines, false}}) {
-      CAPTURE(table.text);
-      const std::vector<std::string> warnings = read(table.text).warnings;
-      CHECK((std::find(warnings.begin(), warnings.end(), numbered.front()) != warnings.end()) == table.is_numbered);
-      CHECK(read(lines, {.columns = parse_columns("2,3")}).warnings.empty());
-    }
-    CHECK(read(lines).points.front() == Point{1, 345.1});
-    CHECK(space_points_in(lines, "t", Format::text, {}).warnings.empty());
-    const Folder folder;
-    folder.file("n.csv", lines);
-    folder.file("n.xyz", lines);
-    CHECK(folder.rbpa("info n.csv").err == "rbpa: n.csv: " + numbered.front() + "\n");
-    CHECK(folder.rbpa("info - < n.csv").err == "rbpa: standard input: " + numbered.front() + "\n");
-    CHECK(folder.rbpa("info n.xyz").err.find("numbers the lines") == std::string::npos);
-  }
-
   TEST_CASE("signs between thousands are refused by their name, with any separator and any sign") {
     struct Number {
       std::string written, plain;
@@ -217,10 +56,11 @@ TEST_SUITE("tables of people") {
           const std::string at = header.empty() ? "t:1" : "t:2";
           const std::string why = at + ": found '" + number.written + "', expected a number without signs between " +
                                   "thousands, " + number.plain + " (export the table with cells in a plain format";
-          CHECK(refusal(text) == why + "; " + skipping_way);
-          CHECK(refusal(text, skipping) == "t: found 2 lines and no point, expected at least one (" + why + "))");
+          CHECK(refusal_of_table(text) == why + "; " + skipping_way);
+          CHECK(refusal_of_table(text, skipping) ==
+                "t: found 2 lines and no point, expected at least one (" + why + "))");
           if (!header.empty())
-            CHECK(refusal(text, {.columns = parse_columns("east,north")}) == why + "; " + skipping_way);
+            CHECK(refusal_of_table(text, {.columns = parse_columns("east,north")}) == why + "; " + skipping_way);
         }
     for (const std::string field : {"1.234", "1,234", "1234,567,890", "1,23,456", "1.234,5.6", "1,234.567.8", "a", "",
                                     "1,2345", "1.234,x", "POINT (1,234)"})
@@ -236,19 +76,19 @@ TEST_SUITE("tables of people") {
         CAPTURE(columns);
         CloudRequest request;
         if (!columns.empty()) request.columns = parse_columns(columns);
-        const std::string message = refusal(text, request);
+        const std::string message = refusal_of_table(text, request);
         CAPTURE(message);
         CHECK(message.ends_with(skipping_way));
         request.skip_invalid = true;
-        CHECK(read(text, request).points == std::vector<Point>{{1, 2}, {3, 5}});
+        CHECK(read_table(text, request).points == std::vector<Point>{{1, 2}, {3, 5}});
       }
     // A table without points is not mended so.
-    CHECK(refusal("Export\n") == "t:1: found 'Export', expected two numbers");
-    CHECK(refusal("a,b\n1,2\n", {.columns = parse_columns("x,y")}) ==
+    CHECK(refusal_of_table("Export\n") == "t:1: found 'Export', expected two numbers");
+    CHECK(refusal_of_table("a,b\n1,2\n", {.columns = parse_columns("x,y")}) ==
           "t:1: found 'a,b', expected a header with a column 'x'");
   }
 
-  TEST_CASE("--skip-invalid leaves out titles of any form above the header, and says which columns are taken") {
+  TEST_CASE("--skip-invalid leaves out titles of any form above the header, and names the columns taken") {
     const std::vector<Point> points = {{3.5, 4.5}, {5.5, 7.5}};
     const std::string two = "3.5,4.5\n5.5,7.5\n", numbered = "1,3.5,4.5\n2,5.5,7.5\n";
     const std::string german = "1;3,5;4,5\n2;5,5;7,5\n", last_two = "x is column 2, '", first_two = "x is column 1";
@@ -272,17 +112,17 @@ TEST_SUITE("tables of people") {
         {"Wald\nname,x,y,2019,2020\na,3.5,4.5,1,2\nb,5.5,7.5,1,2\n", last_two + "x', and y is column 3", "1 line"}};
     for (const Table& table : tables) {
       CAPTURE(table.text);
-      const PointFile file = read(table.text, skipping);
+      const PointFile file = read_table(table.text, skipping);
       CHECK(file.points == points);
       CHECK(file.warnings.front().find(table.columns) != std::string::npos);
       CHECK(file.warnings.back().starts_with(table.left_out + (table.left_out == "1 line" ? " is" : " are")));
     }
     // Names that are requested count more than known names.
     const std::string named = "Title,of,it\neast,north,x\nx,y,n\n3.5,4.5,1\n5.5,7.5,2\n";
-    CHECK(read(named, {.columns = parse_columns("east,north"), .skip_invalid = true}).points == points);
-    CHECK(read(named, {.where = Condition("n == 2", names_of_columns()), .skip_invalid = true}).points ==
+    CHECK(read_table(named, {.columns = parse_columns("east,north"), .skip_invalid = true}).points == points);
+    CHECK(read_table(named, {.where = Condition("n == 2", names_of_columns()), .skip_invalid = true}).points ==
           std::vector<Point>{points[1]});
-    CHECK(read("x,y\n4\n" + two, skipping).warnings.size() == 1);
+    CHECK(read_table("x,y\n4\n" + two, skipping).warnings.size() == 1);
     const SpacePoints space =
         space_points_in("Trees of the wood\nid,x,y,z\n1,1,2,3\n2,4,5,7\n", "t", Format::text, skipping);
     CHECK(space.points.size() == 2);
@@ -290,20 +130,10 @@ TEST_SUITE("tables of people") {
   }
 
   TEST_CASE("a quoted decimal comma between commas is refused with the way out") {
-    CHECK(refusal("id,\"East\",\"North\"\n1,\"3,5\",\"4,5\"\n") ==
+    CHECK(refusal_of_table("id,\"East\",\"North\"\n1,\"3,5\",\"4,5\"\n") ==
           "t:2: found '3,5', expected a number with a decimal point (export the table with semicolons: between commas "
           "no decimal comma is read; " +
               skipping_way);
-  }
-
-  TEST_CASE("the leftmost of several pairs of names is taken, and without one the first columns") {
-    CHECK(read("x,y,lon,lat\n1,2,3,4\n").points == std::vector<Point>{{1, 2}});
-    CHECK(read("lat,lon,x,y\n1,2,3,4\n").points == std::vector<Point>{{2, 1}});
-    CHECK(read("id,x,y,lon,lat\n0,1,2,3,4\n").points == std::vector<Point>{{1, 2}});
-    CHECK(read("a,b,c\n1,2,3\n").points == std::vector<Point>{{1, 2}});
-    CHECK(read("lon,height,depth\n1,2,3\n").points == std::vector<Point>{{1, 2}});
-    CHECK(read("x,y,WKT\n1,2,POINT (3 4)\n").points == std::vector<Point>{{3, 4}});
-    CHECK(read("lat,lon\n1,2\n", {.columns = parse_columns("1,2")}).points == std::vector<Point>{{1, 2}});
   }
 
   TEST_CASE("a decimal comma is distinguished from a separator") {
@@ -312,18 +142,18 @@ TEST_SUITE("tables of people") {
          {"13,4;52,5\n7;-0,25\n1e10;3\n", "x;y\n13,4;52,5\n7;-0,25\n1e10;3\n", "13,4\t52,5\n7\t-0,25\n1e10\t3\n",
           "13,4 52,5\n7 -0,25\n1e10  3\n", "\"13,4\";\"52,5\"\n7;\"-0,25\"\n1e10;3\n"}) {
       CAPTURE(text);
-      const PointFile file = read(text);
+      const PointFile file = read_table(text);
       CHECK(file.points == points);
       CHECK(file.warnings == std::vector<std::string>{"the decimal sign is a comma: 13,4 is read as 13.4"});
     }
-    CHECK(read("1;2\n3;4\n1,5;2,5\n").points == std::vector<Point>{{1, 2}, {3, 4}, {1.5, 2.5}});
-    CHECK(read("1,2\n3,4\n").points == std::vector<Point>{{1, 2}, {3, 4}});
-    CHECK(read("1,2,a;b\n", {}).points == std::vector<Point>{{1, 2}});
+    CHECK(read_table("1;2\n3;4\n1,5;2,5\n").points == std::vector<Point>{{1, 2}, {3, 4}, {1.5, 2.5}});
+    CHECK(read_table("1,2\n3,4\n").points == std::vector<Point>{{1, 2}, {3, 4}});
+    CHECK(read_table("1,2,a;b\n", {}).points == std::vector<Point>{{1, 2}});
     for (const std::string line : {"a,5;2", ",5;2", "1,;2", "1,b;2", "1,2,3;4"}) CHECK(separator_of(line) == ',');
     CHECK(separator_of("1,5;2") == ';');
-    CHECK(refusal("1.5;2\n1,5;2\n") ==
+    CHECK(refusal_of_table("1.5;2\n1,5;2\n") ==
           "t:2: found '1,5', expected a number with a decimal point, as in lines before" + skipping_hint);
-    CHECK(refusal("1,5;2\n1.5;2\n") ==
+    CHECK(refusal_of_table("1,5;2\n1.5;2\n") ==
           "t:2: found '1.5', expected a number with a decimal comma, as in line 1" + skipping_hint);
   }
 
@@ -340,7 +170,7 @@ TEST_SUITE("tables of people") {
       std::replace(line.begin(), line.end(), '.', ',');
       text += line;
     }
-    const std::vector<Point> found = read(text).points;
+    const std::vector<Point> found = read_table(text).points;
     REQUIRE(found.size() == points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       CHECK(std::bit_cast<std::uint64_t>(found[i].x) == std::bit_cast<std::uint64_t>(points[i].x));
@@ -352,29 +182,29 @@ TEST_SUITE("tables of people") {
     const std::string& hint = skipping_hint;
     for (const std::string sign : {"NA", "N/A", "null", "", "-", "None", "\\N"}) {
       CAPTURE(sign);
-      CHECK(refusal("x,y\n1,2\n3," + sign + "\n") == "t:3: found '" + sign + "', expected a number" + hint);
+      CHECK(refusal_of_table("x,y\n1,2\n3," + sign + "\n") == "t:3: found '" + sign + "', expected a number" + hint);
     }
-    CHECK(refusal("x,y\n1,2\n3,nan\n") == "t:3: found 'nan', expected a finite number" + hint);
-    const PointFile file = read("x,y\nNA,NA\n1,2\n3,NA\n5,six\n7\n-inf,8\n9,10\n1e999,0\n", skipping);
+    CHECK(refusal_of_table("x,y\n1,2\n3,nan\n") == "t:3: found 'nan', expected a finite number" + hint);
+    const PointFile file = read_table("x,y\nNA,NA\n1,2\n3,NA\n5,six\n7\n-inf,8\n9,10\n1e999,0\n", skipping);
     CHECK(file.points == std::vector<Point>{{1, 2}, {9, 10}});
     CHECK(file.warnings ==
           std::vector<std::string>{"6 lines are left out: the first is t:2: found 'NA', expected a number"});
-    CHECK(read("1,2\n3,NA\n", skipping).warnings ==
+    CHECK(read_table("1,2\n3,NA\n", skipping).warnings ==
           std::vector<std::string>{"1 line is left out: t:2: found 'NA', expected a number"});
-    CHECK(read("NA,NA\n3,4\n", skipping).points == std::vector<Point>{{3, 4}});  // no header
-    CHECK(refusal("NA,NA\n3,4\n") == "t:1: found 'NA', expected a number" + hint);
-    CHECK(refusal("x,y\nNA,1\n2,NA\n", skipping) ==
+    CHECK(read_table("NA,NA\n3,4\n", skipping).points == std::vector<Point>{{3, 4}});  // no header
+    CHECK(refusal_of_table("NA,NA\n3,4\n") == "t:1: found 'NA', expected a number" + hint);
+    CHECK(refusal_of_table("x,y\nNA,1\n2,NA\n", skipping) ==
           "t: found 2 lines and no point, expected at least one (t:2: found 'NA', expected a number)");
-    CHECK(read("x,y\n1,2\n", skipping).warnings.empty());
+    CHECK(read_table("x,y\n1,2\n", skipping).warnings.empty());
   }
 
   TEST_CASE("lines that spreadsheets write before the table are skipped") {
-    CHECK(read("sep=;\nx;y\n1,5;2\n").points == std::vector<Point>{{1.5, 2}});
-    CHECK(read("\xEF\xBB\xBFsep=,\r\nlat,lon\r\n1,2\r\n").points == std::vector<Point>{{2, 1}});
-    CHECK(read("sep=,x\n1,2\n").points == std::vector<Point>{{1, 2}});  // a header
-    CHECK(refusal(std::string("\xFF\xFE"
-                              "1\0,\0",
-                              6)) == "t: found text in UTF-16, expected UTF-8 (iconv -f UTF-16 -t UTF-8)");
+    CHECK(read_table("sep=;\nx;y\n1,5;2\n").points == std::vector<Point>{{1.5, 2}});
+    CHECK(read_table("\xEF\xBB\xBFsep=,\r\nlat,lon\r\n1,2\r\n").points == std::vector<Point>{{2, 1}});
+    CHECK(read_table("sep=,x\n1,2\n").points == std::vector<Point>{{1, 2}});  // a header
+    CHECK(refusal_of_table(std::string("\xFF\xFE"
+                                       "1\0,\0",
+                                       6)) == "t: found text in UTF-16, expected UTF-8 (iconv -f UTF-16 -t UTF-8)");
   }
 
   TEST_CASE("--where compares texts that stand in quotes") {
@@ -386,7 +216,7 @@ TEST_SUITE("tables of people") {
     const auto xs = [&](const std::string& condition) {
       CAPTURE(condition);
       std::vector<double> found;
-      for (const Point& p : read(text, where(condition)).points) found.push_back(p.x);
+      for (const Point& p : read_table(text, where(condition)).points) found.push_back(p.x);
       return found;
     };
     using Xs = std::vector<double>;
@@ -405,11 +235,12 @@ TEST_SUITE("tables of people") {
     }
     CHECK(xs("\"my kind\" == \"it's\"") == Xs{3});
     // A text compared with a number, and fields that are neither.
-    CHECK(refusal(text, where("grp == 6")) ==
+    CHECK(refusal_of_table(text, where("grp == 6")) ==
           "t:2: found 'A', expected a number, as --where compares the column with numbers (== \"...\" compares it with "
           "a text; " +
               skipping_way);
-    CHECK(refusal(text, where("kind == 'A'")).find("expected a header with a column 'kind'") != std::string::npos);
+    CHECK(refusal_of_table(text, where("kind == 'A'")).find("expected a header with a column 'kind'") !=
+          std::string::npos);
     const auto refused = [](const std::string& condition) -> std::string {
       try {
         const Condition parsed(condition, names_of_columns());
@@ -428,37 +259,37 @@ TEST_SUITE("tables of people") {
 
   TEST_CASE("geometries are preferred to coordinates in the same table, with a message") {
     const std::string lines = "lon,lat,name,WKT\n9,9,a,POINT (1 2)\n8,8,b,MULTIPOINT(3 4)\n";
-    const PointFile file = read(lines);
+    const PointFile file = read_table(lines);
     CHECK(file.points == std::vector<Point>{{1, 2}, {3, 4}});
     CHECK(file.warnings == std::vector<std::string>{"the geometries of column 'WKT' are read, and not 'lon' and 'lat' "
                                                     "(--columns chooses these)"});
-    CHECK(read("geom\tx\ty\nSRID=28992;point(1 2)\t7\t7\n").points == std::vector<Point>{{1, 2}});
-    CHECK(read(lines, {.columns = std::vector<Column>{{.name = "lon"}, {.name = "lat"}}}).points ==
+    CHECK(read_table("geom\tx\ty\nSRID=28992;point(1 2)\t7\t7\n").points == std::vector<Point>{{1, 2}});
+    CHECK(read_table(lines, {.columns = std::vector<Column>{{.name = "lon"}, {.name = "lat"}}}).points ==
           std::vector<Point>{{9, 9}, {8, 8}});
     // A geometry as bytes, or wrong ones.
-    CHECK(read("x,y,geom\n1,2,0101000000000000000000F03F\n3,4,\n").points == std::vector<Point>{{1, 2}, {3, 4}});
-    CHECK(read("x,y,geom\n1,2,\n").warnings.empty());
+    CHECK(read_table("x,y,geom\n1,2,0101000000000000000000F03F\n3,4,\n").points == std::vector<Point>{{1, 2}, {3, 4}});
+    CHECK(read_table("x,y,geom\n1,2,\n").warnings.empty());
   }
 
   TEST_CASE("a column of geometries is read") {
     const std::vector<Point> points = {{1, 2}, {3, 4}, {5, 6}};
-    CHECK(read("id,WKT\n7,POINT (1 2)\n8,\"MULTIPOINT (3 4, 5 6)\"\n").points == points);
-    CHECK(read("WKT\nPOINT (1 2)\nMULTIPOINT ((3 4), (5 6))\n").points == points);
-    CHECK(read("the_geom;a\nPOINT Z (1 2 9);x\n\"MULTIPOINT (3 4, 5 6)\";y\n").points == points);
-    CHECK(read("geometry\tid\nPOINT(1 2)\t1\nMULTIPOINT(3 4,5 6)\t1\n").points == points);
-    const PointFile srid = read("id,geom\n7,SRID=28992;POINT (1 2)\n");
+    CHECK(read_table("id,WKT\n7,POINT (1 2)\n8,\"MULTIPOINT (3 4, 5 6)\"\n").points == points);
+    CHECK(read_table("WKT\nPOINT (1 2)\nMULTIPOINT ((3 4), (5 6))\n").points == points);
+    CHECK(read_table("the_geom;a\nPOINT Z (1 2 9);x\n\"MULTIPOINT (3 4, 5 6)\";y\n").points == points);
+    CHECK(read_table("geometry\tid\nPOINT(1 2)\t1\nMULTIPOINT(3 4,5 6)\t1\n").points == points);
+    const PointFile srid = read_table("id,geom\n7,SRID=28992;POINT (1 2)\n");
     CHECK(srid.crs->text() == "EPSG:28992");
-    CHECK(refusal("id,geom\n7,SRID=28992;POINT (1 2)\n7,SRID=4326;POINT (1 2)\n") ==
+    CHECK(refusal_of_table("id,geom\n7,SRID=28992;POINT (1 2)\n7,SRID=4326;POINT (1 2)\n") ==
           "t:3: found EPSG:4326, expected EPSG:28992 as in lines before" + skipping_hint);
     const std::string lines = "id,geom\n7,\"LINESTRING (1 2, 3 4)\"\n8,POINT(5 6)\n";
-    CHECK(refusal(lines) ==
+    CHECK(refusal_of_table(lines) ==
           "t:2: found LINESTRING, expected POINT or MULTIPOINT (--vertices takes the vertices of lines and polygons; " +
               skipping_way);
-    CHECK(read(lines, {.vertices = true}).points == points);
-    CHECK(refusal("id,geom\n7,POINT EMPTY\n") ==
+    CHECK(read_table(lines, {.vertices = true}).points == points);
+    CHECK(refusal_of_table("id,geom\n7,POINT EMPTY\n") ==
           "t:2: found 'POINT EMPTY', expected a geometry, such as 'POINT (1 2)'" + skipping_hint);
-    CHECK(refusal("id,geom\n7,POINT (1 x)\n") == "t:2: found 'x', expected a number" + skipping_hint);
-    CHECK(read("id,geom\n7,POINT EMPTY\n8,\"MULTIPOINT (1 2, 3\"\n9,POINT (1 2)\n9\n", skipping).points ==
+    CHECK(refusal_of_table("id,geom\n7,POINT (1 x)\n") == "t:2: found 'x', expected a number" + skipping_hint);
+    CHECK(read_table("id,geom\n7,POINT EMPTY\n8,\"MULTIPOINT (1 2, 3\"\n9,POINT (1 2)\n9\n", skipping).points ==
           std::vector<Point>{{1, 2}});
   }
 
@@ -500,42 +331,6 @@ TEST_SUITE("tables of people") {
     CHECK(folder.rbpa("info n.f64xy").out.starts_with("points      1\n"));
   }
 
-  TEST_CASE("longitudes and latitudes give warnings about degrees and the antimeridian, with the option to use") {
-    const Folder folder;
-    folder.file("fiji.csv", "lat,lon\n-18,179\n-17,-179.5\n-16.5,178.25\n-17,-180\n");
-    const std::string columns =
-        "rbpa: fiji.csv: x is column 2, 'lon', and y is column 1, 'lat', as the header says (--columns chooses "
-        "others)\n";
-    const std::string degrees =
-        "rbpa: fiji.csv: coordinates are degrees, and so are alpha, lengths and areas; a degree of longitude is as "
-        "long as 0.95 "
-        "to 0.96 degrees of latitude there (ogr2ogr -t_srs projects them)\n";
-    const Outcome far = folder.rbpa("info fiji.csv");
-    CHECK(far.err ==
-          columns + degrees +
-              "rbpa: fiji.csv: points lie on both sides of the antimeridian, longitude 180, and are far apart "
-              "in the plane (--shift-longitude adds 360 to longitudes below 0)\n");
-    CHECK(far.out.find("box         x -180 .. 179\n") != std::string::npos);
-    const Outcome near = folder.rbpa("info fiji.csv --shift-longitude");
-    CHECK(near.err == columns + degrees);
-    CHECK(near.out.find("box         x 178.25 .. 180.5\n") != std::string::npos);
-    CHECK(folder.rbpa("info fiji.csv -q").err.empty());
-    // Around the world, but not around the antimeridian.
-    folder.file("atlantic.csv", "lon,lat\n-170,0\n-60,0\n60,1\n170,3\n");
-    CHECK(folder.rbpa("info atlantic.csv").err.find("antimeridian") == std::string::npos);
-    folder.file("exchanged.csv", "lon,lat\n52,113\n50,107\n");
-    CHECK(folder.rbpa("info exchanged.csv").err ==
-          "rbpa: exchanged.csv: expected longitudes and latitudes, found numbers up to 52 and 113: are they "
-          "exchanged?\n");
-    folder.file("metres.csv", "lon,lat\n500000,5800000\n");
-    CHECK(folder.rbpa("info metres.csv").err.find("are they degrees?") != std::string::npos);
-    const Outcome no_degrees = folder.rbpa("info metres.csv --shift-longitude");
-    CHECK(no_degrees.code == 3);
-    CHECK(no_degrees.err ==
-          "rbpa: metres.csv: found x = '5e+05', expected a longitude of -180 to 360 (leave out --shift-longitude if x "
-          "is not in degrees)\n");
-  }
-
   TEST_CASE("a coordinate system is reported, or refused") {
     const Folder folder;
     folder.file("p.xy", corner);
@@ -567,7 +362,7 @@ TEST_SUITE("tables of people") {
         "6;0;0;1;2;0\n2;1;0;2;2;1\n6;2;0;3,5;3;0\n6;3;0;4;3;1\n";
     const auto xs = [&](const std::string& condition) {
       std::vector<double> found;
-      for (const Point& p : read(text, where(condition)).points) found.push_back(p.x);
+      for (const Point& p : read_table(text, where(condition)).points) found.push_back(p.x);
       return found;
     };
     using Xs = std::vector<double>;
@@ -579,26 +374,26 @@ TEST_SUITE("tables of people") {
     CHECK(xs("z == 3.5") == Xs{2});
     CHECK(xs("1 == 1") == Xs{0, 1, 2, 3});
     CHECK(xs("class == 7").empty());
-    CHECK(read(text, where("class==6 and z>3")).warnings.back() == "--where selects 2 of 4 lines");
-    CHECK(read("id,wkt\n1,POINT(1 2)\n2,POINT(3 4)\n", where("id > 1")).points == std::vector<Point>{{3, 4}});
-    CHECK(read("# x,y,n\n", where("n > 1")).points.empty());
+    CHECK(read_table(text, where("class==6 and z>3")).warnings.back() == "--where selects 2 of 4 lines");
+    CHECK(read_table("id,wkt\n1,POINT(1 2)\n2,POINT(3 4)\n", where("id > 1")).points == std::vector<Point>{{3, 4}});
+    CHECK(read_table("# x,y,n\n", where("n > 1")).points.empty());
 
     // Coordinates of a line that is not selected are not read; the fields of the condition are.
     const std::string holes = "x,y,n\n1,2,5\nNA,2,4\n3,4,NA\n5,6\n";
-    CHECK(read("x,y,n\n1,2,5\nNA,2,4\n", where("n == 5")).points == std::vector<Point>{{1, 2}});
-    CHECK(refusal(holes, where("n == 4")).starts_with("t:3: found 'NA', expected a number"));
-    CHECK(refusal(holes, where("n == 5")) ==
+    CHECK(read_table("x,y,n\n1,2,5\nNA,2,4\n", where("n == 5")).points == std::vector<Point>{{1, 2}});
+    CHECK(refusal_of_table(holes, where("n == 4")).starts_with("t:3: found 'NA', expected a number"));
+    CHECK(refusal_of_table(holes, where("n == 5")) ==
           "t:4: found 'NA', expected a number, as --where compares the column with numbers (== \"...\" compares it "
           "with a text; " +
               skipping_way);
-    const PointFile skipped = read(holes, where("n == 5", true));
+    const PointFile skipped = read_table(holes, where("n == 5", true));
     CHECK(skipped.points == std::vector<Point>{{1, 2}});
     CHECK(skipped.warnings.size() == 2);
     CHECK(skipped.warnings[0] == "--where selects 1 of 2 lines");
     CHECK(skipped.warnings[1].starts_with("2 lines are left out: the first is t:4: found 'NA'"));
-    CHECK(read(holes, where("n == 7", true)).points.empty());
-    CHECK(refusal("x,y\n1,2\n", where("z > 3")) == "t:1: found 'x,y', expected a header with a column 'z'");
-    CHECK(refusal("1,2\n", where("z > 3")) ==
+    CHECK(read_table(holes, where("n == 7", true)).points.empty());
+    CHECK(refusal_of_table("x,y\n1,2\n", where("z > 3")) == "t:1: found 'x,y', expected a header with a column 'z'");
+    CHECK(refusal_of_table("1,2\n", where("z > 3")) ==
           "t: found no header line, expected one with the names that --where requires");
 
     const auto refused = [](const std::string& condition) -> std::string {

@@ -1,0 +1,223 @@
+// Tables as people have them: which columns are read as coordinates, by their names, and warnings about them.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "io/bytes/number.h"
+#include "io/cloud/cloud.h"
+#include "io/cloud/read_points.h"
+#include "io/cloud/read_space_points.h"
+#include "io/failure.h"
+#include "io/text/fields.h"
+#include "support/program.h"
+#include "support/read_table.h"
+
+using namespace apps_test;
+using rbpa::Point;
+using namespace rbpa::app;
+
+namespace {
+
+const std::vector<Point> three = {{13.4, 52.5}, {7.1, 50.7}, {-3, 40}};
+
+}  // namespace
+
+TEST_SUITE("names of columns") {
+  TEST_CASE("columns are found by their names, in any order and among any others") {
+    struct Names {
+      std::string x, y;
+      bool degrees;
+    };
+    const Names names[] = {{"lon", "lat", true},
+                           {"Longitude", "Latitude", true},
+                           {"LNG", "LAT", true},
+                           {"long", "lat", true},
+                           {"decimalLongitude", "decimalLatitude", true},
+                           {"x", "y", false},
+                           {"X", "Y", false},
+                           {"x_coord", "y_coord", false},
+                           {"POINT_X", "POINT_Y", false},
+                           {"Easting", "Northing", false},
+                           {"E", "N", false},
+                           {"x [m]", "y [m]", false},
+                           {"Longitude (deg)", "Latitude (deg)", true},
+                           {"L\xC3\xA4nge", "Breite", true},
+                           {"L\xE4nge", "Breite", true},  // in Latin-1
+                           {"La\xCC\x88nge", "BREITE", true},
+                           {"LAENGE", "Breite", true},
+                           {"L\xC3\x84NGENGRAD", "Breitengrad", true},
+                           {"Laengengrad [deg]", "Breitengrad [deg]", true},
+                           {"longitud", "latitud", true},
+                           {"longitudine", "latitudine", true},
+                           {"lengtegraad", "breedtegraad", true},
+                           {"l\xC3\xA6ngdegrad", "breddegrad", true},
+                           {"D\xC5\x82ugo\xC5\x9B\xC4\x87", "Szeroko\xC5\x9B\xC4\x87", true},
+                           {"abscisse",
+                            "ordonn\xC3\xA9"
+                            "e",
+                            false},
+                           {"Coordonn\xC3\xA9"
+                            "e X",
+                            "Coordonn\xC3\xA9"
+                            "e Y",
+                            false},
+                           {"Ost", "Nord", false},
+                           {"este", "norte", false}};
+    for (const Names& name : names)
+      for (const char separator : {',', ';', '\t'})
+        for (const std::string order : {"xy", "yx", "ixy", "iyx", "xiy", "yix", "iixyi", "iiyxi"}) {
+          CAPTURE(name.x);
+          CAPTURE(order);
+          std::string text;
+          const auto add_line = [&](const std::string& x, const std::string& y, const std::string& other) {
+            std::string before;
+            for (const char column : order) {
+              text += before + (column == 'x' ? x : column == 'y' ? y : other);
+              before = separator;
+            }
+            text += '\n';
+          };
+          add_line(name.x, name.y, "name");
+          add_line("13.4", "52.5", "Berlin");
+          add_line("7.1", "\"50.7\"", "Bonn");
+          add_line("-3", "40", "\"17\"");
+          const PointFile file = read_table(text);
+          CHECK(file.points == three);
+          CHECK(file.degrees == name.degrees);
+          const bool said = order != "xy";
+          CHECK(file.warnings.size() == (said ? 1 : 0));
+        }
+  }
+
+  TEST_CASE("columns taken by name are reported") {
+    CHECK(read_table("lat,lon\n1,2\n").warnings ==
+          std::vector<std::string>{
+              "x is column 2, 'lon', and y is column 1, 'lat', as the header says (--columns chooses others)"});
+    const PointFile transposed =
+        read_table("lat,lon\n1,2\n", {.columns = std::vector<Column>{{.name = "lat"}, {.name = "lon"}}});
+    CHECK(transposed.points == std::vector<Point>{{1, 2}});
+    CHECK(transposed.warnings ==
+          std::vector<std::string>{"x is the latitude 'lat' and y the longitude 'lon', as --columns requires"});
+    CHECK_FALSE(transposed.degrees);
+  }
+
+  TEST_CASE("a header without a known name gives a warning, in the plane and in space, for any number of columns") {
+    struct Header {
+      std::string names;
+      bool in_space;
+      std::string columns, way;  ///< of the warning; none without columns
+    };
+    const std::string x = "x is column 1, ", y = "y is column 2, ";
+    for (const Header& header : std::initializer_list<Header>{
+             {"a,b", false, x + "'a', and " + y + "'b'", "--columns 2,1 exchanges them"},
+             {"a,b,c", false, x + "'a', and " + y + "'b'", "--columns chooses others"},
+             {"lat,b", false, x + "'lat', and " + y + "'b'", "--columns 2,1 exchanges them"},
+             {"lon,b,c", false, x + "'lon', and " + y + "'b'", "--columns chooses others"},
+             {"x,b", false, "", ""},
+             {"a,North", false, "", ""},
+             {"a,b,c", true, x + "'a', " + y + "'b', and z is column 3, 'c'", "--columns chooses another order"},
+             {"a,b,H\xC3\xB6he", true, "", ""},
+             {"x,y,c", true, "", ""}}) {
+      CAPTURE(header.names);
+      const bool three = header.names.find(',') != header.names.rfind(',');
+      const std::string text = header.names + (three ? "\n1,2,3\n4,5,7\n" : "\n1,2\n4,5\n");
+      const std::vector<std::string> warnings =
+          header.in_space ? space_points_in(text, "t", Format::text, {}).warnings : read_table(text).warnings;
+      if (header.columns.empty()) {
+        CHECK(warnings.empty());
+      } else {
+        CHECK(warnings == std::vector<std::string>{"no name of a column is that of a coordinate; " + header.columns +
+                                                   " (" + header.way + ")"});
+      }
+      const std::vector<Column> chosen = {{.number = 1}, {.number = 2}};
+      CHECK(read_table(text, {.columns = chosen}).warnings.empty());
+    }
+  }
+
+  TEST_CASE("a first column that numbers the lines of a table without a header gives a warning") {
+    const std::string lines = "1,345.1,678.2\n2,345.9,678.4\n3,346.2,677.9\n";
+    const std::vector<std::string> numbered = {
+        "x is column 1, which numbers the lines (--columns 2,3 takes the columns after it)"};
+    std::string grid;
+    for (const char* const y : {"0", "1"})
+      for (int i = 0; i < 100; ++i) grid += std::to_string(i) + " " + y + " 5.5\n";
+    struct Table {
+      std::string text;
+      bool is_numbered;
+    };
+    for (const Table& table :
+         std::initializer_list<Table>{{lines, true},
+                                      {"# points\n\n" + lines, true},
+                                      {"0 5 7\n1 6 7\n2 7 7\n3 7 9\n", true},
+                                      {"17;1,5;2\n18;2,5;3\n19;1,5;4\n", true},
+                                      {"1,345.1,678.2\n2,345.9,678.4\n", false},  // too few to tell
+                                      {"1,345.1,678.2\n2,345.9,678.4\n4,1,2\n", false},
+                                      {"1,5,678.2\n2,5,678.4\n3,5,6\n", false},  // a row of a grid
+                                      {"1,5,a\n2,6,b\n3,7,c\n", false},          // no third number
+                                      {"1,5\n2,6\n3,7\n", false},
+                                      {grid, false},
+                                      {"x,y,z\n" + lines, false}}) {
+      CAPTURE(table.text);
+      const std::vector<std::string> warnings = read_table(table.text).warnings;
+      CHECK((std::find(warnings.begin(), warnings.end(), numbered.front()) != warnings.end()) == table.is_numbered);
+      CHECK(read_table(lines, {.columns = parse_columns("2,3")}).warnings.empty());
+    }
+    CHECK(read_table(lines).points.front() == Point{1, 345.1});
+    CHECK(space_points_in(lines, "t", Format::text, {}).warnings.empty());
+    const Folder folder;
+    folder.file("n.csv", lines);
+    folder.file("n.xyz", lines);
+    CHECK(folder.rbpa("info n.csv").err == "rbpa: n.csv: " + numbered.front() + "\n");
+    CHECK(folder.rbpa("info - < n.csv").err == "rbpa: standard input: " + numbered.front() + "\n");
+    CHECK(folder.rbpa("info n.xyz").err.find("numbers the lines") == std::string::npos);
+  }
+
+  TEST_CASE("the leftmost of several pairs of names is taken, and without one the first columns") {
+    CHECK(read_table("x,y,lon,lat\n1,2,3,4\n").points == std::vector<Point>{{1, 2}});
+    CHECK(read_table("lat,lon,x,y\n1,2,3,4\n").points == std::vector<Point>{{2, 1}});
+    CHECK(read_table("id,x,y,lon,lat\n0,1,2,3,4\n").points == std::vector<Point>{{1, 2}});
+    CHECK(read_table("a,b,c\n1,2,3\n").points == std::vector<Point>{{1, 2}});
+    CHECK(read_table("lon,height,depth\n1,2,3\n").points == std::vector<Point>{{1, 2}});
+    CHECK(read_table("x,y,WKT\n1,2,POINT (3 4)\n").points == std::vector<Point>{{3, 4}});
+    CHECK(read_table("lat,lon\n1,2\n", {.columns = parse_columns("1,2")}).points == std::vector<Point>{{1, 2}});
+  }
+
+  TEST_CASE("longitudes and latitudes give warnings about degrees and the antimeridian, with the option to use") {
+    const Folder folder;
+    folder.file("fiji.csv", "lat,lon\n-18,179\n-17,-179.5\n-16.5,178.25\n-17,-180\n");
+    const std::string columns =
+        "rbpa: fiji.csv: x is column 2, 'lon', and y is column 1, 'lat', as the header says (--columns chooses "
+        "others)\n";
+    const std::string degrees =
+        "rbpa: fiji.csv: coordinates are degrees, and so are alpha, lengths and areas; a degree of longitude is as "
+        "long as 0.95 "
+        "to 0.96 degrees of latitude there (ogr2ogr -t_srs projects them)\n";
+    const Outcome far = folder.rbpa("info fiji.csv");
+    CHECK(far.err ==
+          columns + degrees +
+              "rbpa: fiji.csv: points lie on both sides of the antimeridian, longitude 180, and are far apart "
+              "in the plane (--shift-longitude adds 360 to longitudes below 0)\n");
+    CHECK(far.out.find("box         x -180 .. 179\n") != std::string::npos);
+    const Outcome near = folder.rbpa("info fiji.csv --shift-longitude");
+    CHECK(near.err == columns + degrees);
+    CHECK(near.out.find("box         x 178.25 .. 180.5\n") != std::string::npos);
+    CHECK(folder.rbpa("info fiji.csv -q").err.empty());
+    // Around the world, but not around the antimeridian.
+    folder.file("atlantic.csv", "lon,lat\n-170,0\n-60,0\n60,1\n170,3\n");
+    CHECK(folder.rbpa("info atlantic.csv").err.find("antimeridian") == std::string::npos);
+    folder.file("exchanged.csv", "lon,lat\n52,113\n50,107\n");
+    CHECK(folder.rbpa("info exchanged.csv").err ==
+          "rbpa: exchanged.csv: expected longitudes and latitudes, found numbers up to 52 and 113: are they "
+          "exchanged?\n");
+    folder.file("metres.csv", "lon,lat\n500000,5800000\n");
+    CHECK(folder.rbpa("info metres.csv").err.find("are they degrees?") != std::string::npos);
+    const Outcome no_degrees = folder.rbpa("info metres.csv --shift-longitude");
+    CHECK(no_degrees.code == 3);
+    CHECK(no_degrees.err ==
+          "rbpa: metres.csv: found x = '5e+05', expected a longitude of -180 to 360 (leave out --shift-longitude if x "
+          "is not in degrees)\n");
+  }
+}
