@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rbpa::app {
 
@@ -51,6 +52,9 @@ std::string in_quotes(std::string_view text);
 
 /// Returns a count with its noun: "1 column", "2 columns".
 std::string counted(std::size_t count, std::string_view noun);
+
+/// Returns the words as a list: with `last` = " and ", "a, b and c".
+std::string listed(const std::vector<std::string>& words, std::string_view last);
 
 /// Returns the text with escapes in place of invisible characters: \n, \r, \t, and \x1b for each other byte. Invisible
 /// characters are control characters, bytes that are not UTF-8, line separators, marks without width, and marks that

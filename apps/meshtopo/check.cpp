@@ -79,10 +79,7 @@ std::string counted_kinds(const Examined& mesh, std::initializer_list<SoupDefect
     }
     parts.push_back(counted(static_cast<std::size_t>(count), noun));
   }
-  std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
-  return text;
+  return listed(parts, " and ");
 }
 
 CheckResult of_kinds(const Check& check, const Examined& mesh, std::initializer_list<SoupDefectKind> kinds) {

@@ -11,16 +11,6 @@
 #include "rbpa/base/triangle.h"
 
 namespace rbpa::app {
-namespace {
-
-std::string listed(const std::vector<std::string>& names, const std::string& before_last) {
-  std::string list;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    list += (i == 0 ? "" : i + 1 == names.size() ? before_last : ", ") + names[i];
-  return list;
-}
-
-}  // namespace
 
 const CloudFormat* cloud_format(Format format) {
   const auto found = std::find_if(std::begin(format_table), std::end(format_table), [format](const FormatRow& row) {

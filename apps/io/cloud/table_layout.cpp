@@ -153,19 +153,16 @@ void refuse_atoms(const TableBeginning& table, const std::string& columns) {
 void warn_of_unknown_names(const TableBeginning& table, std::size_t numbers, std::vector<std::string>& warnings) {
   const FieldTexts& fields = table.fields;
   bool any_known = false;
-  std::string columns;
+  std::vector<std::string> columns;
   for (std::size_t k = 0; k < numbers; ++k) {
     any_known = any_known || is_coordinate(fields[k], k);
-    columns += (k == 0             ? ""
-                : k + 1 == numbers ? ", and "
-                                   : ", ") +
-               std::string(1, "xyz"[k]) + " is column " + std::to_string(k + 1) + ", " + in_quotes(fields[k]);
+    columns.push_back(std::string(1, "xyz"[k]) + " is column " + std::to_string(k + 1) + ", " + in_quotes(fields[k]));
   }
   if (any_known && fields.size() == numbers && !table.says_columns) return;
   const std::string way = fields.size() > numbers ? "--columns chooses others"
                           : numbers == 2          ? "--columns 2,1 exchanges them"
                                                   : "--columns chooses another order";
-  warnings.push_back("no name of a column is that of a coordinate; " + columns + " (" + way + ")");
+  warnings.push_back("no name of a column is that of a coordinate; " + listed(columns, ", and ") + " (" + way + ")");
 }
 
 /// If lines of text are left out above the data, adds the warning that there is no header, so that the first columns
