@@ -170,14 +170,15 @@ class Starter {
   void lay_out(std::optional<char> said) {
     std::deque<std::string> room;
     constexpr std::size_t most_tries = 1000;  // each attempt reads following lines
-    std::optional<SeparatorChoice> choice;
-    if (selection_.skips()) choice = pass_title(said);
-    const bool is_passed = choice.has_value();
-    for (std::size_t tries = 0;; ++tries) {
-      if (tries < most_tries && !(tries == 0 && is_passed))
-        choice = choose_separator(lines_.ahead(separator_sample), said, selection_.skips(), lines_.name());
+    const auto choose = [&] {
+      return choose_separator(lines_.ahead(separator_sample), said, selection_.skips(), lines_.name());
+    };
+    std::optional<SeparatorChoice> passed;
+    if (selection_.skips()) passed = pass_title(said);
+    SeparatorChoice choice = passed ? *passed : choose();
+    for (std::size_t tries = 1;; ++tries) {
       try {
-        lay_out(*choice, said.has_value(), room);
+        lay_out(choice, said.has_value(), room);
         return;
       } catch (const BadInput& refusal) {
         if (!selection_.leaves_out(refusal)) {
@@ -190,6 +191,7 @@ class Starter {
       next();
       if (!start_.has_line) return;
       room.clear();
+      if (tries < most_tries) choice = choose();
     }
   }
 
