@@ -16,7 +16,7 @@ class RegionComplex {
  public:
   /// Computes the triangles. Throws: as partial().
   RegionComplex(const Region& region, const RegionPoints& points, double alpha, const PartialOptions& options);
-  // Not copyable, as spans may refer to lists of the same object.
+  // Forbid copies, as spans may refer to lists of the same object.
   RegionComplex(const RegionComplex&) = delete;
   RegionComplex& operator=(const RegionComplex&) = delete;
 
