@@ -71,11 +71,17 @@ std::string crs_member(const std::optional<Crs>& crs) {
 /// Returns a number of JSON; "null" if the value is not finite, which JSON cannot express.
 std::string finite_or_null(double value) { return std::isfinite(value) ? text_of(value) : "null"; }
 
-/// Returns the corners of a ring; they are in `corners`, whose content they replace.
-std::span<const Point> gather(const Ring& ring, std::span<const Point> points, std::vector<Point>& corners) {
-  corners.clear();
-  for (const std::uint32_t i : ring.points) corners.push_back(points[i]);
-  return corners;
+/// Calls visit(corners) with the corners of the shell of a polygon, and of each of its holes.
+template <typename Visit>
+void for_each_ring(const Polygon& polygon, std::span<const Point> points, const Visit& visit) {
+  std::vector<Point> corners;
+  const auto gather = [&](const Ring& ring) {
+    corners.clear();
+    for (const std::uint32_t i : ring.points) corners.push_back(points[i]);
+    visit(std::span<const Point>(corners));
+  };
+  gather(polygon.shell);
+  for (const Ring& hole : polygon.holes) gather(hole);
 }
 
 void write_closed(OutputFile& file, const PolygonSigns& signs, std::span<const Point> ring) {
@@ -114,10 +120,10 @@ void write_positions(OutputFile& file, const std::vector<PositionRing>& polygon,
   file.write("]");
 }
 
-/// Writes a polygon of GeoJSON: its rings as lists of positions, with commas between them.
-void write_parts(OutputFile& file, const std::vector<PositionRing>& polygon, bool has_z) {
+/// Writes polygons of GeoJSON with commas between them.
+void write_parts(OutputFile& file, const std::vector<std::vector<PositionRing>>& parts, bool has_z) {
   std::string_view before = "";
-  for (const std::vector<PositionRing>& part : within_antimeridian(polygon)) {
+  for (const std::vector<PositionRing>& part : parts) {
     file.write(std::exchange(before, ","));
     write_positions(file, part, has_z);
   }
@@ -136,10 +142,7 @@ void write_geojson_polygon(OutputFile& file, const std::vector<PositionRing>& po
   if (cuts) parts = within_antimeridian(polygon);
   const bool is_one = parts.size() == 1;
   file.write(is_one ? "{\"type\":\"Polygon\",\"coordinates\":" : "{\"type\":\"MultiPolygon\",\"coordinates\":[");
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0) file.write(",");
-    write_positions(file, parts[i], has_z);
-  }
+  write_parts(file, parts, has_z);
   file.write(is_one ? "}" : "]}");
 }
 
@@ -184,13 +187,10 @@ void PolygonWriter::finish() { file_.write(number_ == 0 ? signs_.end_of_none : s
 void write_polygons(OutputFile& file, Format format, const Shape& shape) {
   PolygonWriter writer(file, format, shape.crs, is_cut_in_geojson(shape.points, shape.crs, shape.degrees));
   const std::vector<std::size_t> counts = points_in_polygons(shape);
-  std::vector<Point> corners;
-  const auto write = [&](const Ring& ring) { writer.ring(gather(ring, shape.points, corners)); };
   for (std::size_t i = 0; i < shape.polygons.size(); ++i) {
     const Polygon& polygon = shape.polygons[i];
     writer.begin({polygon.area, polygon.perimeter, polygon.holes.size(), counts[i]});
-    write(polygon.shell);
-    for (const Ring& hole : polygon.holes) write(hole);
+    for_each_ring(polygon, shape.points, [&](std::span<const Point> ring) { writer.ring(ring); });
     writer.end();
   }
   writer.finish();
@@ -210,25 +210,17 @@ void for_each_isolated(const Shape& shape, const Visit& visit) {
 /// Writes the rings of the polygons of a group, or, if `cuts`, of the parts of these polygons.
 void write_polygons_of(OutputFile& file, const PolygonSigns& signs, const NamedShapes& groups, std::size_t group,
                        bool cuts) {
-  std::vector<Point> corners;
-  const auto write = [&](const Ring& ring) { write_closed(file, signs, gather(ring, groups.points, corners)); };
   const std::uint64_t first = groups.shapes.polygon_begin[group], last = groups.shapes.polygon_begin[group + 1];
   for (std::uint64_t i = first; i < last; ++i) {
     if (i > first) file.write(signs.between);
-    const Polygon& polygon = groups.shapes.polygons[i];
-    if (cuts) {
-      std::vector<PositionRing> rings = {positions_of(gather(polygon.shell, groups.points, corners))};
-      for (const Ring& hole : polygon.holes) rings.push_back(positions_of(gather(hole, groups.points, corners)));
-      write_parts(file, rings, false);
-      continue;
-    }
-    file.write(signs.open_list);
-    write(polygon.shell);
-    for (const Ring& hole : polygon.holes) {
-      file.write(signs.between);
-      write(hole);
-    }
-    file.write(signs.close_list);
+    std::vector<PositionRing> to_cut;
+    std::string_view before = signs.open_list;
+    for_each_ring(groups.shapes.polygons[i], groups.points, [&](std::span<const Point> ring) {
+      if (cuts) return to_cut.push_back(positions_of(ring));
+      file.write(std::exchange(before, signs.between));
+      write_closed(file, signs, ring);
+    });
+    cuts ? write_parts(file, within_antimeridian(to_cut), false) : file.write(signs.close_list);
   }
 }
 
@@ -344,12 +336,10 @@ namespace {
 
 void write_value(OutputFile& file, double value) {
   constexpr double greatest = 9007199254740992.0;  // 2^53
-  if (!std::isfinite(value))
-    file.write("null");
-  else if (value >= 0 && value < greatest && std::trunc(value) == value)
+  if (value >= 0 && value < greatest && std::trunc(value) == value)
     file.write_number(static_cast<std::uint64_t>(value));
   else
-    file.write_number(value);
+    file.write(finite_or_null(value));
 }
 
 }  // namespace
