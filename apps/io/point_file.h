@@ -1,4 +1,4 @@
-// What: the points of a file in the plane, with the facts that the file states about them.
+// What: the points of a file in the plane, and the facts that a file states about its points.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +29,8 @@ class Heights {
   bool differ_ = false;
 };
 
-struct PointFile {
-  std::vector<Point> points = {};  ///< in the order of the file, all finite
+/// Facts about the points that were read from a file, in the plane or in space.
+struct PointFacts {
   std::vector<std::uint32_t> index =
       {};                      ///< number of each among all points of the file; empty if points[i] has index i
   std::size_t all_points = 0;  ///< number of points of the file, including those that are left out
@@ -40,14 +40,18 @@ struct PointFile {
   /// For each column of `fields` that holds texts: the distinct texts, which the numbers in `fields` index from 0. An
   /// empty text is not the name of a group.
   std::vector<std::optional<std::vector<std::string>>> texts = {};
-  bool keys_are_texts = false;  ///< some keys of groups are texts in the file, so that all count as texts
+  /// Warnings, each one sentence: about guesses that may be wrong, and about data that are left out.
+  std::vector<std::string> warnings = {};
+};
+
+struct PointFile : PointFacts {
+  std::vector<Point> points = {};  ///< in the order of the file, all finite
+  bool keys_are_texts = false;     ///< some keys of groups are texts in the file, so that all count as texts
   /// Third coordinates, one for each point, NaN if it has none; empty unless they were requested and any point has one.
   std::vector<double> z = {};
   bool degrees = false;  ///< x is a longitude and y a latitude, as a CRS or the names of columns say
   /// Ignored third coordinates, to warn if they differ. Not set for LAS, whose users expect footprints.
   Heights heights = {};
-  /// Warnings, each one sentence: about guesses that may be wrong, and about data that are left out.
-  std::vector<std::string> warnings = {};
 };
 
 }  // namespace rbpa::app

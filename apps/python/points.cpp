@@ -81,12 +81,10 @@ py::list printable_texts(const std::vector<std::string>& texts) {
   return list;
 }
 
-/// Returns the data of `file`, of points in the plane or in space, as a dict, and leaves `file` empty; normals and
-/// colors are None.
-template <typename File>
-py::dict dict_of(File& file, const app::PointSource& source) {
+/// Returns the data of a file, of points in the plane or in space, as a dict; normals and colors are None.
+py::dict dict_of(Doubles points, app::PointFacts file, const app::PointSource& source) {
   py::dict result;
-  result["points"] = rows<double>(std::move(file.points));
+  result["points"] = std::move(points);
   result["normals"] = py::none();
   result["colors"] = py::none();
   py::list fields;
@@ -118,12 +116,12 @@ auto read_watched(Read read) {
 py::dict read(const app::PointSource& source, bool space) {
   if (!space) {
     app::PointFile file = read_watched([&] { return app::read_points(source); });
-    return dict_of(file, source);
+    return dict_of(rows<double>(std::move(file.points)), std::move(file), source);
   }
   const app::CloudRequest request{
       .columns = source.columns, .where = source.where, .skip_invalid = source.skip_invalid};
   app::SpacePoints file = read_watched([&] { return app::read_space_points(source.path, source.format, request); });
-  py::dict result = dict_of(file, source);
+  py::dict result = dict_of(rows<double>(std::move(file.points)), std::move(file), source);
   if (!file.normals.empty()) result["normals"] = rows<double>(std::move(file.normals));
   if (!file.colors.empty()) result["colors"] = rows<std::uint8_t>(std::move(file.colors));
   return result;

@@ -18,8 +18,8 @@ namespace {
 /// Reads points by the reader of their format; geometries and pixels, which are not columns, have readers of their own.
 PointFile parse(std::string_view bytes, const std::string& name, const PointSource& source) {
   const Format format = source.format;
-  if (format == Format::png) return {.points = read_png_points(bytes, name, source.pixels)};
-  if (format == Format::pgm) return {.points = read_pgm_points(bytes, name, source.pixels)};
+  if (format == Format::png) return {{}, read_png_points(bytes, name, source.pixels)};
+  if (format == Format::pgm) return {{}, read_pgm_points(bytes, name, source.pixels)};
   if (format == Format::geojson) return read_geojson_points(bytes, name, source.vertices, source.properties);
   if (format == Format::wkt) return read_wkt_points(bytes, name, source.vertices);
   return read_plane_points(*open_plane_cloud(Content(bytes, name), source));
@@ -49,26 +49,19 @@ std::unique_ptr<Cloud> open_plane_cloud(Content content, const PointSource& sour
 }
 
 PointFile read_plane_points(Cloud& cloud) {
-  std::vector<Point> points;
-  std::vector<std::vector<double>> fields;
-  std::vector<double> z;
-  std::vector<std::uint32_t> index;
-  points.reserve(cloud.facts().expected);
+  PointFile& file = cloud.facts().file;
+  file.points.reserve(cloud.facts().expected);
   CloudBlock block;
   while (cloud.next(block)) {
-    append_points(block, points);
-    append_fields(block, fields);
-    z.insert(z.end(), block.heights.begin(), block.heights.end());
-    append_index(block, index);
+    append_points(block, file.points);
+    append_fields(block, file.fields);
+    file.z.insert(file.z.end(), block.heights.begin(), block.heights.end());
+    append_index(block, file.index);
   }
   cloud.finish();
-  PointFile file = std::move(cloud.facts().file);
-  file.points = std::move(points);
-  file.fields = std::move(fields);
-  file.z = std::move(z);
-  file.index = unless_identity(std::move(index));
+  file.index = unless_identity(std::move(file.index));
   file.all_points = std::max(file.all_points, file.points.size());
-  return file;
+  return std::move(file);
 }
 
 void append_points(const CloudBlock& block, std::vector<Point>& points) {

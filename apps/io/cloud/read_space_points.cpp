@@ -37,8 +37,8 @@ std::optional<SpacePoints> read_cloud(Cloud& cloud) {
   CloudBlock block;
   while (cloud.next(block)) {
     append_vectors(block, CloudBlock::x, space.points);
-    append_fields(block, space.fields);
-    append_index(block, space.index);
+    append_fields(block, facts.file.fields);
+    append_index(block, facts.file.index);
     if (facts.normals) append_vectors(block, CloudBlock::normal, space.normals);
     for (std::size_t i = 0; facts.colors && i < block.count; ++i) {
       const auto channel = [&](std::size_t k) { return static_cast<float>(block.column[CloudBlock::color + k][i]); };
@@ -57,12 +57,10 @@ std::optional<SpacePoints> read_cloud(Cloud& cloud) {
   }
   if (facts.file.degrees && !space.points.empty()) facts.file.warnings.push_back(warning_on_degrees(space.points));
   cloud.finish();
-  space.crs = std::move(facts.file.crs);
+  static_cast<PointFacts&>(space) = std::move(facts.file);
   space.cell = std::move(facts.cell);
-  space.texts = std::move(facts.file.texts);
   space.index = unless_identity(std::move(space.index));
-  space.all_points = std::max(facts.file.all_points, space.points.size());
-  space.warnings = std::move(facts.file.warnings);
+  space.all_points = std::max(space.all_points, space.points.size());
   return space;
 }
 

@@ -3,28 +3,20 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/cloud/cloud.h"
-#include "io/crs.h"
 #include "rbpa/base/point3.h"
 
 namespace rbpa::app {
 
-struct SpacePoints {
+struct SpacePoints : PointFacts {
   std::vector<Point3> points = {};                       ///< in the order of the file, all finite
   std::vector<Point3> normals = {};                      ///< none, or one for each point: finite, of any length but 0
   std::vector<std::array<std::uint8_t, 3>> colors = {};  ///< red, green, blue: none, or one for each point
-  std::vector<std::vector<double>> fields = {};          ///< as PointFile::fields
-  std::vector<std::optional<std::vector<std::string>>> texts = {};  ///< as PointFile::texts
-  std::vector<std::uint32_t> index = {};                            ///< as PointFile::index
-  std::size_t all_points = 0;                                       ///< as PointFile::all_points
-  std::optional<Crs> crs = std::nullopt;   ///< the coordinate system; absent if the file names none
-  UnitCell cell = {};                      ///< the cell of the atoms of a molecule
-  std::vector<std::string> warnings = {};  ///< warnings, one sentence each, as PointFile::warnings
+  UnitCell cell = {};                                    ///< the cell of the atoms of a molecule
 };
 
 /// Reads the points in the order of the file. `path` "-" is standard input; a gzip file is decompressed. Allocates no
