@@ -138,8 +138,7 @@ TEST_SUITE("shape groups") {
     CHECK(found[1]["group"] == 2.5);
     CHECK(found[1]["area"] == 0.5);
     refuses(folder, "p.ply --group-by kind --alpha 1 -o s.geojson",
-            "p.ply:3: found vertices without 'kind', expected a number property of that name, as --group-by requires",
-            3);
+            "p.ply: found no field 'kind' of numbers, expected one, as --group-by requires", 3);
   }
 
   TEST_CASE("formats that cannot be grouped are refused before anything is written") {

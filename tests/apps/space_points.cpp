@@ -456,17 +456,15 @@ TEST_SUITE("points of space") {
     CHECK(space_points_in(text, "p", Format::ply, where("class < 3 and x == 0")).points == selected);
     CHECK(points_in(text, "p", {.format = Format::ply, .where = where("not class == 3").where}).points ==
           std::vector<rbpa::Point>{{0, 0}, {0, 0}});
-    CHECK_THROWS_WITH_AS(
-        space_points_in(text, "p", Format::ply, where("kind == 1")),
-        "p:3: found vertices without 'kind', expected a number property of that name, as --where requires", BadInput);
+    CHECK_THROWS_WITH_AS(space_points_in(text, "p", Format::ply, where("kind == 1")),
+                         "p: found no field 'kind' of numbers, expected one, as --where requires", BadInput);
     const std::string pcd =
         "FIELDS x y z class\nSIZE 4 4 4 1\nTYPE F F F U\nWIDTH 3\nHEIGHT 1\nPOINTS 3\nDATA ascii\n"
         "0 0 2 2\n0 0 3 3\n0 0 7 2\n";
     CHECK(space_points_in(pcd, "p", Format::pcd, where("class == 2")).points == selected);
     CHECK(space_points_in(pcd, "p", Format::pcd, where("class == 9")).points.empty());
     CHECK_THROWS_WITH_AS(space_points_in(pcd, "p", Format::pcd, where("kind == 1")),
-                         "p: found points without 'kind', expected a field of that name, as --where requires",
-                         BadInput);
+                         "p: found no field 'kind' of numbers, expected one, as --where requires", BadInput);
   }
 
   TEST_CASE("a selected point has an index below no_index") {

@@ -31,6 +31,17 @@ std::uint32_t color_bits(double number, Scalar type, const std::string& here) {
   return static_cast<std::uint32_t>(static_cast<std::int64_t>(number));  // signed or unsigned
 }
 
+/// Returns the index of the property of numbers called `field`, or else so in letters of either case. Throws
+/// BadInput that names `option`, which requires it.
+std::size_t find_field(const PlyElement& points, const std::string& field, std::string_view option,
+                       const std::string& name) {
+  for (const bool in_any_case : {false, true})
+    for (std::size_t k = 0; k < points.properties.size(); ++k)
+      if (const PlyProperty& property = points.properties[k]; !property.count_type)
+        if (in_any_case ? same_letters(property.name, field) : property.name == field) return k;
+  bad_input(name, "no field " + in_quotes(field) + " of numbers", "one, as " + std::string(option) + " requires");
+}
+
 class ElementCloud final : public Cloud {
  public:
   ElementCloud(Content content, PlyHeader header, PointLayout layout, const CloudRequest& request)
@@ -39,11 +50,15 @@ class ElementCloud final : public Cloud {
         header_(std::move(header)),
         layout_(std::move(layout)),
         vertex_(header_.elements[layout_.element]),
-        fields_(layout_.condition.size()),
         keeps_heights_(request.heights) {
     facts_ = std::move(layout_.facts);
     facts_.expected = vertex_.count;
-    if (request.where) selection_.emplace(*request.where);
+    if (request.where) {
+      selection_.emplace(*request.where);
+      for (const std::string& field : request.where->fields())
+        condition_.push_back(find_field(vertex_, field, request.where->option_of(field), name_));
+      fields_.resize(condition_.size());
+    }
     if (header_.binary) {
       binary_.emplace(header_, name_);
     } else {
@@ -120,7 +135,7 @@ class ElementCloud final : public Cloud {
                   block.count, *header_.binary, first_, name_);
     };
     for (const auto& [column, property] : layout_.columns) load_all(block.column[column], property);
-    for (std::size_t k = 0; k < fields_.size(); ++k) load_all(fields_[k], layout_.condition[k]);
+    for (std::size_t k = 0; k < fields_.size(); ++k) load_all(fields_[k], condition_[k]);
     for (std::size_t i = 0; layout_.color && i < block.count; ++i) {
       const Strip& color = strips[*layout_.color];
       append_color(load<std::uint32_t>(color.first + i * color.stride, *header_.binary), block);
@@ -138,7 +153,7 @@ class ElementCloud final : public Cloud {
                             [&] { return name_ + ": point " + std::to_string(i); });
       };
       for (const auto& [column, property] : layout_.columns) block.column[column][i - first_] = number(property);
-      for (std::size_t k = 0; k < fields_.size(); ++k) fields_[k][i - first_] = number(layout_.condition[k]);
+      for (std::size_t k = 0; k < fields_.size(); ++k) fields_[k][i - first_] = number(condition_[k]);
       if (looks_at_heights()) take_height(block, i, number(*layout_.height));
     });
   }
@@ -146,7 +161,7 @@ class ElementCloud final : public Cloud {
   void read_text(CloudBlock& block) {
     std::vector<double*> target(vertex_.properties.size(), nullptr);  // column for the numbers of a property
     std::vector<double> color(layout_.color ? block.count : 0);
-    for (std::size_t k = 0; k < fields_.size(); ++k) target[layout_.condition[k]] = fields_[k].data();
+    for (std::size_t k = 0; k < fields_.size(); ++k) target[condition_[k]] = fields_[k].data();
     if (layout_.color) target[*layout_.color] = color.data();
     for (const auto& [column, property] : layout_.columns) target[property] = block.column[column].data();
     const bool takes_z = keeps_heights_ && layout_.height;
@@ -169,7 +184,7 @@ class ElementCloud final : public Cloud {
     });
     for (const double z : block.heights) facts_.file.heights.take(z);
     for (std::size_t k = 0; k < fields_.size(); ++k)  // a field may be a column of the block as well
-      std::copy_n(target[layout_.condition[k]], block.count, fields_[k].data());
+      std::copy_n(target[condition_[k]], block.count, fields_[k].data());
   }
 
   std::string here() const { return at_line(name_, text_->lines().number()); }
@@ -199,7 +214,8 @@ class ElementCloud final : public Cloud {
   PlyHeader header_;
   PointLayout layout_;
   const PlyElement& vertex_;
-  std::vector<std::vector<double>> fields_;  // columns of the condition's fields
+  std::vector<std::size_t> condition_ = {};       // properties that the condition reads
+  std::vector<std::vector<double>> fields_ = {};  // their columns
   bool keeps_heights_;
   std::optional<Selection> selection_ = std::nullopt;
   std::optional<PlyBinary> binary_ = std::nullopt;

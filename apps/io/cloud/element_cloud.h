@@ -18,7 +18,6 @@ namespace rbpa::app {
 struct PointLayout {
   std::size_t element = 0;                                        ///< index among the header's elements
   std::vector<std::pair<std::size_t, std::size_t>> columns = {};  ///< column of the block and its property
-  std::vector<std::size_t> condition = {};                        ///< properties that the condition reads
   std::optional<std::size_t> height = std::nullopt;               ///< property z, unless it is a column
   std::optional<std::size_t> color = std::nullopt;                ///< 0xRRGGBB in an integer, or in the bits of a float
   bool colors_behind = false;                                     ///< text: three words after the properties

@@ -13,14 +13,12 @@ namespace {
 
 constexpr std::string_view fields[] = {"x", "y", "z", "reflectance"};
 
-/// Returns the index of the field called `word`, in letters of either case; the number of fields if there is none.
-std::size_t field_place(std::string_view word) {
-  const auto is_it = [&](std::string_view field) { return same_letters(word, field); };
-  return static_cast<std::size_t>(std::find_if(std::begin(fields), std::end(fields), is_it) - std::begin(fields));
-}
-
+/// The names of the fields, in letters of either case.
 FieldNames names_of_kitti_fields() {
-  return {[](std::string_view word) { return field_place(word) < std::size(fields); },
+  return {[](std::string_view word) {
+            return std::any_of(std::begin(fields), std::end(fields),
+                               [&](std::string_view field) { return same_letters(word, field); });
+          },
           "a field of .bin: x, y, z, reflectance"};
 }
 
@@ -34,8 +32,6 @@ std::unique_ptr<Cloud> open_kitti(Content content, const CloudRequest& request) 
   PointLayout layout{.has_room = true};
   for (std::size_t k = 0; k < (request.in_space ? 3 : 2); ++k) layout.columns.emplace_back(k, k);
   if (request.heights) layout.height = 2;
-  if (request.where)
-    for (const std::string& field : request.where->fields()) layout.condition.push_back(field_place(field));
   return open_elements(std::move(content),
                        {.binary = std::endian::little, .elements = {std::move(point)}, .data = data}, std::move(layout),
                        request);

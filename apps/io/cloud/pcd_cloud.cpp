@@ -159,15 +159,14 @@ class PcdHeaderReader {
   std::size_t size_line_ = 0, count_line_ = 0;
 };
 
-PointLayout lay_out(const PlyElement& points, const CloudRequest& request, const std::string& name) {
+PointLayout lay_out(const PlyElement& points, const std::string& name) {
   PointLayout layout;
-  const auto find = [&](std::string_view field, const std::string& expected) {
-    const std::optional<std::size_t> place = number_place(points, field);
-    if (!place) bad_input(name, "points without " + in_quotes(field), expected);
-    return *place;
-  };
   constexpr std::string_view axes[] = {"x", "y", "z"}, colors[] = {"rgb", "rgba"};
-  for (std::size_t k = 0; k < 3; ++k) layout.columns.emplace_back(k, find(axes[k], "the fields x, y and z"));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::optional<std::size_t> place = number_place(points, axes[k]);
+    if (!place) bad_input(name, "points without " + in_quotes(axes[k]), "the fields x, y and z");
+    layout.columns.emplace_back(k, *place);
+  }
   lay_out_normal(points, {"normal_x", "normal_y", "normal_z"}, layout);
   if (const std::vector<std::size_t> color = number_places(points, colors); !color.empty()) {
     const PlyProperty& first = points.properties[color.front()];
@@ -178,10 +177,6 @@ PointLayout lay_out(const PlyElement& points, const CloudRequest& request, const
       layout.facts.file.warnings.emplace_back("colors are left out, as " + first.name + " is not of 4 bytes");
     }
   }
-  if (request.where)
-    for (const std::string& field : request.where->fields())
-      layout.condition.push_back(
-          find(field, "a field of that name, as " + std::string(request.where->option_of(field)) + " requires"));
   return layout;
 }
 
@@ -247,7 +242,7 @@ std::vector<char> decompress(const PlyHeader& header, const std::string& name) {
 
 std::unique_ptr<Cloud> open_pcd(Content content, const CloudRequest& request) {
   auto [header, is_compressed] = PcdHeaderReader(content.ahead(), content.name()).read();
-  PointLayout layout = lay_out(header.elements.front(), request, content.name());
+  PointLayout layout = lay_out(header.elements.front(), content.name());
   if (is_compressed) {
     layout.decompressed = decompress(header, content.name());
     header.data = {layout.decompressed.data(), layout.decompressed.size()};

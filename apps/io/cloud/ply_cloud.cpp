@@ -2,7 +2,6 @@
 #include <utility>
 
 #include "io/cloud/element_cloud.h"
-#include "io/failure.h"
 
 namespace rbpa::app {
 namespace {
@@ -28,14 +27,6 @@ PointLayout lay_out(const PlyHeader& header, const CloudRequest& request, const 
     }
   } else {
     layout.height = number_place(vertex, "z");
-  }
-  if (!request.where) return layout;
-  for (const std::string& field : request.where->fields()) {
-    const std::optional<std::size_t> place = number_place(vertex, field);
-    if (!place)
-      bad_input(at_line(name, vertex.line), "vertices without " + in_quotes(field),
-                "a number property of that name, as " + std::string(request.where->option_of(field)) + " requires");
-    layout.condition.push_back(*place);
   }
   return layout;
 }
