@@ -251,17 +251,15 @@ std::optional<double> unit_of_wkt(std::string_view text) {
 
 Crs parse_crs(const std::string& text) {
   const std::optional<Crs> crs = system_of_name(text);
-  if (!crs)
-    throw WrongUsage("--crs: found " + in_quotes(text) + ", expected an authority and a code, such as EPSG:28992");
+  if (!crs) bad_usage("--crs", in_quotes(text), "an authority and a code, such as EPSG:28992");
   if (is_vertical(*crs))
-    throw WrongUsage("--crs: found " + in_quotes(text) +
-                     ", a system of heights, expected a horizontal one, such as EPSG:28992");
+    bad_usage("--crs", in_quotes(text) + ", a system of heights", "a horizontal one, such as EPSG:28992");
   // Accept the range from which EPSG assigns codes of systems, also codes that are not assigned.
   constexpr int least = 1024, greatest = 32767;
   if (crs->authority == "EPSG" &&
       (crs->code.size() > 5 || std::stoi(crs->code) < least || std::stoi(crs->code) > greatest))
-    throw WrongUsage("--crs: found " + in_quotes(text) + ", expected a code as EPSG assigns them, from " +
-                     std::to_string(least) + " to " + std::to_string(greatest));
+    bad_usage("--crs", in_quotes(text),
+              "a code as EPSG assigns them, from " + std::to_string(least) + " to " + std::to_string(greatest));
   return *crs;
 }
 

@@ -13,6 +13,10 @@ void bad_input(const std::string& where, const std::string& found, const std::st
   throw BadInput(where + ": found " + found + ", expected " + expected);
 }
 
+void bad_usage(const std::string& option, const std::string& found, const std::string& expected) {
+  throw WrongUsage(option + ": found " + found + ", expected " + expected);
+}
+
 void refuse_to_open(const std::string& name, const std::string& expected) {
   if (errno == ENOENT) bad_input(name, "no such file", expected);
   throw BadInput(name + ": cannot open: " + std::strerror(errno));

@@ -37,6 +37,8 @@ class ClosedPipe : public std::runtime_error {
 
 /// Throws BadInput "WHERE: found FOUND, expected EXPECTED".
 [[noreturn]] void bad_input(const std::string& where, const std::string& found, const std::string& expected);
+/// Throws WrongUsage "OPTION: found FOUND, expected EXPECTED".
+[[noreturn]] void bad_usage(const std::string& option, const std::string& found, const std::string& expected);
 
 /// Throws BadInput after a call has failed to open the file `name`: either that there is no such file, where `expected`
 /// was expected, or "NAME: cannot open: " with the reason in errno.

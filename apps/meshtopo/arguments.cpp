@@ -34,8 +34,7 @@ TopologyTarget parse_mesh_target(const std::string& option, const std::string& p
 
 TopologyTarget parse_generator_target(const std::string& path) {
   if (const std::optional<Format> known = find_format(Use::polylines, ending(path))) return {path, *known};
-  throw WrongUsage("--generators: found the ending " + in_quotes(ending(path)) + ", expected one of " +
-                   endings(Use::polylines));
+  bad_usage("--generators", "the ending " + in_quotes(ending(path)), "one of " + endings(Use::polylines));
 }
 
 /// Returns the target of a report, in the format of the ending of `path` or of --json.
@@ -47,9 +46,9 @@ TopologyTarget parse_report_target(const std::string& path, bool json) {
                       [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
   };
   if (find_format(Use::mesh, name))
-    throw WrongUsage(path + ": found the ending " + in_quotes(name) +
-                     " of a mesh, expected json or txt for a report, or --repair OUT to write a mesh");
-  if (is("txt") && json) throw WrongUsage(path + ": found the ending 'txt' with --json, expected json");
+    bad_usage(path, "the ending " + in_quotes(name) + " of a mesh",
+              "json or txt for a report, or --repair OUT to write a mesh");
+  if (is("txt") && json) bad_usage(path, "the ending 'txt' with --json", "json");
   if (json || is("json")) return {path, Format::json};
   if (name.empty() || is("txt")) return {path, Format::text};
   refuse_ending(path, "json, txt", "--json");
@@ -57,21 +56,10 @@ TopologyTarget parse_report_target(const std::string& path, bool json) {
 
 Edits parse_edits(const TopologyArguments& arguments) {
   Edits edits{.orient = arguments.orient};
-  if (arguments.weld) {
-    const ParsedNumber distance = parse_whole_number(*arguments.weld);
-    if (distance.fault != NumberFault::none || !(distance.value >= 0))
-      throw WrongUsage("--weld: found " + in_quotes(*arguments.weld) + ", expected a distance, at least 0");
-    edits.weld = distance.value;
-  }
+  if (arguments.weld) edits.weld = parse_real("--weld", *arguments.weld, {}, "a distance, at least 0");
   if (arguments.keep_largest) edits.components.max_components = parse_keep_largest(*arguments.keep_largest);
   if (arguments.drop_small) parse_drop_small(*arguments.drop_small, edits.components);
   return edits;
-}
-
-double parse_length(const std::string& option, const std::string& text) {
-  const ParsedNumber length = parse_whole_number(text);
-  if (length.fault == NumberFault::none && length.value > 0) return length.value;
-  throw WrongUsage(option + ": found " + in_quotes(text) + ", expected a length, such as 2.5");
 }
 
 /// Returns the first option that changes the mesh. Requires: there is one, other than --repair.
@@ -96,14 +84,13 @@ bool writes_mesh(const TopologyArguments& arguments) {
 /// Throws WrongUsage for an option that writes a mesh or generators, as it applies only to a single input.
 void require_reports_alone(const TopologyArguments& arguments) {
   const auto refuse = [&](const char* option) {
-    throw WrongUsage(std::string(option) + ": found " + std::to_string(arguments.meshes.size()) +
-                     " meshes, expected one");
+    bad_usage(option, std::to_string(arguments.meshes.size()) + " meshes", "one");
   };
   if (arguments.repair) refuse("--repair");
   if (arguments.output && writes_mesh(arguments)) refuse("-o");
   if (arguments.generators) refuse("--generators");
   if (std::count(arguments.meshes.begin(), arguments.meshes.end(), "-") > 1)
-    throw WrongUsage("MESH: found -, standard input, twice, expected once");
+    bad_usage("MESH", "-, standard input, twice", "once");
 }
 
 }  // namespace
@@ -132,7 +119,8 @@ TopologyPlan plan(TopologyArguments arguments) {
   plan.repair = arguments.repair;
   if (arguments.fill_holes) plan.fill = parse_fill_holes(*arguments.fill_holes);
   if (arguments.close_tunnels_below)
-    plan.tunnels_below = parse_length("--close-tunnels-below", *arguments.close_tunnels_below);
+    plan.tunnels_below =
+        parse_real("--close-tunnels-below", *arguments.close_tunnels_below, above_0, "a length, such as 2.5");
   for (const std::string& list : arguments.checks)
     for (Check& check : parse_checks(list)) plan.checks.push_back(std::move(check));
   const bool output_is_mesh = arguments.output && writes_mesh(arguments);

@@ -28,19 +28,16 @@ Check parse_check(const std::string& text) {
   const std::size_t equals = text.find('=');
   const std::string name = text.substr(0, equals);
   if (is_among(yes_or_no, name)) {
-    if (equals != std::string::npos)
-      throw WrongUsage("--check: found " + in_quotes(text) + ", expected '" + name + "' without a value");
+    if (equals != std::string::npos) bad_usage("--check", in_quotes(text), "'" + name + "' without a value");
     return {name, std::nullopt};
   }
-  if (!is_among(counts, name))
-    throw WrongUsage("--check: found " + in_quotes(text) + ", expected one of " + known_checks());
+  if (!is_among(counts, name)) bad_usage("--check", in_quotes(text), "one of " + known_checks());
   const char* const first = text.data() + std::min(equals, text.size() - 1) + 1;
   const char* const last = text.data() + text.size();
   long number = 0;
   const auto [end, error] = std::from_chars(first, last, number);
   if (error != std::errc() || end != last)
-    throw WrongUsage("--check: found " + in_quotes(text) + ", expected " + name + "=N, N a whole number, such as " +
-                     name + "=0");
+    bad_usage("--check", in_quotes(text), name + "=N, N a whole number, such as " + name + "=0");
   return {name, number};
 }
 

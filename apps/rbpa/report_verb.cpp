@@ -21,11 +21,10 @@ namespace rbpa::app {
 namespace {
 
 void check_output(const std::string& output) {
-  if (output.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
+  if (output.empty()) bad_usage("-o", "an empty name", "a path or -");
   if (output == "-") return;
   const std::string_view found = ending(output);
-  if (found != "html" && found != "htm")
-    throw WrongUsage(output + ": found the ending " + in_quotes(found) + ", expected html");
+  if (found != "html" && found != "htm") bad_usage(output, "the ending " + in_quotes(found), "html");
 }
 
 std::string name_of_source(const std::string& input, const std::string& path) {

@@ -135,16 +135,16 @@ void require_same(const Json& before, const RunKey& run_key, const std::string& 
   const Json now = json_of(run_key);
   if (before == now) return;
   const auto refuse = [&](const std::string& found, const std::string& expected) {
-    throw WrongUsage("--resume: found " + found + ", expected " + expected + ", as the run in " + folder +
-                     " has (or remove " + folder + " to start again)");
+    bad_usage("--resume", found,
+              expected + ", as the run in " + folder + " has (or remove " + folder + " to start again)");
   };
   const Json &old_inputs = before.at("inputs"), &inputs = now.at("inputs");
   for (std::size_t i = 0; i < std::min(old_inputs.size(), inputs.size()); ++i) {
     if (inputs[i].at(0) != old_inputs[i].at(0))
       refuse("the input " + short_path(inputs[i].at(0)), short_path(old_inputs[i].at(0)));
     if (inputs[i] != old_inputs[i])
-      throw WrongUsage("--resume: found " + short_path(inputs[i].at(0)) + " changed since the run in " + folder +
-                       " began, expected the same file (or remove " + folder + " to start again)");
+      bad_usage("--resume", short_path(inputs[i].at(0)) + " changed since the run in " + folder + " began",
+                "the same file (or remove " + folder + " to start again)");
   }
   for (const auto& [key, value] : now.items())
     if (before.at(key) != value) refuse(as_options(key, value), as_options(key, before.at(key)));

@@ -177,11 +177,10 @@ bool Scratch::make(const StreamRequest& request) {
     };
     const fs::directory_iterator entries(folder_);
     if (std::any_of(begin(entries), end(entries), is_other))
-      throw WrongUsage("--scratch: found files of another program in " + folder_ +
-                       ", expected an empty folder or a new name");
+      bad_usage("--scratch", "files of another program in " + folder_, "an empty folder or a new name");
   }
   if (has_run_ && !request.resume)
-    throw WrongUsage("--scratch: found a run in " + folder_ + ", expected --resume to continue it, or another folder");
+    bad_usage("--scratch", "a run in " + folder_, "--resume to continue it, or another folder");
   const Lock lock = lock_file(folder_ + lock_name, O_CREAT, lock_);
   if (lock == Lock::gone || (lock == Lock::busy && !is_asked_for_)) return false;
   if (lock == Lock::busy)

@@ -1,36 +1,23 @@
 #include "triangulation/component_choice.h"
 
-#include <charconv>
 #include <optional>
 #include <string_view>
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/words.h"
 
 namespace rbpa::app {
-namespace {
-
-std::optional<std::size_t> whole_number(const std::string& text) {
-  std::size_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
-}  // namespace
 
 ShellChoice parse_shell(const std::string& text) {
   if (text == "all") return ShellChoice::all;
   if (text == "outer") return ShellChoice::outer;
   if (text == "largest") return ShellChoice::largest;
-  throw WrongUsage("--shell: found " + in_quotes(text) + ", expected outer, largest or all");
+  bad_usage("--shell", in_quotes(text), "outer, largest or all");
 }
 
 std::size_t parse_keep_largest(const std::string& text) {
-  const std::optional<std::size_t> count = whole_number(text);
-  if (!count || *count == 0)
-    throw WrongUsage("--keep-largest: found " + in_quotes(text) + ", expected a number of components, at least 1");
-  return *count;
+  return parse_whole("--keep-largest", text, {.least = 1}, "components");
 }
 
 void parse_drop_small(const std::string& text, ComponentChoice& choice) {
@@ -41,12 +28,11 @@ void parse_drop_small(const std::string& text, ComponentChoice& choice) {
       choice.min_area = number.value;
       return;
     }
-  } else if (const std::optional<std::size_t> count = whole_number(text); count && *count > 0) {
+  } else if (const std::optional<std::size_t> count = parse_count(text); count && *count > 0) {
     choice.min_triangles = *count;
     return;
   }
-  throw WrongUsage("--drop-small: found " + in_quotes(text) +
-                   ", expected a number of triangles, such as 50, or an area, such as area=2.5");
+  bad_usage("--drop-small", in_quotes(text), "a number of triangles, such as 50, or an area, such as area=2.5");
 }
 
 }  // namespace rbpa::app

@@ -1,10 +1,10 @@
 #include "triangulation/hole_choice.h"
 
-#include <charconv>
 #include <string_view>
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/words.h"
 
 namespace rbpa::app {
 
@@ -18,11 +18,11 @@ HoleChoice parse_fill_holes(const std::string& text) {
     choice.most_length = number.value;
     if (number.fault == NumberFault::none && number.value > 0) return choice;
   } else {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), choice.most_edges);
-    if (error == std::errc() && end == text.data() + text.size() && choice.most_edges >= 3) return choice;
+    choice.most_edges = parse_count(text).value_or(0);
+    if (choice.most_edges >= 3) return choice;
   }
-  throw WrongUsage("--fill-holes: found " + in_quotes(text) +
-                   ", expected all, rims, a number of edges from 3, such as 30, or a length, such as length=2.5");
+  bad_usage("--fill-holes", in_quotes(text),
+            "all, rims, a number of edges from 3, such as 30, or a length, such as length=2.5");
 }
 
 }  // namespace rbpa::app

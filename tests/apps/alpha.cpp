@@ -212,7 +212,8 @@ TEST_SUITE("alpha") {
     refuses("--levels 1", "--levels requires --representatives");
     const Outcome wrong = folder.rbpa("alpha " + points + "--representatives r.obj");
     CHECK(wrong.code == 2);
-    CHECK(wrong.err.find("--representatives: found the ending 'obj', expected geojson") != std::string::npos);
+    CHECK(wrong.err.find("--representatives: found the ending 'obj', expected one of geojson, json") !=
+          std::string::npos);
   }
 
   TEST_CASE("a picture that cannot be written is refused, and leaves no file") {

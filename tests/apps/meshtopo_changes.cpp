@@ -196,7 +196,7 @@ TEST_SUITE("meshtopo --keep-largest and --drop-small") {
       return outcome.err;
     };
     CHECK(refused("--keep-largest 0") ==
-          "meshtopo: --keep-largest: found '0', expected a number of components, at least 1\n");
+          "meshtopo: --keep-largest: found '0', expected a whole number of components from 1\n");
     for (const std::string text : {"0", "area=0", "area=", "area=x", "-3", "2.5", "area=inf"})
       CHECK(refused("'--drop-small=" + text + "'") ==
             "meshtopo: --drop-small: found '" + text +

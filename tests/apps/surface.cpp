@@ -233,7 +233,7 @@ TEST_SUITE("surface") {
     folder.file("p.xyz", "0 0 0\n1 0 0\n0 1 0\n");
     for (const std::string text : {"1", "2.5", "1001", "x"})
       refuses(folder, "p.xyz --radius 1 -o m.off --neighbors " + text, 2,
-              "--neighbors: found '" + text + "', expected a number of points, 2 to 1000");
+              "--neighbors: found '" + text + "', expected a whole number of points from 2 to 1000");
     for (const std::string text : {"1,2", "1,2,3,4", "a,b,a", "1,2,inf"})
       refuses(
           folder, "p.xyz --radius 1 -o m.off --viewpoint " + text, 2,

@@ -179,9 +179,9 @@ TEST_SUITE("surface") {
   TEST_CASE("wrong choices of components are refused before anything is read") {
     const Folder folder;
     const std::string small = ", expected a number of triangles, such as 50, or an area, such as area=2.5";
-    refuses(folder, "--keep-largest 0", "--keep-largest: found '0', expected a number of components, at least 1");
-    refuses(folder, "--keep-largest 1.5", "--keep-largest: found '1.5', expected a number of components, at least 1");
-    refuses(folder, "--keep-largest=-1", "--keep-largest: found '-1', expected a number of components, at least 1");
+    refuses(folder, "--keep-largest 0", "--keep-largest: found '0', expected a whole number of components from 1");
+    refuses(folder, "--keep-largest 1.5", "--keep-largest: found '1.5', expected a whole number of components from 1");
+    refuses(folder, "--keep-largest=-1", "--keep-largest: found '-1', expected a whole number of components from 1");
     for (const std::string text : {"0", "2.5", "area=0", "area=", "area=nan", "x"}) {
       CAPTURE(text);
       refuses(folder, "--drop-small " + text, "--drop-small: found '" + text + "'" + small);

@@ -98,7 +98,7 @@ TEST_SUITE("surface") {
           3);
     for (const std::string wrong : {"0", "-1", "1.5", "x", "101", "inf"})
       CHECK(folder.rbpa("surface p.xyz --radius 0.2 -o a.off '--scale-space=" + wrong + "'").err ==
-            "rbpa: --scale-space: found '" + wrong + "', expected a number of steps, 1 to 100, or auto\n");
+            "rbpa: --scale-space: found '" + wrong + "', expected a whole number of steps (or auto) from 1 to 100\n");
     CHECK(folder.rbpa("surface p.xyz --radius 0.2 -o a.off --moved").err == "rbpa: --moved requires --scale-space\n");
   }
 }

@@ -71,15 +71,23 @@ std::string rounded(double value, int digits) {
   return text;
 }
 
+double parse_real(const std::string& option, const std::string& text, Range allowed, const std::string& expected) {
+  const auto [value, end, fault] = parse_whole_number(text);
+  if ((fault != NumberFault::none && fault != NumberFault::not_finite) ||
+      !(allowed.least <= value && value <= allowed.greatest))
+    bad_usage(option, in_quotes(text), expected);
+  return value;
+}
+
 std::size_t parse_whole(const std::string& option, const std::string& text, WholeNumbers allowed,
                         const std::string& things) {
   const std::optional<std::size_t> number = parse_count(text);
   if (number && *number >= allowed.least && *number <= allowed.greatest) return *number;
-  std::string expected = ", expected a whole number ";
+  std::string expected = "a whole number ";
   if (!things.empty()) expected.append("of ").append(things).append(" ");
   expected.append("from ").append(std::to_string(allowed.least));
   if (allowed.greatest < WholeNumbers().greatest) expected.append(" to ").append(std::to_string(allowed.greatest));
-  throw WrongUsage(option + ": found " + in_quotes(text) + expected);
+  bad_usage(option, in_quotes(text), expected);
 }
 
 }  // namespace rbpa::app

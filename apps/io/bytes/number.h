@@ -72,6 +72,17 @@ inline std::string text_of(const std::optional<double>& value) { return value ? 
 /// Returns `value` rounded to `digits` significant digits, for people: "3819.51" has six.
 std::string rounded(double value, int digits);
 
+/// A range of numbers, with its ends.
+struct Range {
+  double least = 0;
+  double greatest = std::numeric_limits<double>::max();
+};
+constexpr Range above_0{.least = std::numeric_limits<double>::denorm_min()};
+
+/// Parses the argument of `option`: a number within `allowed`, perhaps inf. Throws WrongUsage that quotes the text and
+/// says what was `expected`.
+double parse_real(const std::string& option, const std::string& text, Range allowed, const std::string& expected);
+
 struct WholeNumbers {
   std::size_t least = 0;
   std::size_t greatest = std::numeric_limits<std::size_t>::max();

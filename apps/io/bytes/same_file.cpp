@@ -75,11 +75,10 @@ void require_different(const std::vector<std::string>& outputs, const std::strin
   const Place read{input, STDIN_FILENO};
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const Place written{outputs[i], STDOUT_FILENO};
-    if (same_file(written, read))
-      throw WrongUsage(written.name() + ": found the file of " + content + ", expected another file to write to");
+    if (same_file(written, read)) bad_usage(written.name(), "the file of " + content, "another file to write to");
     for (std::size_t k = 0; k < i; ++k)
       if (same_file(written, {outputs[k], STDOUT_FILENO}))
-        throw WrongUsage(written.name() + ": found twice among the files to write, expected once");
+        bad_usage(written.name(), "twice among the files to write", "once");
   }
   for (const std::string& output : outputs) require_place(output);
 }

@@ -67,9 +67,7 @@ Shift parse_shift(const std::string& option, const std::string& text) {
     by[k] = number.value;
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
-  if (!is_good)
-    throw WrongUsage(option + ": found " + in_quotes(text) +
-                     ", expected three numbers, such as 500000,4649000,0, or auto");
+  if (!is_good) bad_usage(option, in_quotes(text), "three numbers, such as 500000,4649000,0, or auto");
   return {by};
 }
 

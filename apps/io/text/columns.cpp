@@ -18,8 +18,7 @@ Column parse_column(std::string_view text) {
   if (fault == NumberFault::not_a_number || fault == NumberFault::not_finite)
     return {.number = 0, .name = std::string(text)};
   const std::size_t number = parse_count(text).value_or(0);
-  if (number == 0)
-    throw WrongUsage("--columns: found " + in_quotes(text) + ", expected a column number from 1 or a column name");
+  if (number == 0) bad_usage("--columns", in_quotes(text), "a column number from 1 or a column name");
   return {.number = number};
 }
 
@@ -36,14 +35,13 @@ std::vector<std::string_view> words_between_commas(std::string_view text) {
 }  // namespace
 
 void refuse_repeated_column(std::string_view columns, const std::string& expected) {
-  throw WrongUsage("--columns: found " + in_quotes(columns) + ", the same column twice, expected " + expected);
+  bad_usage("--columns", in_quotes(columns) + ", the same column twice", expected);
 }
 
 std::vector<Column> parse_columns(const std::string& text) {
   const std::vector<std::string_view> words = words_between_commas(text);
   if (words.size() > 2 || words.front().empty() || words.back().empty())
-    throw WrongUsage("--columns: found " + in_quotes(text) +
-                     ", expected X,Y (two column numbers or names), or one column of geometries");
+    bad_usage("--columns", in_quotes(text), "X,Y (two column numbers or names), or one column of geometries");
   std::vector<Column> columns;
   for (const std::string_view word : words) columns.push_back(parse_column(word));
   if (columns.size() == 2 && columns[0] == columns[1]) refuse_repeated_column(text, "two columns");
@@ -52,8 +50,7 @@ std::vector<Column> parse_columns(const std::string& text) {
 
 std::vector<Column> parse_space_columns(const std::string& text) {
   const auto refuse = [&] {
-    throw WrongUsage("--columns: found " + in_quotes(text) +
-                     ", expected X,Y,Z or X,Y,Z,NX,NY,NZ (column numbers or names)");
+    bad_usage("--columns", in_quotes(text), "X,Y,Z or X,Y,Z,NX,NY,NZ (column numbers or names)");
   };
   std::vector<Column> columns;
   for (const std::string_view word : words_between_commas(text)) {

@@ -79,7 +79,7 @@ class Parser {
   }
 
   [[noreturn]] void refuse(const std::string& expected) const {
-    throw WrongUsage("--where: found " + (word_.empty() ? "the end" : in_quotes(word_)) + ", expected " + expected);
+    bad_usage("--where", word_.empty() ? "the end" : in_quotes(word_), expected);
   }
 
   void take_alternatives(int depth) {
@@ -258,8 +258,7 @@ Condition::Condition(const std::string& text, const FieldNames& names, const std
     : columns_(columns), option_(option) {
   for (const WantedColumn& column : columns_) {
     if (!names.are(column.name))
-      throw WrongUsage((option_ == "--where" ? "fields" : option_) + ": found " + in_quotes(column.name) +
-                       ", expected " + names.described);
+      bad_usage(option_ == "--where" ? "fields" : option_, in_quotes(column.name), names.described);
     fields_.push_back(column.name);
   }
   parse(text, names);

@@ -27,13 +27,6 @@
 namespace rbpa::app {
 namespace {
 
-double parse_positive(const std::string& option, const std::string& text, const std::string& what) {
-  const ParsedNumber number = parse_whole_number(text);
-  if (number.fault != NumberFault::none || !(number.value > 0))
-    throw WrongUsage(option + ": found " + in_quotes(text) + ", expected " + what + ": a number above 0");
-  return number.value;
-}
-
 struct FillRequest {
   std::string path;
   Format format;
@@ -47,22 +40,24 @@ struct FillRequest {
 FillRequest parse(const FillArguments& arguments) {
   FillRequest request{.path = arguments.polygons,
                       .format = parse_format(Use::polygons, arguments.polygons, arguments.format, "POLYGON"),
-                      .size = arguments.size == "inf" ? std::numeric_limits<double>::infinity()
-                                                      : parse_positive("--size", arguments.size,
-                                                                       "inf or a length in units of the polygons"),
+                      .size = arguments.size == "inf"
+                                  ? std::numeric_limits<double>::infinity()
+                                  : parse_real("--size", arguments.size, above_0,
+                                               "inf or a length in units of the polygons: a number above 0"),
                       .size_at = arguments.size_at,
                       .grade = {},
                       .targets = {},
                       .width = parse_width(arguments.width)};
   if (arguments.grade)
-    request.grade = parse_positive("--grade", *arguments.grade, "how much sizes grow for each unit of distance");
+    request.grade = parse_real("--grade", *arguments.grade, above_0,
+                               "how much sizes grow for each unit of distance: a number above 0");
   if (std::isinf(request.size) && (arguments.grade || arguments.size_at))
     throw WrongUsage("--size inf adds no point and cannot be combined with " +
                      std::string(arguments.grade ? "--grade" : "--size-at"));
   request.targets = parse_targets(Use::triangles, arguments, arguments.polygons, given({arguments.stats}));
   if (request.size_at) {
     if (*request.size_at == "-" && request.path == "-")
-      throw WrongUsage("--size-at -: found POLYGON on standard input as well, expected one of them as a file");
+      bad_usage("--size-at -", "POLYGON on standard input as well", "one of them as a file");
     std::vector<std::string> files = given({arguments.stats});
     for (const Target& target : request.targets) files.push_back(target.path);
     require_different(files, *request.size_at, "sizes");

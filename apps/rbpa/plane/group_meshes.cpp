@@ -24,8 +24,8 @@ void require_of_groups(const MeshArguments& arguments, const ComplexRequest& req
   if (request.method.by_paper) refuse("--search paper");
   for (const Target& target : targets)
     if (is_picture(target.format))
-      throw WrongUsage("--group-by: found " + output_name(target.path) +
-                       ", expected a mesh or an array (rbpa shape --group-by draws its polygons)");
+      bad_usage("--group-by", output_name(target.path),
+                "a mesh or an array (rbpa shape --group-by draws its polygons)");
 }
 
 /// The group of each triangle, and the properties of each group: its number of points, alpha, area, and its name if

@@ -22,8 +22,8 @@ void require_of_groups(const ShapeArguments& arguments, const std::vector<Target
   constexpr auto has_groups = [](Format format) { return format != Format::wkt && format != Format::ewkt; };
   for (const Target& target : targets)
     if (!has_groups(target.format))
-      throw WrongUsage("--group-by: found " + output_name(target.path) +
-                       ", whose format has no groups, expected one of " + endings(Use::shape, has_groups));
+      bad_usage("--group-by", output_name(target.path) + ", whose format has no groups",
+                "one of " + endings(Use::shape, has_groups));
 }
 
 void write_targets(GroupRun& run) {

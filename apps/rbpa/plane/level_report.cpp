@@ -89,11 +89,7 @@ void write_json(OutputFile& file, const Hierarchy& hierarchy, const Method& meth
 
 Format parse_levels(const std::string& path, const Method& method) {
   if (!method.leaf_capacity) throw WrongUsage("--levels requires --method hrbpa");
-  const auto format = path == "-" ? Format::csv : find_format(Use::levels, ending(path));
-  if (!format)
-    throw WrongUsage("--levels: found the ending " + in_quotes(ending(path)) + ", expected one of " +
-                     endings(Use::levels));
-  return *format;
+  return path == "-" ? Format::csv : target_of("--levels", path, Use::levels).format;
 }
 
 void write_levels(OutputFile& file, Format format, const Hierarchy& hierarchy, const Method& method) {

@@ -211,7 +211,7 @@ GroupSources parse_group_sources(const PointArguments& arguments, const GroupArg
     sources.files.push_back(parse_source(one, {.key = groups.group_by, .radius = radius}));
   }
   if (std::count(groups.inputs.begin(), groups.inputs.end(), "-") > 1)
-    throw WrongUsage("POINTS: found -, standard input, twice, expected once");
+    bad_usage("POINTS", "-, standard input, twice", "once");
   return sources;
 }
 

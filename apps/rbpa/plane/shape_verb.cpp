@@ -48,9 +48,9 @@ std::string srid_of(const Shape& shape) { return "SRID=" + *shape.crs->srid() + 
 void require_srid(const Files& files, const std::optional<Crs>& crs) {
   const Target* first = files.find(Format::ewkt);
   if (first == nullptr || (crs && crs->srid())) return;
-  throw WrongUsage((first->path == "-" ? "-o -" : first->path) + ": found points in " +
-                   (crs ? crs->text() : "an unknown coordinate system") +
-                   ", expected one with an EPSG code, which EWKT contains (--crs EPSG:28992, or the ending wkt)");
+  bad_usage(first->path == "-" ? "-o -" : first->path,
+            "points in " + (crs ? crs->text() : "an unknown coordinate system"),
+            "one with an EPSG code, which EWKT contains (--crs EPSG:28992, or the ending wkt)");
 }
 
 void write_shape(OutputFile& file, Format format, const Shape& shape) {
@@ -112,7 +112,7 @@ void run_shape(const ShapeArguments& arguments) {
                              .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
   Files files{.targets =
                   parse_targets(Use::shape, arguments, arguments.points, given({arguments.stats, arguments.isolated}))};
-  if (arguments.isolated) files.isolated = parse_isolated(*arguments.isolated);
+  if (arguments.isolated) files.isolated = target_of("--isolated", *arguments.isolated, Use::isolated);
 
   ComplexRun run(request, arguments);
   require_srid(files, run.file.crs);

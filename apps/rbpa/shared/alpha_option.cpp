@@ -17,50 +17,23 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Parses a number >= 0, or infinity; returns nothing for other texts.
-std::optional<double> parse_size(const std::string& text) {
-  const ParsedNumber number = parse_whole_number(text);
-  if (number.fault == NumberFault::not_finite && number.value > 0) return infinity;
-  if (number.fault != NumberFault::none || !(number.value >= 0)) return std::nullopt;
-  return number.value;
-}
-
-std::string not_an_alpha(const std::string& text) {
-  return "--alpha: found " + in_quotes(text) + ", expected " + std::string(expected_alpha);
-}
-
-/// Parses a squared radius, and returns the radius, rounded to the nearest double.
-double parse_squared(const std::string& text) {
-  const std::optional<double> squared = parse_size(text);
-  if (!squared || *squared == 0)
-    throw WrongUsage("--alpha-squared: found " + in_quotes(text) + ", expected the square of a radius, > 0, or inf");
-  return std::sqrt(*squared);
-}
-
-/// Parses one over a radius, and returns the radius; infinity for 0.
-double parse_inverse(const std::string& text) {
-  const std::optional<double> inverse = parse_size(text);
-  if (!inverse || *inverse == infinity)
-    throw WrongUsage("--alpha-inverse: found " + in_quotes(text) + ", expected one over a radius, finite and >= 0");
-  return 1 / *inverse;
-}
+constexpr Range any_radius{.least = above_0.least, .greatest = infinity};
 
 AlphaOption parse_option(const RadiusArguments& arguments) {
   AlphaOption option;
   if (arguments.squared) {
-    option.radius = parse_squared(*arguments.squared);
+    option.radius =
+        std::sqrt(parse_real("--alpha-squared", *arguments.squared, any_radius, "the square of a radius, > 0, or inf"));
     option.converted = " of --alpha-squared " + *arguments.squared;
   } else if (arguments.inverse) {
-    option.radius = parse_inverse(*arguments.inverse);
+    option.radius = 1 / parse_real("--alpha-inverse", *arguments.inverse, {}, "one over a radius, finite and >= 0");
     option.converted = " of --alpha-inverse " + *arguments.inverse;
   } else if (constexpr std::string_view column = "column:"; arguments.alpha->starts_with(column)) {
     option.column = arguments.alpha->substr(column.size());
   } else if (const std::optional<AlphaChoice> rule = parse_alpha_rule(*arguments.alpha)) {
     static_cast<AlphaChoice&>(option) = *rule;
-  } else if (const std::optional<double> radius = parse_size(*arguments.alpha); radius && *radius > 0) {
-    option.radius = *radius;
   } else {
-    throw WrongUsage(not_an_alpha(*arguments.alpha));
+    option.radius = parse_real("--alpha", *arguments.alpha, any_radius, std::string(expected_alpha));
   }
   return option;
 }
@@ -72,17 +45,14 @@ std::size_t parse_components(const std::string& components) {
 }
 
 double parse_cover(const std::string& cover) {
-  const std::optional<double> share = parse_size(cover);
-  if (!share || *share == 0 || *share > 1)
-    throw WrongUsage("--cover: found " + in_quotes(cover) + ", expected a share of the points, > 0 and <= 1");
-  return *share;
+  return parse_real("--cover", cover, {above_0.least, 1}, "a share of the points, > 0 and <= 1");
 }
 
 AlphaOption parse_alpha(const RadiusArguments& arguments, ChosenFor chosen_for) {
   AlphaOption option = parse_option(arguments);
   if (option.column && chosen_for != ChosenFor::groups)
-    throw WrongUsage(not_an_alpha(*arguments.alpha) +
-                     " (column:NAME applies only to groups, as in rbpa shape --group-by)");
+    bad_usage("--alpha", in_quotes(*arguments.alpha),
+              std::string(expected_alpha) + " (column:NAME applies only to groups, as in rbpa shape --group-by)");
   if (arguments.components && !takes_components(option.rule))
     throw WrongUsage("--components applies only to --alpha auto");
   if (arguments.cover && !takes_cover(option.rule)) throw WrongUsage("--cover applies only to --alpha auto or min");

@@ -188,8 +188,7 @@ std::optional<Recommendation> recommended(const Radii& radii) {
 }
 
 void require_plot(const std::string& path) {
-  if (find_format(Use::shape, ending(path)) != Format::svg)
-    throw WrongUsage(path + ": found the ending " + in_quotes(ending(path)) + ", expected svg");
+  target_of(path, path, Use::shape, [](Format format) { return format == Format::svg; });
 }
 
 std::string for_people(const AlphaReport& report) {

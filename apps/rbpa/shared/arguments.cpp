@@ -1,7 +1,6 @@
 #include "shared/arguments.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <limits>
 
@@ -21,11 +20,10 @@ std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool a
     otherwise = find_format(use, *arguments.output_format);
     if (!otherwise) refuse_name("--output-format", *arguments.output_format, known_formats);
   }
-  if (arguments.outputs.empty() && !any_report)
-    throw WrongUsage("-o: found no OUT, expected at least one (or --stats FILE)");
+  if (arguments.outputs.empty() && !any_report) bad_usage("-o", "no OUT", "at least one (or --stats FILE)");
   std::vector<Target> targets;
   for (const std::string& path : arguments.outputs) {
-    if (path.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
+    if (path.empty()) bad_usage("-o", "an empty name", "a path or -");
     std::optional<Format> known = path == "-" ? std::nullopt : find_format(use, ending(path));
     if (!known) known = otherwise;
     if (!known && path == "-") throw WrongUsage("-o - requires --output-format: one of " + known_formats);
@@ -49,12 +47,12 @@ std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
   std::vector<Target> all;
   for (const Target& target : targets) {
     if (!is_for(Use::full, target.format))
-      throw WrongUsage(target.path + ": found a format of triangles alone, expected one of " + endings(Use::full) +
-                       " for the edges and points of --complex full (or --complex solid)");
+      bad_usage(target.path, "a format of triangles alone",
+                "one of " + endings(Use::full) + " for the edges and points of --complex full (or --complex solid)");
     all.push_back(target);
     if (target.format != Format::npy) continue;
     if (target.path == "-")
-      throw WrongUsage("-o -: found standard output for the three .npy files of --complex full, expected a file name");
+      bad_usage("-o -", "standard output for the three .npy files of --complex full", "a file name");
     all.push_back({beside(target.path, "edges"), Format::npy_edges});
     all.push_back({beside(target.path, "points"), Format::npy_points});
   }
@@ -64,12 +62,8 @@ std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
 }  // namespace
 
 double parse_area(const std::string& option, const std::string& text) {
-  const ParsedNumber number = parse_whole_number(text);
-  const bool infinite = number.fault == NumberFault::not_finite && number.value > 0;
-  if (infinite) return std::numeric_limits<double>::infinity();
-  if (number.fault != NumberFault::none || !(number.value >= 0))
-    throw WrongUsage(option + ": found " + in_quotes(text) + ", expected an area: a number >= 0, or inf");
-  return number.value;
+  return parse_real(option, text, {.greatest = std::numeric_limits<double>::infinity()},
+                    "an area: a number >= 0, or inf");
 }
 
 std::vector<double> parse_ascending(const std::string& option, const std::string& text, const std::string& or_else) {
@@ -77,14 +71,10 @@ std::vector<double> parse_ascending(const std::string& option, const std::string
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string part = text.substr(begin, end - begin);
-    const ParsedNumber number = parse_whole_number(part);
-    if (number.fault != NumberFault::none || !(number.value > 0))
-      throw WrongUsage(option + ": found " + in_quotes(part) +
-                       ", expected numbers above 0 with commas between them, or " + or_else);
-    if (!radii.empty() && number.value <= radii.back())
-      throw WrongUsage(option + ": found " + in_quotes(part) + " after " + text_of(radii.back()) +
-                       ", expected ascending radii");
-    radii.push_back(number.value);
+    const double radius = parse_real(option, part, above_0, "numbers above 0 with commas between them, or " + or_else);
+    if (!radii.empty() && radius <= radii.back())
+      bad_usage(option, in_quotes(part) + " after " + text_of(radii.back()), "ascending radii");
+    radii.push_back(radius);
     begin = end + 1;
   }
   return radii;
@@ -95,8 +85,7 @@ int parse_width(const std::string& text) {
 }
 
 bool parse_is_full(const std::string& complex) {
-  if (complex != "solid" && complex != "full")
-    throw WrongUsage("--complex: found " + in_quotes(complex) + ", expected solid or full");
+  if (complex != "solid" && complex != "full") bad_usage("--complex", in_quotes(complex), "solid or full");
   return complex == "full";
 }
 
@@ -115,8 +104,7 @@ std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, con
   for (const Target& target : targets) {
     files.push_back(target.path);
     if (target.format != Format::shp) continue;
-    if (target.path == "-")
-      throw WrongUsage("-o -: found standard output for shp, which is several files, expected a file name");
+    if (target.path == "-") bad_usage("-o -", "standard output for shp, which is several files", "a file name");
     for (const std::string& path : ogr_paths(target))
       if (path != target.path) others.push_back(path);
   }
@@ -153,17 +141,18 @@ std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, cons
   return shift;
 }
 
-Target parse_isolated(const std::string& path) {
-  const std::optional<Format> format = find_format(Use::isolated, ending(path));
-  if (!format)
-    throw WrongUsage("--isolated: found the ending " + in_quotes(ending(path)) + ", expected one of " +
-                     endings(Use::isolated));
+Target target_of(const std::string& option, const std::string& path, Use use, bool (*fits)(Format)) {
+  const std::optional<Format> format = find_format(use, ending(path));
+  const std::string known = endings(use, fits);
+  if (!format || (fits && !fits(*format)))
+    bad_usage(option, "the ending " + in_quotes(ending(path)),
+              (known.find(',') == std::string::npos ? "" : "one of ") + known);
   return {path, *format};
 }
 
 Format parse_format(Use use, const std::string& path, const std::optional<std::string>& format,
                     const std::string& argument) {
-  if (path.empty()) throw WrongUsage(argument + ": found an empty name, expected a path or -");
+  if (path.empty()) bad_usage(argument, "an empty name", "a path or -");
   if (!format && path == "-") return Format::by_content;
   const std::optional<Format> found = find_format(use, format ? std::string_view(*format) : input_ending(path));
   if (!found && format) refuse_name("--format", *format, endings(use));

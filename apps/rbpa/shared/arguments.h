@@ -59,8 +59,8 @@ std::vector<std::string> ogr_paths(const Target& target);
 /// Parses --shift; nothing if it is absent. Throws WrongUsage unless a target is in single precision.
 std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, const std::vector<Target>& targets);
 
-/// Parses --isolated: a file for the points in no polygon, with its format by the ending.
-Target parse_isolated(const std::string& path);
+/// Returns the file that `option` names, with its format by the ending: a format of `use`, for which fits() is true.
+Target target_of(const std::string& option, const std::string& path, Use use, bool (*fits)(Format) = nullptr);
 
 /// Returns the format of an input: that of --format, else that of the ending; for standard input without --format,
 /// Format::by_content. `argument` names the input in messages.

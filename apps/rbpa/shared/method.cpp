@@ -18,8 +18,7 @@ namespace rbpa::app {
 namespace {
 
 bool is_by_paper(const std::string& search) {
-  if (search != "near" && search != "paper")
-    throw WrongUsage("--search: found " + in_quotes(search) + ", expected near or paper");
+  if (search != "near" && search != "paper") bad_usage("--search", in_quotes(search), "near or paper");
   return search == "paper";
 }
 
@@ -28,7 +27,7 @@ bool is_by_paper(const std::string& search) {
 Method parse_method(const MethodArguments& arguments) {
   Method method{.by_paper = is_by_paper(arguments.search)};
   if (arguments.method != "rbpa" && arguments.method != "hrbpa")
-    throw WrongUsage("--method: found " + in_quotes(arguments.method) + ", expected rbpa or hrbpa");
+    bad_usage("--method", in_quotes(arguments.method), "rbpa or hrbpa");
   const bool hierarchical = arguments.method == "hrbpa";
   if (arguments.leaf_capacity && !hierarchical) throw WrongUsage("--leaf-capacity requires --method hrbpa");
   if (hierarchical)

@@ -13,15 +13,12 @@ PixelRule parse_pixel_rule(const PixelArguments& arguments) {
   PixelRule rule;
   if (arguments.foreground) {
     if (*arguments.foreground != "dark" && *arguments.foreground != "light")
-      throw WrongUsage("--foreground: found " + in_quotes(*arguments.foreground) + ", expected dark or light");
+      bad_usage("--foreground", in_quotes(*arguments.foreground), "dark or light");
     rule.foreground = *arguments.foreground == "dark" ? Foreground::dark : Foreground::light;
   }
   if (arguments.threshold) {
-    const ParsedNumber number = parse_whole_number(*arguments.threshold);
-    if (number.fault != NumberFault::none || !(number.value > 0 && number.value <= 1))
-      throw WrongUsage("--threshold: found " + in_quotes(*arguments.threshold) +
-                       ", expected a share of white: a number > 0 and <= 1");
-    rule.threshold = number.value;
+    rule.threshold =
+        parse_real("--threshold", *arguments.threshold, {above_0.least, 1}, "a share of white: a number > 0 and <= 1");
   }
   return rule;
 }
@@ -42,8 +39,8 @@ void require_molecule(Format format, const std::string& option, const std::strin
 bool GroupArguments::ask_for_groups() const {
   if (group_by && group_by_file) throw WrongUsage("--group-by-file cannot be combined with --group-by");
   if (inputs.size() > 1 && !group_by && !group_by_file)
-    throw WrongUsage("POINTS: found " + counted(inputs.size(), "file") +
-                     ", expected one, or --group-by-file (each is a group), or --group-by COLUMN");
+    bad_usage("POINTS", counted(inputs.size(), "file"),
+              "one, or --group-by-file (each is a group), or --group-by COLUMN");
   return group_by || group_by_file;
 }
 
@@ -60,8 +57,7 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
 
   const Format format = source.format;
   const bool text = is_table(format), ogr = format == Format::ogr;
-  if (ogr && source.path == "-")
-    throw WrongUsage("POINTS: found -, standard input, which GDAL cannot read, expected a file name");
+  if (ogr && source.path == "-") bad_usage("POINTS", "-, standard input, which GDAL cannot read", "a file name");
   if (arguments.columns) require_format(text, "--columns", "with fixed columns", "text");
   if (arguments.skip_invalid) require_skips_invalid(Use::points, format);
   const bool of_groups = columns.key || columns.radius;

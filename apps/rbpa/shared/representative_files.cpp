@@ -22,13 +22,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 constexpr std::size_t top_unless_said = 100;
 
-double parse_min_persistence(const std::string& text) {
-  const ParsedNumber number = parse_whole_number(text);
-  if (number.fault != NumberFault::none || !(number.value >= 0))
-    throw WrongUsage("--min-persistence: found " + in_quotes(text) + ", expected a length, at least 0");
-  return number.value;
-}
-
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 /// Writes the elements of a list with separators between them.
@@ -232,11 +225,12 @@ std::optional<RepresentativeRequest> parse_representatives(const RepresentativeA
     return std::nullopt;
   }
   const std::string& path = *arguments.representatives;
-  const std::optional<Format> format = find_format(in_space ? Use::cycles : Use::polygons, ending(path));
-  if (!format || (!in_space && *format != Format::geojson))
-    throw WrongUsage("--representatives: found the ending " + in_quotes(ending(path)) + ", expected " +
-                     (in_space ? "one of " + endings(Use::cycles) : "geojson"));
-  RepresentativeRequest request{.target = {path, *format}, .choice = {}, .levels = {}, .leaf_capacity = {}};
+  const auto is_geojson = [](Format format) { return format == Format::geojson; };
+  RepresentativeRequest request{.target = in_space ? target_of("--representatives", path, Use::cycles)
+                                                   : target_of("--representatives", path, Use::triangles, is_geojson),
+                                .choice = {},
+                                .levels = {},
+                                .leaf_capacity = {}};
   if (arguments.levels && in_space) throw WrongUsage("--levels applies only to --dimension 2");
   if (constexpr std::string_view with_capacity = "hrbpa:";
       arguments.levels && arguments.levels->starts_with(with_capacity))
@@ -247,7 +241,9 @@ std::optional<RepresentativeRequest> parse_representatives(const RepresentativeA
   else if (arguments.levels)
     request.levels = parse_ascending("--levels", *arguments.levels,
                                      "hrbpa or hrbpa:K, the radii of the levels of rbpa mesh --method hrbpa");
-  if (arguments.min_persistence) request.choice.min_persistence = parse_min_persistence(*arguments.min_persistence);
+  if (arguments.min_persistence)
+    request.choice.min_persistence =
+        parse_real("--min-persistence", *arguments.min_persistence, {}, "a length, at least 0");
   if (arguments.top)
     request.choice.top = parse_whole("--top", *arguments.top, {.least = 1});
   else if (!arguments.min_persistence)

@@ -15,19 +15,11 @@
 namespace rbpa::app {
 namespace {
 
-Target parse_boundary(const std::string& path) {
-  const std::optional<Format> format = find_format(Use::boundary, ending(path));
-  if (!format)
-    throw WrongUsage("--boundary: found the ending " + in_quotes(ending(path)) + ", expected one of " +
-                     endings(Use::boundary));
-  return {path, *format};
-}
-
 Point3 parse_box(const std::string& text) {
   const auto fail = [&] {
-    throw WrongUsage("--box: found " + in_quotes(text) +
-                     ", expected the sides of the box, Lx,Ly,Lz: three lengths above 0, or one for all; or auto, the "
-                     "cell of a molecule's file");
+    bad_usage("--box", in_quotes(text),
+              "the sides of the box, Lx,Ly,Lz: three lengths above 0, or one for all; or auto, the cell of a "
+              "molecule's file");
   };
   std::array<double, 3> sides{};
   std::size_t count = 0;
@@ -57,8 +49,8 @@ void check_box(const SolidArguments& arguments, const SolidRequest& request) {
         std::pair(arguments.voids_above.has_value(), "--voids-above"), std::pair(arguments.top.has_value(), "--top")})
     if (is_given) throw WrongUsage(std::string(option) + " cannot be combined with --box");
   if (request.voids && !is_table_of_voids(request.voids->format))
-    throw WrongUsage("--voids: found the ending " + in_quotes(ending(request.voids->path)) + ", expected one of " +
-                     endings(Use::voids, is_table_of_voids) + " with --box, as periodic voids may be unbounded");
+    bad_usage("--voids", "the ending " + in_quotes(ending(request.voids->path)),
+              "one of " + endings(Use::voids, is_table_of_voids) + " with --box, as periodic voids may be unbounded");
 }
 
 /// Parses --complex. The default is the full complex if voids are requested, as a triangle without a tetrahedron also
@@ -70,12 +62,7 @@ ComplexKind parse_walls(const SolidArguments& arguments) {
 }
 
 void parse_choice_of_voids(const SolidArguments& arguments, SolidRequest& request) {
-  if (arguments.pockets) {
-    request.pockets = {*arguments.pockets, find_format(Use::voids, ending(*arguments.pockets)).value_or(Format::obj)};
-    if (!is_table_of_voids(request.pockets->format))
-      throw WrongUsage("--pockets: found the ending " + in_quotes(ending(*arguments.pockets)) + ", expected one of " +
-                       endings(Use::voids, is_table_of_voids));
-  }
+  if (arguments.pockets) request.pockets = target_of("--pockets", *arguments.pockets, Use::voids, is_table_of_voids);
   if (arguments.void_radii && (!request.voids || !is_table_of_voids(request.voids->format)))
     throw WrongUsage("--void-radii requires --voids FILE with one of the endings " +
                      endings(Use::voids, is_table_of_voids));
@@ -83,12 +70,8 @@ void parse_choice_of_voids(const SolidArguments& arguments, SolidRequest& reques
     for (const auto& [given, option] :
          {std::pair(&arguments.voids_above, "--voids-above"), std::pair(&arguments.top, "--top")})
       if (*given) throw WrongUsage(std::string(option) + " requires --voids or --pockets");
-  if (arguments.voids_above) {
-    const ParsedNumber number = parse_whole_number(*arguments.voids_above);
-    if (number.fault != NumberFault::none || !(number.value >= 0))
-      throw WrongUsage("--voids-above: found " + in_quotes(*arguments.voids_above) + ", expected a volume, at least 0");
-    request.voids_above = number.value;
-  }
+  if (arguments.voids_above)
+    request.voids_above = parse_real("--voids-above", *arguments.voids_above, {}, "a volume, at least 0");
   if (arguments.top) request.top = parse_whole("--top", *arguments.top, {.least = 1});
 }
 
@@ -109,10 +92,10 @@ SolidRequest parse(const SolidArguments& arguments) {
       .run = parse_run(arguments.run)};
   if (arguments.balls && request.alpha.rule == AlphaRule::given && std::isinf(request.alpha.radius))
     throw WrongUsage("--balls requires a finite --alpha");
-  if (arguments.boundary) request.boundary = parse_boundary(*arguments.boundary);
+  if (arguments.boundary) request.boundary = target_of("--boundary", *arguments.boundary, Use::boundary);
   request.shift =
       parse_shift_of(arguments.shift, request.boundary ? std::vector{*request.boundary} : std::vector<Target>());
-  if (arguments.voids) request.voids = parse_voids(*arguments.voids);
+  if (arguments.voids) request.voids = target_of("--voids", *arguments.voids, Use::voids);
   if (arguments.box) {
     const Format format = request.source.format;
     if (*arguments.box == "auto") require_molecule(format, "--box auto", "without a cell");

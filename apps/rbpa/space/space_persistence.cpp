@@ -16,8 +16,7 @@
 namespace rbpa::app {
 
 bool is_in_space(const std::string& dimension) {
-  if (dimension != "2" && dimension != "3")
-    throw WrongUsage("--dimension: found " + in_quotes(dimension) + ", expected 2 or 3");
+  if (dimension != "2" && dimension != "3") bad_usage("--dimension", in_quotes(dimension), "2 or 3");
   return dimension == "3";
 }
 

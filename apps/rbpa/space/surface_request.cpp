@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <string_view>
 
@@ -20,37 +19,20 @@ std::optional<NormalSource> parse_normals(const std::optional<std::string>& text
   if (*text == "file") return NormalSource::given;
   if (*text == "estimate") return NormalSource::estimate;
   if (*text == "none") return NormalSource::none;
-  throw WrongUsage("--normals: found " + in_quotes(*text) + ", expected file, estimate or none");
+  bad_usage("--normals", in_quotes(*text), "file, estimate or none");
 }
 
 /// Parses --color. Returns true if colors show the confidence of normals.
 bool parse_color(const std::optional<std::string>& text) {
   if (!text || *text == "points") return false;
   if (*text == "normals") return true;
-  throw WrongUsage("--color: found " + in_quotes(*text) + ", expected points or normals");
-}
-
-/// Parses a whole number from `least` to `most`; returns nothing for any other text.
-std::optional<std::size_t> count_in(const std::string& text, double least, double most) {
-  const ParsedNumber number = parse_whole_number(text);
-  if (number.fault != NumberFault::none || number.value != std::floor(number.value) || number.value < least ||
-      number.value > most)
-    return std::nullopt;
-  return static_cast<std::size_t>(number.value);
-}
-
-std::size_t parse_neighbors(const std::optional<std::string>& text) {
-  if (!text) return NormalOptions{}.neighbors;
-  if (const auto count = count_in(*text, 2, 1000)) return *count;
-  throw WrongUsage("--neighbors: found " + in_quotes(*text) + ", expected a number of points, 2 to 1000");
+  bad_usage("--color", in_quotes(*text), "points or normals");
 }
 
 std::optional<double> parse_outlier_factor(const std::optional<std::string>& text) {
   if (!text) return std::nullopt;
   if (*text == "auto") return OutlierOptions{}.factor;
-  const ParsedNumber number = parse_whole_number(*text);
-  if (number.fault == NumberFault::none && number.value >= 1) return number.value;
-  throw WrongUsage("--drop-outliers: found " + in_quotes(*text) + ", expected a factor, >= 1, or auto");
+  return parse_real("--drop-outliers", *text, {.least = 1}, "a factor, >= 1, or auto");
 }
 
 std::optional<std::size_t> parse_scale_space(const SurfaceArguments& arguments) {
@@ -59,9 +41,7 @@ std::optional<std::size_t> parse_scale_space(const SurfaceArguments& arguments) 
     return std::nullopt;
   }
   if (*arguments.scale_space == "auto") return 0;
-  if (const auto steps = count_in(*arguments.scale_space, 1, 100)) return *steps;
-  throw WrongUsage("--scale-space: found " + in_quotes(*arguments.scale_space) +
-                   ", expected a number of steps, 1 to 100, or auto");
+  return parse_whole("--scale-space", *arguments.scale_space, {.least = 1, .greatest = 100}, "steps (or auto)");
 }
 
 /// One position for all points, or the names of three columns with a position for each point.
@@ -87,8 +67,7 @@ Viewpoint parse_viewpoint(const std::optional<std::string>& text) {
   }
   const auto commas = std::count(text->begin(), text->end(), ',');
   if (commas != 2 || (at.size() != 3 && viewpoint.columns.size() != 3))
-    throw WrongUsage("--viewpoint: found " + in_quotes(*text) +
-                     ", expected three coordinates, such as 0,0,1.5, or three names of columns");
+    bad_usage("--viewpoint", in_quotes(*text), "three coordinates, such as 0,0,1.5, or three names of columns");
   if (at.size() == 3) viewpoint.place = {{at[0], at[1], at[2]}};
   return viewpoint;
 }
@@ -96,9 +75,7 @@ Viewpoint parse_viewpoint(const std::optional<std::string>& text) {
 double parse_max_radius(const SurfaceArguments& arguments) {
   if (!arguments.max_radius) return std::numeric_limits<double>::infinity();
   if (arguments.radius != "auto") throw WrongUsage("--max-radius applies only to --radius auto");
-  const ParsedNumber number = parse_whole_number(*arguments.max_radius);
-  if (number.fault == NumberFault::none && number.value > 0) return number.value;
-  throw WrongUsage("--max-radius: found " + in_quotes(*arguments.max_radius) + ", expected a radius: a number above 0");
+  return parse_real("--max-radius", *arguments.max_radius, above_0, "a radius: a number above 0");
 }
 
 }  // namespace
@@ -109,7 +86,8 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   ReconstructionOptions& how = request.how;
   if (arguments.radius != "auto") how.radii = parse_ascending("--radius", arguments.radius, "auto");
   how.max_radius = parse_max_radius(arguments);
-  how.neighbors = parse_neighbors(arguments.neighbors);
+  if (arguments.neighbors)
+    how.neighbors = parse_whole("--neighbors", *arguments.neighbors, {.least = 2, .greatest = 1000}, "points");
   how.viewpoints = viewpoint.place;
   how.source = parse_normals(arguments.normals);
   request.colors_normals = parse_color(arguments.color);
@@ -124,11 +102,9 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   request.width = parse_width(arguments.width);
   request.run = parse_run(arguments.run);
   if (how.source == NormalSource::none && how.radii.size() > 1)
-    throw WrongUsage("--radius: found " + counted(how.radii.size(), "number") +
-                     " with --normals none, expected one radius");
+    bad_usage("--radius", counted(how.radii.size(), "number") + " with --normals none", "one radius");
   if (arguments.holes) {
-    if (find_format(Use::polylines, ending(*arguments.holes)) != Format::obj)
-      throw WrongUsage("--holes: found the ending " + in_quotes(ending(*arguments.holes)) + ", expected obj");
+    target_of("--holes", *arguments.holes, Use::polylines, [](Format format) { return format == Format::obj; });
     if (how.source == NormalSource::none)
       throw WrongUsage("--holes cannot be combined with --normals none, whose triangles have no boundary");
   }
@@ -167,8 +143,8 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
     if (!how.filled && !how.watertight) throw WrongUsage("--refine requires --fill-holes or --watertight");
     for (const Target& target : request.targets)
       if (target.format == Format::npy)
-        throw WrongUsage("--refine: found " + in_quotes(target.path) +
-                         ", whose rows are numbers of input points, expected a format with points");
+        bad_usage("--refine", in_quotes(target.path) + ", whose rows are numbers of input points",
+                  "a format with points");
   }
   return request;
 }

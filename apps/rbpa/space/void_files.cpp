@@ -89,14 +89,6 @@ void write_obj(OutputFile& file, std::span<const Point3> points, const Surface& 
 
 }  // namespace
 
-Target parse_voids(const std::string& path) {
-  const std::optional<Format> format = find_format(Use::voids, ending(path));
-  if (!format)
-    throw WrongUsage("--voids: found the ending " + in_quotes(ending(path)) + ", expected one of " +
-                     endings(Use::voids));
-  return {path, *format};
-}
-
 Json json_of(const SolidVoid& hollow, const PointNames& names) {
   const auto corner = [](const Point3& p) { return Json{p.x, p.y, p.z}; };
   Json json = json_of_volumes(hollow.volume, hollow.outside_balls);

@@ -18,9 +18,6 @@
 
 namespace rbpa::app {
 
-/// Parses a file of voids; its format is that of its ending. Throws WrongUsage that names the ending.
-Target parse_voids(const std::string& path);
-
 /// Returns an object: the volume of the void between the points and, if known, outside of the balls; area, islands,
 /// box, points.
 nlohmann::ordered_json json_of(const SolidVoid& hollow, const PointNames& names);

@@ -131,13 +131,13 @@ std::uint64_t parse_memory(const std::string& text) {
   const ParsedNumber number = parse_whole_number(digits);
   const double bytes = std::ldexp(number.value, static_cast<int>(shift));
   if (number.fault != NumberFault::none || !(bytes >= static_cast<double>(least_memory)) || bytes > 0x1p60)
-    throw WrongUsage("--memory: found " + in_quotes(text) + ", expected a size from " +
-                     std::to_string(least_memory >> 20U) + "M on, such as 500M or 1G");
+    bad_usage("--memory", in_quotes(text),
+              "a size from " + std::to_string(least_memory >> 20U) + "M on, such as 500M or 1G");
   return static_cast<std::uint64_t>(bytes);
 }
 
 StreamTarget parse_stream_target(const std::string& path, const std::optional<std::string>& otherwise) {
-  if (path.empty()) throw WrongUsage("-o: found an empty name, expected a path or -");
+  if (path.empty()) bad_usage("-o", "an empty name", "a path or -");
   std::optional<StreamFormat> format = path == "-" ? std::nullopt : stream_format(ending(path));
   if (!format && otherwise) format = stream_format(*otherwise);
   if (!format && otherwise) refuse_name("--output-format", *otherwise, stream_formats());
@@ -146,8 +146,7 @@ StreamTarget parse_stream_target(const std::string& path, const std::optional<st
   if (*format == StreamFormat::ply) {
     const std::size_t star = path.rfind('*');
     if (star == std::string::npos || path.find('/', star) != std::string::npos)
-      throw WrongUsage(
-          path + ": found no '*' in the name of the file, expected one for the number of the tile: 'tiles/*.ply'");
+      bad_usage(path, "no '*' in the name of the file", "one for the number of the tile: 'tiles/*.ply'");
   }
   return {path, *format};
 }

@@ -21,12 +21,9 @@ double parse_finite_alpha(const RadiusArguments& arguments) {
   const std::string advice = " (rbpa alpha on a sample of the points shows which radius to choose)";
   const AlphaOption option = parse_alpha(arguments);
   if (option.rule != AlphaRule::given)
-    throw WrongUsage("--alpha: found " + in_quotes(*arguments.alpha) +
-                     ", expected a radius: choosing one needs all points in memory" + advice);
+    bad_usage("--alpha", in_quotes(*arguments.alpha), "a radius: choosing one needs all points in memory" + advice);
   if (std::isinf(option.radius))
-    throw WrongUsage(
-        "--alpha: found inf, expected a finite radius: with inf a triangle may depend on the points of all tiles" +
-        advice);
+    bad_usage("--alpha", "inf", "a finite radius: with inf a triangle may depend on the points of all tiles" + advice);
   return option.radius;
 }
 
@@ -34,7 +31,7 @@ std::vector<PointSource> parse_sources(const StreamArguments& arguments) {
   std::vector<std::string> paths;
   for (const std::string& path : arguments.inputs) {
     std::error_code error;
-    if (path == "-") throw WrongUsage("POINTS: found -, standard input, expected files, as they are read twice");
+    if (path == "-") bad_usage("POINTS", "-, standard input", "files, as they are read twice");
     if (!fs::is_directory(path, error)) {
       paths.push_back(path);
       continue;
@@ -95,13 +92,11 @@ StreamRequest parse_request(const StreamArguments& arguments) {
           "a larger --alpha has fewer)");
   if (arguments.tile_size)
     request.tile_size = parse_whole("--tile-size", *arguments.tile_size, {.least = least_tile}, "points");
-  if (arguments.scratch && arguments.scratch->empty())
-    throw WrongUsage("--scratch: found an empty name, expected a folder");
+  if (arguments.scratch && arguments.scratch->empty()) bad_usage("--scratch", "an empty name", "a folder");
   for (const auto& [given, option] : {std::pair{arguments.resume, "--resume"}, {arguments.keep_tiles, "--keep-tiles"}})
     if (given && !request.scratch)
       throw WrongUsage(std::string(option) + " requires --scratch, the folder with the tiles");
-  if (arguments.outputs.empty() && !arguments.stats)
-    throw WrongUsage("-o: found no OUT, expected at least one (or --stats FILE)");
+  if (arguments.outputs.empty() && !arguments.stats) bad_usage("-o", "no OUT", "at least one (or --stats FILE)");
   for (const std::string& path : arguments.outputs)
     request.targets.push_back(parse_stream_target(path, arguments.output_format));
   request.sources = parse_sources(arguments);
