@@ -50,22 +50,17 @@ app::PointSource source_of(const std::string& path, bool space, const WantedFiel
   app::PointSource source{.path = path, .skip_invalid = skip_invalid, .vertices = vertices};
   const app::Use use = space ? app::Use::space : app::Use::points;
   source.format = format_of(path, format, use);
-  const bool text = app::is_table(source.format);
-  if (columns) {
-    app::require_format(text, "columns", "with fixed columns", "text");
-    source.columns = space ? app::parse_space_columns(*columns) : app::parse_columns(*columns);
-  }
-  if (skip_invalid)
-    app::require_format(app::has(source.format, &app::CloudFormat::skips_invalid), "skip_invalid",
-                        "without lines of points",
-                        app::readable(use, [](const app::CloudFormat& reader) { return reader.skips_invalid; }));
-  if (vertices)
-    app::require_format(!space && app::has_lines(source.format), "vertices", "without lines and polygons",
-                        "points in the plane in one of " + app::endings(app::Use::points, app::has_lines));
+  app::require_readable(use, source.format,
+                        {.columns = columns ? "columns" : nullptr,
+                         .skip_invalid = skip_invalid ? "skip_invalid" : nullptr,
+                         .vertices = vertices ? "vertices" : nullptr,
+                         .fields = where            ? "where"
+                                   : fields.empty() ? nullptr
+                                                    : "fields"});
+  if (columns) source.columns = space ? app::parse_space_columns(*columns) : app::parse_columns(*columns);
   if (where || !fields.empty()) {
-    const std::optional<app::FieldNames> names = app::fields_of(source.format);
-    app::require_format(names.has_value(), where ? "where" : "fields", "without fields", app::with_fields(use));
-    source.where.emplace(where.value_or(""), *names, columns_of(fields, use, names->texts));
+    const app::FieldNames names = *app::fields_of(source.format);
+    source.where.emplace(where.value_or(""), names, columns_of(fields, use, names.texts));
   }
   return source;
 }

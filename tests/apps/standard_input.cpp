@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/cloud/read_points.h"
 #include "io/failure.h"
 #include "io/polygon/geojson.h"
 #include "io/text/signature.h"
@@ -77,10 +78,18 @@ TEST_SUITE("standard input") {
       CHECK(outcome.code == code);
       CHECK(outcome.err == "rbpa: " + message + "\n");
     };
-    refuses("info - --columns 1,2 < p.las", 2, "--columns: found standard input in a format with fixed columns");
-    refuses("info - --where 'a == 1' < p.wkt", 2, "--where: found standard input in a format without fields");
-    refuses("info - --where 'a == 1' < p.las", 2, "--where: found standard input in a format without a field 'a'");
-    refuses("info - --vertices < p.las", 2, "--vertices: found standard input in a format without lines and polygons");
+    refuses("info - --columns 1,2 < p.las", 2,
+            "--columns: found standard input in a format with fixed columns, expected text");
+    refuses("info - --where 'a == 1' < p.wkt", 2,
+            "--where: found standard input in a format without fields, expected " + with_fields(Use::points));
+    refuses("info - --where 'a == 1' < p.las", 2,
+            "--where: found 'a', but standard input has no such field, expected " + fields_of(Format::las)->described);
+    refuses("info - --where \"x == 'a'\" < p.las", 2,
+            "--where: found the text 'a', expected numbers, as the fields of standard input have no texts");
+    refuses("info - --vertices < p.las", 2,
+            "--vertices: found standard input in a format without lines and polygons, expected points in the plane in "
+            "one of " +
+                endings(Use::points, has_lines));
   }
 
   TEST_CASE("points in space, meshes and polygons have the format of their content; an unknown one is refused") {

@@ -79,22 +79,36 @@ void settle_crs(PointFile& file, const std::optional<Crs>& said) {
   if (file.crs && file.crs->degrees) file.degrees = true;
 }
 
-void require_readable(Format format, bool columns, bool skip_invalid, bool vertices,
-                      const std::optional<Condition>& where) {
-  const auto require = [](bool fits, const std::string& option, const std::string& what) {
-    if (!fits) throw WrongUsage(option + ": found standard input in a format " + what);
+void require_readable(Use use, Format format, const OptionNames& options, const std::string& found) {
+  const auto require = [&](const char* option, bool fits, const char* without, const std::string& expected) {
+    if (option != nullptr && !fits) bad_usage(option, found + without, expected);
   };
-  const bool table = is_table(format);
-  require(table || !columns, "--columns", "with fixed columns");
-  require(!skip_invalid || format == Format::by_content || has(format, &CloudFormat::skips_invalid), "--skip-invalid",
-          "without lines of points");
-  require(!vertices || has_lines(format), "--vertices", "without lines and polygons");
+  const auto skips_invalid = [](const CloudFormat& reader) { return reader.skips_invalid; };
+  require(options.columns, is_table(format), " with fixed columns", "text");
+  require(options.skip_invalid, format == Format::by_content || has(format, &CloudFormat::skips_invalid),
+          " without lines of points", readable(use, skips_invalid));
+  require(options.vertices, use == Use::points && has_lines(format), " without lines and polygons",
+          "points in the plane in one of " + endings(Use::points, has_lines));
+  require(options.fields, fields_of(format).has_value(), " without fields", with_fields(use, options.others));
+}
+
+void require_readable_input(Use use, Format format, bool columns, bool skip_invalid, bool vertices,
+                            const std::optional<Condition>& where) {
+  require_readable(use, format,
+                   {.columns = columns ? "--columns" : nullptr,
+                    .skip_invalid = skip_invalid ? "--skip-invalid" : nullptr,
+                    .vertices = vertices ? "--vertices" : nullptr,
+                    .fields = where ? "--where" : nullptr},
+                   "standard input in a format");
   if (!where) return;
-  const std::optional<FieldNames> names = fields_of(format);
-  require(names.has_value(), "--where", "without fields");
+  const FieldNames names = *fields_of(format);
   for (const std::string& field : where->fields())
-    require(names->are(field), std::string(where->option_of(field)), "without a field " + in_quotes(field));
-  require(names->texts || where->texts().empty(), "--where", "whose fields are numbers");
+    if (!names.are(field))
+      bad_usage(std::string(where->option_of(field)), in_quotes(field) + ", but standard input has no such field",
+                names.described);
+  if (!names.texts && !where->texts().empty())
+    bad_usage("--where", "the text " + in_quotes(where->texts().front().text),
+              "numbers, as the fields of standard input have no texts");
 }
 
 PointFile read_points(const PointSource& source) {
@@ -111,7 +125,8 @@ PointFile read_points(const PointSource& source) {
   } else {
     known.properties = {};
   }
-  require_readable(known.format, known.columns.has_value(), known.skip_invalid, known.vertices, known.where);
+  require_readable_input(Use::points, known.format, known.columns.has_value(), known.skip_invalid, known.vertices,
+                         known.where);
   return points_in(input.bytes(), input.name(), known);
 }
 

@@ -36,10 +36,23 @@ struct PointSource {
 /// or two columns are the same; Failure; Cancelled.
 PointFile read_points(const PointSource& source);
 
-/// Throws WrongUsage if an option requests data that `format` does not have: for standard input, whose content shows
-/// the format only after options are parsed.
-void require_readable(Format format, bool columns, bool skip_invalid, bool vertices,
-                      const std::optional<Condition>& where);
+/// The names of the options that not every format has data for; null for an option that is absent.
+struct OptionNames {
+  const char* columns = nullptr;
+  const char* skip_invalid = nullptr;
+  const char* vertices = nullptr;
+  const char* fields = nullptr;          ///< --where, or another option that reads fields
+  std::vector<std::string> others = {};  ///< formats that are not named in with_fields(), and fit `fields`
+};
+
+/// Throws WrongUsage if points of `format` do not have what an option requests. `found` is the beginning of what was
+/// found.
+void require_readable(Use use, Format format, const OptionNames& options, const std::string& found = "a format");
+
+/// Throws WrongUsage like require_readable() for standard input, whose content shows `format` only after options are
+/// parsed; also for a field that the format does not have, and for a text that is compared with a field of numbers.
+void require_readable_input(Use use, Format format, bool columns, bool skip_invalid, bool vertices,
+                            const std::optional<Condition>& where);
 
 /// Sets file.crs to `said`, the value of --crs, if it is present, and adds a warning if the file names another system.
 void settle_crs(PointFile& file, const std::optional<Crs>& said);

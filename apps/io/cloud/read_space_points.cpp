@@ -77,7 +77,7 @@ SpacePoints read_space_points(const std::string& path, Format format, const Clou
   const InputBytes input(path, "a file of points", decompression_of(format, path));
   if (format == Format::by_content) {
     format = format_of_content(Use::space, input.bytes(), input.name(), Format::text);
-    require_readable(format, request.columns.has_value(), request.skip_invalid, false, request.where);
+    require_readable_input(Use::space, format, request.columns.has_value(), request.skip_invalid, false, request.where);
   }
   return space_points_in(input.bytes(), input.name(), format, request);
 }

@@ -23,12 +23,6 @@ PixelRule parse_pixel_rule(const PixelArguments& arguments) {
   return rule;
 }
 
-void require_skips_invalid(Use use, Format format) {
-  require_format(format == Format::by_content || has(format, &CloudFormat::skips_invalid), "--skip-invalid",
-                 "without lines of points",
-                 readable(use, [](const CloudFormat& reader) { return reader.skips_invalid; }));
-}
-
 }  // namespace
 
 void require_molecule(Format format, const std::string& option, const std::string& found) {
@@ -56,29 +50,21 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
   source.format = parse_format(Use::points, arguments.points, arguments.format, "POINTS");
 
   const Format format = source.format;
-  const bool text = is_table(format), ogr = format == Format::ogr;
+  const bool ogr = format == Format::ogr;
   if (ogr && source.path == "-") bad_usage("POINTS", "-, standard input, which GDAL cannot read", "a file name");
-  if (arguments.columns) require_format(text, "--columns", "with fixed columns", "text");
-  if (arguments.skip_invalid) require_skips_invalid(Use::points, format);
-  const bool of_groups = columns.key || columns.radius;
+  bool of_groups = columns.key || columns.radius;
   if (of_groups && (format == Format::geojson || format == Format::by_content)) source.properties = columns;
-  if (of_groups && format == Format::geojson) {
-    require_format(!arguments.where, "--where", "without fields", with_fields(Use::points));
-  } else if (arguments.where || of_groups) {
-    const std::optional<FieldNames> names = fields_of(format);
-    require_format(
-        names.has_value(),
-        columns.key ? "--group-by"
-        : of_groups ? "--alpha column"
-                    : "--where",
-        "without fields",
-        with_fields(Use::points, of_groups ? std::vector<std::string>{"geojson"} : std::vector<std::string>()));
-    source.where = of_groups ? Condition::of_groups(columns, arguments.where.value_or(""), *names)
-                             : Condition(*arguments.where, *names);
-  }
-  if (arguments.vertices)
-    require_format(has_lines(format), "--vertices", "without lines and polygons",
-                   "one of " + endings(Use::points, has_lines));
+  of_groups = of_groups && format != Format::geojson;  // properties of GeoJSON are no fields
+  OptionNames options{.columns = arguments.columns ? "--columns" : nullptr,
+                      .skip_invalid = arguments.skip_invalid ? "--skip-invalid" : nullptr,
+                      .vertices = arguments.vertices ? "--vertices" : nullptr,
+                      .fields = arguments.where ? "--where" : nullptr};
+  if (of_groups) options.fields = columns.key ? "--group-by" : "--alpha column", options.others = {"geojson"};
+  require_readable(Use::points, format, options);
+  if (of_groups)
+    source.where = Condition::of_groups(columns, arguments.where.value_or(""), *fields_of(format));
+  else if (arguments.where)
+    source.where = Condition(*arguments.where, *fields_of(format));
   if (arguments.layer) require_format(ogr, "--layer", "without layers", "a file that GDAL reads (--format ogr)");
   for (const auto& [given, option] :
        {std::pair(&arguments.pixels.foreground, "--foreground"), std::pair(&arguments.pixels.threshold, "--threshold")})
@@ -90,19 +76,20 @@ SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::v
                                     const std::string& option) {
   SpacePointSource source{.path = arguments.points,
                           .format = parse_format(Use::space, arguments.points, arguments.format, "POINTS")};
-  const bool text = is_table(source.format);
-  if (arguments.columns) {
-    require_format(text, "--columns", "with fixed columns", "text");
-    source.choice.columns = parse_space_columns(*arguments.columns);
-  }
-  if (arguments.skip_invalid) require_skips_invalid(Use::space, source.format);
+  if (arguments.columns) source.choice.columns = parse_space_columns(*arguments.columns);
   source.choice.skip_invalid = arguments.skip_invalid;
   source.choice.waters = arguments.waters ? Waters::counted : Waters::left_out;
   if (arguments.waters) require_molecule(source.format, "--waters", "without atoms");
   const std::optional<FieldNames> names = fields_of(source.format);
   if (!names || !names->texts) std::erase_if(columns, [](const WantedColumn& column) { return column.if_there; });
-  if (!arguments.where && columns.empty()) return source;
-  require_format(names.has_value(), arguments.where ? "--where" : option, "without fields", with_fields(Use::space));
+  const bool any = arguments.where || !columns.empty();
+  require_readable(Use::space, source.format,
+                   {.columns = arguments.columns ? "--columns" : nullptr,
+                    .skip_invalid = arguments.skip_invalid ? "--skip-invalid" : nullptr,
+                    .fields = !any              ? nullptr
+                              : arguments.where ? "--where"
+                                                : option.c_str()});
+  if (!any) return source;
   if (arguments.where && arguments.where->empty())
     source.choice.where = Condition("", *names);  // refuses the empty condition
   source.choice.where = Condition(arguments.where.value_or(""), *names, columns, option);
