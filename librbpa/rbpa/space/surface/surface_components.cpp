@@ -17,21 +17,15 @@
 #include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/cells/box_scale.h"
 #include "rbpa/space/predicate/bounding_box.h"
+#include "rbpa/space/predicate/crossing.h"
 #include "rbpa/space/predicate/vector3.h"
 #include "rbpa/space/surface/levels/sub_surface.h"
 
 namespace rbpa {
 namespace {
 
-using Corners = std::array<Point3, 3>;
+using space::Corners, space::corners_of;
 using Vector = space::Vector3<double>;
-
-/// Returns the corners of a triangle, the least point first: the result does not depend on the numbers of points.
-Corners corners_of(std::span<const Point3> points, const std::array<std::uint32_t, 3>& triangle) {
-  Corners corners = {points[triangle[0]], points[triangle[1]], points[triangle[2]]};
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-  return corners;
-}
 
 /// A component, and the tie-breaker between equal components.
 struct Measured : SurfaceComponent {

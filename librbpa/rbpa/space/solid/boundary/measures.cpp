@@ -10,12 +10,12 @@
 #include "rbpa/base/exact/integer128.h"
 #include "rbpa/base/exact/integer_sum.h"
 #include "rbpa/space/predicate/bounding_box.h"
+#include "rbpa/space/predicate/crossing.h"
 #include "rbpa/space/predicate/vector3.h"
 
 namespace rbpa::space {
 namespace {
 
-using Corners = std::array<Point3, 3>;
 using Integers = std::array<std::int64_t, 3>;
 
 /// Bounds of coordinates: below 2^60 as integers, and below 2^500 as doubles, so that products fit double with their
@@ -28,14 +28,6 @@ Point3 size_of(std::span<const Point3> points) {
   for (const Point3& p : points)
     size = {std::max(size.x, std::abs(p.x)), std::max(size.y, std::abs(p.y)), std::max(size.z, std::abs(p.z))};
   return size;
-}
-
-/// Returns the corners of a triangle, the least point first: the result does not depend on the numbers of points.
-Corners corners_of(std::span<const Point3> points, const Triangle& triangle) {
-  const Point3 &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
-  if (b < a && b < c) return {b, c, a};
-  if (c < a && c < b) return {c, a, b};
-  return {a, b, c};
 }
 
 /// Sets `result` to the integer part of scale(x). Returns whether `result` is exact.
