@@ -245,8 +245,14 @@ std::vector<Triangle> CanonicalOrder<Item>::sort_all(Threads& threads, PutNumber
 }
 
 template <typename Item>
-std::vector<Triangle> CanonicalOrder<Item>::sorted(Threads& threads, std::uint32_t* rank,
-                                                   const Checkpoint& checkpoint) {
+std::vector<Triangle> CanonicalOrder<Item>::sorted(Threads& threads, const Checkpoint& checkpoint) {
+  return sort_all(
+      threads, [](std::size_t, std::span<const std::uint32_t>) {}, checkpoint);
+}
+
+template <typename Item>
+std::vector<Triangle> CanonicalOrder<Item>::sorted_with_ranks(Threads& threads, std::uint32_t* rank,
+                                                              const Checkpoint& checkpoint) {
   return sort_all(
       threads,
       [rank](std::size_t place, std::span<const std::uint32_t> numbers) {

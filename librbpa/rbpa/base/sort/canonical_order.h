@@ -70,12 +70,14 @@ class CanonicalOrder {
     idle_.push_back(writer);
   }
 
-  /// Returns all triangles in order. Nothing may be added afterwards. For NumberedTriangle, rank[n] becomes the place
-  /// of the triangle with number n, and `rank` must not be null; for Triangle, `rank` is not used. Calls `checkpoint`,
-  /// if any, after each bucket, one call at a time; it may throw.
-  std::vector<Triangle> sorted(Threads& threads, std::uint32_t* rank = nullptr, const Checkpoint& checkpoint = {});
-  /// Returns all triangles in order, for NumberedTriangle; numbers[i] becomes the number of triangle i of the result.
-  /// Several triangles may have the same number, which sorted() does not allow.
+  /// Returns all triangles in order. Nothing may be added afterwards. Calls `checkpoint`, if any, after each bucket, one
+  /// call at a time; it may throw.
+  std::vector<Triangle> sorted(Threads& threads, const Checkpoint& checkpoint = {});
+  /// Returns all triangles in order, as sorted(). rank[n] becomes the place of the triangle with number n.
+  /// Requires: NumberedTriangle, with the numbers from 0 on, each once; `rank` has a place for each.
+  std::vector<Triangle> sorted_with_ranks(Threads& threads, std::uint32_t* rank, const Checkpoint& checkpoint = {});
+  /// Returns all triangles in order, as sorted(). numbers[i] becomes the number of triangle i of the result.
+  /// Requires: NumberedTriangle; `numbers` has a place for each triangle. Several triangles may have the same number.
   std::vector<Triangle> sorted_with_numbers(Threads& threads, std::uint32_t* numbers,
                                             const Checkpoint& checkpoint = {});
   /// Frees the memory.

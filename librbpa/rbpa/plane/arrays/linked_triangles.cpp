@@ -68,7 +68,7 @@ OwnedTriangles LinkedTriangles::sorted(Threads& threads, const Checkpoint& check
   seams_.end();
   OwnedTriangles result;
   meshops::FreshVector<std::uint32_t> rank(size_);
-  result.triangles = order_.sorted(threads, rank.data(), checkpoint);
+  result.triangles = order_.sorted_with_ranks(threads, rank.data(), checkpoint);
   order_.end();
   result.neighbors.reserve(size_);
   meshops::prefer_large_pages(result.neighbors.data(), size_ * sizeof(Triangle));

@@ -38,7 +38,7 @@ class TriangleList {
   /// Returns the triangles in order; called once, after all patches. Calls `checkpoint`, if any, repeatedly, one call
   /// at a time; `checkpoint` may throw.
   std::vector<Triangle> sorted(Threads& threads, const Checkpoint& checkpoint = {}) {
-    return order_.sorted(threads, nullptr, checkpoint);
+    return order_.sorted(threads, checkpoint);
   }
 
  private:
