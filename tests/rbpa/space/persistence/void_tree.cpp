@@ -270,3 +270,31 @@ TEST_CASE("points of another filtration are refused, and a run can be cancelled"
   const Points3 one = {{1, 2, 3}};
   CHECK(tree_of(one, rbpa::solid_filtration(one)).nodes.empty());
 }
+
+TEST_CASE("a neighbor that does not share its face is refused, wherever it is") {
+  const Points3 points = uniform_cube(60, 5301);
+  const Solid delaunay = rbpa::solid(points, infinity, {.neighbors = true});
+  const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
+  REQUIRE(rbpa::void_tree(points, delaunay, radii).node_of.size() == radii.size());
+  std::size_t refused = 0, damaged = 0;
+  for (std::size_t t = 0; t < radii.size(); ++t)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto refuses = [&](auto damage) {
+        Solid broken = delaunay;
+        damage(broken.neighbors[t]);
+        if (broken.neighbors[t] == delaunay.neighbors[t]) return;  // nothing was damaged
+        ++damaged;
+        try {
+          rbpa::void_tree(points, broken, radii);
+        } catch (const meshops::ContractViolation&) {
+          ++refused;
+        }
+      };
+      refuses([&](auto& row) { row[k] = Solid::none; });
+      refuses([&](auto& row) { row[k] = static_cast<std::uint32_t>(t); });
+      refuses([&](auto& row) { row[k] = row[(k + 1) % 4]; });
+      refuses([&](auto& row) { row[k] = static_cast<std::uint32_t>((t + 1) % radii.size()); });
+      refuses([&](auto& row) { std::swap(row[k], row[(k + 1) % 4]); });
+    }
+  CHECK(refused == damaged);
+}

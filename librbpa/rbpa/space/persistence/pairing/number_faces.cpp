@@ -51,29 +51,37 @@ class EdgeTable {
 
 NumberedTriangles number_triangles(const Solid& delaunay, Steps& step) {
   constexpr const char* not_shared =
-      "the triangulation: expected neighbors[t][k] to be the tetrahedron across the face opposite corner k of t";
+      "the triangulation: found a tetrahedron whose neighbor k does not share the face opposite corner k with it, "
+      "expected neighbors as solid() returns them";
   const auto& [simplices, neighbors, duplicates, isolated, distinct] = delaunay;
   NumberedTriangles triangles;
   triangles.of.resize(simplices.size());
   triangles.corners.reserve(2 * simplices.size() + simplices.size() / 16);
+  std::size_t half_shared = 0;  // number of triangles whose second tetrahedron is yet to come
   for (std::uint32_t t = 0; t < simplices.size(); ++t) {
     step();
     for (std::size_t k = 0; k < 4; ++k) {
       const std::uint32_t beyond = neighbors[t][k];
+      const std::uint32_t a = simplices[t][(k + 1) % 4], b = simplices[t][(k + 2) % 4], c = simplices[t][(k + 3) % 4];
       if (beyond < t) {
         const auto& others = neighbors[beyond];
         const auto back = static_cast<std::size_t>(std::find(others.begin(), others.end(), t) - others.begin());
         meshops::require(back < 4, not_shared);
         triangles.of[t][k] = triangles.of[beyond][back];
+        for (const std::uint32_t corner : triangles.corners[triangles.of[t][k]])
+          meshops::require((corner == a) | (corner == b) | (corner == c), not_shared);
+        --half_shared;
         continue;
       }
+      half_shared += beyond != Solid::none;
       meshops::require(beyond == Solid::none || beyond < simplices.size(), not_shared);
       triangles.of[t][k] = static_cast<std::uint32_t>(triangles.corners.size());
-      Triangle corners = {simplices[t][(k + 1) % 4], simplices[t][(k + 2) % 4], simplices[t][(k + 3) % 4]};
+      Triangle corners = {a, b, c};
       std::sort(corners.begin(), corners.end());
       triangles.corners.push_back(corners);
     }
   }
+  meshops::require(half_shared == 0, not_shared);
   return triangles;
 }
 

@@ -29,7 +29,7 @@ struct NumberedTriangles {
 };
 
 /// Returns the triangles. Requires: one row of neighbors for each tetrahedron. Throws ContractViolation where a
-/// neighbor does not exist, or is visibly not mutual; Cancelled.
+/// neighbor does not exist, or does not share the face with its tetrahedron; Cancelled.
 NumberedTriangles number_triangles(const Solid& delaunay, Steps& step);
 
 struct NumberedEdges {
