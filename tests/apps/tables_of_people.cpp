@@ -51,7 +51,6 @@ TEST_SUITE("tables of people") {
           CAPTURE(number.written);
           CAPTURE(separator);
           CAPTURE(header);
-          if (separator == " " && number.written == "-1,234,567") continue;  // three columns that commas separate
           const std::string line = number.written + separator + number.written + "\n", text = header + line + line;
           const std::string at = header.empty() ? "t:1" : "t:2";
           const std::string why = at + ": found '" + number.written + "', expected a number without signs between " +

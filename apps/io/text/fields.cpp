@@ -31,8 +31,7 @@ bool commas_are_decimal(std::string_view line, char separator) {
   if (line.find(',') == std::string_view::npos) return false;
   std::size_t count = 0;
   for (Fields fields(line, separator); !fields.at_end(); ++count)
-    if (const std::string_view field = without_quotes(fields.take());
-        !may_be_decimal(field) && (separator == blanks || !has_thousands(field)))
+    if (const std::string_view field = without_quotes(fields.take()); !may_be_decimal(field) && !has_thousands(field))
       return false;
   return count > 1;
 }

@@ -123,7 +123,7 @@ const char* end_of_record(std::string_view line, const char* end, char separator
 char separator_of(std::string_view line);
 
 /// Returns whether `line`, split at `separator`, has several fields and a comma, and all commas of a field are one
-/// comma between digits, as in "1,5;2", or, unless blanks separate, between the thousands of a number.
+/// comma between digits, as in "1,5;2", or between the thousands of a number.
 bool commas_are_decimal(std::string_view line, char separator);
 
 /// Returns the separator that `line` names, if it is "sep=;" or the like, which Excel may write as the first line.
