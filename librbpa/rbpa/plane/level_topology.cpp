@@ -11,8 +11,8 @@ namespace rbpa {
 
 std::vector<ComplexCounts> level_topology(const Hierarchy& hierarchy) {
   const std::size_t triangles = hierarchy.levels.empty() ? 0 : hierarchy.levels.back().triangles;
-  meshops::require(triangles == hierarchy.complex.mesh.n_faces(),
-                   "level_topology: the levels have other triangles than the complex, in number");
+  meshops::require_one_each("level_topology", triangles, "triangles of the levels", hierarchy.complex.mesh.n_faces(),
+                            "faces of the complex");
   const OwnedTriangles faces = linked_faces(hierarchy.complex.mesh);
   Growth growth(faces, hierarchy.complex.mesh.n_vertices(), hierarchy.complex.input_index);
   std::vector<ComplexCounts> counts;

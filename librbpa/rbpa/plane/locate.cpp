@@ -141,7 +141,7 @@ class Locator::Impl {
       if (at == no_index) return no_index;  // beyond the convex hull
     }
     throw meshops::ContractViolation(
-        "locator: a walk goes in circles, so the triangulation is not Delaunay (take alpha_complex(points, infinity))");
+        "locator: found a triangulation that is not Delaunay, expected the result of alpha_complex(points, infinity)");
   }
 
   std::size_t points() const { return points_.size(); }

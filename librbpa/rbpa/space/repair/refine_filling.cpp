@@ -373,8 +373,8 @@ class Refining {
 RefinedSurface refine_filling(std::span<const Point3> points, const Surface& surface, const std::vector<bool>& is_new,
                               const SurfaceOptions& options) {
   space::check_points(points);
-  meshops::require(is_new.size() == surface.triangles.size(),
-                   "refine_filling: is_new differs in length from the triangles, expected one value for each");
+  meshops::require_one_each("refine_filling", is_new.size(), "values of `is_new`", surface.triangles.size(),
+                            "triangles");
   return Refining(points, surface, is_new, options).run();
 }
 

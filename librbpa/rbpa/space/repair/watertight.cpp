@@ -16,8 +16,8 @@ WatertightSurface make_watertight(std::span<const Point3> points, const Surface&
   const SurfaceComponents& components = options.components == nullptr ? own : *options.components;
   std::vector<bool> stays = islands(components);
   stays.flip();
-  meshops::require(options.kept.empty() || options.kept.size() == stays.size(),
-                   "make_watertight: kept differs in length from the components, expected one value for each");
+  if (!options.kept.empty())
+    meshops::require_one_each("make_watertight", options.kept.size(), "values of `kept`", stays.size(), "components");
   for (std::size_t c = 0; c < options.kept.size(); ++c) stays[c] = stays[c] && options.kept[c];
   std::vector<bool> kept;
   for (const std::uint32_t c : components.number) kept.push_back(stays[c]);
@@ -29,8 +29,7 @@ WatertightSurface make_watertight(std::span<const Point3> points, const Surface&
   result.kept = std::move(kept);
 
   std::span<const Point3> places = options.places.empty() ? points : options.places;
-  meshops::require(places.size() == points.size(),
-                   "make_watertight: places differ in number from the points, expected one for each");
+  meshops::require_one_each("make_watertight", places.size(), "places", points.size(), "points");
   std::vector<Point3> all;
   if (options.refine && result.has_filled()) {
     result.added = refine_filling(places, result, run);

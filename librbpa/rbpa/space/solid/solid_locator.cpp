@@ -77,7 +77,8 @@ std::uint32_t SolidLocator::find(const Point3& query, Walk& walk) const {
   std::uint32_t t = start_[cell_of(query)], before = Solid::none;
   for (std::size_t steps = 0;; ++steps) {
     meshops::require(steps <= simplices_.size(),
-                     "SolidLocator: a walk goes in circles, expected the Delaunay triangulation: solid() at infinity");
+                     "SolidLocator: found a triangulation that is not Delaunay, expected the result of solid(points, "
+                     "infinity) for these points");
     std::uint32_t next = t;
     for (std::size_t k = 0; k < 4 && next == t; ++k) {
       const std::uint32_t beyond = neighbors_[t][k];

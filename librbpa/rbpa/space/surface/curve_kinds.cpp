@@ -79,13 +79,13 @@ std::vector<Hole> chosen_curves(std::span<const Hole> curves, std::span<const Cu
 std::vector<CurveKind> curve_kinds(std::span<const Point3> points, const SurfaceComponents& components,
                                    std::span<const Hole> curves) {
   for (const Hole& curve : curves) {
-    meshops::require(!curve.edges.empty(), "curve_kinds: a curve has no edge, expected holes()");
+    meshops::require(!curve.edges.empty(), "curve_kinds: found a curve without edges, expected a result of holes()");
     for (const RimEdge& edge : curve.edges)
       meshops::require(
           edge.from < points.size() && edge.to < points.size() && edge.triangle < components.number.size() &&
               components.number[edge.triangle] < components.all.size(),
-          "curve_kinds: an edge of a curve has a point or a triangle that does not exist, expected points, components "
-          "and curves of one surface");
+          "curve_kinds: found an edge of a curve at a point or triangle that does not exist, expected the result of "
+          "holes() for these points and the surface of these components");
   }
   const auto component_of = [&](std::size_t i) { return components.number[curves[i].edges.front().triangle]; };
   std::vector<std::size_t> order(curves.size());

@@ -98,12 +98,12 @@ void for_each_enclosed(std::span<const Point3> points, const Surface& shells, co
 }
 
 void require_components(std::span<const Point3> points, const Surface& surface, const SurfaceComponents& components) {
-  meshops::require(components.number.size() == surface.triangles.size(),
-                   "outer_shells: components and triangles differ in number, expected surface_components()");
+  meshops::require_one_each("outer_shells", components.number.size(), "numbers of components", surface.triangles.size(),
+                            "triangles");
   require_linked(space::arrays_of(surface), points.size());
   for (const std::uint32_t c : components.number)
-    meshops::require(c < components.all.size(),
-                     "outer_shells: a component does not exist, expected surface_components()");
+    meshops::require(c < components.all.size(), "outer_shells: found component ", c,
+                     " of a triangle, expected a component that exists, as surface_components() numbers them");
 }
 
 }  // namespace
@@ -114,7 +114,9 @@ std::vector<bool> outer_shells(std::span<const Point3> points, double radius, co
   const std::size_t count = components.all.size();
   require_components(points, shells, components);
   for (const SurfaceComponent& component : components.all)
-    meshops::require(component.is_closed(), "outer_shells: a component is open, expected exposed_triangles()");
+    meshops::require(
+        component.is_closed(),
+        "outer_shells: found a component with a boundary, expected closed ones, as exposed_triangles() has");
 
   // For each shell, the ball with the center highest above its triangle, where rounding of the center matters least.
   Steps step(go_on);

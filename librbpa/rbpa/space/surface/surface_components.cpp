@@ -121,7 +121,7 @@ SurfaceComponents surface_components(std::span<const Point3> points, const Surfa
 std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components, const GoOn& go_on) {
   require_linked(space::arrays_of(surface), std::numeric_limits<std::uint32_t>::max(), go_on);
   meshops::require(are_of(components, surface),
-                   "genus_of: the components are not those of the surface, expected surface_components()");
+                   "genus_of: found components of another surface, expected surface_components() of this one");
   std::vector<std::size_t> genus;  // at first the number of vertices
   genus.resize(components.all.size(), 0);
   Steps step(go_on);
@@ -139,8 +139,9 @@ std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponent
 
 std::vector<bool> choose_components(const SurfaceComponents& components, const std::vector<bool>& outer,
                                     const ComponentChoice& choice) {
-  meshops::require(choice.shell == ShellChoice::all || outer.size() == components.all.size(),
-                   "choose_components: outer differs in length from the components, expected one value for each");
+  if (choice.shell != ShellChoice::all)
+    meshops::require_one_each("choose_components", outer.size(), "values of `outer`", components.all.size(),
+                              "components");
   std::size_t left = choice.max_components.value_or(components.all.size());
   if (choice.shell == ShellChoice::largest) left = 1;
   std::vector<bool> kept;
@@ -156,9 +157,7 @@ std::vector<bool> choose_components(const SurfaceComponents& components, const s
 
 DroppedComponents dropped_components(std::span<const Point3> points, const std::vector<bool>& kept,
                                      const Surface& surface, const SurfaceComponents& components, const GoOn& go_on) {
-  meshops::require(
-      are_of(components, surface) && kept.size() == components.all.size(),
-      "dropped_components: expected the components of this surface, and for each of them whether it is kept");
+  meshops::require_one_each("dropped_components", kept.size(), "values of `kept`", components.all.size(), "components");
   DroppedComponents dropped;
   const std::vector<std::size_t> genus = genus_of(surface, components, go_on);
   for (std::size_t c = 0; c < kept.size(); ++c) {
@@ -183,8 +182,9 @@ DroppedComponents dropped_components(std::span<const Point3> points, const std::
 }
 
 Surface keep_components(const Surface& surface, const SurfaceComponents& components, const std::vector<bool>& kept) {
-  meshops::require(are_of(components, surface) && kept.size() == components.all.size(),
-                   "keep_components: expected the components of the surface, and for each of them whether it is kept");
+  meshops::require(are_of(components, surface),
+                   "keep_components: found components of another surface, expected surface_components() of this one");
+  meshops::require_one_each("keep_components", kept.size(), "values of `kept`", components.all.size(), "components");
   std::vector<bool> triangles;
   triangles.reserve(surface.triangles.size());
   for (const std::uint32_t c : components.number) triangles.push_back(kept[c]);
@@ -192,8 +192,7 @@ Surface keep_components(const Surface& surface, const SurfaceComponents& compone
 }
 
 Surface keep_triangles(const Surface& surface, const std::vector<bool>& kept) {
-  meshops::require(kept.size() == surface.triangles.size(),
-                   "keep_triangles: expected for each triangle whether it is kept");
+  meshops::require_one_each("keep_triangles", kept.size(), "values of `kept`", surface.triangles.size(), "triangles");
   Surface result = space::part_of(surface, [&](std::size_t t) { return kept[t]; });
   result.duplicates = surface.duplicates;
   result.distinct = surface.distinct;
