@@ -180,7 +180,8 @@ std::unique_ptr<Mesh> mesh_of(const Indices& vertices, const Indices& halfedges,
   m.resize(static_cast<std::size_t>(v_at.shape(0)), static_cast<std::size_t>(h_at.shape(0) / 2),
            static_cast<std::size_t>(f_at.shape(0)));
   const auto in = [](int i, py::ssize_t count) {
-    meshops::require(-1 <= i && i < count, "mesh: found a link to an element that does not exist");
+    meshops::require(-1 <= i && i < count, "mesh: found a link to element ", i,
+                     ", expected -1, or the number of an element that exists");
     return i;
   };
   for (int v = 0; v < v_at.shape(0); ++v) {

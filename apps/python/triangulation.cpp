@@ -42,7 +42,7 @@ NeighborLists neighbor_lists(std::span<const Triple> triangles, std::size_t poin
   for (const Triple& t : triangles) {
     ask();
     for (const std::uint32_t corner : t) {
-      meshops::require(corner < points, "simplices: found a corner that is not the index of a point");
+      meshops::require(corner < points, "simplices: found corner ", corner, ", expected the index of a point");
       next[corner + std::size_t{1}] += 2;
     }
   }

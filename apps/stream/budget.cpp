@@ -11,8 +11,8 @@
 #include <malloc.h>
 #endif
 
+#include "io/bytes/available_memory.h"
 #include "io/failure.h"
-#include "io/progress_line.h"
 #include "stream/pack_block.h"
 
 namespace rbpa::app {
@@ -28,8 +28,8 @@ void require_room(const std::string& folder, double needed, const std::string& w
   if (statvfs(folder.c_str(), &status) != 0) return;
   const double free = static_cast<double>(std::uint64_t{status.f_bavail} * status.f_frsize);
   if (free >= needed) return;
-  throw Failure(where + ": found " + short_number(free) + "B free on its disk, expected " + short_number(needed) +
-                "B for " + what);
+  throw Failure(where + ": found " + bytes_text(free) + " free on its disk, expected " + bytes_text(needed) + " for " +
+                what);
 }
 
 }  // namespace

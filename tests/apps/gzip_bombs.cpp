@@ -59,8 +59,10 @@ TEST_SUITE("gzip bombs") {
         folder.file(path, bomb(content, zeros, more_than_that));
         const Outcome outcome = folder.run("/bin/sh", "-c '" + before + path + behind + "'");
         CHECK(outcome.code == 3);
-        CHECK(outcome.err.find(path + ": found more than 67 MB decompressed from ") != std::string::npos);
-        CHECK(outcome.err.ends_with(" bytes, expected at most 500 times as much (gunzip decompresses it)\n"));
+        CHECK(outcome.err.find(path + ": found ") != std::string::npos);
+        CHECK(
+            outcome.err.ends_with(" bytes that decompress to more than 67 MB, expected at most 500 times their size "
+                                  "(decompress the file by gunzip if its content is right)\n"));
         if (can_limit()) check_memory(folder, before + path + behind, path, way_out);
       }
     };

@@ -101,7 +101,8 @@ TEST_SUITE("meshtopo: bad input") {
   }
 
   TEST_CASE("errors in ASCII PLY are refused by line") {
-    refuses_mesh("m.ply", "plya\n", "m.ply: found no PLY signature, expected a .ply file");
+    refuses_mesh("m.ply", "plya\n",
+                 "m.ply: found a first line 'plya', expected 'ply', the first line of every .ply file");
     refuses_mesh("m.ply", "ply\nformat ascii 1.0\nend_header\n",
                  "m.ply: found a header without vertices, expected an element 'vertex'");
     refuses_mesh("m.ply",

@@ -178,8 +178,10 @@ TEST_SUITE("compressed pcd") {
     const std::string zeros = lzf_repeated('\0', 36);
     CHECK(refusal(three(with_sizes(zeros, 35))) ==
           "p: found a decompressed size of 35 bytes, expected 3 points as line 4 says, with 12 bytes each");
-    CHECK(refusal(three(with_sizes(lzf_repeated('\0', 35), 36))) ==
-          "p: after line 5: found 35 bytes decompressed, expected 36");
+    CHECK(
+        refusal(three(with_sizes(lzf_repeated('\0', 35), 36))) ==
+        "p: after line 5: found data that decompress to 35 bytes, expected 36 bytes of points (copy the file again, or "
+        "save it as DATA binary)");
     CHECK(refusal(three(with_sizes(lzf_repeated('\0', 37), 36))) ==
           "p: after line 5: found compressed data that are damaged, expected 36 bytes of points (copy the file again, "
           "or save it as DATA binary)");

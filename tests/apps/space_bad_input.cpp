@@ -81,14 +81,15 @@ TEST_SUITE("bad points of space") {
   TEST_CASE("a file of no known format is refused as any format") {
     const std::string text = "hello, world\n";
     CHECK(table(text) == "p:1: found 'hello, world', expected 3 or 6 numbers");
-    CHECK(refusal(text, Format::ply) == "p: found no PLY signature, expected a .ply file");
+    CHECK(refusal(text, Format::ply) ==
+          "p: found a first line 'hello, world', expected 'ply', the first line of every .ply file");
     CHECK(off(text) == "p:1: found 'hello,', expected OFF, COFF, NOFF or CNOFF");
     CHECK(obj(text) == "p: found no line 'v x y z', expected points");
     CHECK(refusal(text, Format::pcd) ==
           "p:1: found 'hello, world', expected a .pcd file, which begins with VERSION or FIELDS");
     CHECK(refusal("#\n", Format::pcd) ==
           "p: found no line that begins with FIELDS, expected the header of a .pcd file");
-    CHECK(refusal(text, Format::npy) == "p: found no NumPy signature, expected an .npy file");
+    CHECK(refusal(text, Format::npy) == "p: found 'hello,', expected an .npy file, which begins with '\\x93NUMPY'");
     CHECK(refusal(text, Format::las) == "p: found 'hell', expected a LAS file, which begins with 'LASF'");
   }
 
@@ -254,15 +255,17 @@ TEST_SUITE("bad points of space") {
   TEST_CASE("scales and offsets of LAS that give no finite heights are refused") {
     LasFile file{.points = {{.x = 1}}};
     file.scale[2] = 0;
-    CHECK(refusal(bytes_of(file), Format::las) == "p: found a scale of '0', expected a finite number other than 0");
+    CHECK(refusal(bytes_of(file), Format::las) ==
+          "p: found a scale of '0' for z, expected a finite number other than 0");
     file.scale[2] = no_number;
-    CHECK(refusal(bytes_of(file), Format::las) == "p: found a scale of 'nan', expected a finite number other than 0");
+    CHECK(refusal(bytes_of(file), Format::las) ==
+          "p: found a scale of 'nan' for z, expected a finite number other than 0");
     file.scale[2] = 1;
     file.offset[2] = inf;
-    CHECK(refusal(bytes_of(file), Format::las) == "p: found an offset of 'inf', expected a finite number");
+    CHECK(refusal(bytes_of(file), Format::las) == "p: found an offset of 'inf' for z, expected a finite number");
     file.scale[2] = 1e300;
     file.offset[2] = 0;
     CHECK(refusal(bytes_of(file), Format::las) ==
-          "p: found a scale of '1e+300' and an offset of '0', expected coordinates within the range of a double");
+          "p: found a scale of '1e+300' and an offset of '0' for z, expected coordinates within the range of a double");
   }
 }

@@ -475,10 +475,12 @@ TEST_SUITE("points of space") {
     CHECK(index == std::vector<std::uint32_t>{7, 4294967294});
     for (const std::uint64_t beyond : std::vector<std::uint64_t>{4294967295, 4294967296, 9000000000}) {
       block.index = {beyond};
-      CHECK_THROWS_WITH_AS(append_index(block, index),
-                           "POINTS: found a selected point after the first 4294967295 points, expected selected points "
-                           "among these",
-                           BadInput);
+      CHECK_THROWS_WITH_AS(
+          append_index(block, index),
+          ("POINTS: found a selected point that is number " + std::to_string(beyond) +
+           " of the file, from 0, expected fewer than 2^32 - 1 points before it (rbpa stream reads more)")
+              .c_str(),
+          BadInput);
     }
   }
 

@@ -320,11 +320,12 @@ TEST_SUITE("tables of people") {
       CHECK(outcome.err == "rbpa: b.xy.gz: found " + message + "\n");
     };
     for (const std::size_t size : {std::size_t{3}, std::size_t{12}, compressed.size() / 2, compressed.size() - 1})
-      refuses(compressed.substr(0, size), "the end of the file inside compressed data, expected a whole gzip file");
+      refuses(compressed.substr(0, size),
+              "the end of the file inside compressed data, expected a whole gzip file (copy it again)");
     refuses(compressed + "junk", "4 bytes after the compressed data, expected the end of the file");
     std::string wrong = compressed;
     wrong[wrong.size() - 6] ^= 1;  // of the check sum
-    refuses(wrong, "damaged gzip data (incorrect data check), expected a whole gzip file");
+    refuses(wrong, "damaged gzip data (incorrect data check), expected a whole gzip file (copy it again)");
     // Numbers may look like a gzip file.
     folder.file("n.f64xy", std::string("\x1F\x8B\x08\x00\x00\x00\xF0\x3F\x00\x00\x00\x00\x00\x00\xF0\x3F", 16));
     CHECK(folder.rbpa("info n.f64xy").out.starts_with("points      1\n"));

@@ -31,7 +31,7 @@ std::size_t Gunzip::inflate(std::string_view& compressed, char* to, std::size_t 
   state_.next_out = reinterpret_cast<Bytef*>(to);
   state_.avail_out = static_cast<uInt>(size);
   const int code = ::inflate(&state_, Z_NO_FLUSH);
-  if (code != Z_OK && code != Z_STREAM_END) bad_input(name_, reason(code, state_), "a whole gzip file");
+  if (code != Z_OK && code != Z_STREAM_END) bad_input(name_, reason(code, state_), "a whole gzip file (copy it again)");
   compressed.remove_prefix(given - state_.avail_in);
   between_members_ = code == Z_STREAM_END;
   return size - state_.avail_out;

@@ -77,9 +77,10 @@ void InputBytes::decompress(const Decompression& how) {
                     " of available memory, as reading needs five times the size" + how.way_out);
     if (size_ > always && size_ / greatest_ratio > compressed_size - compressed.size())
       bad_input(name_,
-                "more than " + bytes_text(static_cast<double>(size_)) + " decompressed from " +
-                    counted(compressed_size - compressed.size(), "byte"),
-                "at most " + std::to_string(greatest_ratio) + " times as much (gunzip decompresses it)");
+                counted(compressed_size - compressed.size(), "byte") + " that decompress to more than " +
+                    bytes_text(static_cast<double>(size_)),
+                "at most " + std::to_string(greatest_ratio) +
+                    " times their size (decompress the file by gunzip if its content is right)");
     if (!is_checked && size_ > at_once) require_text(bytes(), name_), is_checked = true;
   }
 }

@@ -20,7 +20,8 @@ struct NpyHeader {
 };
 
 NpyHeader find_header(std::string_view bytes, const std::string& name) {
-  if (bytes.substr(0, magic.size()) != magic) bad_input(name, "no NumPy signature", "an .npy file");
+  if (bytes.substr(0, magic.size()) != magic)
+    bad_input(name, in_quotes(bytes.substr(0, magic.size())), "an .npy file, which begins with '\\x93NUMPY'");
   const std::size_t version = bytes.size() > magic.size() ? static_cast<unsigned char>(bytes[magic.size()]) : 0;
   const std::size_t length_bytes = version == 1 ? 2 : 4;
   const std::size_t start = magic.size() + 2 + length_bytes;
@@ -107,7 +108,8 @@ NpyLayout read_npy_layout(std::string_view bytes, std::size_t size, const std::s
   const NpyHeader header = find_header(bytes, name);
   const std::string_view descr = value_of(header.text, "descr");
   const std::optional<NumberType> number = parse_type(descr);
-  if (!number) bad_input(name, "numbers of type " + in_quotes(descr), "float32, float64 or integers");
+  if (!number)
+    bad_input(name, "numbers of type " + in_quotes(descr), "float32, float64 or integers (numpy's astype() converts)");
   const std::string_view shape_text = value_of(header.text, "shape");
   const std::optional<ArrayShape> shape = parse_shape(shape_text);
   if (!shape || std::find(fits.begin(), fits.end(), shape->columns) == fits.end())

@@ -83,7 +83,7 @@ void require_finite(const CloudBlock& block, std::size_t first, const std::strin
 }
 
 void refuse_integer(const std::string& where, const std::string& integer) {
-  bad_input(where, integer, "an integer up to 2^53, which a double holds");
+  bad_input(where, integer, "an integer up to 2^53, which a double holds (store it as double, or subtract an offset)");
 }
 
 void load_column(std::vector<double>& column, Scalar type, const char* at, std::size_t stride, std::size_t count,
@@ -122,7 +122,8 @@ void append_fields(const CloudBlock& block, std::vector<std::vector<double>>& fi
 void append_index(const CloudBlock& block, std::vector<std::uint32_t>& index) {
   for (const std::uint64_t i : block.index) {
     if (i >= no_index)
-      bad_input("POINTS", "a selected point after the first 4294967295 points", "selected points among these");
+      bad_input("POINTS", "a selected point that is number " + std::to_string(i) + " of the file, from 0",
+                "fewer than 2^32 - 1 points before it (rbpa stream reads more)");
     index.push_back(static_cast<std::uint32_t>(i));
   }
 }

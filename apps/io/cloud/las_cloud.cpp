@@ -19,7 +19,7 @@ void require_range(const LasHeader& header, std::size_t axis, const std::string&
   if (!std::isfinite(largest * std::abs(header.scale[axis]) + std::abs(header.offset[axis])))
     bad_input(name,
               "a scale of " + in_quotes(text_of(header.scale[axis])) + " and an offset of " +
-                  in_quotes(text_of(header.offset[axis])),
+                  in_quotes(text_of(header.offset[axis])) + " for " + "xyz"[axis],
               "coordinates within the range of a double");
 }
 

@@ -112,7 +112,7 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
     bad_input(name, "LAZ, which is compressed",
               "LAS (pdal translate FILE points.las, or las2las -i FILE -o points.las)");
   if (format > last_las_format)
-    bad_input(name, "point format " + std::to_string(format), "0 to " + std::to_string(last_las_format));
+    bad_input(name, "point format " + std::to_string(format), "a format from 0 to " + std::to_string(last_las_format));
   header.format = format;
   header.length = las_value<std::uint16_t>(at + 105);
   if (header.length < las_record_size(format))
@@ -135,9 +135,11 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
 
 void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name) {
   const double scale = header.scale[axis], offset = header.offset[axis];
+  const std::string of_axis = std::string(" for ") + "xyz"[axis];
   if (!std::isfinite(scale) || scale == 0)
-    bad_input(name, "a scale of " + in_quotes(text_of(scale)), "a finite number other than 0");
-  if (!std::isfinite(offset)) bad_input(name, "an offset of " + in_quotes(text_of(offset)), "a finite number");
+    bad_input(name, "a scale of " + in_quotes(text_of(scale)) + of_axis, "a finite number other than 0");
+  if (!std::isfinite(offset))
+    bad_input(name, "an offset of " + in_quotes(text_of(offset)) + of_axis, "a finite number");
 }
 
 namespace {

@@ -203,10 +203,10 @@ std::vector<char> decompress_lzf(std::string_view compressed, std::size_t size, 
   if (size == 0) return decompressed;
   const unsigned count = lzf_decompress(compressed.data(), static_cast<unsigned>(compressed.size()),
                                         decompressed.data(), static_cast<unsigned>(size));
-  if (count == 0)
-    bad_input(place, "compressed data that are damaged",
+  if (count != size)
+    bad_input(place,
+              count == 0 ? "compressed data that are damaged" : "data that decompress to " + counted(count, "byte"),
               counted(size, "byte") + " of points (copy the file again, or save it as DATA binary)");
-  if (count != size) bad_input(place, counted(count, "byte") + " decompressed", std::to_string(size));
   return decompressed;
 }
 

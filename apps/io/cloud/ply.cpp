@@ -27,7 +27,8 @@ class HeaderReader {
   HeaderReader(std::string_view bytes, const std::string& name) : lines_(bytes), name_(name) {}
 
   PlyHeader read() {
-    if (!lines_.next() || lines_.line() != "ply") bad_input(name_, "no PLY signature", "a .ply file");
+    if (!lines_.next() || lines_.line() != "ply")
+      bad_input(name_, "a first line " + in_quotes(lines_.line()), "'ply', the first line of every .ply file");
     bool format_seen = false;
     while (true) {
       if (!lines_.next()) bad_input(name_, "the end of the file in the header", "end_header");
@@ -42,7 +43,7 @@ class HeaderReader {
       } else if (word == "property") {
         read_property(rest);
       } else if (!word.empty() && word != "comment" && word != "obj_info") {
-        refuse("a PLY header line");
+        refuse("a line that begins with element, property, comment, format or end_header");
       }
     }
     if (!format_seen) bad_input(name_, "a header without a format line", "a line that begins with format");
@@ -57,7 +58,7 @@ class HeaderReader {
   }
   Scalar scalar(std::string_view word) const {
     const std::optional<Scalar> type = scalar_named(word);
-    if (!type) refuse("a known number type");
+    if (!type) refuse("a type of numbers, such as float, double, uchar or int32");
     return *type;
   }
   void read_format(std::string_view rest) {
@@ -190,7 +191,8 @@ void PlyText::pass_words(const PlyProperty& property, std::string_view& rest, st
   auto values = static_cast<double>(property.count - read);
   if (property.count_type) values = take_coordinate(rest, lines_, name_);
   for (double i = 0; i < values; ++i)
-    if (take_word(rest).empty()) bad_input(at_line(name_, lines_.number()), in_quotes(lines_.line()), "more values");
+    if (take_word(rest).empty())
+      bad_input(at_line(name_, lines_.number()), in_quotes(lines_.line()), "a value for each property");
 }
 
 void PlyText::next(const PlyElement& element, std::size_t index) {

@@ -122,10 +122,9 @@ bool read_pixels(PngDecoder& decoder, Shades& image, double threshold) {
 void require_room(std::size_t file_size, const PngDecoder& decoder, const std::string& name) {
   constexpr std::size_t widest = 1000000, max_pixels_per_byte = std::size_t{8} * 1032;
   const std::size_t width = decoder.width(), height = decoder.height();
-  if (width > widest)
-    bad_input(name, "rows of " + std::to_string(width) + " pixels", "at most " + std::to_string(widest));
+  if (width > widest) bad_input(name, "an image of " + counted(width, "column"), "at most " + std::to_string(widest));
   if (width * height / max_pixels_per_byte > file_size)
-    bad_input(name, counted(file_size, "byte"),
+    bad_input(name, "a file of " + counted(file_size, "byte"),
               "at least " + std::to_string(width * height / max_pixels_per_byte) + " for " + std::to_string(width) +
                   " x " + std::to_string(height) + " pixels as the header says");
 }
@@ -134,7 +133,8 @@ void require_room(std::size_t file_size, const PngDecoder& decoder, const std::s
 
 std::vector<Point> read_png_points(std::string_view bytes, const std::string& name, const PixelRule& rule) {
   constexpr std::string_view signature = "\x89PNG\r\n\x1A\n";
-  if (bytes.substr(0, signature.size()) != signature) bad_input(name, "no PNG signature", "a PNG image");
+  if (bytes.substr(0, signature.size()) != signature)
+    bad_input(name, in_quotes(bytes.substr(0, signature.size())), "a PNG image, which begins with '\\x89PNG'");
   PngDecoder decoder(bytes);
   const auto refuse = [&] { bad_input(name, in_quotes(decoder.message()), "a whole PNG image"); };
   if (!decoder.read_header()) refuse();

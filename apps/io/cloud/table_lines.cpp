@@ -105,7 +105,7 @@ void TableLines::require_memory(std::size_t size) const {
   const std::optional<double> there = available_memory();
   if (there && bytes_for_each * static_cast<double>(size) > *there)
     bad_input(name(), "a line of more than " + bytes_text(static_cast<double>(size)),
-              "lines for which memory suffices");
+              "at most a fifth of the available memory (a table has a line for each point)");
 }
 
 std::string_view TableLines::comment_before() const {

@@ -90,7 +90,7 @@ void write_container(OutputFile& file, const Json& json, const Numbers& numbers)
   text.resize((text.size() + 3) / 4 * 4, ' ');
   const std::uint64_t size = 12 + 8 + text.size() + (numbers.size() == 0 ? 0 : 8 + numbers.size());
   if (size > std::numeric_limits<std::uint32_t>::max())
-    bad_input(file.name(), counted(size, "byte"), "fewer than 2^32 in a GLB file");
+    bad_input(file.name(), counted(size, "byte"), "fewer than 2^32 in a GLB file (.ply has no limit)");
   file.write("glTF");
   write_word(file, 2);
   write_word(file, size);

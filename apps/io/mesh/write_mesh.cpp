@@ -72,7 +72,8 @@ std::string stl_header(const Position& shift) {
 
 void write_stl(OutputFile& file, const SpaceMesh& mesh) {
   if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max())
-    bad_input(file.name(), counted(mesh.triangles.size(), "triangle"), "fewer than 2^32 in an STL file");
+    bad_input(file.name(), counted(mesh.triangles.size(), "triangle"),
+              "fewer than 2^32 in an STL file (.ply has no limit)");
   const SinglePositions positions = kept_positions(file, Format::stl, mesh);
   file.write(stl_header(positions.shift));
   file.write_binary(static_cast<std::uint32_t>(mesh.triangles.size()));

@@ -168,7 +168,7 @@ class Parser {
   }
 
   void take_list(const Condition::Instruction& left, std::size_t known, bool negated) {
-    if (!take_if("in")) refuse("in");
+    if (!take_if("in")) refuse("'in' and a list");
     if (!take_if("(")) refuse("'('");
     const bool are_texts = is_text();
     const std::string field = are_texts ? name_of(left, known) : "";

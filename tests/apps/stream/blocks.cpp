@@ -180,7 +180,7 @@ TEST_CASE("an endless line, and points that begin after the file, take no memory
   };
   const std::string said = refused("p.xy.gz");
   CHECK(said.starts_with("rbpa: p.xy.gz: found a line of more than "));
-  CHECK(said.ends_with(" MB, expected lines for which memory suffices\n"));
+  CHECK(said.ends_with(" MB, expected at most a fifth of the available memory (a table has a line for each point)\n"));
   CHECK(refused("p.las.gz").find("p.las.gz: found 0 whole records of ") != std::string::npos);
 }
 #endif
