@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "meshtopo/report_text.h"
 
@@ -88,11 +89,7 @@ CheckResult of_kinds(const Check& check, const Examined& mesh, std::initializer_
 
 std::vector<Check> parse_checks(const std::string& list) {
   std::vector<Check> checks;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    checks.push_back(parse_check(list.substr(begin, end - begin)));
-    begin = end + 1;
-  }
+  for (const std::string_view text : split_at_commas(list)) checks.push_back(parse_check(std::string(text)));
   return checks;
 }
 

@@ -1,5 +1,6 @@
 #include "io/bytes/number.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -69,6 +70,16 @@ std::string rounded(double value, int digits) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
+}
+
+std::vector<std::string_view> split_at_commas(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::size_t first = 0; first <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', first), text.size());
+    words.push_back(trimmed(text.substr(first, comma - first)));
+    first = comma + 1;
+  }
+  return words;
 }
 
 double parse_real(const std::string& option, const std::string& text, Range allowed, const std::string& expected) {

@@ -1,4 +1,4 @@
-// What: converts decimal text to double and back; parses whole numbers of a command line.
+// What: converts decimal text to double and back; parses the numbers of a command line.
 // Law:  parse_number(text of x) = x for every finite double x. Reading rounds to the nearest double, except integers,
 //       which are read exactly or refused.
 #pragma once
@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rbpa::app {
 
@@ -71,6 +72,9 @@ inline std::string text_of(const std::optional<double>& value) { return value ? 
 
 /// Returns `value` rounded to `digits` significant digits, for people: "3819.51" has six.
 std::string rounded(double value, int digits);
+
+/// Returns the words of a list of an option, which commas separate, without blanks around them.
+std::vector<std::string_view> split_at_commas(std::string_view text);
 
 /// A range of numbers, with its ends.
 struct Range {

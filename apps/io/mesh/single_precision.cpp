@@ -58,14 +58,12 @@ Position subtracted(Format format, std::span<const Point3> vertices, Triangles t
 Shift parse_shift(const std::string& option, const std::string& text) {
   if (text == "auto") return {};
   Position by{};
-  std::string_view rest = text;
-  bool is_good = true;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t end = k < 2 ? std::min(rest.find(','), rest.size()) : rest.size();
-    const ParsedNumber number = parse_whole_number(rest.substr(0, end));
-    is_good = is_good && number.fault == NumberFault::none;
+  const std::vector<std::string_view> parts = split_at_commas(text);
+  bool is_good = parts.size() == by.size();
+  for (std::size_t k = 0; is_good && k < by.size(); ++k) {
+    const ParsedNumber number = parse_whole_number(parts[k]);
+    is_good = number.fault == NumberFault::none;
     by[k] = number.value;
-    rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   if (!is_good) bad_usage(option, in_quotes(text), "three numbers, such as 500000,4649000,0, or auto");
   return {by};

@@ -22,16 +22,6 @@ Column parse_column(std::string_view text) {
   return {.number = number};
 }
 
-std::vector<std::string_view> words_between_commas(std::string_view text) {
-  std::vector<std::string_view> words;
-  for (std::size_t first = 0; first <= text.size();) {
-    const std::size_t comma = std::min(text.find(',', first), text.size());
-    words.push_back(trimmed(text.substr(first, comma - first)));
-    first = comma + 1;
-  }
-  return words;
-}
-
 }  // namespace
 
 void refuse_repeated_column(std::string_view columns, const std::string& expected) {
@@ -39,7 +29,7 @@ void refuse_repeated_column(std::string_view columns, const std::string& expecte
 }
 
 std::vector<Column> parse_columns(const std::string& text) {
-  const std::vector<std::string_view> words = words_between_commas(text);
+  const std::vector<std::string_view> words = split_at_commas(text);
   if (words.size() > 2 || words.front().empty() || words.back().empty())
     bad_usage("--columns", in_quotes(text), "X,Y (two column numbers or names), or one column of geometries");
   std::vector<Column> columns;
@@ -53,7 +43,7 @@ std::vector<Column> parse_space_columns(const std::string& text) {
     bad_usage("--columns", in_quotes(text), "X,Y,Z or X,Y,Z,NX,NY,NZ (column numbers or names)");
   };
   std::vector<Column> columns;
-  for (const std::string_view word : words_between_commas(text)) {
+  for (const std::string_view word : split_at_commas(text)) {
     if (word.empty()) refuse();
     columns.push_back(parse_column(word));
   }

@@ -68,14 +68,12 @@ double parse_area(const std::string& option, const std::string& text) {
 
 std::vector<double> parse_ascending(const std::string& option, const std::string& text, const std::string& or_else) {
   std::vector<double> radii;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string part = text.substr(begin, end - begin);
+  for (const std::string_view word : split_at_commas(text)) {
+    const std::string part(word);
     const double radius = parse_real(option, part, above_0, "numbers above 0 with commas between them, or " + or_else);
     if (!radii.empty() && radius <= radii.back())
       bad_usage(option, in_quotes(part) + " after " + text_of(radii.back()), "ascending radii");
     radii.push_back(radius);
-    begin = end + 1;
   }
   return radii;
 }

@@ -1,6 +1,5 @@
 #include "space/solid_request.h"
 
-#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -16,25 +15,16 @@ namespace rbpa::app {
 namespace {
 
 Point3 parse_box(const std::string& text) {
-  const auto fail = [&] {
+  const std::vector<std::string_view> parts = split_at_commas(text);
+  std::vector<double> sides;
+  for (const std::string_view part : parts)
+    if (const ParsedNumber number = parse_whole_number(part); number.fault == NumberFault::none && number.value > 0)
+      sides.push_back(number.value);
+  if (sides.size() != parts.size() || (sides.size() != 1 && sides.size() != 3))
     bad_usage("--box", in_quotes(text),
               "the sides of the box, Lx,Ly,Lz: three lengths above 0, or one for all; or auto, the cell of a "
               "molecule's file");
-  };
-  std::array<double, 3> sides{};
-  std::size_t count = 0;
-  for (std::string_view rest = text;; ++count) {
-    if (count == sides.size()) fail();
-    const std::size_t comma = rest.find(',');
-    const ParsedNumber number = parse_whole_number(std::string(rest.substr(0, comma)));
-    if (number.fault != NumberFault::none || !(number.value > 0)) fail();
-    sides[count] = number.value;
-    if (comma == std::string_view::npos) break;
-    rest.remove_prefix(comma + 1);
-  }
-  if (count == 0) return {sides[0], sides[0], sides[0]};
-  if (count != 2) fail();
-  return {sides[0], sides[1], sides[2]};
+  return {sides.front(), sides[sides.size() / 2], sides.back()};
 }
 
 bool is_table_of_voids(Format format) { return format == Format::csv || format == Format::json; }

@@ -54,19 +54,16 @@ Viewpoint parse_viewpoint(const std::optional<std::string>& text) {
   if (!text) return {};
   Viewpoint viewpoint;
   std::vector<double> at;
-  for (std::size_t begin = 0; begin <= text->size();) {
-    const std::size_t end = std::min(text->find(',', begin), text->size());
-    const std::string part = text->substr(begin, end - begin);
+  const std::vector<std::string_view> parts = split_at_commas(*text);
+  for (const std::string_view part : parts) {
     const ParsedNumber number = parse_whole_number(part);
     if (number.fault == NumberFault::none)
       at.push_back(number.value);
     else if (!part.empty() && std::none_of(viewpoint.columns.begin(), viewpoint.columns.end(),
                                            [&](const WantedColumn& column) { return column.name == part; }))
-      viewpoint.columns.push_back({.name = part});
-    begin = end + 1;
+      viewpoint.columns.push_back({.name = std::string(part)});
   }
-  const auto commas = std::count(text->begin(), text->end(), ',');
-  if (commas != 2 || (at.size() != 3 && viewpoint.columns.size() != 3))
+  if (parts.size() != 3 || (at.size() != 3 && viewpoint.columns.size() != 3))
     bad_usage("--viewpoint", in_quotes(*text), "three coordinates, such as 0,0,1.5, or three names of columns");
   if (at.size() == 3) viewpoint.place = {{at[0], at[1], at[2]}};
   return viewpoint;
@@ -103,11 +100,14 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   request.run = parse_run(arguments.run);
   if (how.source == NormalSource::none && how.radii.size() > 1)
     bad_usage("--radius", counted(how.radii.size(), "number") + " with --normals none", "one radius");
-  if (arguments.holes) {
+  if (arguments.holes)
     target_of("--holes", *arguments.holes, Use::polylines, [](Format format) { return format == Format::obj; });
-    if (how.source == NormalSource::none)
-      throw WrongUsage("--holes cannot be combined with --normals none, whose triangles have no boundary");
-  }
+  for (const auto& [is_given, option] :
+       {std::pair(arguments.holes.has_value(), "--holes"), std::pair(arguments.fill_holes.has_value(), "--fill-holes"),
+        std::pair(arguments.repairs, "--suggest-repairs")})
+    if (is_given && how.source == NormalSource::none)
+      throw WrongUsage(option +
+                       std::string(" cannot be combined with --normals none, whose triangles have no boundary"));
   if (arguments.shell) {
     if (how.source != NormalSource::none) throw WrongUsage("--shell requires --normals none");
     how.components.shell = parse_shell(*arguments.shell);
@@ -124,17 +124,11 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   if (arguments.fill_holes) {
     if (arguments.watertight)
       throw WrongUsage("--fill-holes cannot be combined with --watertight, which fills all holes");
-    if (how.source == NormalSource::none)
-      throw WrongUsage("--fill-holes cannot be combined with --normals none, whose triangles have no boundary");
     how.filled = parse_fill_holes(*arguments.fill_holes);
   }
-  if (arguments.repairs) {
-    if (arguments.fill_holes || arguments.watertight)
-      throw WrongUsage(
-          "--suggest-repairs cannot be combined with --fill-holes or --watertight, which close holes themselves");
-    if (how.source == NormalSource::none)
-      throw WrongUsage("--suggest-repairs cannot be combined with --normals none, whose triangles have no boundary");
-  }
+  if (arguments.repairs && (arguments.fill_holes || arguments.watertight))
+    throw WrongUsage(
+        "--suggest-repairs cannot be combined with --fill-holes or --watertight, which close holes themselves");
   std::vector<std::string> reports = given({arguments.stats, arguments.holes});
   if (arguments.json) reports.emplace_back("-");
   request.targets = parse_targets(Use::surface, arguments, arguments.points, reports);
