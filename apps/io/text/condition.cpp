@@ -269,8 +269,7 @@ Condition Condition::of_groups(const GroupColumns& columns, const std::string& t
   const auto add = [&](const char* option, const std::optional<std::string>& column, WantedColumn::Kind kind,
                        std::optional<std::string>& to) {
     if (!column) return;
-    if (!names.are(*column))
-      throw WrongUsage(option + (": found " + in_quotes(*column)) + ", expected " + names.described);
+    if (!names.are(*column)) bad_usage(option, in_quotes(*column), names.described);
     to = std::string(unquoted(*column));
     condition.fields_.push_back(*to);
     condition.columns_.push_back({.name = *to, .kind = kind});

@@ -74,9 +74,10 @@ void require_memory(const std::string& name, double triangles) {
   const std::optional<double> there = available_memory();
   const double wanted = bytes_a_triangle * triangles;
   if (there && wanted > *there)
-    throw BadInput(name + ": found sizes at which about " + short_number(triangles) +
-                   " triangles would be made, which take about " + bytes_text(wanted) +
-                   " of memory, expected larger sizes, as " + bytes_text(*there) + " are available");
+    bad_input(name,
+              "sizes at which about " + short_number(triangles) + " triangles would be made, which take about " +
+                  bytes_text(wanted) + " of memory",
+              "larger sizes, as " + bytes_text(*there) + " are available");
 }
 
 ValidFeatures check(const Run& run, const PolygonFile& file, bool skip_invalid) {
