@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
-#include <utility>
 
 namespace rbpa::app {
 
@@ -15,6 +14,11 @@ void bad_input(const std::string& where, const std::string& found, const std::st
 
 void bad_usage(const std::string& option, const std::string& found, const std::string& expected) {
   throw WrongUsage(option + ": found " + found + ", expected " + expected);
+}
+
+void refuse_given(std::initializer_list<std::pair<bool, const char*>> options, const std::string& why) {
+  for (const auto& [is_given, option] : options)
+    if (is_given) throw WrongUsage(std::string(option) + " " + why);
 }
 
 void refuse_to_open(const std::string& name, const std::string& expected) {

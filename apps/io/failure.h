@@ -3,9 +3,11 @@
 // Law:  a message is one line of text, whatever bytes are in a file name or in a piece of input.
 #pragma once
 
+#include <initializer_list>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rbpa::app {
@@ -39,6 +41,9 @@ class ClosedPipe : public std::runtime_error {
 [[noreturn]] void bad_input(const std::string& where, const std::string& found, const std::string& expected);
 /// Throws WrongUsage "OPTION: found FOUND, expected EXPECTED".
 [[noreturn]] void bad_usage(const std::string& option, const std::string& found, const std::string& expected);
+
+/// Throws WrongUsage "OPTION WHY" for the first of `options` that is given.
+void refuse_given(std::initializer_list<std::pair<bool, const char*>> options, const std::string& why);
 
 /// Throws BadInput after a call has failed to open the file `name`: either that there is no such file, where `expected`
 /// was expected, or "NAME: cannot open: " with the reason in errno.

@@ -126,7 +126,7 @@ void write_groups(OutputFile& out, const NamedGroups& named, bool json) {
 }
 
 void run_group_info(const InfoArguments& arguments) {
-  if (arguments.stats) throw WrongUsage(std::string("--stats") + not_with_groups);
+  refuse_given({{arguments.stats.has_value(), "--stats"}}, not_with_groups);
   const GroupSources sources = parse_group_sources(arguments, arguments);
   require_different({"-"}, sources);
   Run run(sources.files.size() == 1 ? arguments.points : counted(sources.files.size(), "file"), {"-"},

@@ -94,20 +94,14 @@ void write_json(OutputFile& out, const NamedGroups& named, const std::vector<Gro
   out.write("\n]\n");
 }
 
-void require_no_others(const AlphaArguments& arguments) {
-  const auto refuse = [](bool found, const char* option) {
-    if (found) throw WrongUsage(std::string(option) + not_with_groups);
-  };
-  refuse(arguments.persistence, "--persistence");
-  refuse(arguments.complex.has_value(), "--complex");
-  refuse(arguments.picture.has_value(), "-o");
-  refuse(arguments.stats.has_value(), "--stats");
-}
-
 }  // namespace
 
 void run_group_alpha(const AlphaArguments& arguments) {
-  require_no_others(arguments);
+  refuse_given({{arguments.persistence, "--persistence"},
+                {arguments.complex.has_value(), "--complex"},
+                {arguments.picture.has_value(), "-o"},
+                {arguments.stats.has_value(), "--stats"}},
+               not_with_groups);
   const Radii request = parse_radii(arguments);
   const RunOptions options = parse_run(arguments.run);
   const GroupSources sources = parse_group_sources(arguments, arguments);

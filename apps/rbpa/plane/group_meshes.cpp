@@ -17,11 +17,11 @@ namespace {
 /// Throws WrongUsage for an option or a target that does not apply to groups.
 void require_of_groups(const MeshArguments& arguments, const ComplexRequest& request,
                        const std::vector<Target>& targets) {
-  const auto refuse = [](const std::string& what) { throw WrongUsage(what + not_with_groups); };
-  if (arguments.levels) refuse("--levels");
-  if (arguments.complex != "solid") refuse("--complex " + arguments.complex);
-  if (request.method.leaf_capacity) refuse("--method hrbpa");
-  if (request.method.by_paper) refuse("--search paper");
+  refuse_given({{arguments.levels.has_value(), "--levels"},
+                {arguments.complex != "solid", "--complex full"},
+                {request.method.leaf_capacity.has_value(), "--method hrbpa"},
+                {request.method.by_paper, "--search paper"}},
+               not_with_groups);
   for (const Target& target : targets)
     if (is_picture(target.format))
       bad_usage("--group-by", output_name(target.path),

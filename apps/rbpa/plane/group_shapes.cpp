@@ -18,7 +18,7 @@ namespace {
 
 /// Throws WrongUsage for an option or a format that does not apply to groups.
 void require_of_groups(const ShapeArguments& arguments, const std::vector<Target>& targets) {
-  if (arguments.isolated) throw WrongUsage(std::string("--isolated") + not_with_groups);
+  refuse_given({{arguments.isolated.has_value(), "--isolated"}}, not_with_groups);
   constexpr auto has_groups = [](Format format) { return format != Format::wkt && format != Format::ewkt; };
   for (const Target& target : targets)
     if (!has_groups(target.format))

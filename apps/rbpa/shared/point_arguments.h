@@ -41,8 +41,8 @@ struct SpacePointArguments {
   bool waters = false;
 };
 
-/// The end of the message that refuses an option when groups are requested.
-inline constexpr const char* not_with_groups = " cannot be combined with --group-by or --group-by-file";
+/// The reason for which an option is refused when groups are requested.
+inline constexpr const char* not_with_groups = "cannot be combined with --group-by or --group-by-file";
 
 /// The options about groups of points, as text.
 struct GroupArguments {

@@ -218,10 +218,10 @@ void write_vtu(OutputFile& file, const SpaceRepresentatives& all) {
 
 std::optional<RepresentativeRequest> parse_representatives(const RepresentativeArguments& arguments, bool in_space) {
   if (!arguments.representatives) {
-    for (const auto& [given, option] :
-         {std::pair(&arguments.top, "--top"), std::pair(&arguments.min_persistence, "--min-persistence"),
-          std::pair(&arguments.levels, "--levels")})
-      if (*given) throw WrongUsage(std::string(option) + " requires --representatives");
+    refuse_given({{arguments.top.has_value(), "--top"},
+                  {arguments.min_persistence.has_value(), "--min-persistence"},
+                  {arguments.levels.has_value(), "--levels"}},
+                 "requires --representatives");
     return std::nullopt;
   }
   const std::string& path = *arguments.representatives;

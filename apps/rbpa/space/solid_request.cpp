@@ -33,11 +33,12 @@ bool is_table_of_voids(Format format) { return format == Format::csv || format =
 void check_box(const SolidArguments& arguments, const SolidRequest& request) {
   if (request.alpha.rule == AlphaRule::plateau)
     throw WrongUsage("--alpha plateau cannot be combined with --box (give a radius, auto or min)");
-  if (arguments.balls) throw WrongUsage("--balls cannot be combined with --box");
-  for (const auto& [is_given, option] :
-       {std::pair(arguments.void_radii, "--void-radii"), std::pair(arguments.pockets.has_value(), "--pockets"),
-        std::pair(arguments.voids_above.has_value(), "--voids-above"), std::pair(arguments.top.has_value(), "--top")})
-    if (is_given) throw WrongUsage(std::string(option) + " cannot be combined with --box");
+  refuse_given({{arguments.balls, "--balls"},
+                {arguments.void_radii, "--void-radii"},
+                {arguments.pockets.has_value(), "--pockets"},
+                {arguments.voids_above.has_value(), "--voids-above"},
+                {arguments.top.has_value(), "--top"}},
+               "cannot be combined with --box");
   if (request.voids && !is_table_of_voids(request.voids->format))
     bad_usage("--voids", "the ending " + in_quotes(ending(request.voids->path)),
               "one of " + endings(Use::voids, is_table_of_voids) + " with --box, as periodic voids may be unbounded");
@@ -57,9 +58,8 @@ void parse_choice_of_voids(const SolidArguments& arguments, SolidRequest& reques
     throw WrongUsage("--void-radii requires --voids FILE with one of the endings " +
                      endings(Use::voids, is_table_of_voids));
   if (!request.voids && !request.pockets)
-    for (const auto& [given, option] :
-         {std::pair(&arguments.voids_above, "--voids-above"), std::pair(&arguments.top, "--top")})
-      if (*given) throw WrongUsage(std::string(option) + " requires --voids or --pockets");
+    refuse_given({{arguments.voids_above.has_value(), "--voids-above"}, {arguments.top.has_value(), "--top"}},
+                 "requires --voids or --pockets");
   if (arguments.voids_above)
     request.voids_above = parse_real("--voids-above", *arguments.voids_above, {}, "a volume, at least 0");
   if (arguments.top) request.top = parse_whole("--top", *arguments.top, {.least = 1});

@@ -125,18 +125,12 @@ FiltrationPlot marked_plot(const SpacePersistence& report) {
   return plot;
 }
 
-void check(const AlphaArguments& arguments) {
-  const auto refuse = [](bool is_given, const std::string& option) {
-    if (is_given) throw WrongUsage(option + " applies only to --dimension 2");
-  };
-  refuse(arguments.complex.has_value(), "--complex");
-  refuse(arguments.group_by.has_value() || arguments.group_by_file, "--group-by");
-}
-
 }  // namespace
 
 void run_space_alpha(const AlphaArguments& arguments) {
-  check(arguments);
+  refuse_given({{arguments.complex.has_value(), "--complex"},
+                {arguments.group_by.has_value() || arguments.group_by_file, "--group-by"}},
+               "applies only to --dimension 2");
   const SpacePointSource source = parse_space_points(arguments);
   if (arguments.picture) require_plot(*arguments.picture);
   const std::optional<RepresentativeRequest> request = parse_representatives(arguments, true);

@@ -21,13 +21,14 @@ bool is_in_space(const std::string& dimension) {
 }
 
 SpacePointSource parse_space_points(const RadiiArguments& arguments) {
-  for (const auto& [is_given, option] :
-       {std::pair(arguments.components != "1", "--components"), std::pair(arguments.crs.has_value(), "--crs"),
-        std::pair(arguments.vertices, "--vertices"), std::pair(arguments.layer.has_value(), "--layer"),
-        std::pair(arguments.shift_longitude, "--shift-longitude"),
-        std::pair(arguments.pixels.foreground.has_value(), "--foreground"),
-        std::pair(arguments.pixels.threshold.has_value(), "--threshold")})
-    if (is_given) throw WrongUsage(std::string(option) + " applies only to --dimension 2");
+  refuse_given({{arguments.components != "1", "--components"},
+                {arguments.crs.has_value(), "--crs"},
+                {arguments.vertices, "--vertices"},
+                {arguments.layer.has_value(), "--layer"},
+                {arguments.shift_longitude, "--shift-longitude"},
+                {arguments.pixels.foreground.has_value(), "--foreground"},
+                {arguments.pixels.threshold.has_value(), "--threshold"}},
+               "applies only to --dimension 2");
   SpacePointArguments points;
   points.points = arguments.points;
   points.format = arguments.format;

@@ -102,12 +102,11 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
     bad_usage("--radius", counted(how.radii.size(), "number") + " with --normals none", "one radius");
   if (arguments.holes)
     target_of("--holes", *arguments.holes, Use::polylines, [](Format format) { return format == Format::obj; });
-  for (const auto& [is_given, option] :
-       {std::pair(arguments.holes.has_value(), "--holes"), std::pair(arguments.fill_holes.has_value(), "--fill-holes"),
-        std::pair(arguments.repairs, "--suggest-repairs")})
-    if (is_given && how.source == NormalSource::none)
-      throw WrongUsage(option +
-                       std::string(" cannot be combined with --normals none, whose triangles have no boundary"));
+  if (how.source == NormalSource::none)
+    refuse_given({{arguments.holes.has_value(), "--holes"},
+                  {arguments.fill_holes.has_value(), "--fill-holes"},
+                  {arguments.repairs, "--suggest-repairs"}},
+                 "cannot be combined with --normals none, whose triangles have no boundary");
   if (arguments.shell) {
     if (how.source != NormalSource::none) throw WrongUsage("--shell requires --normals none");
     how.components.shell = parse_shell(*arguments.shell);

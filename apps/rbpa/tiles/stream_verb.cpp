@@ -82,20 +82,18 @@ StreamRequest parse_request(const StreamArguments& arguments) {
                         .quiet = run.quiet,
                         .shows_progress = !run.quiet && !written_to_terminal(arguments.outputs),
                         .stats = arguments.stats};
-  for (const auto& [value, option] :
-       {std::pair(arguments.min_hole_area, "--min-hole-area"), std::pair(arguments.min_part_area, "--min-part-area")})
-    if (value)
-      throw WrongUsage(
-          std::string(option) +
-          ": rbpa stream writes all holes and parts (use rbpa shape if the points fit into memory; qgis_process "
-          "run native:deleteholes --INPUT=OUT --MIN_AREA=A --OUTPUT=FILE fills small holes of the result; "
-          "a larger --alpha has fewer)");
+  refuse_given({{arguments.min_hole_area.has_value(), "--min-hole-area"},
+                {arguments.min_part_area.has_value(), "--min-part-area"}},
+               "cannot be combined with rbpa stream, which writes all holes and parts (use rbpa shape if the points "
+               "fit into memory; qgis_process "
+               "run native:deleteholes --INPUT=OUT --MIN_AREA=A --OUTPUT=FILE fills small holes of the result; "
+               "a larger --alpha has fewer)");
   if (arguments.tile_size)
     request.tile_size = parse_whole("--tile-size", *arguments.tile_size, {.least = least_tile}, "points");
   if (arguments.scratch && arguments.scratch->empty()) bad_usage("--scratch", "an empty name", "a folder");
-  for (const auto& [given, option] : {std::pair{arguments.resume, "--resume"}, {arguments.keep_tiles, "--keep-tiles"}})
-    if (given && !request.scratch)
-      throw WrongUsage(std::string(option) + " requires --scratch, the folder with the tiles");
+  if (!request.scratch)
+    refuse_given({{arguments.resume, "--resume"}, {arguments.keep_tiles, "--keep-tiles"}},
+                 "requires --scratch, the folder with the tiles");
   if (arguments.outputs.empty() && !arguments.stats) bad_usage("-o", "no OUT", "at least one (or --stats FILE)");
   for (const std::string& path : arguments.outputs)
     request.targets.push_back(parse_stream_target(path, arguments.output_format));
