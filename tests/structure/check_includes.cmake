@@ -57,7 +57,7 @@ set(allowed
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
   "rbpa/space/balls: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/run rbpa/space/balls/full
     rbpa/space/balls/periodic rbpa/space/cells rbpa/space/persistence rbpa/space/predicate rbpa/space/solid
-    rbpa/space/solid/boundary rbpa/space/surface"
+    rbpa/space/solid/boundary rbpa/space/solid/insertion rbpa/space/solid/rows rbpa/space/surface"
   "rbpa/space/balls/full: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run
     rbpa/space/predicate rbpa/space/solid"
   "rbpa/space/balls/periodic: rbpa/base/exact rbpa/space/balls/full rbpa/space/predicate rbpa/space/solid"
@@ -83,7 +83,8 @@ set(allowed
     rbpa/space/predicate rbpa/space/solid rbpa/space/surface rbpa/space/surface/levels"
   "rbpa/space/solid/insertion: meshops/core rbpa/base rbpa/space/predicate"
   "rbpa/space/solid/periodic: rbpa/base rbpa/base/run rbpa/space/predicate rbpa/space/solid"
-  "rbpa/space/solid/rows: meshops/core rbpa/base rbpa/base/parallel rbpa/base/sort rbpa/space/solid"
+  "rbpa/space/solid/rows: meshops/core rbpa/base rbpa/base/parallel rbpa/base/run rbpa/base/sort rbpa/space/solid
+    rbpa/space/solid/insertion"
   "rbpa/space/solid/tiles: meshops/core rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/base/sort
     rbpa/space/predicate rbpa/space/solid/insertion rbpa/space/solid/rows"
   "rbpa/space/solid/triples: meshops/core rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/predicate"

@@ -24,6 +24,7 @@ class Scale {
     scale_.include(length);
   }
 
+  void include(double length) { scale_.include(length); }
   Integer operator()(double value) const { return scale_(value); }
   Vector operator()(const Point3& p) const { return {scale_(p.x), scale_(p.y), scale_(p.z)}; }
 
@@ -78,13 +79,21 @@ int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, cons
   return dot(t.n, w) == 0 ? 1 : squares.sign();
 }
 
-int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q) {
-  const Scale scale{a, b, c, d, q};
+int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q,
+                   const std::array<double, 5>* radii) {
+  Scale scale{a, b, c, d, q};
+  if (radii)
+    for (const double radius : *radii) scale.include(radius);
   const Corners t(scale, a, b, c);
   const Vector w = scale(d) - t.origin, p = scale(q) - t.origin;
+  const auto lift = [&](const Vector& to, std::size_t i) -> Integer {
+    if (!radii) return dot(to, to);
+    const Integer own = scale((*radii)[i]), first = scale((*radii)[0]);
+    return dot(to, to) - own * own + first * first;
+  };
   // The volume times the power of q. Twice its product with the center is as above.
-  const Integer power = dot(p, p) * dot(t.n, w) - dot(t.u, t.u) * dot(cross(t.v, w), p) -
-                        dot(t.v, t.v) * dot(cross(w, t.u), p) - dot(w, w) * dot(t.n, p);
+  const Integer power = lift(p, 4) * dot(t.n, w) - lift(t.u, 1) * dot(cross(t.v, w), p) -
+                        lift(t.v, 2) * dot(cross(w, t.u), p) - lift(w, 3) * dot(t.n, p);
   return -power.sign();
 }
 

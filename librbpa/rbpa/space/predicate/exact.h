@@ -3,6 +3,8 @@
 // Cost: microseconds, growing with the range of the exponents.
 #pragma once
 
+#include <array>
+
 #include "rbpa/base/point3.h"
 
 namespace rbpa::space::exact {
@@ -19,9 +21,12 @@ int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, doub
 /// Returns the sign of (circumradius of (a, b, c, d)) − radius. The circumradius of points in a plane is infinite.
 int compare_circumradius(const Point3& a, const Point3& b, const Point3& c, const Point3& d, double radius);
 
-/// Returns the side of the sphere through a, b, c, d on which q is: 1 inside, −1 outside, 0 on the sphere.
+/// Returns the side of the sphere through a, b, c, d on which q is: 1 inside, −1 outside, 0 on the sphere. With `radii`
+/// all five are balls: 1 if the power of q to the sphere orthogonal to the others is negative, after subtraction of the
+/// square of its radius.
 /// Requires: orientation(a, b, c, d) > 0.
-int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
+int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q,
+                   const std::array<double, 5>* radii = nullptr);
 
 /// Returns the side of q with respect to the least sphere through a and b, or a, b and c: 1 when q is inside, −1 when
 /// outside, 0 when on it.

@@ -1,7 +1,5 @@
 #include "rbpa/space/predicate/fixed_width_vectors.h"
 
-#include "rbpa/base/exact/integer128.h"
-
 namespace rbpa::space {
 namespace {
 
@@ -14,9 +12,7 @@ Vector3<Integer128> wide_cross(const FixedVector& u, const FixedVector& v) {
   return {product(u.y, v.z) - product(u.z, v.y), product(u.z, v.x) - product(u.x, v.z),
           product(u.x, v.y) - product(u.y, v.x)};
 }
-Unsigned128 square(const FixedVector& u) {
-  return static_cast<Unsigned128>(product(u.x, u.x) + product(u.y, u.y) + product(u.z, u.z));
-}
+Integer128 square(const FixedVector& u) { return product(u.x, u.x) + product(u.y, u.y) + product(u.z, u.z); }
 
 /// A volume: high 2^64 + low.
 struct Volume {
@@ -44,11 +40,13 @@ Volume wide_dot(const Vector3<Integer128>& v, const FixedVector& u) {
   return volume;
 }
 
-/// A sum of a few products of 187 by 124 bits, as words with their carries.
+/// A sum of a few products of 187 by 125 bits, as words with their carries.
 class Sum {
  public:
-  /// Adds volume · square, or subtracts it if the sign is −1.
-  void add_product(const Volume& volume, Unsigned128 square, int sign) {
+  /// Adds volume · lift, or subtracts it if the sign is −1.
+  void add_product(const Volume& volume, Integer128 lift, int sign) {
+    if (lift < 0) sign = -sign;
+    const auto square = static_cast<Unsigned128>(lift < 0 ? -lift : lift);
     const auto s0 = static_cast<Word>(square), s1 = static_cast<Word>(square >> 64U);
     const auto v0 = volume.low, v1 = static_cast<Word>(volume.high);
     const auto v2 = static_cast<std::int64_t>(volume.high >> 64);
@@ -90,13 +88,14 @@ int volume_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w
   return volume.high < 0 ? -1 : volume.high > 0 || volume.low != 0 ? 1 : 0;
 }
 
-int power_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w, const FixedVector& p) {
+int power_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w, const FixedVector& p,
+               const std::array<Integer128, 4>& weights) {
   const Vector3<Integer128> uv = wide_cross(u, v);
   Sum sum;
-  sum.add_product(wide_dot(uv, w), square(p), 1);
-  sum.add_product(wide_dot(wide_cross(v, w), p), square(u), -1);
-  sum.add_product(wide_dot(wide_cross(w, u), p), square(v), -1);
-  sum.add_product(wide_dot(uv, p), square(w), -1);
+  sum.add_product(wide_dot(uv, w), square(p) - weights[3], 1);
+  sum.add_product(wide_dot(wide_cross(v, w), p), square(u) - weights[0], -1);
+  sum.add_product(wide_dot(wide_cross(w, u), p), square(v) - weights[1], -1);
+  sum.add_product(wide_dot(uv, p), square(w) - weights[2], -1);
   return sum.sign();
 }
 

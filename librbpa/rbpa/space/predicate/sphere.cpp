@@ -48,7 +48,8 @@ bool pulled_into_sphere(const Point3& a, const Point3& b, const Point3& c, const
   return false;  // not reached: some λ is not 0
 }
 
-double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q) {
+double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q,
+                                  const FiveRadii* radii) {
   struct Row {
     DoubleDouble x, y, z, square;
     Row(const Point3& p, const Point3& from)
@@ -57,7 +58,17 @@ double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3
           z(DoubleDouble::difference(p.z, from.z)),
           square(x * x + y * y + z * z) {}
   };
-  const Row r(a, d), s(b, d), t(c, d), w(q, d);
+  Row r(a, d), s(b, d), t(c, d), w(q, d);
+  if (radii) {
+    const auto subtract_weight = [&](Row& row, std::size_t i) {
+      const double own = (*radii)[i], last = (*radii)[3];
+      row.square = row.square - DoubleDouble::difference(own, last) * DoubleDouble::difference(own, -last);
+    };
+    subtract_weight(r, 0);
+    subtract_weight(s, 1);
+    subtract_weight(t, 2);
+    subtract_weight(w, 4);
+  }
   const DoubleDouble xy = s.x * t.y - s.y * t.x, yz = s.y * t.z - s.z * t.y, xz = s.x * t.z - s.z * t.x,
                      xs = s.x * t.square - s.square * t.x, ys = s.y * t.square - s.square * t.y,
                      zs = s.z * t.square - s.square * t.z;
@@ -67,16 +78,17 @@ double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3
 }
 
 std::optional<bool> in_sphere_on_grid(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
-                                      const Point3& q) {
-  const FixedVectors<4> to(a, {&b, &c, &d, &q});
+                                      const Point3& q, const FiveRadii* radii) {
+  const FixedVectors<4> to(a, {&b, &c, &d, &q}, radii);
   if (!to.are_exact()) return std::nullopt;
-  const int power = power_sign(to[0], to[1], to[2], to[3]);
+  const int power = power_sign(to[0], to[1], to[2], to[3], to.weights());
   return power == 0 ? pulled_into_sphere(a, b, c, d, q) : power < 0;
 }
 
-bool in_sphere_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q) {
-  if (const std::optional<bool> in = in_sphere_on_grid(a, b, c, d, q)) return *in;
-  const int side = exact::side_of_sphere(a, b, c, d, q);
+bool in_sphere_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q,
+                       const FiveRadii* radii) {
+  if (const std::optional<bool> in = in_sphere_on_grid(a, b, c, d, q, radii)) return *in;
+  const int side = exact::side_of_sphere(a, b, c, d, q, radii);
   return side == 0 ? pulled_into_sphere(a, b, c, d, q) : side > 0;
 }
 
@@ -101,15 +113,15 @@ bool in_sphere(const Point3& pa, const Point3& pb, const Point3& pc, const Point
 }
 
 bool BeyondFilter::is_inside(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q,
-                             double value, double error) const {
+                             double value, double error, const FiveRadii* radii) const {
   if (error < exact_below_) return value != 0 ? value > 0 : pulled_into_sphere(a, b, c, d, q);
-  if (const auto in = in_sphere_on_grid(a, b, c, d, q)) return *in;
+  if (const auto in = in_sphere_on_grid(a, b, c, d, q, radii)) return *in;
   if (is_exact_) {
-    // The terms are the same; the error of each is 68 u² instead of 20 u.
-    const double finer = in_sphere_by_double_double(a, b, c, d, q);
+    // The terms are the same; the error of each is 72 u² instead of 20 u.
+    const double finer = in_sphere_by_double_double(a, b, c, d, q, radii);
     if (std::abs(finer) > 0x1p-51 * error) return finer > 0;
   }
-  return in_sphere_exactly(a, b, c, d, q);
+  return in_sphere_exactly(a, b, c, d, q, radii);
 }
 
 }  // namespace rbpa::space

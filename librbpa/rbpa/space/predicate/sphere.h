@@ -1,10 +1,13 @@
 // What: the side of the sphere through four points that a fifth is on; ties are broken by perturbation.
+//       With radii the five points are balls, each with a weight, the square of its radius: the sphere is the one
+//       orthogonal to the four, and inside means that its power to the fifth is negative.
 // Law:  exact for every finite input. The answers are those of one set of lifted points
 //       (docs/explanation/exact_decisions.md, section 2): never 0.
 // Cost: some ten nanoseconds; a tenth of a microsecond for points on grids, if the filter fails or is left out;
 //       microseconds otherwise.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "rbpa/base/point3.h"
@@ -12,22 +15,27 @@
 
 namespace rbpa::space {
 
+/// Radii of the balls a, b, c, d, q. A null pointer to them means points, whose radii are 0.
+using FiveRadii = std::array<double, 5>;
+
 /// Returns whether the perturbation moves q, which is on the sphere through a, b, c, d, inside.
 /// Requires: five distinct points; orientation(a, b, c, d) > 0.
 bool pulled_into_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
 
 /// Returns the in-sphere determinant, positive inside, in double-double (base/exact/double_double.h). Its error is at
-/// most 68 · 2^−106 times the sum of the absolute values of all terms (docs/explanation/exact_decisions.md, section 7).
+/// most 72 · 2^−106 times the sum of the absolute values of all terms (docs/explanation/exact_decisions.md, section 7).
 /// Requires: points that fit double (base/exact/magnitude.h).
-double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
+double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q,
+                                  const FiveRadii* radii = nullptr);
 
 /// Returns whether q is inside the perturbed sphere through a, b, c, d; nothing where their differences are not
 /// integers of a fixed width (fixed_width_vectors.h). Requires: five distinct points; orientation(a, b, c, d) > 0.
 std::optional<bool> in_sphere_on_grid(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
-                                      const Point3& q);
+                                      const Point3& q, const FiveRadii* radii = nullptr);
 
 /// Returns whether q is inside the perturbed sphere, for points of any size. Requirements as for in_sphere_on_grid().
-bool in_sphere_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
+bool in_sphere_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q,
+                       const FiveRadii* radii = nullptr);
 
 /// Returns in_sphere_exactly(), after trying a floating-point filter (docs/explanation/space.md, sections 8 to 10).
 bool in_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q);
@@ -39,9 +47,9 @@ class BeyondFilter {
   explicit BeyondFilter(const Spread& spread) : exact_below_(spread.exact_below(5)), is_exact_(spread.is_exact) {}
 
   /// Returns whether q is inside the perturbed sphere. `value` and `error` are the computed determinant and its error.
-  /// Requires: five distinct points of the spread, scaled by it where it is exact; orientation(a, b, c, d) > 0.
+  /// Requires: five distinct points of the spread and their radii, scaled by it where it is exact; orientation(a, b, c, d) > 0.
   bool is_inside(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q, double value,
-                 double error) const;
+                 double error, const FiveRadii* radii = nullptr) const;
 
  private:
   double exact_below_;  // of the determinant: a computed error below it means no error

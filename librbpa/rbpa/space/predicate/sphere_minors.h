@@ -7,7 +7,9 @@
 //                  | q − d   |q − d|² |
 //
 //       A corner may be at infinity. Its row is (0, 0, 0, 1), the limit of a far corner's row divided by its lift: the
-//       sphere is the half-space beyond the plane through the others, and V is the same four products.
+//       sphere is the half-space beyond the plane through the others, and V is the same four products. Points may be
+//       balls, which have a weight, the square of their radius: of each row's square the difference of the weights of
+//       the point and of d is subtracted.
 // Law:  |V computed − V| ≤ error; docs/explanation/exact_decisions.md, section 7, derives the filter's bound.
 #pragma once
 
@@ -28,9 +30,30 @@ struct Spoke {
     return {x, y, z, square, std::sqrt(square)};
   }
   static Spoke to_infinity() { return {0, 0, 0, 1, 0}; }
+  /// Returns the length that stands for the square in error bounds.
+  double reach() const { return length; }
 };
 
-/// A bound for the error of V(q): constant + slope |q − d|². Stored as the first 32 bits of two doubles, rounded up.
+/// A spoke from ball to ball: its square is less the difference of the weights, its reach the sum of both by absolute
+/// value, divided by the length.
+struct WeightedSpoke : Spoke {
+  double reach_;
+
+  static WeightedSpoke to(double x, double y, double z, double weight) {
+    constexpr double least = 0x1p-200;  // of lengths: they are at least 2^−150 unless coordinates were rounded
+    const Spoke spoke = Spoke::to(x, y, z);
+    return {{x, y, z, spoke.square - weight, spoke.length},
+            (spoke.square + std::abs(weight)) / std::max(spoke.length, least)};
+  }
+  static WeightedSpoke to_infinity() { return {Spoke::to_infinity(), 0}; }
+  double reach() const { return reach_; }
+};
+
+/// Returns the difference of the weights of two balls, R² − S², with three roundings.
+inline double weight_difference(double R, double S) { return (R - S) * (R + S); }
+
+/// A bound for the error of V(q): constant + slope |q − d|², or with the difference of weights by absolute value in place
+/// of 0: constant + slope (|q − d|² + |difference|). Stored as the first 32 bits of two doubles, rounded up.
 class ErrorBound {
  public:
   ErrorBound() = default;
@@ -72,13 +95,14 @@ inline SphereMinors sphere_minors(const Spoke& a, const Spoke& b, const Spoke& c
 }
 
 /// Filter constant: errors are below this times the lengths of docs/explanation/exact_decisions.md, section 7. It
-/// covers 20 roundings there, and some of the bound itself.
+/// covers 20 roundings there, and some of the bound itself; 18 with weights are less than 21.
 inline constexpr double in_sphere_filter = 24 * 0x1p-53;
 
 /// Returns the error bound of V by sphere_minors(a, b, c). Requires: no corner at infinity; `underflow` is
 /// Spread::underflow().
-inline ErrorBound sphere_error(const Spoke& a, const Spoke& b, const Spoke& c, double underflow) {
-  const double sum = a.length + b.length + c.length, weight = in_sphere_filter * (a.length * b.length * c.length);
+template <typename AnySpoke>
+ErrorBound sphere_error(const AnySpoke& a, const AnySpoke& b, const AnySpoke& c, double underflow) {
+  const double sum = a.reach() + b.reach() + c.reach(), weight = in_sphere_filter * (a.length * b.length * c.length);
   return {0.5 * weight * sum * sum + underflow, 1.5 * weight};
 }
 

@@ -8,8 +8,8 @@
 
 namespace rbpa::space {
 
-Spread spread(std::span<const Point3> points) {
-  // Finds the lowest and the highest bit of all coordinates.
+Spread spread(std::span<const Point3> points, std::span<const double> radii) {
+  // Finds the lowest and the highest bit of all coordinates and radii.
   int lowest = 2000, highest = -2000;
   const auto look = [&](double coordinate) {
     const auto bits = std::bit_cast<std::uint64_t>(coordinate);
@@ -26,6 +26,7 @@ Spread spread(std::span<const Point3> points) {
     look(p.y);
     look(p.z);
   }
+  for (const double radius : radii) look(radius);
   if (lowest > highest) return {};  // all are 0
   if (fits_double({lowest, highest})) return {0, lowest, true};
   // Scales the greatest coordinate to about 1, as far as the lowest bit allows; a larger spread loses low bits.
@@ -38,6 +39,13 @@ std::span<const Point3> scaled(std::span<const Point3> points, const Spread& spr
   copy.reserve(points.size());
   const auto scale = [&](double value) { return std::ldexp(value, spread.exponent); };
   for (const Point3& p : points) copy.push_back({scale(p.x), scale(p.y), scale(p.z)});
+  return copy;
+}
+
+std::span<const double> scaled(std::span<const double> radii, const Spread& spread, std::vector<double>& copy) {
+  if (spread.exponent == 0) return radii;
+  copy.reserve(radii.size());
+  for (const double radius : radii) copy.push_back(std::ldexp(radius, spread.exponent));
   return copy;
 }
 

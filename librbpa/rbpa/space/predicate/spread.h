@@ -26,10 +26,12 @@ struct Spread {
   double exact_below(int degree) const { return is_exact ? std::ldexp(16.0, unit * degree) : 0; }
 };
 
-/// Returns the spread of the points. Requires: finite points.
-Spread spread(std::span<const Point3> points);
+/// Returns the spread of the points and radii. Requires: finite points and radii.
+Spread spread(std::span<const Point3> points, std::span<const double> radii = {});
 
-/// Multiplies the points by 2^exponent. Returns the points themselves where nothing changes, else those in `copy`.
+/// Multiplies the points, or the radii, by 2^exponent. Returns the values themselves where nothing changes, else those
+/// in `copy`.
 std::span<const Point3> scaled(std::span<const Point3> points, const Spread& spread, std::vector<Point3>& copy);
+std::span<const double> scaled(std::span<const double> radii, const Spread& spread, std::vector<double>& copy);
 
 }  // namespace rbpa::space

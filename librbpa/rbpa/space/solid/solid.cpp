@@ -6,12 +6,10 @@
 #include <functional>
 #include <utility>
 
-#include "meshops/core/fresh_vector.h"
 #include "rbpa/base/arrays/distinct.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/parallel/in_order.h"
 #include "rbpa/base/run/input.h"
-#include "rbpa/base/run/steps.h"
 #include "rbpa/base/sort/canonical_rows.h"
 #include "rbpa/space/cells/cells.h"
 #include "rbpa/space/cells/check_input.h"
@@ -19,6 +17,7 @@
 #include "rbpa/space/predicate/spread.h"
 #include "rbpa/space/solid/insertion/insertion.h"
 #include "rbpa/space/solid/insertion/spatial_order.h"
+#include "rbpa/space/solid/rows/inserted_rows.h"
 #include "rbpa/space/solid/rows/solid_rows.h"
 #include "rbpa/space/solid/tiles/find_by_tiles.h"
 #include "rbpa/space/solid/triples/find_by_triples.h"
@@ -26,35 +25,6 @@
 
 namespace rbpa {
 namespace {
-
-/// Returns the selected tetrahedra of a triangulation, as rows.
-space::SolidRows rows_of(const space::Insertion& triangulation, double alpha, double scaled_alpha, bool neighbors,
-                         Threads& threads) {
-  const auto tetrahedra = triangulation.tetrahedra();
-  std::vector<std::uint32_t> kept;
-  for (std::uint32_t t = 0; t < tetrahedra.size(); ++t)
-    if (!triangulation.is_deleted(t) && !tetrahedra[t].is_ghost() &&
-        (std::isinf(alpha) || triangulation.is_within(t, alpha, scaled_alpha)))
-      kept.push_back(t);
-  constexpr std::size_t at_a_time = 1u << 14;
-  space::SolidRows rows;
-  rows.corners.resize(kept.size());
-  for_each_part(threads, kept.size(), at_a_time, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) rows.corners[i] = tetrahedra[kept[i]].corner;
-  });
-  if (!neighbors) return rows;
-  meshops::FreshVector<std::uint32_t> number(tetrahedra.size());
-  for_each_part(threads, number.size(), 1u << 16, [&](std::size_t first, std::size_t last) {
-    std::fill(&number[first], &number[0] + last, Solid::none);
-  });
-  for (std::size_t i = 0; i < kept.size(); ++i) number[kept[i]] = static_cast<std::uint32_t>(i);
-  rows.neighbors.resize(kept.size());
-  for_each_part(threads, kept.size(), at_a_time, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      for (std::size_t k = 0; k < 4; ++k) rows.neighbors[i][k] = number[tetrahedra[kept[i]].neighbor[k] / 4];
-  });
-  return rows;
-}
 
 /// Finds the tetrahedra from triples of points, where alpha is at most about the spacing and few points are
 /// cospherical:
@@ -138,7 +108,7 @@ bool find_in_tiles(std::span<const Point3> points, double alpha, const SolidOpti
   return true;
 }
 
-/// Finds the tetrahedra in the triangulation of all points:
+/// Finds the tetrahedra in the triangulation of all points, if they are in no plane:
 ///   1. scale the points by a power of two, and sort them;
 ///   2. insert them, one by one;
 ///   3. select the tetrahedra of circumradius at most alpha, and number them.
@@ -152,17 +122,15 @@ void insert_all(std::span<const Point3> points, double alpha, const SolidOptions
   solid.distinct = sorted.order.size();
   solid.duplicates = std::move(sorted.duplicates);
   space::Insertion triangulation(points, scaled, spread, sorted.order);
-  if (triangulation.begin()) {
-    space::Vertex v = 4;
-    const GoOn go_on = [&] { return !options.progress || options.progress({v, solid.distinct}); };
-    Steps step(go_on);
-    while (v++ < triangulation.size()) step(triangulation.insert(v));
-    Threads threads = threads_for(points.size(), options.threads);
-    const double scaled_alpha = std::ldexp(alpha, spread.exponent);
-    space::fill_in(rows_of(triangulation, alpha, scaled_alpha, options.neighbors, threads), triangulation.index(),
-                   points.size(), options.neighbors, threads,
-                   checkpoint_of(options.progress, solid.distinct, solid.distinct), solid);
-  }
+  if (!space::insert_all(triangulation, options.progress)) return;
+  Threads threads = threads_for(points.size(), options.threads);
+  const double scaled_alpha = std::ldexp(alpha, spread.exponent);
+  const auto is_kept = [&](std::uint32_t t) {
+    return std::isinf(alpha) || triangulation.is_within(t, alpha, scaled_alpha);
+  };
+  space::fill_in(space::rows_of(triangulation, options.neighbors, threads, is_kept), triangulation.index(),
+                 points.size(), options.neighbors, threads,
+                 checkpoint_of(options.progress, solid.distinct, solid.distinct), solid);
 }
 
 }  // namespace

@@ -17,20 +17,27 @@ constexpr std::uint32_t max_tetrahedra = std::uint32_t{1} << 30U;  // so that th
 
 }  // namespace
 
-Insertion::Insertion(std::span<const Point3> points, std::span<const Point3> scaled, const Spread& spread,
-                     std::span<const std::uint32_t> order)
+template <bool weighted>
+BasicInsertion<weighted>::BasicInsertion(std::span<const Point3> points, std::span<const Point3> scaled,
+                                         const Spread& spread, std::span<const std::uint32_t> order,
+                                         std::span<const double> radii, std::span<const double> scaled_radii)
     : original_(points),
       points_(spread.is_exact ? scaled : points),
+      radii_(spread.is_exact ? scaled_radii : radii),
       spread_(spread),
       beyond_filter_(spread),
       index_(order.size() + 1),
       vertex_(order.size() + 1) {
-  vertex_[at_infinity] = {0, 0, 0};
+  vertex_[at_infinity] = {};
   index_[at_infinity] = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Point3& p = scaled[order[i]];
     index_[i + 1] = order[i];
-    vertex_[i + 1] = {p.x, p.y, p.z};
+    Inserted& vertex = vertex_[i + 1] = {};
+    vertex.x = p.x;
+    vertex.y = p.y;
+    vertex.z = p.z;
+    if constexpr (weighted) vertex.radius = scaled_radii[order[i]];
   }
   // The number of tetrahedra of points that fill a volume, including the hull and temporarily deleted ones. Memory that
   // is not used is not touched.
@@ -39,7 +46,8 @@ Insertion::Insertion(std::span<const Point3> points, std::span<const Point3> sca
   error_.reserve(expected);
 }
 
-bool Insertion::begin() {
+template <bool weighted>
+bool BasicInsertion<weighted>::begin() {
   const auto exchange = [&](Vertex v, Vertex w) {
     std::swap(index_[v], index_[w]);
     std::swap(vertex_[v], vertex_[w]);
@@ -83,36 +91,56 @@ bool Insertion::begin() {
   return true;
 }
 
-std::size_t Insertion::insert(Vertex v) {
-  find_cavity(locate(v), v);
+template <bool weighted>
+std::size_t BasicInsertion<weighted>::insert(Vertex v) {
+  const std::uint32_t t = locate(v);
+  if constexpr (weighted) {
+    start_ = t;
+    if (!is_inside(t, v, estimate(t, vertex_[v]))) return 0;
+  }
+  find_cavity(t, v);
   fill_cavity(v);
   return boundary_.size();
 }
 
-inline Insertion::Estimate Insertion::estimate(std::uint32_t t, const InsertedPoint& q) const {
+template <bool weighted>
+inline auto BasicInsertion<weighted>::estimate(std::uint32_t t, const Inserted& q) const -> Estimate {
   const Tetrahedron& tetrahedron = tetrahedra_[t];
-  const InsertedPoint& d = vertex_[tetrahedron.corner[3]];
+  const Inserted& d = vertex_[tetrahedron.corner[3]];
   const double x = q.x - d.x, y = q.y - d.y, z = q.z - d.z, square = x * x + y * y + z * z;
   const auto& m = tetrahedron.minor;
+  if constexpr (weighted) {
+    const double weight = weight_difference(q.radius, d.radius);
+    return {m[0] * x + m[1] * y + m[2] * z + m[3] * (square - weight), error_[t].at(square + std::abs(weight))};
+  }
   return {m[0] * x + m[1] * y + m[2] * z + m[3] * square, error_[t].at(square)};
 }
 
-inline bool Insertion::is_inside(std::uint32_t t, Vertex v, const Estimate& estimate) const {
+template <bool weighted>
+inline bool BasicInsertion<weighted>::is_inside(std::uint32_t t, Vertex v, const Estimate& estimate) const {
   if (estimate.value > estimate.error) return true;
   if (estimate.value < -estimate.error) return false;
   return decide(t, v, estimate);
 }
 
-bool Insertion::decide(std::uint32_t t, Vertex v, const Estimate& estimate) const {
+template <bool weighted>
+bool BasicInsertion<weighted>::decide(std::uint32_t t, Vertex v, const Estimate& estimate) const {
   const Tetrahedron& tetrahedron = tetrahedra_[t];
   if (tetrahedron.is_ghost()) return decide_ghost(tetrahedron, v);
   const auto& [a, b, c, d] = tetrahedron.corner;
+  if constexpr (weighted) {
+    const auto radius = [&](Vertex corner) { return radii_[index_[corner]]; };
+    const FiveRadii radii = {radius(a), radius(b), radius(c), radius(d), radius(v)};
+    return beyond_filter_.is_inside(point(a), point(b), point(c), point(d), point(v), estimate.value, estimate.error,
+                                    &radii);
+  }
   return beyond_filter_.is_inside(point(a), point(b), point(c), point(d), point(v), estimate.value, estimate.error);
 }
 
 /// A point in the plane of a hull face is beyond it if it is in the circle of the face: in the sphere of the
 /// tetrahedron behind the face.
-bool Insertion::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
+template <bool weighted>
+bool BasicInsertion<weighted>::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
   const auto& corner = ghost.corner;
   const std::size_t k = corner[0] == at_infinity ? 0 : corner[1] == at_infinity ? 1 : 2;
   const auto& face = outer_faces[k];  // positively oriented with a point on its other side
@@ -123,11 +151,13 @@ bool Insertion::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
   return is_inside(behind, v, estimate(behind, vertex_[v]));
 }
 
-/// Walks to a tetrahedron whose sphere contains the point. The powers with respect to the spheres of two neighbors are
-/// equal on the plane of their common face. So the power of the point decreases from a tetrahedron to the neighbor on
-/// the point's side of a face; the walk takes the step of greatest decrease.
-std::uint32_t Insertion::locate(Vertex v) const {
-  const InsertedPoint& q = vertex_[v];
+/// Walks to a tetrahedron whose sphere contains the point; for a hidden ball, to one that contains its center. The powers
+/// with respect to the spheres of two neighbors are equal on the plane of their common face. So the power of the point
+/// decreases from a tetrahedron to the neighbor on the point's side of a face; the walk takes the step of greatest
+/// decrease.
+template <bool weighted>
+std::uint32_t BasicInsertion<weighted>::locate(Vertex v) const {
+  const Inserted& q = vertex_[v];
   std::uint32_t t = start_;
   const Estimate at_start = estimate(t, q);
   if (at_start.value > at_start.error) return t;
@@ -154,7 +184,8 @@ std::uint32_t Insertion::locate(Vertex v) const {
 }
 
 /// Walks from face to face by exact orientations; ends because the exact power decreases.
-std::uint32_t Insertion::locate_exactly(std::uint32_t t, Vertex v) const {
+template <bool weighted>
+std::uint32_t BasicInsertion<weighted>::locate_exactly(std::uint32_t t, Vertex v) const {
   while (true) {
     const Tetrahedron& tetrahedron = tetrahedra_[t];
     if (tetrahedron.is_ghost()) {
@@ -170,14 +201,16 @@ std::uint32_t Insertion::locate_exactly(std::uint32_t t, Vertex v) const {
       if (orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v)) > 0)
         next = tetrahedron.neighbor[k] / 4;
     }
-    if (next == t) return t;  // the point is in the tetrahedron and no corner of it: inside of the sphere
+    // The point is in the tetrahedron and no corner of it: it is inside of the sphere. A ball may be hidden.
+    if (next == t) return t;
     t = next;
     if (tetrahedra_[t].is_ghost()) return t;  // the point is beyond the face of the ghost
   }
 }
 
-void Insertion::find_cavity(std::uint32_t first, Vertex v) {
-  const InsertedPoint q = vertex_[v];
+template <bool weighted>
+void BasicInsertion<weighted>::find_cavity(std::uint32_t first, Vertex v) {
+  const Inserted q = vertex_[v];
   cavity_.clear();
   boundary_.clear();
   level_.clear();
@@ -216,15 +249,23 @@ void Insertion::find_cavity(std::uint32_t first, Vertex v) {
   }
 }
 
-inline void Insertion::add_spoke(Vertex corner, const InsertedPoint& from) {
+template <bool weighted>
+inline void BasicInsertion<weighted>::add_spoke(Vertex corner, const Inserted& from) {
   rim_.push(corner);
-  const InsertedPoint& p = vertex_[corner];
-  spokes_.push(corner == at_infinity ? Spoke::to_infinity() : Spoke::to(p.x - from.x, p.y - from.y, p.z - from.z));
+  const Inserted& p = vertex_[corner];
+  const double x = p.x - from.x, y = p.y - from.y, z = p.z - from.z;
+  if (corner == at_infinity)
+    spokes_.push(AnySpoke::to_infinity());
+  else if constexpr (weighted)
+    spokes_.push(AnySpoke::to(x, y, z, weight_difference(p.radius, from.radius)));
+  else
+    spokes_.push(AnySpoke::to(x, y, z));
 }
 
 /// Returns the number of a corner among the vertices of the cavity's boundary.
-inline std::uint32_t Insertion::number_of(Vertex corner, Vertex v) {
-  InsertedPoint& p = vertex_[corner];
+template <bool weighted>
+inline std::uint32_t BasicInsertion<weighted>::number_of(Vertex corner, Vertex v) {
+  Inserted& p = vertex_[corner];
   if (p.last_insertion != v) {
     p.last_insertion = v;
     p.local = static_cast<std::uint32_t>(rim_.size());
@@ -234,7 +275,8 @@ inline std::uint32_t Insertion::number_of(Vertex corner, Vertex v) {
 }
 
 /// Makes room for as many tetrahedra as the boundary has faces: reuses those of the cavity, then adds more.
-void Insertion::make_room() {
+template <bool weighted>
+void BasicInsertion<weighted>::make_room() {
   const std::size_t wanted = boundary_.size();
   if (wanted < cavity_.size()) {
     free_.make_room(cavity_.size() - wanted);
@@ -247,7 +289,8 @@ void Insertion::make_room() {
   for (std::uint32_t t = new_tetrahedra(wanted - cavity_.size()); t < tetrahedra_.size(); ++t) cavity_.push(t);
 }
 
-void Insertion::fill_cavity(Vertex v) {
+template <bool weighted>
+void BasicInsertion<weighted>::fill_cavity(Vertex v) {
   const std::size_t faces = boundary_.size();
   rim_.clear();
   spokes_.clear();
@@ -281,8 +324,9 @@ void Insertion::fill_cavity(Vertex v) {
 }
 
 /// Fills in corners 0 to 2, the minors, and their error bound.
-inline void Insertion::make(std::uint32_t t, const Locals& locals) {
-  const Spoke &a = spokes_[locals[0]], &b = spokes_[locals[1]], &c = spokes_[locals[2]];
+template <bool weighted>
+inline void BasicInsertion<weighted>::make(std::uint32_t t, const Locals& locals) {
+  const AnySpoke &a = spokes_[locals[0]], &b = spokes_[locals[1]], &c = spokes_[locals[2]];
   Tetrahedron& tetrahedron = tetrahedra_[t];
   tetrahedron.minor = sphere_minors(a, b, c);
   for (std::size_t k = 0; k < 3; ++k) tetrahedron.corner[k] = rim_[locals[k]];
@@ -290,7 +334,8 @@ inline void Insertion::make(std::uint32_t t, const Locals& locals) {
   error_[t] = tetrahedron.is_ghost() ? half_space_error(a, b, c, underflow) : sphere_error(a, b, c, underflow);
 }
 
-std::uint32_t Insertion::new_tetrahedra(std::size_t count) {
+template <bool weighted>
+std::uint32_t BasicInsertion<weighted>::new_tetrahedra(std::size_t count) {
   const std::size_t first = tetrahedra_.size();
   if (first + count > max_tetrahedra)
     throw InvalidInput("more than " + std::to_string(max_tetrahedra) +
@@ -300,7 +345,8 @@ std::uint32_t Insertion::new_tetrahedra(std::size_t count) {
   return static_cast<std::uint32_t>(first);
 }
 
-bool Insertion::is_within(std::uint32_t t, double alpha, double scaled_alpha) const {
+template <bool weighted>
+bool BasicInsertion<weighted>::is_within(std::uint32_t t, double alpha, double scaled_alpha) const requires(!weighted) {
   const Tetrahedron& tetrahedron = tetrahedra_[t];
   if (spread_.is_exact) {
     const RadiusSide side = radius_side(tetrahedron.minor, error_[t], scaled_alpha);
@@ -309,5 +355,8 @@ bool Insertion::is_within(std::uint32_t t, double alpha, double scaled_alpha) co
   const auto original = [&](std::size_t k) { return original_[index_[tetrahedron.corner[k]]]; };
   return exact::compare_circumradius(original(0), original(1), original(2), original(3), alpha) <= 0;
 }
+
+template class BasicInsertion<false>;
+template class BasicInsertion<true>;
 
 }  // namespace rbpa::space

@@ -1,10 +1,11 @@
-// What:   builds the Delaunay triangulation of points in space point by point. docs/explanation/space.md, section 6,
-//         has a drawing.
+// What:   builds the Delaunay triangulation of points in space point by point, or the regular triangulation of balls.
+//         docs/explanation/space.md, section 6, has a drawing.
 // How:    for each point
 //           1. walk from a recently made tetrahedron to one whose sphere contains the point;
 //           2. find all such tetrahedra, the cavity, from neighbor to neighbor, level by level;
 //           3. join the faces of the cavity's boundary to the point.
-//         The hull has a ghost tetrahedron over each face, so that points outside are no special case.
+//         The hull has a ghost tetrahedron over each face, so that points outside are no special case. A ball in no
+//         sphere is hidden and makes no tetrahedron; one whose tetrahedra are all in a cavity is hidden from then on.
 // Law:    exact on any finite input. The tetrahedra do not depend on the order of the points.
 // Cost:   a microsecond a point in spatial order; 90 bytes a tetrahedron.
 // Source: Bowyer, Computing Dirichlet tessellations (1981); Watson (1981); ghosts: Shewchuk, Lecture notes on Delaunay
@@ -16,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "meshops/core/fresh_vector.h"
@@ -29,20 +31,24 @@
 
 namespace rbpa::space {
 
-class Insertion {
+/// Inserts points, or balls if it is weighted.
+template <bool weighted>
+class BasicInsertion {
  public:
-  /// Makes point order[i] vertex i + 1; begin() exchanges some (see index()). Keeps `points` and `scaled`, which must
-  /// outlive this object.
+  /// Makes point order[i] vertex i + 1; begin() exchanges some (see index()). Keeps the spans of points and radii, whose
+  /// values must outlive this object.
   /// Requires: `order` has indices of distinct, finite points, fewer than 2^32 − 1; `scaled` are the points multiplied
-  ///           by the power of two of `spread` (spread.h).
-  Insertion(std::span<const Point3> points, std::span<const Point3> scaled, const Spread& spread,
-            std::span<const std::uint32_t> order);
+  ///           by the power of two of `spread` (spread.h), `scaled_radii` likewise; radii are given for balls only, and
+  ///           the spread has them.
+  BasicInsertion(std::span<const Point3> points, std::span<const Point3> scaled, const Spread& spread,
+                 std::span<const std::uint32_t> order, std::span<const double> radii = {},
+                 std::span<const double> scaled_radii = {});
 
   /// Inserts the first four points of the order that are not in a plane, as vertices 1 to 4. Returns false, and changes
   /// nothing, if there are no such points.
   bool begin();
-  /// Inserts vertex v. Returns the number of new tetrahedra. Requires: begin() returned true; all vertices from 5 to
-  /// size() are inserted in ascending order.
+  /// Inserts vertex v. Returns the number of new tetrahedra, 0 for a hidden ball. Requires: begin() returned true; all
+  /// vertices from 5 to size() are inserted in ascending order.
   std::size_t insert(Vertex v);
 
   Vertex size() const { return static_cast<Vertex>(vertex_.size() - 1); }
@@ -55,16 +61,18 @@ class Insertion {
   bool is_deleted(std::uint32_t t) const { return error_[t].is_deleted(); }
   /// Returns whether the circumradius of a tetrahedron is at most alpha. Requires: the tetrahedron is no ghost; alpha
   /// is finite, and `scaled_alpha` is alpha multiplied as the points.
-  bool is_within(std::uint32_t t, double alpha, double scaled_alpha) const;
+  bool is_within(std::uint32_t t, double alpha, double scaled_alpha) const requires(!weighted);
 
  private:
+  using Inserted = std::conditional_t<weighted, InsertedBall, InsertedPoint>;
+  using AnySpoke = std::conditional_t<weighted, WeightedSpoke, Spoke>;
   /// V(q) of sphere_minors.h, and the bound of its error.
   struct Estimate {
     double value, error;
   };
   using Locals = std::array<std::uint32_t, 3>;  ///< numbers of three vertices of the cavity's boundary
 
-  Estimate estimate(std::uint32_t t, const InsertedPoint& q) const;
+  Estimate estimate(std::uint32_t t, const Inserted& q) const;
   bool is_inside(std::uint32_t t, Vertex v, const Estimate& estimate) const;
   bool decide(std::uint32_t t, Vertex v, const Estimate& estimate) const;
   bool decide_ghost(const Tetrahedron& ghost, Vertex v) const;
@@ -73,16 +81,17 @@ class Insertion {
   void find_cavity(std::uint32_t t, Vertex v);
   void fill_cavity(Vertex v);
   void make_room();
-  void add_spoke(Vertex corner, const InsertedPoint& from);
+  void add_spoke(Vertex corner, const Inserted& from);
   std::uint32_t number_of(Vertex corner, Vertex v);
   void make(std::uint32_t t, const Locals& locals);
   std::uint32_t new_tetrahedra(std::size_t count);
 
   std::span<const Point3> original_, points_;
+  std::span<const double> radii_;  // for exact predicates, like points_
   Spread spread_;
   BeyondFilter beyond_filter_;
   std::vector<std::uint32_t> index_;  // for each vertex, its input index
-  meshops::FreshVector<InsertedPoint> vertex_;
+  meshops::FreshVector<Inserted> vertex_;
   meshops::FreshVector<Tetrahedron> tetrahedra_;
   meshops::FreshVector<ErrorBound> error_;
   Stack<std::uint32_t> free_;  // deleted tetrahedra
@@ -93,10 +102,15 @@ class Insertion {
   Stack<Face> boundary_;         // the faces of the cavity, as the tetrahedra outside have them
   Stack<Face> level_, next_level_;
   Stack<Estimate> estimates_;
-  Stack<Vertex> rim_;     // the vertices of the boundary
-  Stack<Spoke> spokes_;   // from the new point to each vertex of rim_
-  Stack<Locals> locals_;  // for each face of boundary_: its corners in rim_
+  Stack<Vertex> rim_;       // the vertices of the boundary
+  Stack<AnySpoke> spokes_;  // from the new point to each vertex of rim_
+  Stack<Locals> locals_;    // for each face of boundary_: its corners in rim_
   CavityEdges edges_;
 };
+
+using Insertion = BasicInsertion<false>;
+using BallInsertion = BasicInsertion<true>;
+extern template class BasicInsertion<false>;
+extern template class BasicInsertion<true>;
 
 }  // namespace rbpa::space

@@ -37,4 +37,9 @@ struct alignas(32) InsertedPoint {
   std::uint32_t local = 0;           ///< its number in that boundary
 };
 
+/// A ball in that form.
+struct InsertedBall : InsertedPoint {
+  double radius = 0;
+};
+
 }  // namespace rbpa::space

@@ -1,0 +1,187 @@
+#include "rbpa/space/balls/regular_triangulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "rbpa/base/arrays/distinct.h"
+#include "rbpa/base/error.h"
+#include "rbpa/base/run/input.h"
+#include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/predicate/orientation.h"
+#include "rbpa/space/predicate/spread.h"
+#include "rbpa/space/solid/insertion/insertion.h"
+#include "rbpa/space/solid/insertion/spatial_order.h"
+#include "rbpa/space/solid/rows/inserted_rows.h"
+#include "rbpa/space/solid/rows/solid_rows.h"
+
+namespace rbpa {
+namespace {
+
+void check_balls(std::span<const Point3> centers, std::span<const double> radii) {
+  space::check_points(centers);
+  if (radii.size() != centers.size())
+    throw InvalidInput(std::to_string(radii.size()) + " radii, expected one for each of " +
+                       std::to_string(centers.size()) + " centers");
+  for (std::size_t i = 0; i < radii.size(); ++i)
+    if (!(radii[i] >= 0) || std::isinf(radii[i]))
+      throw InvalidInput("radius " + std::to_string(i) + " is " + text(radii[i]) +
+                         ", expected a finite number of at least 0");
+}
+
+/// Puts the largest ball of each center into `order`, which has the ball of lowest index there. Balls with a center of
+/// lower index, ascending by that center, are given by `same_center`. Lists the duplicates and counts distinct balls.
+void choose_largest(std::span<const double> radii, std::vector<Duplicate> same_center,
+                    std::vector<std::uint32_t>& order, RegularTriangulation& result) {
+  result.distinct = order.size();
+  if (same_center.empty()) return;
+  std::vector<std::uint32_t> largest(radii.size());
+  for (const std::uint32_t i : order) {
+    largest[i] = i;
+    same_center.push_back({i, i});
+  }
+  std::sort(same_center.begin(), same_center.end(), [&](const Duplicate& d, const Duplicate& e) {
+    return std::tuple(d.stands_for, -radii[d.index], d.index) < std::tuple(e.stands_for, -radii[e.index], e.index);
+  });
+  std::uint32_t first = RegularTriangulation::none, center = first;  // of the balls equal to the current one
+  for (const auto& [index, stands_for] : same_center) {
+    if (stands_for == center && radii[index] == radii[first]) {
+      result.duplicates.push_back({index, first});
+      continue;
+    }
+    if (stands_for != center) largest[stands_for] = index;
+    first = index;
+    center = stands_for;
+  }
+  std::sort(result.duplicates.begin(), result.duplicates.end(),
+            [](const Duplicate& d, const Duplicate& e) { return d.index < e.index; });
+  result.distinct = radii.size() - result.duplicates.size();
+  for (std::uint32_t& i : order) i = largest[i];
+}
+
+/// Returns up to three points that, with the centers of the order, are in no plane, and each of which is alone on its
+/// side of the plane or line of the centers. Requires: all centers are in one plane.
+///
+/// The simplices of the centers then are the faces across from those points: the centers are all on one face of the
+/// hull, where the lower hull is that of their own lifts, whatever the other points are.
+std::vector<Point3> apexes(std::span<const Point3> centers, std::span<const std::uint32_t> order) {
+  using Coordinate = double Point3::*;
+  constexpr std::array<Coordinate, 3> coordinate = {&Point3::x, &Point3::y, &Point3::z};
+  const Point3& p = centers[order[0]];
+  std::array<bool, 3> is_along{};  // axes along which a moved copy of p is an apex
+  const auto set = [&](std::size_t axis, bool others) {
+    for (std::size_t k = 0; k < 3; ++k) is_along[k] = (k == axis) != others;
+  };
+  if (order.size() == 1) is_along = {true, true, true};
+  if (order.size() > 1) {
+    const Point3& q = centers[order[1]];
+    set(p.x != q.x ? 0 : p.y != q.y ? 1 : 2, true);
+    for (const std::uint32_t i : order)
+      if (const Point3& r = centers[i]; !space::are_collinear(p, q, r)) {
+        int axis = 0;
+        while (space::orientation_along(p, q, r, axis) == 0) ++axis;
+        set(static_cast<std::size_t>(axis), false);
+        break;
+      }
+  }
+  double size = 0;
+  for (const std::uint32_t i : order)
+    for (const Coordinate c : coordinate) size = std::max(size, std::abs(centers[i].*c));
+  std::vector<Point3> result;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (is_along[k]) {
+      Point3& apex = result.emplace_back(p);
+      apex.*coordinate[k] = p.*coordinate[k] != 0 ? 0 : size > 0 ? size : 1;
+    }
+  return result;
+}
+
+/// Inserts the balls of the order, and calls use(triangulation) unless all are in one plane. Returns whether it did.
+template <typename Use>
+bool triangulate(std::span<const Point3> centers, std::span<const double> radii, std::span<const std::uint32_t> order,
+                 const OnProgress& progress, Use use) {
+  const space::Spread spread = space::spread(centers, radii);
+  std::vector<Point3> copy;
+  std::vector<double> copy_of_radii;
+  space::BallInsertion triangulation(centers, space::scaled(centers, spread, copy), spread, order, radii,
+                                     space::scaled(radii, spread, copy_of_radii));
+  if (!space::insert_all(triangulation, progress)) return false;
+  use(triangulation);
+  return true;
+}
+
+/// Returns the triangulation of centers that are all in one plane: RegularTriangulation::flat.
+std::vector<Row> triangulate_flat(std::span<const Point3> centers, std::span<const double> radii,
+                                  std::vector<std::uint32_t> order, const OnProgress& progress) {
+  std::vector<Point3> with_apexes(centers.begin(), centers.end());
+  std::vector<double> their_radii(radii.begin(), radii.end());
+  for (const Point3& apex : apexes(centers, order)) {
+    order.push_back(static_cast<std::uint32_t>(with_apexes.size()));
+    with_apexes.push_back(apex);
+    their_radii.push_back(0);
+  }
+  std::vector<Row> flat;
+  triangulate(with_apexes, their_radii, order, progress, [&](const space::BallInsertion& triangulation) {
+    Threads one(1);
+    for (Row row : space::rows_of(triangulation, false, one, [](std::uint32_t) { return true; }).corners) {
+      for (std::uint32_t& corner : row) {
+        const std::uint32_t index = triangulation.index()[corner];
+        corner = index < centers.size() ? index : RegularTriangulation::none;
+      }
+      std::sort(row.begin(), row.end());
+      flat.push_back(row);
+    }
+  });
+  std::sort(flat.begin(), flat.end());
+  return flat;
+}
+
+/// Lists the distinct balls that are no corner.
+void list_hidden(std::size_t balls, RegularTriangulation& result) {
+  std::vector<bool> is_corner(balls, false);
+  for (const auto* rows : {&result.simplices, &result.flat})
+    for (const Row& row : *rows)
+      for (const std::uint32_t corner : row)
+        if (corner != RegularTriangulation::none) is_corner[corner] = true;
+  for_each_distinct(balls, result.duplicates, [&](std::uint32_t i) {
+    if (!is_corner[i]) result.hidden.push_back(i);
+  });
+}
+
+}  // namespace
+
+RegularTriangulation regular_triangulation(std::span<const Point3> centers, std::span<const double> radii,
+                                           const SolidOptions& options) {
+  check_balls(centers, radii);
+  RegularTriangulation result;
+  Solid solid;
+  if (std::equal(radii.begin() + (radii.empty() ? 0 : 1), radii.end(), radii.begin()))
+    solid = rbpa::solid(centers, std::numeric_limits<double>::infinity(), options);
+  if (!solid.simplices.empty()) {
+    result.duplicates = std::move(solid.duplicates);
+    result.distinct = solid.distinct;
+  } else {
+    const auto checkpoint = checkpoint_of(options.progress, centers.size());
+    const space::Spread spread = space::spread(centers);
+    std::vector<Point3> copy;
+    space::SpatialOrder sorted = space::spatial_order(centers, space::scaled(centers, spread, copy), checkpoint);
+    choose_largest(radii, std::move(sorted.duplicates), sorted.order, result);
+    const auto fill_in = [&](const space::BallInsertion& triangulation) {
+      Threads threads = threads_for(centers.size(), options.threads);
+      space::fill_in(space::rows_of(triangulation, options.neighbors, threads, [](std::uint32_t) { return true; }),
+                     triangulation.index(), centers.size(), options.neighbors, threads,
+                     checkpoint_of(options.progress, sorted.order.size(), sorted.order.size()), solid);
+    };
+    if (!triangulate(centers, radii, sorted.order, options.progress, fill_in) && !centers.empty())
+      result.flat = triangulate_flat(centers, radii, std::move(sorted.order), options.progress);
+  }
+  result.simplices = std::move(solid.simplices);
+  result.neighbors = std::move(solid.neighbors);
+  list_hidden(centers.size(), result);
+  return result;
+}
+
+}  // namespace rbpa
