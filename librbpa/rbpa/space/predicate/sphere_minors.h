@@ -21,13 +21,15 @@
 
 namespace rbpa::space {
 
-/// A corner relative to corner d, with its squared length and its length.
+/// A corner relative to corner d, with its squared length and its length. A length below 2^−200 counts as 2^−200: its
+/// square may underflow, and error bounds need no less than the length. Lengths are at least 2^−150 unless coordinates
+/// were rounded (spread.h).
 struct Spoke {
   double x, y, z, square, length;
 
   static Spoke to(double x, double y, double z) {
     const double square = x * x + y * y + z * z;
-    return {x, y, z, square, std::sqrt(square)};
+    return {x, y, z, square, std::max(std::sqrt(square), 0x1p-200)};
   }
   static Spoke to_infinity() { return {0, 0, 0, 1, 0}; }
   /// Returns the length that stands for the square in error bounds.
@@ -40,10 +42,8 @@ struct WeightedSpoke : Spoke {
   double reach_;
 
   static WeightedSpoke to(double x, double y, double z, double weight) {
-    constexpr double least = 0x1p-200;  // of lengths: they are at least 2^−150 unless coordinates were rounded
     const Spoke spoke = Spoke::to(x, y, z);
-    return {{x, y, z, spoke.square - weight, spoke.length},
-            (spoke.square + std::abs(weight)) / std::max(spoke.length, least)};
+    return {{x, y, z, spoke.square - weight, spoke.length}, (spoke.square + std::abs(weight)) / spoke.length};
   }
   static WeightedSpoke to_infinity() { return {Spoke::to_infinity(), 0}; }
   double reach() const { return reach_; }

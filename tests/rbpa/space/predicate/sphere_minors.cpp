@@ -16,6 +16,7 @@ using namespace rbpa_test;
 using rbpa::Point3;
 using rbpa::space::ErrorBound;
 using rbpa::space::Spoke;
+using rbpa::space::WeightedSpoke;
 
 TEST_SUITE_BEGIN("space");
 
@@ -79,6 +80,46 @@ TEST_CASE("the determinant by minors is within its error bound for any lengths, 
     inexact += off != 0 ? 1u : 0u;
   }
   CHECK(inexact > 1000);
+}
+
+TEST_CASE("the error bound holds for balls too, and where squares underflow") {
+  Random random(3197);
+  std::size_t inexact = 0, bounded = 0;
+  for (int trial = 0; trial < trials(20'000); ++trial) {
+    const bool is_far = random.below(2) == 0;  // lengths and radii from 2^150 to 2^-1000
+    const auto size = [&] {
+      return std::ldexp(1.0, !is_far                ? -static_cast<int>(random.below(20))
+                             : random.below(2) == 0 ? 149
+                                                    : -static_cast<int>(random.below(1000)));
+    };
+    const auto radius = [&] { return random.below(4) == 0 ? 0 : random.unit() * size(); };
+    const double first = radius();  // of the ball at the origin, corner d
+    std::array<WeightedSpoke, 3> spokes{};
+    std::array<Entries, 4> rows{};
+    Point3 q;
+    double weight = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double s = size(), own = random.below(4) == 0 ? first : radius();
+      q = {s * (2 * random.unit() - 1), s * (2 * random.unit() - 1), s * (2 * random.unit() - 1)};
+      weight = rbpa::space::weight_difference(own, first);
+      if (k < 3) spokes[k] = WeightedSpoke::to(q.x, q.y, q.z, weight);
+      rows[k] = entries(q);
+      rows[k][3] -= rational(own) * rational(own) - rational(first) * rational(first);
+    }
+    const auto minor = rbpa::space::sphere_minors(spokes[0], spokes[1], spokes[2]);
+    const double bound = rbpa::space::sphere_error(spokes[0], spokes[1], spokes[2], is_far ? 0x1p-400 : 0)
+                             .at(q.x * q.x + q.y * q.y + q.z * q.z + std::abs(weight));
+    const double lift = q.x * q.x + q.y * q.y + q.z * q.z - weight;
+    const double value = minor[0] * q.x + minor[1] * q.y + minor[2] * q.z + minor[3] * lift;
+    if (!std::isfinite(bound)) continue;
+    const Rational off = abs(Rational(rational(value) - determinant(rows)));
+    CAPTURE(trial);
+    CHECK(off <= rational(bound));
+    inexact += off != 0 ? 1u : 0u;
+    ++bounded;
+  }
+  CHECK(inexact > static_cast<std::size_t>(trials(15'000)));
+  CHECK(bounded > static_cast<std::size_t>(trials(17'000)));
 }
 
 TEST_SUITE_END();
