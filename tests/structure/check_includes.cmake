@@ -55,7 +55,7 @@ set(allowed
     rbpa/plane/predicate rbpa/plane/tile"
   "rbpa/plane/shape: rbpa/base rbpa/base/exact rbpa/base/run rbpa/plane rbpa/plane/predicate"
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
-  "rbpa/space/balls: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/run rbpa/space/balls/full
+  "rbpa/space/balls: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run rbpa/space/balls/full
     rbpa/space/balls/periodic rbpa/space/cells rbpa/space/persistence rbpa/space/predicate rbpa/space/solid
     rbpa/space/solid/boundary rbpa/space/solid/insertion rbpa/space/solid/rows rbpa/space/surface"
   "rbpa/space/balls/full: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run

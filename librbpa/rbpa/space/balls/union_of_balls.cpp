@@ -13,8 +13,8 @@
 #include "rbpa/space/balls/full/common_of_balls.h"
 #include "rbpa/space/balls/full/edges.h"
 #include "rbpa/space/balls/full/faces_within.h"
+#include "rbpa/space/balls/full/far_points.h"
 #include "rbpa/space/cells/check_input.h"
-#include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/predicate/outer_faces.h"
 #include "rbpa/space/predicate/vector3.h"
 #include "rbpa/space/solid/solid_radii.h"
@@ -171,17 +171,7 @@ BallUnion union_of_balls(std::span<const Point3> points, double radius, const So
   std::vector<Point3> more;
   if (delaunay.simplices.empty()) {
     // All points are in a plane. Additional points, too far away for any ball to reach them, make a triangulation.
-    const auto [low, high] = space::box_of(points);
-    const double far = 4 * (radius + (high.x - low.x) + (high.y - low.y) + (high.z - low.z));
-    more.assign(points.begin(), points.end());
-    for (const Point3& p : {Point3{high.x + far, high.y, high.z}, Point3{high.x, high.y + far, high.z},
-                            Point3{high.x, high.y, high.z + far}})
-      more.push_back(p);
-    if (!std::isfinite(high.x + far) || !std::isfinite(high.y + far) || !std::isfinite(high.z + far))
-      throw InvalidInput(
-          "all points are in a plane, and points farther away than all balls would not be finite, expected points "
-          "nearer "
-          "together or a smaller radius");
+    more = space::with_far_points(points, radius);
     delaunay = solid(more, infinity, with_neighbors);
   }
   const std::span<const Point3> all = more.empty() ? points : std::span<const Point3>(more);

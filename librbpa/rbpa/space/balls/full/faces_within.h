@@ -1,7 +1,9 @@
-// What: finds the triangles and edges of a Delaunay triangulation (also of a periodic box) in the full alpha complex.
+// What: finds the triangles and edges of a Delaunay triangulation (also of a periodic box) in the full alpha complex,
+//       and those of a regular triangulation in the dual complex of balls.
 // Law:  a simplex is in the complex if a ball of radius at most alpha has its corners on its sphere and no point
 //       inside. Equivalently: a simplex of higher dimension with this face is in the complex; or the least sphere
-//       through its corners has a radius of at most alpha and no corner of the simplices around it is inside.
+//       through its corners has a radius of at most alpha and no corner of the simplices around it is inside. For
+//       balls, the least power of the simplex is at most 0, and no corner around it conflicts (orthosphere.h).
 // How:  each triangle is tested with the corners of its first tetrahedron. In a periodic box the other tetrahedron may
 //       have an image of the triangle; images are exact, so the result holds for both.
 // Cost: linear in the tetrahedra; exact predicates where neither tetrahedron at a triangle is in the complex.
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -20,13 +23,30 @@
 
 namespace rbpa::space {
 
+/// The simplices that are in a complex by themselves. Any thread may call.
+class SimplexRule {
+ public:
+  virtual ~SimplexRule() = default;
+  virtual bool has_tetrahedron(std::uint32_t t) const = 0;
+  /// Returns whether the triangle across from corner k of t is within the limit, and this corner does not conflict.
+  virtual bool has_triangle_beside(std::uint32_t t, std::size_t k) const = 0;
+  virtual bool has_edge(std::span<const EdgeAt> ring) const = 0;
+};
+
 class FacesWithin {
  public:
-  /// Keeps references. Requires: a Delaunay triangulation with neighbors, and its circumradii; alpha above 0.
+  /// Finds the faces of the full alpha complex. Keeps references. Requires: a Delaunay triangulation with neighbors,
+  /// and its circumradii; alpha above 0.
   FacesWithin(const Triangulated& delaunay, std::span<const double> radii, double alpha, Threads& threads,
               const GoOn& go_on = {});
+  /// Finds the faces of the dual complex of balls. Keeps references. Requires: their regular triangulation with
+  /// neighbors, and a radius for each vertex.
+  FacesWithin(const Triangulated& regular, std::span<const double> ball_radii, Threads& threads,
+              const GoOn& go_on = {});
+  FacesWithin(const Triangulated& cells, std::shared_ptr<const SimplexRule> rule, Threads& threads,
+              const GoOn& go_on = {});
 
-  bool has_tetrahedron(std::uint32_t t) const { return radii_[t] <= alpha_; }
+  bool has_tetrahedron(std::uint32_t t) const { return has_tetrahedron_[t] != 0; }
   /// Returns whether the triangle across from corner k of tetrahedron t is in the complex.
   bool has_triangle(std::uint32_t t, std::size_t k) const { return has_triangle_[4 * std::size_t{t} + k] != 0; }
   /// Returns the number of tetrahedra of the complex that have the triangle across from corner k of t as a face.
@@ -52,13 +72,12 @@ class FacesWithin {
     });
   }
   /// Returns whether the edge is in the complex by itself. Requires: no triangle at the edge is in the complex.
-  bool has_edge_alone(std::span<const EdgeAt> ring) const { return is_edge_alone(delaunay_, ring, alpha_); }
+  bool has_edge_alone(std::span<const EdgeAt> ring) const { return rule_->has_edge(ring); }
 
  private:
   Triangulated delaunay_;
-  std::span<const double> radii_;
-  double alpha_;
-  std::vector<std::uint8_t> has_triangle_;  // for each tetrahedron, across from each of its four corners
+  std::shared_ptr<const SimplexRule> rule_;
+  std::vector<std::uint8_t> has_tetrahedron_, has_triangle_;  // triangles: across from each of the four corners
 };
 
 }  // namespace rbpa::space

@@ -18,8 +18,10 @@ struct Triangulated {
   /// In a periodic box, the point and offset of each vertex; otherwise empty: vertices are points.
   std::span<const PeriodicVertex> vertices = {};
 
-  Triangulated(std::span<const Point3> points, const Solid& solid)
-      : positions(points), simplices(solid.simplices), neighbors(solid.neighbors) {}
+  /// Refers to a Solid or a RegularTriangulation.
+  template <typename Triangulation>
+  Triangulated(std::span<const Point3> points, const Triangulation& cells)
+      : positions(points), simplices(cells.simplices), neighbors(cells.neighbors) {}
   explicit Triangulated(const PeriodicSolid& solid)
       : positions(solid.positions), simplices(solid.simplices), neighbors(solid.neighbors), vertices(solid.vertices) {}
 

@@ -1,0 +1,30 @@
+// What: balls with different radii: the sign of the least power of a simplex, and whether a ball conflicts with it.
+//       The power of a point x to a ball is |x − center|² − radius². The orthocenter of a simplex is the point of least
+//       power among those with the same power to all its balls. A ball conflicts if its power at the orthocenter is
+//       lower.
+// Law:  exact for all finite balls; a power of 0 is 0, and a ball with the same power does not conflict.
+// How:  a filter (docs/explanation/exact_decisions.md, section 7), then integers of any length.
+// Cost: some ten nanoseconds; microseconds where the filter fails.
+#pragma once
+
+#include "rbpa/base/point3.h"
+
+namespace rbpa::space {
+
+struct Ball {
+  Point3 center;
+  double radius = 0;
+};
+
+/// Returns the sign of the power at the orthocenter of two to four balls. If it is not positive, the balls have a point
+/// in common. Requires: centers that are affinely independent.
+int least_power_sign(const Ball& a, const Ball& b);
+int least_power_sign(const Ball& a, const Ball& b, const Ball& c);
+int least_power_sign(const Ball& a, const Ball& b, const Ball& c, const Ball& d);
+
+/// Returns whether q conflicts with one to three balls. Requires: centers that are affinely independent.
+bool is_conflict(const Ball& a, const Ball& q);
+bool is_conflict(const Ball& a, const Ball& b, const Ball& q);
+bool is_conflict(const Ball& a, const Ball& b, const Ball& c, const Ball& q);
+
+}  // namespace rbpa::space
