@@ -15,20 +15,10 @@ bool is_there(const FormatRow& row) {
   return has_gdal() || std::find(std::begin(of_gdal), std::end(of_gdal), row.format) == std::end(of_gdal);
 }
 
-/// Returns whether `name`, in letters of either case, is among `names`, which blanks separate.
-bool is_among(std::string_view name, std::string_view names) {
-  while (!names.empty()) {
-    const std::size_t size = std::min(names.find(' '), names.size());
-    if (same_letters(name, names.substr(0, size))) return true;
-    names.remove_prefix(std::min(size + 1, names.size()));
-  }
-  return false;
-}
-
 /// Returns a command that converts a file with that ending to a format that is read; empty if none is known.
 std::string conversion(std::string_view ending, const std::string& path) {
   if (const std::string command = cloud_conversion(path); !command.empty()) return command;
-  if (is_among(ending, "shp gpkg fgb kml kmz gpx gml parquet gdb tab mif dxf osm pbf sqlite ods xlsx"))
+  if (is_word_of(ending, "shp gpkg fgb kml kmz gpx gml parquet gdb tab mif dxf osm pbf sqlite ods xlsx"))
     return "ogr2ogr -f GeoJSON points.geojson " + path;
   return "";
 }
@@ -36,13 +26,13 @@ std::string conversion(std::string_view ending, const std::string& path) {
 }  // namespace
 
 std::string cloud_conversion(const std::string& path) {
-  return is_among(input_ending(path), "laz zlas e57 pcd ptx bpf rdb copc") ? "pdal translate " + path + " points.las"
-                                                                           : "";
+  return is_word_of(input_ending(path), "laz zlas e57 pcd ptx bpf rdb copc") ? "pdal translate " + path + " points.las"
+                                                                             : "";
 }
 
 std::optional<Format> find_format(Use use, std::string_view name) {
   for (const FormatRow& row : format_table)
-    if (row.is_for(use) && is_there(row) && (is_among(name, row.endings) || is_among(name, row.aliases)))
+    if (row.is_for(use) && is_there(row) && (is_word_of(name, row.endings) || is_word_of(name, row.aliases)))
       return row.format;
   return std::nullopt;
 }

@@ -10,7 +10,8 @@ namespace rbpa::app {
 /// The reader of points of a format (io/cloud/cloud.h); each is defined in the source that reads the format.
 struct CloudFormat;
 extern const CloudFormat table_reader, pts_reader, xyzn_reader, xyzrgb_reader, las_reader, npy_reader, raw_reader,
-    ply_reader, off_reader, obj_reader, pcd_reader, pdb_reader, cif_reader, kitti_reader;
+    ply_reader, off_reader, obj_reader, pcd_reader, pdb_reader, pqr_reader, cif_reader, gro_reader, dump_reader,
+    kitti_reader;
 
 enum class Format {
   text,  // a table, one point per line
@@ -29,7 +30,10 @@ enum class Format {
   stl,
   pcd,
   pdb,
+  pqr,
   cif,
+  gro,
+  dump,  // of LAMMPS
   png,
   pgm,
   svg,
@@ -104,6 +108,9 @@ inline constexpr FormatRow format_table[] = {
     {"pcd", "", Format::pcd, 0U | Use::space, &pcd_reader},
     {"pdb", "ent", Format::pdb, 0U | Use::space, &pdb_reader},
     {"cif", "mmcif", Format::cif, 0U | Use::space, &cif_reader},
+    {"pqr", "", Format::pqr, 0U | Use::space, &pqr_reader},
+    {"gro", "", Format::gro, 0U | Use::space, &gro_reader},
+    {"dump", "lammpstrj lammpsdump", Format::dump, 0U | Use::space, &dump_reader},
     {"npy", "", Format::npy,
      Use::points | Use::space | Use::triangles | Use::full | Use::surface | Use::boundary | Use::solid, &npy_reader},
     {"f64xy", "", Format::raw, 0U | Use::points, &raw_reader},

@@ -30,6 +30,16 @@ inline bool same_letters(std::string_view a, std::string_view b) {
   });
 }
 
+/// Returns whether `name`, in letters of either case, is among `names`, which blanks separate.
+inline bool is_word_of(std::string_view name, std::string_view names) {
+  while (!names.empty()) {
+    const std::size_t size = std::min(names.find(' '), names.size());
+    if (same_letters(name, names.substr(0, size))) return true;
+    names.remove_prefix(std::min(size + 1, names.size()));
+  }
+  return false;
+}
+
 inline std::string in_capitals(std::string_view text) {
   std::string result(text);
   for (char& c : result) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));

@@ -382,7 +382,7 @@ TEST_SUITE("molecules") {
           std::string::npos);
     folder.file("t.xyz", "0 0 0\n");
     CHECK(folder.rbpa("solid t.xyz --alpha inf --waters --json").err ==
-          "rbpa: --waters: found a format without atoms, expected cif or pdb\n");
+          "rbpa: --waters: found a format without atoms, expected cif, dump, gro, pdb or pqr\n");
     CHECK(folder.rbpa("solid m.cif --alpha inf --json -q").out.find("\"points\": 3,") != std::string::npos);
     CHECK(folder.rbpa("solid m.cif --where \"element == 'N'\" --alpha inf --json -q").out.find("\"points\": 1,") !=
           std::string::npos);

@@ -218,7 +218,7 @@ TEST_SUITE("solid box") {
           std::string::npos);
     folder.file("t.xyz", "0 0 0\n");
     CHECK(run("t.xyz --box auto -o t.npy").err ==
-          "rbpa: --box auto: found a format without a cell, expected cif or pdb\n");
+          "rbpa: --box auto: found a format without a cell, expected cif, dump, gro, pdb or pqr\n");
   }
 
   TEST_CASE("options that cannot be combined with --box are refused") {

@@ -111,7 +111,7 @@ TEST_SUITE("points of space") {
     CHECK(is_for(Use::full, Format::npy));
     CHECK_FALSE(is_for(Use::full, Format::off));
     CHECK(with_fields(Use::points).find("pcd") == std::string::npos);  // verbs of the plane do not read it
-    CHECK(with_fields(Use::space).find("pcd, pdb, ply or text") != std::string::npos);
+    CHECK(with_fields(Use::space).find("pcd, pdb, ply, pqr or text") != std::string::npos);
   }
 
   TEST_CASE("tables have 3 or 6 columns, with every separator, comments, quotes and a header") {

@@ -85,7 +85,14 @@ const std::vector<Sample> of_space = {
     {Format::pdb, "pdb", atoms},
     {Format::cif, "cif",
      "data_a\nloop_\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
-     "_atom_site.Cartn_z\n1 C 0 0.5 -1\n2 C 1 0 4\n3 C 2 3 0\n#\n"}};
+     "_atom_site.Cartn_z\n1 C 0 0.5 -1\n2 C 1 0 4\n3 C 2 3 0\n#\n"},
+    {Format::pqr, "pqr", "REMARK\nATOM 1 C A 1 0 0.5 -1 0 1.7\nATOM 2 C A 1 1 0 4 0 1\nATOM 3 C A 1 2 3 0 0 1\nEND\n"},
+    {Format::gro, "gro",
+     "three\n3\n    1A       C1    1   0.000   0.050  -0.100\n    1A       C2    2   0.100   0.000   0.400\n"
+     "    1A       C3    3   0.200   0.300   0.000\n 1 1 1\n"},
+    {Format::dump, "dump",
+     "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\nITEM: ATOMS id x y z\n"
+     "1 0 0.5 -1\n2 1 0 4\n3 2 3 0\n"}};
 const std::string stl =
     "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0.5 -1\nvertex 1 0 4\nvertex 2 3 0\nendloop\nendfacet\n"
     "endsolid a\n";

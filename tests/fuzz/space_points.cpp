@@ -1,11 +1,13 @@
 // Readers of points of space: any bytes are either points, all finite, with a normal and a color for each or for none,
-// or refused in a sentence of one line. format_of_input.h says how an input names its format.
+// or refused in a sentence of one line; and all frames of atoms have finite centers and radii of at least 0.
+// format_of_input.h says how an input names its format.
 #include <algorithm>
 #include <optional>
 
 #include "fuzz/format_of_input.h"
 #include "fuzz/sentence.h"
 #include "fuzz/target.h"
+#include "io/cloud/atom_frames.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
 #include "io/formats.h"
@@ -36,6 +38,17 @@ void is_sound(const SpacePoints& file) {
                 "normals have a direction");
 }
 
+void read_frames(const fuzz::FuzzedFile& file, Format format) {
+  AtomFrames frames(file.bytes, "FILE", format, {.frames = {.all = true}, .alternates = (file.options & 16U) != 0});
+  for (AtomFrame frame; frames.next(frame);) {
+    fuzz::require(!frame.rows.empty(), "a frame has atoms");
+    for (const AtomRow& row : frame.rows) {
+      fuzz::require(rbpa::is_finite(row.center), "centers are finite");
+      fuzz::require(row.radius >= 0 || !frame.has_radii, "radii are at least 0");
+    }
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -43,6 +56,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::optional<Format> format = file ? find_format(Use::space, file->ending) : std::nullopt;
   if (!format) return 0;
   try {
+    if ((file->options & 8U) != 0) read_frames(*file, *format);
     is_sound(space_points_in(file->bytes, "FILE", *format, choice_of(*format, file->options)));
   } catch (const BadInput& refusal) {
     fuzz::is_a_sentence(refusal.what());

@@ -1,5 +1,5 @@
-// What: the atoms of a molecule's file, of any format, one after the other as texts in columns.
-// Law:  the atoms are those of the first model, in the order of the file.
+// What: the atoms of a molecule's file, of any format, frame by frame and one after the other as texts in columns.
+// Law:  the atoms of a frame are in the order of the file. What follows the last frame that is read is only counted.
 #pragma once
 
 #include <algorithm>
@@ -9,17 +9,26 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "io/cloud/cloud.h"
 #include "io/text/condition.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa::app {
 
-/// The columns of an atom; the first names_of_atom of them name it.
-inline constexpr std::array<std::string_view, 13> atom_columns = {"serial", "chain",     "resseq", "icode", "resname",
-                                                                  "name",   "element",   "x",      "y",     "z",
-                                                                  "altloc", "occupancy", "bfactor"};
-inline constexpr std::size_t names_of_atom = 7, x_of_atom = 7, no_atom_column = atom_columns.size();
+/// The columns of an atom; the first names_of_atom of them name it, and the first columns_of_pdb are those of PDB.
+inline constexpr std::array<std::string_view, 15> atom_columns = {"serial", "chain",     "resseq",  "icode",  "resname",
+                                                                  "name",   "element",   "x",       "y",      "z",
+                                                                  "altloc", "occupancy", "bfactor", "charge", "radius"};
+inline constexpr std::size_t names_of_atom = 7, x_of_atom = 7, columns_of_pdb = 13, no_atom_column = 15;
+
+/// The indices of the columns in atom_columns.
+struct AtomColumn {
+  static constexpr std::size_t serial = 0, chain = 1, resseq = 2, icode = 3, resname = 4, name = 5, element = 6,
+                               altloc = 10, occupancy = 11, bfactor = 12, charge = 13, radius = 14;
+};
 
 /// Returns the index in atom_columns of a name, in letters of either case; no_atom_column if there is none.
 std::size_t atom_column(std::string_view name);
@@ -27,39 +36,108 @@ std::size_t atom_column(std::string_view name);
 /// Returns whether the column holds texts, even if they look like numbers; otherwise it holds numbers.
 bool is_text_of_atom(std::size_t column);
 
+/// Returns whether the name of a residue is one of those of water.
+bool is_water(std::string_view residue);
+
 struct Atom {
   std::size_t line = 0;                                      ///< of the file, where the atom begins
   std::array<std::string, atom_columns.size()> fields = {};  ///< an empty text where the file has no value
+  std::vector<std::string> others = {};                      ///< values of all columns, if they are named by the file
+  bool is_hetero = false;                                    ///< of a record HETATM
+  std::size_t name_begins = 0;  ///< the column of the line where the name begins, if PDB says the element so
 };
 
 class AtomSource {
  public:
-  AtomSource() = default;
   virtual ~AtomSource() = default;
   AtomSource(const AtomSource&) = delete;
   AtomSource& operator=(const AtomSource&) = delete;
 
-  /// Reads the next atom; returns false at the end. Throws BadInput, also if the file has no atom at all; Cancelled.
+  /// Goes to the next frame, and passes over the rest of the current one; returns false at the end. Throws BadInput,
+  /// also if the file has no atom at all; Cancelled.
+  virtual bool next_frame() = 0;
+  /// Reads the next atom of the frame; returns false at its end. Throws BadInput, Cancelled.
   virtual bool next(Atom& atom) = 0;
-  /// Throws BadInput if a value before the current atom may be missing, so that later values are in wrong columns.
-  virtual void require_columns() const {}
+  /// Returns the number in a column of the atom, NaN if the column is empty. Throws BadInput with the line; `where` is
+  /// the end of the message.
+  double number(const Atom& atom, std::size_t column, std::string_view where = "") const;
+  /// Returns the place of the atom. Throws BadInput with the line.
+  Point3 center(const Atom& atom) const;
+  /// Returns the index of a column: in atom_columns, or no_atom_column and more for Atom::others. Requires: a frame.
+  /// Throws BadInput if the file has no such column.
+  virtual std::size_t column(std::string_view name) const;
+  /// Returns whether the file has radii. Requires: a frame.
+  virtual bool has_radii() const { return false; }
+  /// Returns the text in a column().
+  static const std::string& text(const Atom& atom, std::size_t column) {
+    return column < no_atom_column ? atom.fields[column] : atom.others[column - no_atom_column];
+  }
 
-  std::size_t models() const { return models_; }  ///< models with atoms; known at the end
+  std::size_t frames() const { return frames_; }  ///< frames with atoms, as far as the file has been read
   std::size_t blocks() const { return blocks_; }  ///< data blocks with atoms; known at the end; only the first is read
-  UnitCell& cell() { return cell_; }              ///< known at the end
+  const std::string& name() const { return name_; }
+  UnitCell& cell() { return cell_; }                   ///< of the frame; known at its end
+  std::string_view remark() const { return remark_; }  ///< a warning about all coordinates; empty if there is none
 
  protected:
-  std::size_t models_ = 0, blocks_ = 1;
+  explicit AtomSource(const std::string& name) : name_(name) {}
+  /// Throws BadInput if a value before the current atom may be missing, so that later values are in wrong columns.
+  virtual void require_columns() const {}
+  /// Returns the number in a column of the atom, in the units of the result. Throws BadInput, also for an empty text.
+  virtual double parsed(const Atom& atom, std::size_t column, std::string_view where) const;
+
+  const std::string& name_;
+  std::size_t frames_ = 0, blocks_ = 1;
   UnitCell cell_ = {};
+  std::string_view remark_ = {};
 };
 
-/// Return the atoms of PDB's records ATOM and HETATM, and of PDBx/mmCIF's category _atom_site. The text and `name` must
-/// outlive the result.
-std::unique_ptr<AtomSource> pdb_atoms(std::string_view text, const std::string& name);
-std::unique_ptr<AtomSource> cif_atoms(std::string_view text, const std::string& name);
+/// Opens the atoms of a format, one of those below. The text and `name` must outlive the result. `all_frames`: the
+/// later frames will be read, too.
+using OpenAtoms = std::unique_ptr<AtomSource> (*)(std::string_view text, const std::string& name, bool all_frames);
+
+/// Return the atoms of PDB's records ATOM and HETATM; of PQR; of PDBx/mmCIF's category _atom_site; of GROMACS' .gro; of
+/// LAMMPS' dump; of the .xyz of chemistry.
+std::unique_ptr<AtomSource> pdb_atoms(std::string_view text, const std::string& name, bool all_frames);
+std::unique_ptr<AtomSource> pqr_atoms(std::string_view text, const std::string& name, bool all_frames);
+std::unique_ptr<AtomSource> cif_atoms(std::string_view text, const std::string& name, bool all_frames);
+std::unique_ptr<AtomSource> gro_atoms(std::string_view text, const std::string& name, bool all_frames);
+std::unique_ptr<AtomSource> dump_atoms(std::string_view text, const std::string& name, bool all_frames);
+std::unique_ptr<AtomSource> xyz_atoms(std::string_view text, const std::string& name, bool all_frames);
+
+/// Returns the source of atoms of a format of molecules; null for other formats.
+OpenAtoms atoms_of(Format format);
+
+/// Evaluates a condition for one atom after the other, and finds the columns that it requests for each.
+class AtomSelection {
+ public:
+  /// Requires: a frame of `source`. Throws BadInput for a column that the file does not have.
+  AtomSelection(const Condition& where, const AtomSource& source);
+
+  bool holds(const Atom& atom);
+  /// Returns whether the condition names residues, so that it decides about water.
+  bool names_residues() const { return names_residues_; }
+  /// Returns whether the condition's column k holds texts.
+  bool is_text(std::size_t k) const { return is_text_[k]; }
+  const std::string& text(const Atom& atom, std::size_t k) const { return AtomSource::text(atom, places_[k]); }
+  double number(const Atom& atom, std::size_t k) const;
+  void warning(std::string_view noun, std::vector<std::string>& warnings) const { selection_.warning(noun, warnings); }
+
+ private:
+  const AtomSource& source_;
+  std::vector<std::size_t> places_ = {};                         // columns of the condition's fields
+  std::vector<std::pair<std::size_t, std::string>> texts_ = {};  // columns of its texts, and the texts
+  std::vector<bool> is_text_ = {};
+  bool names_residues_ = false;
+  Selection selection_;
+};
 
 /// Returns the unit cell of three lengths and three angles, in degrees, from a record of the file; none of empty texts.
 UnitCell unit_cell(const std::string& record, const std::array<std::string_view, 6>& values);
+
+/// Returns the unit cell of three edges from a record of the file.
+UnitCell unit_cell(const std::string& record, const std::array<std::array<double, 3>, 3>& edges,
+                   const std::array<bool, 3>& repeats = {true, true, true});
 
 /// Returns a number of CIF without its standard uncertainty: "5.28(3)" is 5.28.
 std::string_view without_uncertainty(std::string_view number);

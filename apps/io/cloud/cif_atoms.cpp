@@ -160,19 +160,28 @@ std::string_view item_of(std::string_view name, std::string_view category) {
 
 class CifAtoms final : public AtomSource {
  public:
-  CifAtoms(std::string_view text, const std::string& name) : text_(text), name_(name), tokens_(text, name) {}
+  CifAtoms(std::string_view text, const std::string& name, bool all_frames)
+      : AtomSource(name), text_(text), tokens_(text, name), all_frames_(all_frames) {}
+
+  bool next_frame() override {
+    while (!waits_ || !is_new_frame_) {
+      waits_ = find_row();
+      if (waits_) continue;
+      if (frames_ == 0) bad_input(name_, "no atom in a category _atom_site", "the atoms of a file in PDBx/mmCIF");
+      cell_ = unit_cell("_cell", cell_values_);
+      return false;
+    }
+    is_new_frame_ = false;
+    if (all_frames_ && frames_ == 1) find_cell();
+    return true;
+  }
 
   bool next(Atom& atom) override {
-    while (in_rows_ || find_rows()) {
-      in_rows_ = take_row();
-      if (in_rows_ && is_of_first_model()) {
-        fill(atom);
-        return true;
-      }
-    }
-    if (models_ == 0) bad_input(name_, "no atom in a category _atom_site", "the atoms of a file in PDBx/mmCIF");
-    cell_ = unit_cell("_cell", cell_values_);
-    return false;
+    if (!waits_) waits_ = find_row();
+    if (!waits_ || is_new_frame_) return false;
+    waits_ = false;
+    fill(atom);
+    return true;
   }
 
   void require_columns() const override {
@@ -181,6 +190,27 @@ class CifAtoms final : public AtomSource {
 
  private:
   static constexpr std::size_t none = ~std::size_t{0};
+
+  /// Goes to the next atom of the first block; returns false at the end of the file.
+  bool find_row() {
+    while (in_rows_ || find_rows()) {
+      in_rows_ = take_row();
+      if (in_rows_ && is_wanted()) return true;
+    }
+    return false;
+  }
+
+  /// Finds the cell of all frames, also if it is behind the atoms.
+  void find_cell() {
+    const bool is_found =
+        std::any_of(cell_values_.begin(), cell_values_.end(), [](auto value) { return !value.empty(); });
+    if (!is_found && text_.find("_cell") != std::string_view::npos) {
+      CifAtoms all(text_, name_, false);
+      while (all.next_frame()) continue;
+      cell_values_ = all.cell_values_;
+    }
+    cell_ = unit_cell("_cell", cell_values_);
+  }
 
   /// Goes to the first value of the next loop of atoms; returns false at the end of the file.
   bool find_rows() {
@@ -249,6 +279,7 @@ class CifAtoms final : public AtomSource {
     for (std::size_t k = 0; k < places_.size(); ++k)
       places_[k] = {place_of(names_in_cif[k][0]), place_of(names_in_cif[k][1])};
     model_ = place_of("pdbx_PDB_model_num");
+    group_ = place_of("group_PDB");
     for (std::size_t k = x_of_atom; k < x_of_atom + 3; ++k)
       if (places_[k][0] == none)
         bad_input(at_line(name_, line),
@@ -310,18 +341,27 @@ class CifAtoms final : public AtomSource {
               std::to_string(width_) + ", one for each name of _atom_site");
   }
 
-  bool is_of_first_model() {
+  /// Returns whether the atom is of the first block, and of the first model unless all frames are read.
+  bool is_wanted() {
     if (block_ != first_block_) return false;
     const std::string_view model = model_ == none ? std::string_view() : row_[model_];
-    if (model_names_.empty()) first_model_ = model;
-    if (model_names_.empty() || model != last_model_) model_names_.insert(model);
-    models_ = model_names_.size();
+    const bool is_first = model_names_.empty();
+    if (is_first) first_model_ = model;
+    if (is_first || model != last_model_) {
+      const bool is_new = model_names_.insert(model).second;
+      if (all_frames_ && !is_new)
+        bad_input(at_line(name_, row_line_), "an atom of model " + in_quotes(model) + " behind another model",
+                  "all atoms of a model together");
+      is_new_frame_ = all_frames_ || is_first;
+    }
+    frames_ = model_names_.size();
     last_model_ = model;
-    return model == first_model_;
+    return all_frames_ || model == first_model_;
   }
 
   void fill(Atom& atom) const {
     atom.line = row_line_;
+    atom.is_hetero = group_ != none && row_[group_] == "HETATM";
     for (std::size_t k = 0; k < places_.size(); ++k) {
       std::string_view value;
       for (const std::size_t place : places_[k])
@@ -331,14 +371,15 @@ class CifAtoms final : public AtomSource {
   }
 
   std::string_view text_;
-  const std::string& name_;
   CifTokens tokens_;
+  bool all_frames_;
   std::array<std::string_view, 6> cell_values_ = {};
   std::size_t block_ = 1, first_block_ = 0, last_block_ = 0;  // data block; the first and the last one with atoms
   std::vector<std::string_view> columns_ = {}, values_ = {};  // items of a loop; or items of pairs and their values
   std::vector<std::string_view> row_ = {};                    // values of the current atom
   std::array<std::array<std::size_t, 2>, atom_columns.size()> places_ = {};
-  std::size_t width_ = 0, model_ = none, row_line_ = 0, odd_line_ = 0;
+  std::size_t width_ = 0, model_ = none, group_ = none, row_line_ = 0, odd_line_ = 0;
+  bool waits_ = false, is_new_frame_ = true;  // the row is the next atom; it is the first of a frame
   bool in_rows_ = false, has_pairs_ = false, is_by_lines_ = true, is_first_row_ = true;
   std::string_view first_model_ = {}, last_model_ = {};
   std::set<std::string_view> model_names_ = {};
@@ -346,8 +387,8 @@ class CifAtoms final : public AtomSource {
 
 }  // namespace
 
-std::unique_ptr<AtomSource> cif_atoms(std::string_view text, const std::string& name) {
-  return std::make_unique<CifAtoms>(text, name);
+std::unique_ptr<AtomSource> cif_atoms(std::string_view text, const std::string& name, bool all_frames) {
+  return std::make_unique<CifAtoms>(text, name, all_frames);
 }
 
 }  // namespace rbpa::app

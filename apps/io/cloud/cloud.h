@@ -77,6 +77,11 @@ struct UnitCell {
   /// Why `sides` is absent: "CRYST1 with angles of 90, 90 and 120 degrees"; empty if the file names no cell, or `sides`
   /// is present.
   std::string fault = {};
+  /// The edges a, b and c of a cell of any angles; of lengths and angles, a along x and b in the plane of x and y.
+  std::optional<std::array<std::array<double, 3>, 3>> edges = std::nullopt;
+  std::array<bool, 3> repeats = {true, true, true};  ///< along a, b and c
+
+  bool is_there() const { return sides || edges || !fault.empty(); }
 };
 
 /// Facts that a file states about its points; complete when all points are read.

@@ -1,9 +1,11 @@
 // Source: https://www.wwpdb.org/documentation/file-format-content/format33/v3.3.html; numbers beyond the columns as in
-//         http://cci.lbl.gov/hybrid_36
+//         http://cci.lbl.gov/hybrid_36; PQR: https://apbs.readthedocs.io/en/latest/formats/pqr.html
 #include <algorithm>
 #include <cctype>
 #include <utility>
+#include <vector>
 
+#include "io/bytes/number.h"
 #include "io/cloud/atoms.h"
 #include "io/failure.h"
 #include "io/text/lines.h"
@@ -50,32 +52,59 @@ std::string number_in(std::string_view text, std::size_t columns) {
 
 class PdbAtoms final : public AtomSource {
  public:
-  PdbAtoms(std::string_view text, const std::string& name) : lines_(text), name_(name) {}
+  PdbAtoms(std::string_view text, const std::string& name, bool is_pqr)
+      : AtomSource(name), lines_(text), is_pqr_(is_pqr) {}
+
+  bool next_frame() override {
+    while (!waits_ || !is_new_frame_) {
+      waits_ = find_atom();
+      if (waits_) continue;
+      if (frames_ == 0)
+        bad_input(name_, "no record ATOM or HETATM",
+                  is_pqr_ ? "the atoms of a file in PQR format" : "the atoms of a file in PDB format");
+      return false;
+    }
+    is_new_frame_ = false;
+    cell_ = next_cell_;
+    ++frames_;
+    return true;
+  }
 
   bool next(Atom& atom) override {
+    if (!waits_) waits_ = find_atom();
+    if (!waits_ || is_new_frame_) return false;
+    waits_ = false;
+    is_pqr_ ? take_pqr(lines_.line(), atom) : take(lines_.line(), atom);
+    return true;
+  }
+
+  bool has_radii() const override { return is_pqr_; }
+
+ private:
+  /// Goes to the next atom; returns false at the end of the file.
+  bool find_atom() {
     while (lines_.next()) {
       const std::string_view line = lines_.line();
-      if (line.starts_with("CRYST1"))
-        cell_ = unit_cell("CRYST1", {at_columns(line, 7, 15), at_columns(line, 16, 24), at_columns(line, 25, 33),
-                                     at_columns(line, 34, 40), at_columns(line, 41, 47), at_columns(line, 48, 54)});
+      if (line.starts_with("CRYST1")) {
+        next_cell_ =
+            unit_cell("CRYST1", {at_columns(line, 7, 15), at_columns(line, 16, 24), at_columns(line, 25, 33),
+                                 at_columns(line, 34, 40), at_columns(line, 41, 47), at_columns(line, 48, 54)});
+        if (!cell_.is_there()) cell_ = next_cell_;
+      }
       // Another structure, or the next frame of a simulation, may follow END.
-      if (line.starts_with("MODEL ") || line.starts_with("ENDMDL") || line == "END") is_new_model_ = true;
-      if (!is_atom(line)) continue;
-      if (std::exchange(is_new_model_, false)) ++models_;
-      if (models_ > 1) continue;
-      take(line, atom);
-      return true;
+      if (line.starts_with("MODEL ") || line.starts_with("ENDMDL") || line == "END") is_new_frame_ = true;
+      if (is_atom(line)) return true;
     }
-    if (models_ == 0) bad_input(name_, "no record ATOM or HETATM", "the atoms of a file in PDB format");
     return false;
   }
 
- private:
   void take(std::string_view line, Atom& atom) const {
     atom.line = lines_.number();
+    atom.is_hetero = line.starts_with("HETATM");
+    atom.name_begins = line.size() > 12 && line[12] != ' ' ? 13 : 14;
     const std::size_t serial_end = has_digit(line, 11) && has_digit(line, 12) ? 12 : 11;
     const std::size_t residue_end = has_digit(line, 26) && has_digit(line, 27) ? 27 : 26;
-    atom.fields = {number_in(at_columns(line, line.starts_with("HETATM") ? 7 : 5, serial_end), 5),
+    atom.fields = {number_in(at_columns(line, atom.is_hetero ? 7 : 5, serial_end), 5),
                    std::string(at_columns(line, 22, 22)),
                    number_in(at_columns(line, 23, residue_end), 4),
                    std::string(at_columns(line, residue_end + 1, 27)),
@@ -90,15 +119,60 @@ class PdbAtoms final : public AtomSource {
                    std::string(at_columns(line, 61, 66))};
   }
 
+  /// Takes an atom of PQR: words, the chain among them or not; or the columns of PDB, and behind them words.
+  void take_pqr(std::string_view line, Atom& atom) const {
+    take(line, atom);
+    atom.name_begins = 0;
+    for (const std::size_t k : {AtomColumn::element, AtomColumn::occupancy, AtomColumn::bfactor})
+      atom.fields[k].clear();
+    const std::vector<std::string_view> words = split_words(line.substr(atom.is_hetero ? 6 : 4));
+    const bool has_chain = words.size() == 10;
+    const auto is_any_number = [](std::string_view word) {
+      return parse_whole_number(word).fault == NumberFault::none;
+    };
+    const bool are_words = (words.size() == 9 || has_chain) &&
+                           words[words.size() - 6].find_first_of("0123456789") != std::string_view::npos &&
+                           std::all_of(words.end() - 5, words.end(), is_any_number);
+    if (!are_words) {
+      const std::vector<std::string_view> behind = split_words(line.substr(std::min<std::size_t>(line.size(), 54)));
+      if (behind.size() != 2)
+        bad_input(at_line(name_, atom.line), in_quotes(line),
+                  "an atom of PQR: serial, name, residue, chain or none, number, x, y, z, charge and radius");
+      atom.fields[AtomColumn::charge] = behind[0];
+      atom.fields[AtomColumn::radius] = behind[1];
+      return;
+    }
+    std::string_view number = words[has_chain ? 4 : 3], of_chain = has_chain ? words[3] : "";
+    if (!has_chain && number.size() > 1 && std::isalpha(static_cast<unsigned char>(number.front())) != 0) {
+      of_chain = number.substr(0, 1);  // "A1000": the columns of the chain and the number touch
+      number.remove_prefix(1);
+    }
+    const std::size_t digits = std::min(number.find_last_of("0123456789") + 1, number.size());
+    atom.fields = {number_in(words[0], 5),
+                   std::string(of_chain),
+                   std::string(number.substr(0, digits)),
+                   std::string(number.substr(digits)),
+                   std::string(words[2]),
+                   std::string(words[1])};
+    for (std::size_t k = 0; k < 5; ++k)
+      atom.fields[k < 3 ? x_of_atom + k : AtomColumn::charge + k - 3] = words[words.size() - 5 + k];
+  }
+
   Lines lines_;
-  const std::string& name_;
-  bool is_new_model_ = true;
+  bool is_pqr_;
+  bool waits_ = false;  // the current line is the next atom
+  bool is_new_frame_ = true;
+  UnitCell next_cell_ = {};
 };
 
 }  // namespace
 
-std::unique_ptr<AtomSource> pdb_atoms(std::string_view text, const std::string& name) {
-  return std::make_unique<PdbAtoms>(text, name);
+std::unique_ptr<AtomSource> pdb_atoms(std::string_view text, const std::string& name, bool) {
+  return std::make_unique<PdbAtoms>(text, name, false);
+}
+
+std::unique_ptr<AtomSource> pqr_atoms(std::string_view text, const std::string& name, bool) {
+  return std::make_unique<PdbAtoms>(text, name, true);
 }
 
 }  // namespace rbpa::app

@@ -12,15 +12,6 @@
 namespace rbpa::app {
 namespace {
 
-/// The beginning of the .xyz format of chemistry: the number of atoms, a comment line, and a line for each atom with
-/// its element and x, y, z. "Properties=species:S:1:pos:R:3:..." in the comment names the columns (extended XYZ,
-/// https://github.com/libAtoms/extxyz).
-struct XyzAtoms {
-  std::size_t count = 0;                 ///< number of atoms
-  std::vector<std::string> names = {};   ///< names of the columns; "element", "x", "y" and "z" are among them
-  const char* behind_comment = nullptr;  ///< pointer to the end of the comment in the text
-};
-
 /// Returns the value of "Properties=" in a comment; empty if it has none.
 std::string_view properties_in(std::string_view comment) {
   constexpr std::string_view key = "properties=";
@@ -78,25 +69,6 @@ bool is_atom_line(std::string_view line, bool by_number) {
   const bool is_symbol = std::isalpha(static_cast<unsigned char>(element.front())) != 0 && !is_number(element);
   if (!is_symbol && !(by_number && number && *number <= 118)) return false;
   return is_number(take()) && is_number(take()) && is_number(take());
-}
-
-/// Returns the beginning of a list of atoms, whose first line is the number of atoms; nothing if the third line of
-/// `text` is not an atom. `by_number`: elements may be numbers.
-std::optional<XyzAtoms> find_xyz_atoms(std::string_view text, bool by_number) {
-  Lines lines(text);
-  if (!lines.next()) return std::nullopt;
-  const std::optional<std::size_t> count = parse_count(lines.line());
-  if (!count || *count == 0 || !lines.next()) return std::nullopt;
-  XyzAtoms atoms{.count = *count, .names = names_of(properties_in(lines.line()))};
-  const bool says_columns = !atoms.names.empty();
-  const std::string_view comment = lines.line();
-  atoms.behind_comment = lines.rest().data() - 1;
-  if (!lines.next()) return std::nullopt;
-  if (says_columns)
-    return count_fields(lines.line(), blanks).all >= atoms.names.size() ? std::optional(atoms) : std::nullopt;
-  if (!is_atom_line(lines.line(), by_number && !are_both_data(comment, lines.line()))) return std::nullopt;
-  atoms.names = {"element", "x", "y", "z"};
-  return atoms;
 }
 
 class Starter {
@@ -353,6 +325,25 @@ class Starter {
 };
 
 }  // namespace
+
+std::vector<std::string> xyz_columns(std::string_view comment) { return names_of(properties_in(comment)); }
+
+std::optional<XyzBeginning> find_xyz_atoms(std::string_view text, bool by_number) {
+  Lines lines(text);
+  if (!lines.next()) return std::nullopt;
+  const std::optional<std::size_t> count = parse_count(lines.line());
+  if (!count || *count == 0 || !lines.next()) return std::nullopt;
+  XyzBeginning atoms{.count = *count, .names = xyz_columns(lines.line())};
+  const bool says_columns = !atoms.names.empty();
+  const std::string_view comment = lines.line();
+  atoms.behind_comment = lines.rest().data() - 1;
+  if (!lines.next()) return std::nullopt;
+  if (says_columns)
+    return count_fields(lines.line(), blanks).all >= atoms.names.size() ? std::optional(atoms) : std::nullopt;
+  if (!is_atom_line(lines.line(), by_number && !are_both_data(comment, lines.line()))) return std::nullopt;
+  atoms.names = {"element", "x", "y", "z"};
+  return atoms;
+}
 
 TableStart start_table(TableLines& lines, TableKind kind, const CloudRequest& request, LineSelection& selection,
                        std::vector<std::string>& warnings) {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/cloud/table_layout.h"
@@ -14,6 +15,22 @@
 #include "io/text/line_selection.h"
 
 namespace rbpa::app {
+
+/// The beginning of the .xyz format of chemistry: the number of atoms, a comment line, and a line for each atom with
+/// its element and x, y, z. "Properties=species:S:1:pos:R:3:..." in the comment names the columns (extended XYZ,
+/// https://github.com/libAtoms/extxyz).
+struct XyzBeginning {
+  std::size_t count = 0;                 ///< number of atoms
+  std::vector<std::string> names = {};   ///< names of the columns; "element", "x", "y" and "z" are among them
+  const char* behind_comment = nullptr;  ///< pointer to the end of the comment in the text
+};
+
+/// Returns the beginning of a list of atoms, whose first line is the number of atoms; nothing if the third line of
+/// `text` is not an atom. `by_number`: elements may be numbers.
+std::optional<XyzBeginning> find_xyz_atoms(std::string_view text, bool by_number);
+
+/// Returns the names of the columns in the comment of an extended .xyz; none if it names no columns.
+std::vector<std::string> xyz_columns(std::string_view comment);
 
 /// The number of points that a line before the points announces.
 struct AnnouncedPoints {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string_view>
+#include <vector>
 
 #include "io/interrupt.h"
 #include "io/words.h"
@@ -81,6 +82,13 @@ inline std::string_view take_word(std::string_view& text) {
   const std::string_view word = text.substr(first, last - first);
   text.remove_prefix(last);
   return word;
+}
+
+/// Returns the words of a text.
+inline std::vector<std::string_view> split_words(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) words.push_back(word);
+  return words;
 }
 
 }  // namespace rbpa::app

@@ -103,8 +103,9 @@ std::size_t text_size(std::string_view bytes, Format format) {
 }
 
 constexpr bool may_be_text(Format format) {
-  constexpr Format texts[] = {Format::off, Format::ply, Format::obj, Format::stl,     Format::pcd,
-                              Format::pdb, Format::cif, Format::wkt, Format::geojson, Format::poly};
+  constexpr Format texts[] = {Format::off, Format::ply,     Format::obj, Format::stl, Format::pcd,
+                              Format::pdb, Format::cif,     Format::pqr, Format::gro, Format::dump,
+                              Format::wkt, Format::geojson, Format::poly};
   return is_table(format) || std::find(std::begin(texts), std::end(texts), format) != std::end(texts);
 }
 

@@ -64,6 +64,7 @@ std::string_view ending_of_text(std::string_view text) {
   if (std::find(std::begin(records), std::end(records), line.substr(0, 6)) != std::end(records) &&
       has_line(text, is_atom))
     return "pdb";
+  if (line.starts_with("ITEM: ")) return "dump";
   if (same_letters(word.substr(0, 5), "data_") && has_line(text, is_atom_site)) return "cif";
   if (same_letters(word, "solid") && text.find("facet") != std::string_view::npos) return "stl";
   constexpr std::string_view of_obj[] = {"v", "vn", "vt", "o", "g", "s", "mtllib", "usemtl"};

@@ -1,0 +1,238 @@
+#include "io/cloud/atom_frames.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "io/bytes/number.h"
+#include "io/cloud/elements.h"
+#include "io/cloud/read_space_points.h"
+#include "io/cloud/table_beginning.h"
+#include "io/failure.h"
+#include "io/text/plain_text.h"
+#include "io/text/signature.h"
+
+namespace rbpa::app {
+namespace {
+
+/// Keeps one location of each atom, and returns how many are left out. The location of a residue is the one with the
+/// highest occupancy of an atom, of equal ones that of the first letter; an atom without it has its own best one. Where
+/// locations are different residues, the atoms of the others are left out.
+std::size_t keep_best_locations(AtomFrame& frame) {
+  using Residue = std::tuple<std::uint32_t, std::uint64_t, std::uint32_t>;
+  const auto residue_of = [](const AtomRow& row) {
+    return Residue(row.chain, std::bit_cast<std::uint64_t>(row.resseq), row.icode);
+  };
+  const auto is_better = [&](const AtomRow& row, const AtomRow& than) {
+    const double a = std::isnan(row.occupancy) ? 0 : row.occupancy, b = std::isnan(than.occupancy) ? 0 : than.occupancy;
+    return a > b || (a == b && frame.text(row.altloc) < frame.text(than.altloc));
+  };
+  std::map<Residue, const AtomRow*> best;  // an atom with the best location of each residue that has several
+  for (const AtomRow& row : frame.rows) {
+    if (row.altloc == 0) continue;
+    const auto [place, is_new] = best.try_emplace(residue_of(row), &row);
+    if (!is_new && is_better(row, *place->second)) place->second = &row;
+  }
+  if (best.empty()) return 0;
+  std::vector<char> leaves(frame.rows.size(), 0);
+  std::map<std::pair<Residue, std::uint32_t>, std::size_t> kept;  // atoms of these residues, by name
+  for (std::size_t i = 0; i < frame.rows.size(); ++i) {
+    const AtomRow& row = frame.rows[i];
+    const auto residue = best.find(residue_of(row));
+    if (residue == best.end()) continue;
+    const AtomRow& chosen = *residue->second;
+    leaves[i] = row.altloc != 0 && row.resname != chosen.resname ? 1 : 0;
+    if (leaves[i] != 0) continue;
+    const auto [place, is_new] = kept.try_emplace({residue->first, row.name}, i);
+    const AtomRow& other = frame.rows[place->second];
+    if (is_new || row.altloc == other.altloc) continue;
+    const bool wins = row.altloc == chosen.altloc || (other.altloc != chosen.altloc && is_better(row, other));
+    leaves[wins ? std::exchange(place->second, i) : i] = 1;
+  }
+  return std::erase_if(
+      frame.rows, [&](const AtomRow& row) { return leaves[static_cast<std::size_t>(&row - frame.rows.data())] != 0; });
+}
+
+/// Returns the number in a column; NaN for any other text, such as serials in base 16.
+double number_if_any(const Atom& atom, std::size_t column) {
+  const ParsedNumber number = parse_whole_number(atom.fields[column]);
+  return number.fault == NumberFault::none ? number.value : AtomRow::none;
+}
+
+void require_radius(double radius, const std::string& where) {
+  if (!(radius >= 0 && std::isfinite(radius)))
+    bad_input(where, (std::isnan(radius) ? "no number" : in_quotes(text_of(radius))) + " as a radius",
+              "a number of at least 0");
+}
+
+}  // namespace
+
+std::uint32_t AtomFrame::number_of(std::string_view text, std::uint32_t likely) {
+  if (likely < texts.size() && texts[likely] == text) return likely;
+  const auto [place, is_new] = numbers.try_emplace(std::string(text), static_cast<std::uint32_t>(texts.size()));
+  if (is_new) texts.emplace_back(text);
+  return place->second;
+}
+
+std::string AtomFrame::title(const AtomRow& row) const {
+  std::string title = "atom " + (row.name == 0 ? std::to_string(row.index) : text(row.name));
+  if (row.resname != 0) title += " of residue " + text(row.resname);
+  if (row.chain != 0) title += ' ' + text(row.chain);
+  if (!std::isnan(row.resseq)) title += ' ' + text_of(row.resseq) + text(row.icode);
+  return shown(title);
+}
+
+FrameChoice parse_frames(const std::string& option, const std::string& text) {
+  if (text == "all") return {.all = true};
+  FrameChoice choice{.numbers = {}};
+  for (std::size_t at = 0, comma = 0; at <= text.size(); at = comma + 1) {
+    comma = std::min(text.find(',', at), text.size());
+    const std::string_view part = std::string_view(text).substr(at, comma - at);
+    const std::size_t dash = std::min(part.find('-'), part.size());
+    const auto first = parse_count(part.substr(0, dash));
+    const auto last = dash == part.size() ? first : parse_count(part.substr(dash + 1));
+    constexpr std::size_t most = 10'000'000;
+    if (!first || !last || *first < 1 || *last < *first || *last > most)
+      throw WrongUsage(option + ": found " + in_quotes(text) + ", expected all, or numbers from 1 such as 1,3,10-20");
+    for (std::size_t number = *first; number <= *last; ++number) choice.numbers.push_back(number);
+  }
+  std::sort(choice.numbers.begin(), choice.numbers.end());
+  return choice;
+}
+
+AtomFrames::AtomFrames(const std::string& path, Format format, AtomChoice choice)
+    : input_(std::in_place, path, "a file of atoms", decompression_of(format, path)),
+      name_(input_->name()),
+      format_(format),
+      choice_(std::move(choice)) {
+  open(input_->bytes());
+}
+
+AtomFrames::AtomFrames(std::string_view bytes, std::string name, Format format, AtomChoice choice)
+    : name_(std::move(name)), format_(format), choice_(std::move(choice)) {
+  open(bytes);
+}
+
+void AtomFrames::open(std::string_view bytes) {
+  if (bytes.empty()) bad_input(name_, "an empty file", "atoms");
+  if (format_ == Format::by_content) format_ = format_of_content(Use::space, bytes, name_, Format::text);
+  bytes_ = plain_text(bytes, name_, format_, room_);
+  OpenAtoms open_atoms = atoms_of(format_);
+  if (format_ == Format::text && find_xyz_atoms(bytes_, true)) open_atoms = xyz_atoms;
+  if (open_atoms == nullptr) return;
+  source_ = open_atoms(bytes_, name_, choice_.frames.all || choice_.frames.numbers.back() > 1);
+  is_begun_ = source_->next_frame();
+  frames_ = 1;
+  if (choice_.where) {
+    selection_.emplace(Condition(*choice_.where, *fields_of(format_)), *source_);
+    choice_.waters = choice_.waters || selection_->names_residues();
+  }
+  if (choice_.radius || source_->has_radii())
+    radius_ = choice_.radius ? source_->column(*choice_.radius) : AtomColumn::radius;
+}
+
+bool AtomFrames::next(AtomFrame& frame) {
+  const auto wants = [&] {
+    const std::vector<std::size_t>& numbers = choice_.frames.numbers;
+    return choice_.frames.all || std::binary_search(numbers.begin(), numbers.end(), frames_);
+  };
+  while (is_begun_ || (source_ ? source_->next_frame() : frames_ == 0)) {
+    frames_ += is_begun_ ? 0 : 1;
+    is_begun_ = false;
+    if (!wants()) continue;
+    frame.number = frames_;
+    frame.rows.clear();
+    frame.counts = {};
+    frame.cell = {};
+    frame.number_of("");
+    source_ ? read_atoms(frame) : read_points(frame);
+    return true;
+  }
+  if (source_) frames_ = source_->frames();
+  const std::size_t last = choice_.frames.numbers.back();
+  if (!choice_.frames.all && last > frames_)
+    bad_input(name_, counted(frames_, "frame"), "frame " + std::to_string(last));
+  if (!source_ || !warnings_.empty()) return false;
+  if (source_->blocks() > 1)
+    warnings_.push_back("the atoms are those of the first of " + std::to_string(source_->blocks()) + " blocks of data");
+  if (frames_ > 1 && !choice_.frames.all && choice_.frames.numbers.size() == 1)
+    warnings_.push_back("the atoms are those of frame " + std::to_string(last) + " of " + std::to_string(frames_));
+  if (!source_->remark().empty()) warnings_.emplace_back(source_->remark());
+  return false;
+}
+
+void AtomFrames::read_atoms(AtomFrame& frame) {
+  AtomCounts& counts = frame.counts;
+  const auto leave_out = [](bool is_left_out, std::size_t& count) {
+    count += is_left_out ? 1 : 0;
+    return is_left_out;
+  };
+  frame.has_radii = radius_.has_value();
+  AtomRow row;
+  for (Atom atom; source_->next(atom);) {
+    row.index = counts.in_file++;
+    row.line = atom.line;
+    row.is_hetero = atom.is_hetero;
+    row.is_water = is_water(atom.fields[AtomColumn::resname]);
+    if (leave_out(selection_ && !selection_->holds(atom), counts.deselected)) continue;
+    if (leave_out(row.is_water && !choice_.waters, counts.waters)) continue;
+    if (leave_out(row.is_hetero && !row.is_water && !choice_.ligands, counts.ligands)) continue;
+    const std::string_view element = element_of(atom);
+    if (leave_out(!choice_.hydrogens && is_hydrogen(element), counts.hydrogens)) continue;
+    row.center = source_->center(atom);
+    if (radius_) {
+      row.radius = source_->number(atom, *radius_);
+      require_radius(row.radius, at_line(name_, atom.line));
+    }
+    for (const auto& [column, text] : {std::pair(AtomColumn::name, &AtomRow::name),
+                                       {AtomColumn::resname, &AtomRow::resname},
+                                       {AtomColumn::chain, &AtomRow::chain},
+                                       {AtomColumn::icode, &AtomRow::icode},
+                                       {AtomColumn::altloc, &AtomRow::altloc}})
+      row.*text = frame.number_of(atom.fields[column], row.*text);
+    row.element = frame.number_of(element.empty() ? atom.fields[AtomColumn::element] : element, row.element);
+    for (const auto& [column, number] : {std::pair(AtomColumn::serial, &AtomRow::serial),
+                                         {AtomColumn::resseq, &AtomRow::resseq},
+                                         {AtomColumn::occupancy, &AtomRow::occupancy},
+                                         {AtomColumn::charge, &AtomRow::charge}})
+      row.*number = number_if_any(atom, column);
+    frame.rows.push_back(row);
+  }
+  frame.cell = source_->cell();
+  if (!choice_.alternates) counts.alternates = keep_best_locations(frame);
+  if (!frame.rows.empty()) return;
+  if (counts.waters == counts.in_file)
+    bad_input(name_, "no atoms but those of water", "others (--waters reads water too)");
+  bad_input(name_, "no atom in frame " + std::to_string(frame.number) + " that is not left out", "at least one");
+}
+
+/// Reads points that are no atoms.
+void AtomFrames::read_points(AtomFrame& frame) {
+  CloudRequest request;
+  const std::optional<FieldNames> names = fields_of(format_);
+  std::vector<WantedColumn> columns;
+  if (choice_.radius) columns.push_back({.name = *choice_.radius});
+  if (choice_.where || choice_.radius) {
+    require_format(names.has_value(), choice_.where ? "--where" : "--radii", "without fields", with_fields(Use::space));
+    request.where = Condition(choice_.where.value_or(""), *names, columns, "--radii");
+  }
+  SpacePoints file = space_points_in(bytes_, name_, format_, request);
+  if (file.points.empty()) bad_input(name_, "no points", "at least one");
+  frame.has_radii = choice_.radius.has_value();
+  for (std::size_t i = 0; i < file.points.size(); ++i) {
+    AtomRow& row = frame.rows.emplace_back();
+    row.center = file.points[i];
+    row.index = file.index.empty() ? i : file.index[i];
+    if (!frame.has_radii) continue;
+    row.radius = file.fields[0][i];
+    require_radius(row.radius, name_ + ": point " + std::to_string(row.index));
+  }
+  frame.counts.in_file = file.all_points;
+  frame.counts.deselected = file.all_points - file.points.size();
+  warnings_ = std::move(file.warnings);
+}
+
+}  // namespace rbpa::app

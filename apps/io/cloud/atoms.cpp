@@ -1,0 +1,147 @@
+#include "io/cloud/atoms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "io/bytes/number.h"
+#include "io/failure.h"
+#include "io/text/line_selection.h"
+
+namespace rbpa::app {
+namespace {
+
+/// Returns the cosine of an angle in degrees; exactly where it is rational.
+double cosine(double degrees) {
+  for (const auto& [angle, exact] : {std::pair(60.0, 0.5), {90.0, 0.0}, {120.0, -0.5}})
+    if (degrees == angle) return exact;
+  return std::cos(degrees * (std::numbers::pi / 180));
+}
+
+}  // namespace
+
+std::size_t atom_column(std::string_view name) {
+  const auto found = std::find_if(atom_columns.begin(), atom_columns.end(),
+                                  [&](std::string_view known) { return same_letters(known, name); });
+  return static_cast<std::size_t>(found - atom_columns.begin());
+}
+
+bool is_text_of_atom(std::size_t column) {
+  constexpr std::string_view texts[] = {"chain", "icode", "resname", "name", "element", "altloc"};
+  return column < no_atom_column &&
+         std::find(std::begin(texts), std::end(texts), atom_columns[column]) != std::end(texts);
+}
+
+bool is_water(std::string_view residue) {
+  constexpr std::string_view waters[] = {"HOH",  "DOD",  "WAT", "H2O", "OH2",   "TIP",   "TIP3",  "TP3", "TIP4",
+                                         "TIP5", "TP4",  "TP5", "SOL", "SPC",   "TIP3P", "TIP4P", "T3P", "T4P",
+                                         "SPCE", "HOH2", "HO4", "T5P", "TIP5P", "TIP2",  "D2O"};
+  return std::find(std::begin(waters), std::end(waters), residue) != std::end(waters);
+}
+
+double AtomSource::parsed(const Atom& atom, std::size_t column, std::string_view where) const {
+  const ParsedNumber number = parse_whole_number(text(atom, column));
+  if (number.fault == NumberFault::none) return number.value;
+  require_columns();
+  bad_input(at_line(name_, atom.line),
+            in_quotes(text(atom, column)) +
+                (column < no_atom_column ? " as " + std::string(atom_columns[column]) : std::string()),
+            expected_instead(number.fault) + std::string(where));
+}
+
+double AtomSource::number(const Atom& atom, std::size_t column, std::string_view where) const {
+  return text(atom, column).empty() ? std::numeric_limits<double>::quiet_NaN() : parsed(atom, column, where);
+}
+
+Point3 AtomSource::center(const Atom& atom) const {
+  return {parsed(atom, x_of_atom, ""), parsed(atom, x_of_atom + 1, ""), parsed(atom, x_of_atom + 2, "")};
+}
+
+std::size_t AtomSource::column(std::string_view name) const {
+  const std::size_t found = atom_column(name);
+  if (found == no_atom_column) bad_input(name_, "no column " + in_quotes(name), "a column of atoms");
+  return found;
+}
+
+AtomSelection::AtomSelection(const Condition& where, const AtomSource& source) : source_(source), selection_(where) {
+  for (const std::string& field : where.fields()) places_.push_back(source.column(field));
+  for (const Condition::Text& text : where.texts()) {
+    texts_.emplace_back(source.column(text.field), text.text);
+    names_residues_ = names_residues_ || texts_.back().first == AtomColumn::resname;
+  }
+  for (std::size_t k = 0; k < where.columns(); ++k) {
+    const WantedColumn::Kind kind = where.column(k).kind;
+    is_text_.push_back(kind == WantedColumn::Kind::by_value ? is_text_of_atom(places_[k])
+                                                            : kind == WantedColumn::Kind::text);
+  }
+}
+
+bool AtomSelection::holds(const Atom& atom) {
+  const auto number = [&](std::size_t field) { return source_.number(atom, places_[field], of_where); };
+  // '?' matches an empty value, as in PDBx/mmCIF.
+  const auto is_text = [&](std::size_t k) {
+    const std::string& field = AtomSource::text(atom, texts_[k].first);
+    return field == texts_[k].second || (field.empty() && texts_[k].second == "?");
+  };
+  return selection_.holds(number, is_text);
+}
+
+double AtomSelection::number(const Atom& atom, std::size_t k) const {
+  return source_.number(atom, places_[k], of_where);
+}
+
+UnitCell unit_cell(const std::string& record, const std::array<std::string_view, 6>& values) {
+  if (std::all_of(values.begin(), values.end(), [](std::string_view value) { return value.empty(); })) return {};
+  std::array<double, 6> numbers{};
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const ParsedNumber number = parse_whole_number(values[k]);
+    if (number.fault != NumberFault::none || (k < 3 && !(number.value > 0)))
+      return {.fault = record + " with " + in_quotes(values[k]) + (k < 3 ? " as a length" : " as an angle")};
+    numbers[k] = number.value;
+  }
+  const auto& [a, b, c, alpha, beta, gamma] = numbers;
+  if (a == 1 && b == 1 && c == 1) return {.fault = record + " of 1 x 1 x 1, which stands for none"};
+  const auto is_angle = [](double degrees) { return degrees > 0 && degrees < 180; };
+  const double cos_a = cosine(alpha), cos_b = cosine(beta), cos_c = cosine(gamma);
+  const double sin_c = std::sqrt(1 - cos_c * cos_c), y = (cos_a - cos_b * cos_c) / sin_c;
+  UnitCell cell;
+  if (const double height = 1 - cos_b * cos_b - y * y;
+      is_angle(alpha) && is_angle(beta) && is_angle(gamma) && height > 0)
+    cell.edges = {{{a, 0, 0}, {b * cos_c, b * sin_c, 0}, {c * cos_b, c * y, c * std::sqrt(height)}}};
+  if (alpha == 90 && beta == 90 && gamma == 90)
+    cell.sides = {{a, b, c}};
+  else
+    cell.fault =
+        record + " with angles of " + text_of(alpha) + ", " + text_of(beta) + " and " + text_of(gamma) + " degrees";
+  return cell;
+}
+
+UnitCell unit_cell(const std::string& record, const std::array<std::array<double, 3>, 3>& edges,
+                   const std::array<bool, 3>& repeats) {
+  const auto& [a, b, c] = edges;
+  const double volume =
+      a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  if (!(volume != 0 && std::isfinite(volume))) return {.fault = record + " without a volume, which stands for none"};
+  UnitCell cell{.edges = edges, .repeats = repeats};
+  bool along_axes = true;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) along_axes = along_axes && (i == k ? edges[i][k] > 0 : edges[i][k] == 0);
+  if (!along_axes)
+    cell.fault = record + " with edges that are not along x, y and z";
+  else if (repeats != std::array{true, true, true})
+    cell.fault = record + " that does not repeat along all of x, y and z";
+  else
+    cell.sides = {{a[0], b[1], c[2]}};
+  return cell;
+}
+
+std::string_view without_uncertainty(std::string_view number) {
+  const std::size_t bracket = number.find('(');
+  const std::string_view digits = number.substr(std::min(bracket, number.size()));
+  const bool is_one =
+      digits.size() > 2 && digits.back() == ')' && digits.find_first_not_of("0123456789", 1) == digits.size() - 1;
+  return is_one ? number.substr(0, bracket) : number;
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,54 @@
+// What: radii of atoms: those of their file, of a table of elements or of atoms of proteins, or of a file of one's own.
+// Source: Bondi and Mantina as in elements.h. ProtOr: J. Tsai et al., J. Mol. Biol. 290, 253 (1999).
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/cloud/atom_frames.h"
+
+namespace rbpa::app {
+
+/// Returns the radius of an atom of an amino acid together with its hydrogens; nothing for other atoms.
+std::optional<double> protor_radius(std::string_view residue, std::string_view name);
+
+/// The radii of an element that were used.
+struct UsedRadii {
+  double least, greatest;
+  std::size_t atoms;
+};
+
+class BallRadii {
+ public:
+  /// `choice`: "bondi", "protor", "column:NAME", or a file of radii, with Bondi's for all that it does not name.
+  /// Absent: the radii of the file of atoms, else Bondi's. `otherwise`: the radius of atoms that have none. Throws BadInput for
+  /// a file that is not one of radii; WrongUsage.
+  explicit BallRadii(const std::optional<std::string>& choice, std::optional<double> otherwise = std::nullopt);
+
+  /// The column of radii, for AtomChoice::radius.
+  const std::optional<std::string>& column() const { return column_; }
+  /// Returns a radius for each atom; `name` is the file of the atoms. Throws BadInput for the first atom that has none.
+  std::vector<double> of(const AtomFrame& frame, const std::string& name);
+  /// Returns the radii that were used so far, by element (empty for points without), and source: "Bondi", "Mantina",
+  /// "ProtOr", "file", "override" or "default".
+  const std::map<std::pair<std::string, std::string_view>, UsedRadii>& used() const { return used_; }
+
+ private:
+  void read(const std::string& path);
+  std::pair<double, std::string_view> find(const AtomFrame& frame, const AtomRow& atom, const std::string& name) const;
+
+  bool is_protor_ = false;
+  bool has_table_ = false;  // the radii of the file of atoms do not count
+  std::optional<std::string> column_ = std::nullopt;
+  std::optional<double> otherwise_;
+  /// By residue, "*" for any, and name; by "" and element.
+  std::map<std::pair<std::string, std::string>, double> overrides_ = {};
+  std::map<std::pair<std::string, std::string_view>, UsedRadii> used_ = {};
+};
+
+}  // namespace rbpa::app

@@ -1,0 +1,94 @@
+#include "io/cloud/elements.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+
+#include "io/words.h"
+
+namespace rbpa::app {
+namespace {
+
+/// The elements by their atomic numbers, from 1, and hydrogen's isotopes. Platinum has 1.72 in Bondi's table XIV.
+constexpr Element known_elements[] = {
+    {"H", 1.20},  {"He", 1.40}, {"Li", 1.82}, {"Be", 1.53}, {"B", 1.92},  {"C", 1.70},  {"N", 1.55},  {"O", 1.52},
+    {"F", 1.47},  {"Ne", 1.54}, {"Na", 2.27}, {"Mg", 1.73}, {"Al", 1.84}, {"Si", 2.10}, {"P", 1.80},  {"S", 1.80},
+    {"Cl", 1.75}, {"Ar", 1.88}, {"K", 2.75},  {"Ca", 2.31}, {"Sc", 0},    {"Ti", 0},    {"V", 0},     {"Cr", 0},
+    {"Mn", 0},    {"Fe", 0},    {"Co", 0},    {"Ni", 1.63}, {"Cu", 1.40}, {"Zn", 1.39}, {"Ga", 1.87}, {"Ge", 2.11},
+    {"As", 1.85}, {"Se", 1.90}, {"Br", 1.85}, {"Kr", 2.02}, {"Rb", 3.03}, {"Sr", 2.49}, {"Y", 0},     {"Zr", 0},
+    {"Nb", 0},    {"Mo", 0},    {"Tc", 0},    {"Ru", 0},    {"Rh", 0},    {"Pd", 1.63}, {"Ag", 1.72}, {"Cd", 1.58},
+    {"In", 1.93}, {"Sn", 2.17}, {"Sb", 2.06}, {"Te", 2.06}, {"I", 1.98},  {"Xe", 2.16}, {"Cs", 3.43}, {"Ba", 2.68},
+    {"La", 0},    {"Ce", 0},    {"Pr", 0},    {"Nd", 0},    {"Pm", 0},    {"Sm", 0},    {"Eu", 0},    {"Gd", 0},
+    {"Tb", 0},    {"Dy", 0},    {"Ho", 0},    {"Er", 0},    {"Tm", 0},    {"Yb", 0},    {"Lu", 0},    {"Hf", 0},
+    {"Ta", 0},    {"W", 0},     {"Re", 0},    {"Os", 0},    {"Ir", 0},    {"Pt", 1.72}, {"Au", 1.66}, {"Hg", 1.55},
+    {"Tl", 1.96}, {"Pb", 2.02}, {"Bi", 2.07}, {"Po", 1.97}, {"At", 2.02}, {"Rn", 2.20}, {"Fr", 3.48}, {"Ra", 2.83},
+    {"Ac", 0},    {"Th", 0},    {"Pa", 0},    {"U", 1.86},  {"Np", 0},    {"Pu", 0},    {"Am", 0},    {"Cm", 0},
+    {"Bk", 0},    {"Cf", 0},    {"Es", 0},    {"Fm", 0},    {"Md", 0},    {"No", 0},    {"Lr", 0},    {"D", 1.20},
+    {"T", 1.20}};
+constexpr std::size_t isotopes = 2;
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+std::string_view symbol_of(std::string_view word) {
+  const Element* const found = find_element(word);
+  return found == nullptr ? std::string_view() : found->symbol;
+}
+
+/// Returns the element of the name of an atom. `begins` is the column of PDB where the name begins, 13 or 14, or 0 if
+/// the file does not tell.
+std::string_view element_of_name(std::string_view name, std::string_view residue, std::size_t begins) {
+  const auto* const first = std::find_if(name.begin(), name.end(), is_letter);
+  const std::string_view word(first, static_cast<std::size_t>(std::find_if_not(first, name.end(), is_letter) - first));
+  if (word.empty()) return {};
+  const std::string_view one = symbol_of(word.substr(0, 1));
+  const std::string_view two = word.size() < 2 ? std::string_view() : symbol_of(word.substr(0, 2));
+  const std::string_view likely = one.empty() ? two : one;
+  constexpr std::string_view nucleotides = "A C G U I T DA DC DG DT DU DI ADE CYT GUA THY URA";
+  if (is_amino_acid(residue) || is_word_of(residue, nucleotides) || is_digit(name.front())) return likely;  // 1HB
+  // Ions of CHARMM have the names of their residues.
+  constexpr std::string_view ions[][2] = {{"SOD", "Na"}, {"POT", "K"},  {"CLA", "Cl"}, {"CAL", "Ca"}, {"CES", "Cs"},
+                                          {"LIT", "Li"}, {"RUB", "Rb"}, {"BAR", "Ba"}, {"CAD", "Cd"}};
+  for (const auto& [ion, symbol] : ions)
+    if (name == ion && residue == ion) return symbol;
+  if (two.empty() || begins == 14) return likely;
+  // Other ions have them too: NA, CU1.
+  const bool is_ion = word.size() == 2 && same_letters(residue.substr(0, 2), word) &&
+                      std::none_of(residue.begin() + 2, residue.end(), is_letter);
+  const bool is_mixed = std::islower(static_cast<unsigned char>(word[1])) != 0;
+  if (is_ion || is_mixed || is_word_of(two, "Cl Br Si Se") || (begins == 13 && name.size() < 4)) return two;
+  // The first letter is the element of C12A and HG11, but F is not that of FE.
+  return is_word_of(one, "H D C N O P S") || (word.size() > 2 && !one.empty()) ? one : two;
+}
+
+}  // namespace
+
+const Element* find_element(std::string_view symbol) {
+  const auto* const behind = std::find_if_not(symbol.begin(), symbol.end(), is_letter);
+  if (!std::all_of(behind, symbol.end(), [](char c) { return is_digit(c) || c == '+' || c == '-'; })) return nullptr;
+  const std::string_view word = symbol.substr(0, static_cast<std::size_t>(behind - symbol.begin()));
+  const auto* const found = std::find_if(std::begin(known_elements), std::end(known_elements),
+                                         [&](const Element& element) { return same_letters(element.symbol, word); });
+  return found == std::end(known_elements) ? nullptr : found;
+}
+
+bool is_of_mantina(std::string_view symbol) {
+  return is_word_of(symbol, "Be B Al Ca Ge Rb Sr Sb Cs Ba Bi Po At Rn Fr Ra");
+}
+
+std::string_view element_of(const Atom& atom) {
+  const std::string& field = atom.fields[AtomColumn::element];
+  if (const std::string_view symbol = symbol_of(field); !symbol.empty()) return symbol;
+  const std::optional<std::size_t> number = parse_count(field);
+  if (number && *number >= 1 && *number <= std::size(known_elements) - isotopes && atom.name_begins == 0)
+    return known_elements[*number - 1].symbol;
+  return element_of_name(atom.fields[AtomColumn::name], atom.fields[AtomColumn::resname], atom.name_begins);
+}
+
+bool is_amino_acid(std::string_view residue) {
+  return is_word_of(
+      residue,
+      "ALA ARG ASN ASP CYS GLN GLU GLY HIS ILE LEU LYS MET PHE PRO SER THR TRP TYR VAL ASX GLX HID HIE HIP "
+      "HSD HSE HSP CYX CYM ASH GLH LYN");
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,33 @@
+// What: elements: their symbols and radii, and the element of an atom, from the column that names it or from its name.
+// Source: A. Bondi, J. Phys. Chem. 68, 441 (1964); M. Mantina et al., J. Phys. Chem. A 113, 5806 (2009), for 16
+//         elements that Bondi has not; names in PDB have the symbol in columns 13 and 14, right-justified:
+//         https://www.wwpdb.org/documentation/file-format-content/format33/sect9.html#ATOM
+#pragma once
+
+#include <string_view>
+
+#include "io/cloud/atoms.h"
+
+namespace rbpa::app {
+
+struct Element {
+  std::string_view symbol;
+  double radius;  ///< of van der Waals, in angstroms; 0 if none is known
+};
+
+/// Returns the element of a symbol in letters of either case, perhaps with a charge or number ("FE3+", "C12"); also "D"
+/// and "T". Null if there is none.
+const Element* find_element(std::string_view symbol);
+
+/// Returns whether the radius of the element is Mantina's, not Bondi's.
+bool is_of_mantina(std::string_view symbol);
+
+/// Returns the symbol of the atom's element; empty if neither the column nor the name tells it.
+std::string_view element_of(const Atom& atom);
+
+inline bool is_hydrogen(std::string_view symbol) { return symbol == "H" || symbol == "D" || symbol == "T"; }
+
+/// Returns whether a residue is one of the 20 amino acids, under all names of force fields.
+bool is_amino_acid(std::string_view residue);
+
+}  // namespace rbpa::app
