@@ -75,8 +75,7 @@ class AtomSource {
 
   std::size_t frames() const { return frames_; }  ///< frames with atoms, as far as the file has been read
   std::size_t blocks() const { return blocks_; }  ///< data blocks with atoms; known at the end; only the first is read
-  const std::string& name() const { return name_; }
-  UnitCell& cell() { return cell_; }                   ///< of the frame; known at its end
+  UnitCell& cell() { return cell_; }              ///< of the frame; known at its end
   std::string_view remark() const { return remark_; }  ///< a warning about all coordinates; empty if there is none
 
  protected:

@@ -137,43 +137,27 @@ FieldNames names_of_atoms() {
 
 }  // namespace
 
+template <OpenAtoms open, FieldNames (*fields)()>
+constexpr CloudFormat molecule_format = {
+    .open = open_as<MoleculeCloud, open>, .fields = fields, .is_molecule = true, .is_text = true};
+
 /// Read the atoms of the first model, in the order of the file, alternate locations included: PDB's records ATOM and
 /// HETATM, PDBx/mmCIF's _atom_site, PQR, GROMACS' .gro and LAMMPS' dump, with atom_columns as their fields, and of
 /// dumps all columns. Requires: content in memory.
-const CloudFormat pdb_reader = {.open = open_as<MoleculeCloud, pdb_atoms>,
-                                .fields = names_of_atoms<columns_of_pdb>,
-                                .is_molecule = true,
-                                .is_text = true};
-const CloudFormat cif_reader = {.open = open_as<MoleculeCloud, cif_atoms>,
-                                .fields = names_of_atoms<columns_of_pdb>,
-                                .is_molecule = true,
-                                .is_text = true};
-const CloudFormat pqr_reader = {.open = open_as<MoleculeCloud, pqr_atoms>,
-                                .fields = names_of_atoms<no_atom_column>,
-                                .is_molecule = true,
-                                .is_text = true};
-const CloudFormat gro_reader = {.open = open_as<MoleculeCloud, gro_atoms>,
-                                .fields = names_of_atoms<columns_of_pdb>,
-                                .is_molecule = true,
-                                .is_text = true};
-const CloudFormat dump_reader = {
-    .open = open_as<MoleculeCloud, dump_atoms>, .fields = names_of_columns, .is_molecule = true, .is_text = true};
+const CloudFormat pdb_reader = molecule_format<pdb_atoms, names_of_atoms<columns_of_pdb>>;
+const CloudFormat cif_reader = molecule_format<cif_atoms, names_of_atoms<columns_of_pdb>>;
+const CloudFormat pqr_reader = molecule_format<pqr_atoms, names_of_atoms<no_atom_column>>;
+const CloudFormat gro_reader = molecule_format<gro_atoms, names_of_atoms<columns_of_pdb>>;
+const CloudFormat dump_reader = molecule_format<dump_atoms, names_of_columns>;
 
 OpenAtoms atoms_of(Format format) {
-  switch (format) {
-    case Format::pdb:
-      return pdb_atoms;
-    case Format::pqr:
-      return pqr_atoms;
-    case Format::cif:
-      return cif_atoms;
-    case Format::gro:
-      return gro_atoms;
-    case Format::dump:
-      return dump_atoms;
-    default:
-      return nullptr;
-  }
+  for (const auto& [known, open] : {std::pair<Format, OpenAtoms>(Format::pdb, pdb_atoms),
+                                    {Format::pqr, pqr_atoms},
+                                    {Format::cif, cif_atoms},
+                                    {Format::gro, gro_atoms},
+                                    {Format::dump, dump_atoms}})
+    if (known == format) return open;
+  return nullptr;
 }
 
 }  // namespace rbpa::app
