@@ -45,8 +45,9 @@ class Sum {
  public:
   /// Adds volume · lift, or subtracts it if the sign is −1.
   void add_product(const Volume& volume, Integer128 lift, int sign) {
-    if (lift < 0) sign = -sign;
-    const auto square = static_cast<Unsigned128>(lift < 0 ? -lift : lift);
+    add_product(volume, static_cast<Unsigned128>(lift < 0 ? -lift : lift), lift < 0 ? -sign : sign);
+  }
+  void add_product(const Volume& volume, Unsigned128 square, int sign) {
     const auto s0 = static_cast<Word>(square), s1 = static_cast<Word>(square >> 64U);
     const auto v0 = volume.low, v1 = static_cast<Word>(volume.high);
     const auto v2 = static_cast<std::int64_t>(volume.high >> 64);
@@ -81,6 +82,18 @@ class Sum {
   std::array<Integer128, 5> word_{};
 };
 
+/// Returns power_sign() of lift(square, i) in place of the squares of u, v, w, p, which are numbered in this order.
+template <typename Lift>
+int power_sign_with(const FixedVector& u, const FixedVector& v, const FixedVector& w, const FixedVector& p, Lift lift) {
+  const Vector3<Integer128> uv = wide_cross(u, v);
+  Sum sum;
+  sum.add_product(wide_dot(uv, w), lift(square(p), 3), 1);
+  sum.add_product(wide_dot(wide_cross(v, w), p), lift(square(u), 0), -1);
+  sum.add_product(wide_dot(wide_cross(w, u), p), lift(square(v), 1), -1);
+  sum.add_product(wide_dot(uv, p), lift(square(w), 2), -1);
+  return sum.sign();
+}
+
 }  // namespace
 
 int volume_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w) {
@@ -88,15 +101,13 @@ int volume_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w
   return volume.high < 0 ? -1 : volume.high > 0 || volume.low != 0 ? 1 : 0;
 }
 
+int power_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w, const FixedVector& p) {
+  return power_sign_with(u, v, w, p, [](Integer128 square, std::size_t) { return static_cast<Unsigned128>(square); });
+}
+
 int power_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w, const FixedVector& p,
                const std::array<Integer128, 4>& weights) {
-  const Vector3<Integer128> uv = wide_cross(u, v);
-  Sum sum;
-  sum.add_product(wide_dot(uv, w), square(p) - weights[3], 1);
-  sum.add_product(wide_dot(wide_cross(v, w), p), square(u) - weights[0], -1);
-  sum.add_product(wide_dot(wide_cross(w, u), p), square(v) - weights[1], -1);
-  sum.add_product(wide_dot(uv, p), square(w) - weights[2], -1);
-  return sum.sign();
+  return power_sign_with(u, v, w, p, [&](Integer128 square, std::size_t i) { return square - weights[i]; });
 }
 
 }  // namespace rbpa::space

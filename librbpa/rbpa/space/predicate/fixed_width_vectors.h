@@ -24,18 +24,19 @@ using FixedVector = Vector3<std::int64_t>;  // each below 2^61 in size
 /// Returns the sign of u × v · w.
 int volume_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w);
 
-/// Returns the sign of the volume of u, v, w times the power of p with respect to the sphere through 0, u, v, w. Each
-/// weight, of balls at u, v, w, p, is below 2^122 in size and subtracted from the square.
+/// Returns the sign of the volume of u, v, w times the power of p with respect to the sphere through 0, u, v, w. Weights
+/// of balls at u, v, w, p, if given, are below 2^122 in size and subtracted from the squares.
+int power_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w, const FixedVector& p);
 int power_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w, const FixedVector& p,
-               const std::array<Integer128, 4>& weights = {});
+               const std::array<Integer128, 4>& weights);
 
 /// Vectors from one point to N others, and the weights of the others less that of the one, if they are balls: `radii`
-/// has the one's first. Requires: finite points and radii.
-template <std::size_t N>
+/// has the one's first. Requires: finite points and radii; radii if and only if weighted.
+template <std::size_t N, bool weighted = false>
 class FixedVectors {
  public:
   FixedVectors(const Point3& from, const std::array<const Point3*, N>& to,
-               const std::array<double, N + 1>* radii = nullptr) {
+               [[maybe_unused]] const std::array<double, N + 1>* radii = nullptr) {
     std::uint64_t unit = 2047;  // the exponent of the lowest set bit of any coordinate, + 1075
     bool are_normal = true;
     const auto include = [&](double value) {
@@ -48,7 +49,7 @@ class FixedVectors {
     for (const double value : {from.x, from.y, from.z}) include(value);
     for (const Point3* p : to)
       for (const double value : {p->x, p->y, p->z}) include(value);
-    if (radii)
+    if constexpr (weighted)
       for (const double radius : *radii) include(radius);
     if (!are_normal || unit < 1075 - 1022) return;
     const double scale = std::bit_cast<double>((1023 + 1075 - unit) << 52U);
@@ -64,7 +65,7 @@ class FixedVectors {
     are_exact_ = true;
     for (std::size_t i = 0; i < N; ++i)
       vector_[i] = {whole(from.x, to[i]->x), whole(from.y, to[i]->y), whole(from.z, to[i]->z)};
-    if (radii)
+    if constexpr (weighted)
       for (std::size_t i = 0; i < N; ++i) {
         const double own = (*radii)[i + 1], first = (*radii)[0];
         weight_[i] = Integer128{whole(first, own)} * whole(-first, own);
@@ -74,11 +75,11 @@ class FixedVectors {
   /// Returns whether the vectors could be represented exactly; otherwise there are none.
   bool are_exact() const { return are_exact_; }
   const FixedVector& operator[](std::size_t i) const { return vector_[i]; }
-  const std::array<Integer128, N>& weights() const { return weight_; }
+  const std::array<Integer128, N>& weights() const requires weighted { return weight_; }
 
  private:
   std::array<FixedVector, N> vector_;
-  std::array<Integer128, N> weight_{};
+  std::array<Integer128, weighted ? N : 0> weight_;
   bool are_exact_ = false;
 };
 

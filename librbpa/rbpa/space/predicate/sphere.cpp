@@ -79,9 +79,16 @@ double in_sphere_by_double_double(const Point3& a, const Point3& b, const Point3
 
 std::optional<bool> in_sphere_on_grid(const Point3& a, const Point3& b, const Point3& c, const Point3& d,
                                       const Point3& q, const FiveRadii* radii) {
-  const FixedVectors<4> to(a, {&b, &c, &d, &q}, radii);
-  if (!to.are_exact()) return std::nullopt;
-  const int power = power_sign(to[0], to[1], to[2], to[3], to.weights());
+  int power;
+  if (radii) {
+    const FixedVectors<4, true> to(a, {&b, &c, &d, &q}, radii);
+    if (!to.are_exact()) return std::nullopt;
+    power = power_sign(to[0], to[1], to[2], to[3], to.weights());
+  } else {
+    const FixedVectors<4> to(a, {&b, &c, &d, &q});
+    if (!to.are_exact()) return std::nullopt;
+    power = power_sign(to[0], to[1], to[2], to[3]);
+  }
   return power == 0 ? pulled_into_sphere(a, b, c, d, q) : power < 0;
 }
 

@@ -253,13 +253,11 @@ template <bool weighted>
 inline void BasicInsertion<weighted>::add_spoke(Vertex corner, const Inserted& from) {
   rim_.push(corner);
   const Inserted& p = vertex_[corner];
-  const double x = p.x - from.x, y = p.y - from.y, z = p.z - from.z;
-  if (corner == at_infinity)
-    spokes_.push(AnySpoke::to_infinity());
-  else if constexpr (weighted)
-    spokes_.push(AnySpoke::to(x, y, z, weight_difference(p.radius, from.radius)));
+  const auto spoke = [&](auto... weight) { return AnySpoke::to(p.x - from.x, p.y - from.y, p.z - from.z, weight...); };
+  if constexpr (weighted)
+    spokes_.push(corner == at_infinity ? AnySpoke::to_infinity() : spoke(weight_difference(p.radius, from.radius)));
   else
-    spokes_.push(AnySpoke::to(x, y, z));
+    spokes_.push(corner == at_infinity ? AnySpoke::to_infinity() : spoke());
 }
 
 /// Returns the number of a corner among the vertices of the cavity's boundary.
