@@ -60,7 +60,8 @@ std::string PeriodicRun::name_of_points() const {
 /// Sets request_.box to the cell of the file for --box auto; otherwise prints a warning, unless quiet, if the cell of
 /// the file differs from --box. Throws BadInput for --box auto if the file has no cell.
 void PeriodicRun::settle_box() {
-  const auto& [sides, fault] = file_.cell;
+  const std::optional<std::array<double, 3>>& sides = file_.cell.sides;
+  const std::string& fault = file_.cell.fault;
   const Point3 given = *request_.box;
   if (given == Point3()) {
     if (!sides)

@@ -13,7 +13,7 @@
 #include "rbpa/space/cells/cells.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/predicate/agreement.h"
-#include "rbpa/space/predicate/ball.h"
+#include "rbpa/space/predicate/resting_ball.h"
 #include "rbpa/space/surface/levels/neighborhood_subset.h"
 #include "rbpa/space/surface/levels/sub_surface.h"
 #include "rbpa/space/surface/star/exposed_at.h"
@@ -64,7 +64,7 @@ bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const 
   }
   if (nearest == v) return false;
   return std::any_of(around.begin(), around.end(), [&](std::uint32_t p) {
-    return p != v && p != nearest && space::Ball<Real>(points[v], points[nearest], points[p], radius).rests();
+    return p != v && p != nearest && space::RestingBall<Real>(points[v], points[nearest], points[p], radius).rests();
   });
 }
 

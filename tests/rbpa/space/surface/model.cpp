@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "rbpa/space/predicate/ball.h"
 #include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/predicate/resting_ball.h"
 
 namespace rbpa_test {
 namespace {
@@ -26,7 +26,7 @@ std::set<Triangle> exposed_by_definition(const Points3& points, double radius) {
     for (const std::uint32_t b : distinct)
       for (const std::uint32_t c : distinct) {
         if (!(a < b && a < c && b != c)) continue;
-        const rbpa::space::Ball<long double> ball(points[a], points[b], points[c], radius);
+        const rbpa::space::RestingBall<long double> ball(points[a], points[b], points[c], radius);
         if (ball.rests() && std::none_of(distinct.begin(), distinct.end(), [&](std::uint32_t q) {
               return q != a && q != b && q != c && ball.contains(points[q]);
             }))

@@ -12,7 +12,7 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/plane/alpha_complex.h"
-#include "rbpa/space/predicate/ball.h"
+#include "rbpa/space/predicate/resting_ball.h"
 #include "support/generate.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
@@ -87,7 +87,7 @@ std::vector<Triangle> by_definition(const Points3& points, double radius) {
     for (const std::uint32_t b : distinct)
       for (const std::uint32_t c : distinct) {
         if (!(a < b && a < c && b != c)) continue;
-        const rbpa::space::Ball<long double> ball(points[a], points[b], points[c], radius);
+        const rbpa::space::RestingBall<long double> ball(points[a], points[b], points[c], radius);
         if (ball.rests() && std::none_of(distinct.begin(), distinct.end(), [&](std::uint32_t q) {
               return q != a && q != b && q != c && ball.contains(points[q]);
             }))

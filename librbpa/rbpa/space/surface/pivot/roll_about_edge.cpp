@@ -3,7 +3,7 @@
 namespace rbpa::space {
 
 template <typename Real>
-std::size_t EdgeRoll<Real>::holder(const Ball<Real>& ball, std::size_t p) const {
+std::size_t EdgeRoll<Real>::holder(const RestingBall<Real>& ball, std::size_t p) const {
   for (std::size_t q = 0; q < points_.size(); ++q)
     if (q != p && q != b_ && ball.contains(points_[q])) return q;
   return none;
@@ -15,7 +15,7 @@ std::size_t EdgeRoll<Real>::holder(const Ball<Real>& ball, std::size_t p) const 
 template <typename Real>
 std::size_t EdgeRoll<Real>::first_left_free() const {
   std::size_t start = 0;
-  Ball<Real> beginning;
+  RestingBall<Real> beginning;
   for (; start < points_.size(); ++start) {
     if (start == b_) continue;
     beginning = leaving(start);
@@ -24,14 +24,14 @@ std::size_t EdgeRoll<Real>::first_left_free() const {
   if (start == points_.size()) return none;
 
   std::size_t end = start;
-  Ball<Real> ball = beginning;
+  RestingBall<Real> ball = beginning;
   std::size_t reach = none;  // of the points so far in the ball at the beginning: the one that it leaves last
   while (true) {
     const std::size_t q = holder(ball, end);
     if (q == none) return end;
     // Q is in the ball up to the beginning or beyond: it is in the ball all around
     if (q == start || q == reach) return none;
-    const Ball<Real> next = leaving(q);
+    const RestingBall<Real> next = leaving(q);
     if (!next.rests()) return none;  // q is in the ball all around
     if (beginning.contains(points_[q])) {
       // Either q is in the ball from the beginning past the end, farther than `reach`; or from the end past the
@@ -57,13 +57,13 @@ std::size_t EdgeRoll<Real>::next_left_free(std::size_t from) const {
 template <typename Real>
 std::size_t EdgeRoll<Real>::first_touched(std::size_t left) const {
   const Point3& c = points_[left];
-  const Ball<Real> start = leaving(left);
+  const RestingBall<Real> start = leaving(left);
   std::size_t best = left;
-  Ball<Real> at_best = coming_to(left);
+  RestingBall<Real> at_best = coming_to(left);
   int c_after_best = 0;  // the side of c in a turn that begins at `best`
   for (std::size_t p = 0; p < points_.size(); ++p) {
     if (p == left || p == best || p == b_) continue;
-    Ball<Real> at_p;
+    RestingBall<Real> at_p;
     if (at_best.contains(points_[p])) {
       at_p = coming_to(p);
     } else {

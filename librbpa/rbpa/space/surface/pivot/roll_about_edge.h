@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <span>
 
-#include "rbpa/space/predicate/ball.h"
+#include "rbpa/space/predicate/resting_ball.h"
 
 namespace rbpa::space {
 
@@ -43,12 +43,12 @@ class EdgeRoll {
 
  private:
   /// Returns the ball as it leaves p: it rests on (a, b, p). coming_to() returns it as it comes to p: on (b, a, p).
-  Ball<Real> leaving(std::size_t p) const { return Ball<Real>(a_, points_[b_], points_[p], radius_); }
-  Ball<Real> coming_to(std::size_t p) const { return Ball<Real>(points_[b_], a_, points_[p], radius_); }
+  RestingBall<Real> leaving(std::size_t p) const { return RestingBall<Real>(a_, points_[b_], points_[p], radius_); }
+  RestingBall<Real> coming_to(std::size_t p) const { return RestingBall<Real>(points_[b_], a_, points_[p], radius_); }
 
   /// Returns the least position of a point that lies in the ball, other than p and b; `none` if there is no such
   /// point. Requires: the ball rests on p.
-  std::size_t holder(const Ball<Real>& ball, std::size_t p) const;
+  std::size_t holder(const RestingBall<Real>& ball, std::size_t p) const;
   /// Returns the position of a point that the ball leaves into a free arc, or none.
   std::size_t first_left_free() const;
   /// Returns the position of the first such point from `from` on. Requires: the ball has come to `from`; there is one.

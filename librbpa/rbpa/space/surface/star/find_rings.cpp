@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "rbpa/space/predicate/ball.h"
+#include "rbpa/space/predicate/resting_ball.h"
 #include "rbpa/space/surface/pivot/roll_about_edge.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -39,7 +39,7 @@ class RegionSearch {
   bool find(Surroundings& around, Site v, Rings& found) {
     const std::span<const Point3> sites = cells_.sites();
     const auto is_in_ball = [&](std::size_t x, std::size_t y, std::size_t p) {
-      return Ball<double>(sites[v], sites[x], sites[y], cells_.radius()).contains(sites[p]);
+      return RestingBall<double>(sites[v], sites[x], sites[y], cells_.radius()).contains(sites[p]);
     };
     region_.reset(cells_.radius());
     const float from = find_near(around, v);

@@ -1,7 +1,7 @@
 // What: computes the free region: the possible centers of a ball that touches a point v and contains no other point.
 //       The region is the sphere of centers around v less one cap for each other point. Its corners are the exposed
 //       triangles at v.
-// Law:  exact: each sign is certain, or decided by Ball::contains(). Where neither is possible, or there is no room, the
+// Law:  exact: each sign is certain, or decided by RestingBall::contains(). Where neither is possible, or there is no room, the
 //       region is lost, and false is returned. docs/explanation/surfaces.md, section 13.
 // How:  caps are subtracted one after the other (cut()) from the cycles of arcs that bound the region. An arc is part
 //       of the circle of a point, on which the ball touches v and that point. Compiled once for each kind of vector
@@ -22,7 +22,7 @@
 #include <cstdint>
 #include <span>
 
-#include "rbpa/space/predicate/ball.h"
+#include "rbpa/space/predicate/resting_ball.h"
 #include "rbpa/space/surface/star/ball_pair-inl.h"
 #include "rbpa/space/surface/star/bounding_cones-inl.h"
 #include "rbpa/space/surface/star/cap_union-inl.h"

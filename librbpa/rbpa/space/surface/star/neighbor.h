@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "rbpa/base/point3.h"
-#include "rbpa/space/predicate/ball.h"
+#include "rbpa/space/predicate/resting_ball.h"
 
 namespace rbpa::space {
 

@@ -26,7 +26,7 @@ bool in_ball_exactly(const Point3& a, const Point3& b, const Point3& c, double r
 /// The ball of a given radius that touches a, b and c, its center on the side from which they are counter-clockwise.
 /// Real is double for points and a radius scaled by scale_to_double() (space/cells/scale.h), else long double.
 template <typename Real>
-class Ball {
+class RestingBall {
   static_assert(std::numeric_limits<Real>::is_iec559);
   static_assert(std::is_same_v<Real, double> || std::numeric_limits<Real>::max_exponent >= 16384,
                 "long double has the exponents of double here: extreme coordinates could not be filtered");
@@ -36,9 +36,9 @@ class Ball {
       std::numeric_limits<Real>::epsilon() / 2;  ///< the relative error of one rounding
 
   /// Makes an object without a ball.
-  Ball() = default;
+  RestingBall() = default;
   /// Requires: distinct points, a finite radius above 0.
-  Ball(const Point3& a, const Point3& b, const Point3& c, double radius) : a_(a), b_(b), c_(c), radius_(radius) {
+  RestingBall(const Point3& a, const Point3& b, const Point3& c, double radius) : a_(a), b_(b), c_(c), radius_(radius) {
     rests_ = fill_in();
   }
 
@@ -65,7 +65,7 @@ class Ball {
 
  private:
   template <typename>
-  friend class Ball;
+  friend class RestingBall;
   struct Estimate {
     Real value, bound;
   };
@@ -116,7 +116,7 @@ class Ball {
 
   bool decide(const Point3& q) const {
     if constexpr (std::is_same_v<Real, double> && std::numeric_limits<long double>::digits == 64) {
-      Ball<long double> finer;
+      RestingBall<long double> finer;
       finer.a_ = a_, finer.b_ = b_, finer.c_ = c_, finer.radius_ = radius_;
       finer.fill_in();
       const auto power = finer.power_of(q);

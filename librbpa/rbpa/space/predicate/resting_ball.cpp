@@ -1,4 +1,4 @@
-#include "rbpa/space/predicate/ball.h"
+#include "rbpa/space/predicate/resting_ball.h"
 
 namespace rbpa::space {
 namespace {

@@ -1,4 +1,4 @@
-#include "rbpa/space/predicate/ball.h"
+#include "rbpa/space/predicate/resting_ball.h"
 
 #include <doctest/doctest.h>
 
@@ -16,7 +16,7 @@
 
 using namespace rbpa_test;
 using rbpa::Point3;
-using rbpa::space::Ball;
+using rbpa::space::RestingBall;
 
 TEST_SUITE_BEGIN("space");
 
@@ -91,7 +91,7 @@ TEST_CASE_TEMPLATE("a ball agrees with rational numbers", Real, double, long dou
       double radius;
       if (!draw(kind, random, s, radius) || !fits<Real>(s, radius)) continue;
       const RationalBall expected(s[0], s[1], s[2], radius);
-      const Ball<Real> ball(s[0], s[1], s[2], radius);
+      const RestingBall<Real> ball(s[0], s[1], s[2], radius);
       REQUIRE(ball.rests() == expected.rests);
       const Vector d = rational_from(s[0], s[3]);
       const int above = sign(dot(expected.n, d));
@@ -121,7 +121,7 @@ TEST_CASE("a ball is the same from each of its corners, and on the other side of
       Points3 s;
       double radius;
       if (!draw(static_cast<SpaceKind>(k), random, s, radius)) continue;
-      using Wide = Ball<long double>;
+      using Wide = RestingBall<long double>;
       const Wide ball(s[0], s[1], s[2], radius), turned(s[1], s[2], s[0], radius);
       REQUIRE(ball.rests() == turned.rests());
       if (!ball.rests()) continue;
@@ -162,7 +162,7 @@ TEST_CASE("no filter decides wrongly for points that are on the sphere except fo
       const Long d = rbpa::space::from<long double>({}, near({}, 1));
       const long double out = radius / std::sqrt(dot(d, d));
       const Point3 q = {double(a.x + o.x + out * d.x), double(a.y + o.y + out * d.y), double(a.z + o.z + out * d.z)};
-      const Ball<double> ball(a, b, c, radius);
+      const RestingBall<double> ball(a, b, c, radius);
       CHECK(ball.rests() == (rbpa::space::exact::compare_circumradius(a, b, c, radius) <= 0));
       if (!ball.rests()) continue;
       const bool expected = rbpa::space::in_ball_exactly(a, b, c, radius, q);
@@ -195,8 +195,9 @@ TEST_CASE("on a circle the perturbation is that of the plane, whatever the direc
               Plane::in_perturbed_circle(flat(left ? a : b), flat(left ? b : a), flat(c), flat(q)) > 0;
           inside += expected;
           for (const double radius : {5.0, 6.0}) {
-            CHECK(Ball<double>(a, b, c, radius).contains(q) == expected);
-            CHECK(Ball<long double>(standing(a), standing(b), standing(c), radius).contains(standing(q)) == expected);
+            CHECK(RestingBall<double>(a, b, c, radius).contains(q) == expected);
+            CHECK(RestingBall<long double>(standing(a), standing(b), standing(c), radius).contains(standing(q)) ==
+                  expected);
           }
         }
   CHECK(inside > 500);
@@ -204,9 +205,9 @@ TEST_CASE("on a circle the perturbation is that of the plane, whatever the direc
 
 TEST_CASE("a ball of exactly the circumradius rests; one a double smaller does not") {
   const Point3 a{3, 4, 0}, b{-4, 3, 0}, c{0, -5, 0};
-  CHECK(Ball<double>(a, b, c, 5).rests());
-  CHECK(!Ball<double>(a, b, c, std::nextafter(5, 0)).rests());
-  CHECK(!Ball<double>({0, 0, 0}, {1, 1, 1}, {3, 3, 3}, 1e9).rests());  // on a line
+  CHECK(RestingBall<double>(a, b, c, 5).rests());
+  CHECK(!RestingBall<double>(a, b, c, std::nextafter(5, 0)).rests());
+  CHECK(!RestingBall<double>({0, 0, 0}, {1, 1, 1}, {3, 3, 3}, 1e9).rests());  // on a line
 }
 
 TEST_CASE("points and a radius that a power of two brings into the range of double are decided in double") {
