@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   FillArguments fill;
   SurfaceArguments surface;
   SolidArguments solid;
+  BallsArguments balls;
   struct Verb {
     const CLI::App* declared;
     std::function<void()> run;
@@ -66,6 +67,7 @@ int main(int argc, char** argv) {
                                    {add_fill(app, fill), [&] { run_fill(fill); }},
                                    {add_surface(app, surface), [&] { run_surface(surface); }},
                                    {add_solid(app, solid), [&] { run_solid(solid); }},
+                                   {add_balls(app, balls), [&] { run_balls(balls); }},
                                    {add_stream(app, stream), [&] { run_stream(stream); }},
                                    {add_info(app, info), [&] { run_info(info); }},
                                    {add_report(app, report_page), [&] { run_report(report_page); }}};

@@ -201,4 +201,66 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
   return &verb;
 }
 
+CLI::App* add_balls(CLI::App& app, BallsArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand(
+      "balls", "Measure the union of balls around atoms: areas and volumes, of each atom too, and contacts");
+  verb.add_option("ATOMS", arguments.atoms,
+                  "File of a molecule or of points in space, .gz or not, or - for standard input")
+      ->required();
+  verb.add_option("--format", arguments.format,
+                  "Set the format of ATOMS, if its ending does not tell: " + endings(Use::space))
+      ->type_name("NAME");
+  verb.add_option("--probe", arguments.probe,
+                  "Add R to each radius: 1.4 for water, if lengths are in angstroms; areas are then accessible to the "
+                  "center of the probe")
+      ->type_name("R")
+      ->capture_default_str();
+  verb.add_option("--radii", arguments.radii,
+                  "Take radii by element of Bondi, those of ProtOr for amino acids, a column of the file, or a FILE of "
+                  "lines 'ELEMENT RADIUS', 'RESIDUE ATOM RADIUS' or '* ATOM RADIUS', with Bondi's for all others "
+                  "(default: those of the file, if it has some, else bondi)")
+      ->type_name("bondi|protor|column:NAME|FILE");
+  verb.add_option("--radius-default", arguments.radius_default,
+                  "Take R for atoms without a radius, which are refused "
+                  "otherwise")
+      ->type_name("R");
+  verb.add_option("--models", arguments.models,
+                  "Measure these models, or frames, of the file: numbers from 1 (default 1). Rows have their frame if "
+                  "there may be several")
+      ->type_name("all|1,3,10-20");
+  verb.add_option("--where", arguments.where,
+                  "Take only atoms that fulfill a condition on their columns: \"chain == 'A' and resseq < 100\"")
+      ->type_name("CONDITION");
+  add_waters_option(verb, arguments.waters);
+  add_switch(verb, "--no-ligands", arguments.no_ligands, "Leave out records HETATM other than water");
+  add_switch(verb, "--no-hydrogens", arguments.no_hydrogens, "Leave out hydrogen and its isotopes");
+  add_switch(verb, "--alternates", arguments.alternates,
+             "Keep all alternate locations (by default the one of the highest occupancy in each residue)");
+  add_output_options(verb, arguments, endings(Use::rows));
+  verb.add_option("--contacts", arguments.contacts,
+                  "Write the contacts of balls, a row for each pair: area of the disc that both share, length of its "
+                  "arcs on the surface (0 if there are none), distance of the centers: " +
+                      endings(Use::rows))
+      ->type_name("FILE");
+  verb.add_option("--group", arguments.group,
+                  "Sum up the rows of each residue, of each chain, or of each value in a column; contacts are then "
+                  "those between different groups")
+      ->type_name("residue|chain|column:NAME");
+  add_switch(verb, "--json", arguments.json, "Print the radii that were used, counts and sizes as JSON");
+  add_stats_option(verb, arguments.stats);
+  add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa balls protein.pdb --probe 1.4 -o atoms.csv\n"
+      "  rbpa balls complex.cif --probe 1.4 --group chain -o chains.csv --contacts interfaces.csv\n"
+      "  rbpa balls frames.pdb --probe 1.4 --models all --group residue -o residues.csv\n"
+      "  rbpa balls packing.csv --radii column:radius --json\n\n"
+      "OUT has a row for each atom: the names that the file gives it, radius (without the probe), area of its sphere "
+      "on the surface of the union, volume of its part of the union, and whether it is buried, without any area. "
+      "Areas and volumes are those of the balls with the probe, in units of the file; the summary has those without "
+      "it (van der Waals), too.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
 }  // namespace rbpa::app

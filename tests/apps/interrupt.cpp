@@ -157,6 +157,7 @@ TEST_CASE("a program ends within a second of processor time after a signal at an
     rbpa({"surface", points, "--radius", "auto", "--normals", "none", "--shell", "outer", "-o", folder.path("m.off")});
     rbpa({"solid", points, "--alpha", "auto", "-o", folder.path("s.vtu"), "--boundary", folder.path("b.off")});
     rbpa({"alpha", points, "--dimension", "3", "--persistence", "--json"});
+    rbpa({"balls", points, "--radius-default", "1", "-o", folder.path("b.csv"), "--contacts", folder.path("c.csv")});
   }
   for (const std::string kind : {"edge", "point", "ring", "each"}) {
     const std::string path = folder.file(kind + ".obj", mesh(kind, 3000 * more));

@@ -132,6 +132,7 @@ void AtomFrames::open(std::string_view bytes) {
   }
   if (choice_.radius || source_->has_radii())
     radius_ = choice_.radius ? source_->column(*choice_.radius) : AtomColumn::radius;
+  if (choice_.group) group_ = source_->column(*choice_.group);
 }
 
 bool AtomFrames::next(AtomFrame& frame) {
@@ -193,6 +194,7 @@ void AtomFrames::read_atoms(AtomFrame& frame) {
                                        {AtomColumn::icode, &AtomRow::icode},
                                        {AtomColumn::altloc, &AtomRow::altloc}})
       row.*text = frame.number_of(atom.fields[column], row.*text);
+    if (group_) row.group = frame.number_of(AtomSource::text(atom, *group_), row.group);
     row.element = frame.number_of(element.empty() ? atom.fields[AtomColumn::element] : element, row.element);
     for (const auto& [column, number] : {std::pair(AtomColumn::serial, &AtomRow::serial),
                                          {AtomColumn::resseq, &AtomRow::resseq},
@@ -215,9 +217,13 @@ void AtomFrames::read_points(AtomFrame& frame) {
   const std::optional<FieldNames> names = fields_of(format_);
   std::vector<WantedColumn> columns;
   if (choice_.radius) columns.push_back({.name = *choice_.radius});
-  if (choice_.where || choice_.radius) {
-    require_format(names.has_value(), choice_.where ? "--where" : "--radii", "without fields", with_fields(Use::space));
-    request.where = Condition(choice_.where.value_or(""), *names, columns, "--radii");
+  if (choice_.group && choice_.group != choice_.radius)
+    columns.push_back({.name = *choice_.group,
+                       .kind = names && names->texts ? WantedColumn::Kind::by_value : WantedColumn::Kind::number});
+  if (choice_.where || !columns.empty()) {
+    const std::string option = choice_.radius ? "--radii" : "--group";
+    require_format(names.has_value(), choice_.where ? "--where" : option, "without fields", with_fields(Use::space));
+    request.where = Condition(choice_.where.value_or(""), *names, columns, option);
   }
   SpacePoints file = space_points_in(bytes_, name_, format_, request);
   if (file.points.empty()) bad_input(name_, "no points", "at least one");
@@ -226,6 +232,12 @@ void AtomFrames::read_points(AtomFrame& frame) {
     AtomRow& row = frame.rows.emplace_back();
     row.center = file.points[i];
     row.index = file.index.empty() ? i : file.index[i];
+    if (choice_.group) {
+      const std::size_t k = columns.size() - 1;
+      const double value = file.fields[k][i];
+      const bool is_text = k < file.texts.size() && file.texts[k];
+      row.group = frame.number_of(is_text ? (*file.texts[k])[static_cast<std::size_t>(value)] : text_of(value));
+    }
     if (!frame.has_radii) continue;
     row.radius = file.fields[0][i];
     require_radius(row.radius, name_ + ": point " + std::to_string(row.index));

@@ -27,6 +27,7 @@ struct AtomRow {
   Point3 center = {};
   double radius = none, serial = none, resseq = none, occupancy = none, charge = none;
   std::uint32_t name = 0, resname = 0, chain = 0, icode = 0, altloc = 0;
+  std::uint32_t group = 0;    ///< the value in the column that was chosen
   std::uint32_t element = 0;  ///< a symbol, "Ca"; the text of the file if it is none
   bool is_water = false, is_hetero = false;
   std::size_t line = 0;   ///< of the file; 0 for points that are no atoms
@@ -82,6 +83,7 @@ struct AtomChoice {
   bool alternates = false;  ///< keep all alternate locations
   std::optional<std::string> where = std::nullopt;   ///< a condition
   std::optional<std::string> radius = std::nullopt;  ///< the column of radii; absent: that of the file, if there is one
+  std::optional<std::string> group = std::nullopt;   ///< the column of AtomRow::group
 };
 
 class AtomFrames {
@@ -113,9 +115,9 @@ class AtomFrames {
   std::string_view bytes_ = {};
   std::unique_ptr<AtomSource> source_ = nullptr;  // null for points that are no atoms
   std::optional<AtomSelection> selection_ = std::nullopt;
-  std::optional<std::size_t> radius_ = std::nullopt;  // the column of radii
-  std::size_t frames_ = 0;                            // that were begun
-  bool is_begun_ = false;                             // the frame is begun, and not read
+  std::optional<std::size_t> radius_ = std::nullopt, group_ = std::nullopt;  // the columns that were chosen
+  std::size_t frames_ = 0;                                                   // that were begun
+  bool is_begun_ = false;                                                    // the frame is begun, and not read
   std::vector<std::string> warnings_ = {};
 };
 

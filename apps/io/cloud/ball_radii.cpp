@@ -78,6 +78,14 @@ void BallRadii::read(const std::string& path) {
   }
 }
 
+void BallRadii::override_element(const std::string& symbol, double radius) {
+  const Element* const element = find_element(symbol);
+  if (element == nullptr) throw WrongUsage("overrides: found " + in_quotes(symbol) + ", expected an element");
+  if (!(radius >= 0 && std::isfinite(radius)))
+    throw WrongUsage("overrides: found " + text_of(radius) + " for " + symbol + ", expected a number of at least 0");
+  overrides_[{"", std::string(element->symbol)}] = radius;
+}
+
 std::pair<double, std::string_view> BallRadii::find(const AtomFrame& frame, const AtomRow& atom,
                                                     const std::string& name) const {
   const std::string &symbol = frame.text(atom.element), &residue = frame.text(atom.resname),

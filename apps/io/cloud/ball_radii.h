@@ -30,6 +30,9 @@ class BallRadii {
   /// a file that is not one of radii; WrongUsage.
   explicit BallRadii(const std::optional<std::string>& choice, std::optional<double> otherwise = std::nullopt);
 
+  /// Sets the radius of an element, for choices with a table. Throws WrongUsage.
+  void override_element(const std::string& symbol, double radius);
+
   /// The column of radii, for AtomChoice::radius.
   const std::optional<std::string>& column() const { return column_; }
   /// Returns a radius for each atom; `name` is the file of the atoms. Throws BadInput for the first atom that has none.

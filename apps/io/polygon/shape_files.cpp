@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "io/bytes/number.h"
+#include "io/bytes/row_writer.h"
 #include "io/interrupt.h"
 #include "io/values_at.h"
 
@@ -234,12 +235,6 @@ void for_each_named(const NamedShapes& groups, const Visit& visit) {
   }
 }
 
-/// Returns a text in quotes for JSON. Bytes that are not UTF-8, such as Latin-1, are written as the replacement
-/// character.
-std::string json_text(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 }  // namespace
 
 std::vector<std::string_view> problems_of(const NamedShapes& groups) {
@@ -248,14 +243,7 @@ std::vector<std::string_view> problems_of(const NamedShapes& groups) {
   return problems;
 }
 
-std::string json_name(const std::string& name, bool is_number) { return is_number ? name : json_text(name); }
-
-std::string csv_text(std::string_view text) {
-  if (text.find_first_of(",;\"\n\r\t ") == std::string_view::npos) return std::string(text);
-  std::string quoted = "\"";
-  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-  return quoted + '"';
-}
+std::string json_name(const std::string& name, bool is_number) { return is_number ? name : json_string(name); }
 
 void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
   file.write(geojson_collection(groups.crs));
@@ -267,7 +255,7 @@ void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
                    ",\"points\":", groups.sizes[g], ",\"alpha\":", finite_or_null(groups.shapes.alphas[g]),
                    ",\"area\":", finite_or_null(totals.area), ",\"perimeter\":", finite_or_null(totals.perimeter),
                    ",\"polygons\":", groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g]);
-    if (!problem.empty()) file.write(",\"problem\":" + json_text(problem));
+    if (!problem.empty()) file.write(",\"problem\":" + json_string(problem));
     file.write("},\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[");
     write_polygons_of(file, geojson, groups, g, cuts);
     file.write("]}}");

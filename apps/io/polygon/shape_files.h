@@ -108,8 +108,6 @@ void write_polygons(OutputFile& file, Format format, const Shape& shape);
 
 /// Returns the name of a group as JSON: unchanged if `is_number`, else in quotes.
 std::string json_name(const std::string& name, bool is_number);
-/// Returns `text` as a field of CSV, in quotes if it needs them.
-std::string csv_text(std::string_view text);
 
 /// Shapes of groups, each with a name.
 struct NamedShapes {

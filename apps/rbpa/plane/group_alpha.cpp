@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/bytes/number.h"
+#include "io/bytes/row_writer.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/polygon/shape_files.h"

@@ -136,6 +136,16 @@ struct SolidArguments : SpacePointArguments, OutputArguments {
 };
 void run_solid(const SolidArguments& arguments);
 
+/// The arguments of `rbpa balls`, which measures the union of balls around atoms.
+struct BallsArguments : OutputArguments {
+  std::string atoms;  ///< path of the file; "-" is standard input
+  std::optional<std::string> format, where, models, radii, radius_default, contacts, group;
+  std::string probe = "0";
+  bool waters = false, no_ligands = false, no_hydrogens = false, alternates = false, json = false;
+  RunArguments run;
+};
+void run_balls(const BallsArguments& arguments);
+
 /// The arguments of `rbpa stream`: triangles and polygons of more points than fit into memory.
 struct StreamArguments : PointArguments, OutputArguments {
   std::vector<std::string> inputs;  ///< files, and folders of files; `points` is one file after another
@@ -158,6 +168,7 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments);
 CLI::App* add_fill(CLI::App& app, FillArguments& arguments);
 CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments);
 CLI::App* add_solid(CLI::App& app, SolidArguments& arguments);
+CLI::App* add_balls(CLI::App& app, BallsArguments& arguments);
 CLI::App* add_stream(CLI::App& app, StreamArguments& arguments);
 CLI::App* add_info(CLI::App& app, InfoArguments& arguments);
 CLI::App* add_report(CLI::App& app, ReportArguments& arguments);
