@@ -52,7 +52,15 @@ class BallParts {
         cells_(centers, regular),
         faces_(cells_, radii, threads_, go_on_),
         stars_(cells_),
+        is_inside_(regular.simplices.size()),
         vertices_(own) {
+    for_each_part(threads_, is_inside_.size(), 1u << 12, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) {
+        const auto& across = regular.neighbors[t];
+        is_inside_[t] = faces_.has_tetrahedron(static_cast<std::uint32_t>(t)) &&
+                        std::find(across.begin(), across.end(), RegularTriangulation::none) == across.end();
+      }
+    });
     balls_.reserve(centers.size());
     const auto scaled = [&](double value) { return std::ldexp(value, scale_); };
     for (std::size_t i = 0; i < centers.size(); ++i) {
@@ -120,7 +128,8 @@ class BallParts {
     double arcs = 0, cones = 0;
   };
   struct Workspace {
-    std::vector<space::EdgeEnd> ends;
+    space::EdgesUp up;
+    std::vector<space::BallCircle::Side> sides;
     std::vector<Edge> edges;
   };
 
@@ -153,6 +162,10 @@ class BallParts {
   void measure_star(std::uint32_t i, Workspace& w) {
     Vertex& vertex = vertices_[i];
     for (const std::uint32_t t : stars_[i]) {
+      if (is_inside_[t] != 0) {
+        ++vertex.turns;
+        continue;
+      }
       const auto& row = regular_.simplices[t];
       vertex.turns += faces_.has_tetrahedron(t) ? 1 : 0;
       vertex.is_exposed |= !faces_.has_tetrahedron(t);
@@ -167,17 +180,20 @@ class BallParts {
         vertex.corners += sides * space::corner_angle(balls_[i], ball(t, a), ball(t, b));
       }
     }
-    space::for_each_edge_up(i, stars_[i], cells_, w.ends, [&](std::uint32_t j, std::span<const space::EdgeAt> ring) {
-      if (faces_.has_edge(ring)) w.edges.push_back(measured(i, j, ring));
+    space::for_each_edge_up(i, stars_[i], cells_, w.up, [&](std::uint32_t j, std::span<const space::EdgeAt> ring) {
+      if (faces_.has_edge(ring)) w.edges.push_back(measured(i, j, ring, w.sides));
     });
   }
 
-  Edge measured(std::uint32_t i, std::uint32_t j, std::span<const space::EdgeAt> ring) const {
+  Edge measured(std::uint32_t i, std::uint32_t j, std::span<const space::EdgeAt> ring,
+                std::vector<space::BallCircle::Side>& sides) const {
+    constexpr std::size_t most_kept = 32;
     const space::BallCircle circle(balls_[i], balls_[j]);
     const bool is_exposed = std::any_of(ring.begin(), ring.end(), [&](const space::EdgeAt& at) {
       const auto [k, l] = space::others(at);
-      return !faces_.has_tetrahedron(at.tetrahedron) || faces_.is_on_hull(at.tetrahedron, k) ||
-             faces_.is_on_hull(at.tetrahedron, l);
+      return is_inside_[at.tetrahedron] == 0 &&
+             (!faces_.has_tetrahedron(at.tetrahedron) || faces_.is_on_hull(at.tetrahedron, k) ||
+              faces_.is_on_hull(at.tetrahedron, l));
     });
     Edge edge{{i, j}, {circle.height_i, circle.height_j}, circle.distance};
     double angle = 2 * pi;
@@ -186,10 +202,19 @@ class BallParts {
       edge.area += times * part.area;
       edge.growth += times * part.growth;
     };
+    // Each ball around is in two tetrahedra.
+    sides.clear();
+    const auto side = [&](const Ball& of) {
+      for (std::size_t s = 0; s < std::min(sides.size(), most_kept); ++s)
+        if (sides[s].ball == &of) return sides[s];
+      sides.push_back(circle.side(of));
+      return sides.back();
+    };
     for (const space::EdgeAt& at : ring) {
       const auto [k, l] = space::others(at);
-      const Ball &a = ball(at.tetrahedron, k), &b = ball(at.tetrahedron, l);
+      const auto a = side(ball(at.tetrahedron, k)), b = side(ball(at.tetrahedron, l));
       if (faces_.has_tetrahedron(at.tetrahedron)) add(1, circle.in_tetrahedron(a, b, is_exposed));
+      if (is_inside_[at.tetrahedron] != 0) continue;
       if (const int sides = free_sides(at.tetrahedron, k)) add(sides, circle.beside_triangle(b));
       if (const int sides = free_sides(at.tetrahedron, l)) add(sides, circle.beside_triangle(a));
     }
@@ -251,6 +276,7 @@ class BallParts {
   space::Triangulated cells_;
   space::FacesWithin faces_;
   space::PointStars stars_;
+  std::vector<std::uint8_t> is_inside_;  // for each tetrahedron: it is in the complex and has no face on the hull
   std::vector<Vertex> vertices_;
   std::vector<Ball> balls_;  // scaled
 };

@@ -43,7 +43,7 @@ class Union {
   BallUnion measure() {
     Sum sum;
     struct Workspace {
-      std::vector<space::EdgeEnd> ends;
+      space::EdgesUp up;
       Sum sum;
     };
     constexpr std::size_t at_a_time = 1u << 10;
@@ -52,7 +52,7 @@ class Union {
         [&](std::size_t part, Workspace& w) {
           w.sum = {};
           const std::size_t end = std::min((part + 1) * at_a_time, std::min(stars_.bound(), own_));
-          for (auto a = static_cast<std::uint32_t>(part * at_a_time); a < end; ++a) add_star(a, w.ends, w.sum);
+          for (auto a = static_cast<std::uint32_t>(part * at_a_time); a < end; ++a) add_star(a, w.up, w.sum);
         },
         [&](std::size_t, Workspace& w) { sum += w.sum; }, [](std::size_t, Workspace&) {});
     const Measure unit = sum.rounded();
@@ -63,7 +63,7 @@ class Union {
   using Row = std::array<std::uint32_t, 4>;
 
   /// Adds the terms of a point, and of the edges, triangles and tetrahedra of which it is the corner of lowest index.
-  void add_star(std::uint32_t a, std::vector<space::EdgeEnd>& ends, Sum& sum) const {
+  void add_star(std::uint32_t a, space::EdgesUp& up, Sum& sum) const {
     const auto star = stars_[a];
     if (star.empty()) return;  // the point is a duplicate
     for (const std::uint32_t t : star) {
@@ -84,7 +84,7 @@ class Union {
     for (const std::uint32_t t : star)
       for (std::size_t k = 0; k < 4; ++k)
         if (faces_.is_first(t, k)) add_triangle(a, t, k, sum);
-    space::for_each_edge_up(a, star, cells_, ends,
+    space::for_each_edge_up(a, star, cells_, up,
                             [&](std::uint32_t b, std::span<const space::EdgeAt> ring) { add_edge(a, b, ring, sum); });
   }
 

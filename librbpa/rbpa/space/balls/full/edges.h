@@ -1,12 +1,14 @@
 // What: visits the edges of a triangulation, of points or of a periodic box, each with the tetrahedra around it.
 // Law:  an edge is identified by its points, and in a periodic box also by their offset in boxes.
-// Cost: a sort of the edges at each point.
+// Cost: linear, and a sort of the edges at each point.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <utility>
 #include <vector>
@@ -62,25 +64,38 @@ class PointStars {
   TetrahedraAt at_;
 };
 
-/// An edge at a given point, in one of its tetrahedra: the point at its other end, and the offset of that end.
-struct EdgeEnd {
-  std::uint32_t point;
-  std::array<std::int8_t, 3> apart;  // offset of the point from the given one, in boxes
-  EdgeAt at;
+/// Reusable memory of for_each_edge_up(): the edges at a point, in a hash table.
+struct EdgesUp {
+  struct Edge {
+    std::uint64_t key;  // the point at the other end, and its offset from the given one in boxes
+    std::uint32_t end;  // of its tetrahedra in `rings`; before, their number
+  };
+  std::vector<std::uint32_t> table, edge_of, order;  // edge_of: for each entry of `found`
+  std::vector<Edge> edges;
+  std::vector<EdgeAt> found, rings;
 
-  bool is_same(const EdgeEnd& other) const { return point == other.point && apart == other.apart; }
-  bool operator<(const EdgeEnd& other) const {
-    if (point != other.point) return point < other.point;
-    return apart != other.apart ? apart < other.apart : at.tetrahedron < other.at.tetrahedron;
+  static constexpr std::uint32_t none = 0xffffffff;
+  /// Returns the number of the edge with this key, a new one if there is none.
+  std::uint32_t number(std::uint64_t key) {
+    std::size_t at = (key * 0x9E3779B97F4A7C15U >> 32U) & (table.size() - 1);
+    while (table[at] != none && edges[table[at]].key != key) at = (at + 1) & (table.size() - 1);
+    if (table[at] == none) {
+      table[at] = static_cast<std::uint32_t>(edges.size());
+      edges.push_back({key, 0});
+    }
+    return table[at];
   }
 };
 
 /// Calls visit(b, tetrahedra around the edge from a to b) for each edge at a whose other end b is greater, ascending by
-/// b. `ends` is reusable memory.
+/// b. Tetrahedra ascend. Cost: linear, and a sort of the edges.
 template <typename Visit>
-void for_each_edge_up(std::uint32_t a, std::span<const std::uint32_t> star, const Triangulated& delaunay,
-                      std::vector<EdgeEnd>& ends, Visit visit) {
-  ends.clear();
+void for_each_edge_up(std::uint32_t a, std::span<const std::uint32_t> star, const Triangulated& delaunay, EdgesUp& up,
+                      Visit visit) {
+  up.table.assign(std::bit_ceil(6 * star.size() + 1), EdgesUp::none);
+  up.edges.clear();
+  up.edge_of.clear();
+  up.found.clear();
   for (const std::uint32_t t : star) {
     const auto& row = delaunay.simplices[t];
     std::uint8_t from = 0;
@@ -88,22 +103,29 @@ void for_each_edge_up(std::uint32_t a, std::span<const std::uint32_t> star, cons
     for (std::uint8_t to = 0; to < 4; ++to) {
       const std::uint32_t b = delaunay.point(row[to]);
       if (b <= a) continue;
-      EdgeEnd end{b, {0, 0, 0}, {t, from, to}};
+      std::uint64_t key = std::uint64_t{b} << 32U;
       if (!delaunay.vertices.empty())
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          end.apart[axis] = static_cast<std::int8_t>(delaunay.vertices[row[to]].offset[axis] -
-                                                     delaunay.vertices[row[from]].offset[axis]);
-      ends.push_back(end);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const auto apart = delaunay.vertices[row[to]].offset[axis] - delaunay.vertices[row[from]].offset[axis];
+          key |= static_cast<std::uint64_t>(apart + 128) << (16 - 8 * axis);
+        }
+      up.edge_of.push_back(up.number(key));
+      ++up.edges[up.edge_of.back()].end;
+      up.found.push_back({t, from, to});
     }
   }
-  std::sort(ends.begin(), ends.end());
-  std::vector<EdgeAt> ring;
-  for (std::size_t first = 0; first < ends.size();) {
-    ring.clear();
-    std::size_t last = first;
-    for (; last < ends.size() && ends[last].is_same(ends[first]); ++last) ring.push_back(ends[last].at);
-    visit(ends[first].point, std::span<const EdgeAt>(ring));
-    first = last;
+  up.order.resize(up.edges.size());
+  std::iota(up.order.begin(), up.order.end(), 0U);
+  std::sort(up.order.begin(), up.order.end(),
+            [&](std::uint32_t i, std::uint32_t j) { return up.edges[i].key < up.edges[j].key; });
+  std::uint32_t begin = 0;
+  for (EdgesUp::Edge& edge : up.edges) edge.end = std::exchange(begin, begin + edge.end);
+  up.rings.resize(up.found.size());
+  for (std::size_t i = 0; i < up.found.size(); ++i) up.rings[up.edges[up.edge_of[i]].end++] = up.found[i];
+  for (const std::uint32_t i : up.order) {
+    const std::uint32_t first = i == 0 ? 0 : up.edges[i - 1].end;
+    visit(static_cast<std::uint32_t>(up.edges[i].key >> 32U),
+          std::span<const EdgeAt>(up.rings).subspan(first, up.edges[i].end - first));
   }
 }
 
@@ -114,7 +136,7 @@ void for_each_edge(const Triangulated& delaunay, const PointStars& stars, Thread
                    const Join& join, const GoOn& go_on = {}) {
   constexpr std::size_t points_at_a_time = 1u << 10;
   struct Workspace {
-    std::vector<EdgeEnd> ends;
+    EdgesUp up;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   };
   CheckpointOfThreads checkpoint(go_on);
@@ -125,7 +147,7 @@ void for_each_edge(const Triangulated& delaunay, const PointStars& stars, Thread
         w.edges.clear();
         const std::size_t end = std::min((part + 1) * points_at_a_time, stars.bound());
         for (auto a = static_cast<std::uint32_t>(part * points_at_a_time); a < end; ++a)
-          for_each_edge_up(a, stars[a], delaunay, w.ends, [&](std::uint32_t b, std::span<const EdgeAt> ring) {
+          for_each_edge_up(a, stars[a], delaunay, w.up, [&](std::uint32_t b, std::span<const EdgeAt> ring) {
             if (is_meant(a, b, ring)) w.edges.emplace_back(a, b);
           });
       },
