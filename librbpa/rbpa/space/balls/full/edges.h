@@ -77,7 +77,7 @@ struct EdgesUp {
   static constexpr std::uint32_t none = 0xffffffff;
   /// Returns the number of the edge with this key, a new one if there is none.
   std::uint32_t number(std::uint64_t key) {
-    std::size_t at = (key * 0x9E3779B97F4A7C15U >> 32U) & (table.size() - 1);
+    std::size_t at = (key * 0x9E3779B97F4A7C15U >> 32U) * table.size() >> 32U;
     while (table[at] != none && edges[table[at]].key != key) at = (at + 1) & (table.size() - 1);
     if (table[at] == none) {
       table[at] = static_cast<std::uint32_t>(edges.size());
