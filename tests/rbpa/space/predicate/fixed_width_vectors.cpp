@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -63,6 +64,20 @@ TEST_CASE("words of 64 bits give the signs of integers of any length, up to the 
       CHECK(space::volume_sign(u, v, w) == volume.sign());
       CHECK(space::power_sign(u, v, w, p) == power.sign());
       zeros += power == 0 && volume != 0;
+      // Balls: a weight is a product of two numbers below 2^60.
+      std::array<std::int64_t, 8> factor{};
+      for (std::int64_t& value : factor) value = number(std::min(bits, 60), random);
+      std::array<rbpa::Integer128, 4> weights{};
+      std::array<rbpa::Integer, 4> whole_weights;
+      for (std::size_t i = 0; i < 4; ++i) {
+        weights[i] = rbpa::Integer128{factor[2 * i]} * factor[2 * i + 1];
+        whole_weights[i] = factor[2 * i];
+        whole_weights[i] *= factor[2 * i + 1];
+      }
+      const rbpa::Integer with_weights = power - whole_weights[3] * volume + whole_weights[0] * dot(cross(b, c), d) +
+                                         whole_weights[1] * dot(cross(c, a), d) +
+                                         whole_weights[2] * dot(cross(a, b), d);
+      CHECK(space::power_sign(u, v, w, p, weights) == with_weights.sign());
     }
   CHECK(zeros > trials(4000));
 }
