@@ -45,6 +45,9 @@ struct BallMeasures {
   /// For each ball: the volume of its part of the union, within its power cell; and the area of its sphere on the
   /// surface of the union, exactly 0 if it is buried.
   std::vector<double> volumes, areas;
+  /// For each ball: the number of arcs of circles, whole circles included, that bound its area. They are counted in the
+  /// dual complex: where spheres only touch, an arc has length 0.
+  std::vector<std::uint32_t> arcs;
   /// The balls that have no part of the union: without a power cell, equal to a ball of lower index, or with a cell
   /// that does not meet the ball. Ascending.
   std::vector<std::uint32_t> hidden;

@@ -1,8 +1,8 @@
 // What:   computes the volume and surface area of the union of equal balls around points.
-// How:    inclusion and exclusion over the full alpha complex. Each simplex is weighted by the angle around it that no
-//         tetrahedron fills, so at most three balls are intersected. docs/explanation/space.md, section 21, has the
-//         formula and a drawing.
-// Law:    the choice of simplices is exact; sizes and angles are rounded, their sum is exact and rounded once.
+// How:    as measure_balls() does, on the full alpha complex: the dual complex of equal balls. docs/explanation/space.md,
+//         section 24.
+// Law:    the result of measure_balls() with equal radii: the choice of simplices is exact, sizes and angles are
+//         rounded, their sum is exact and rounded once.
 // Cost:   that of a Delaunay triangulation, and about linear in its tetrahedra.
 // Source: Edelsbrunner, The union of balls and its dual shape (1995).
 #pragma once

@@ -1,7 +1,50 @@
 #include "rbpa/space/balls/full/ball_wedges.h"
 
+#include <utility>
+
 namespace rbpa::space {
 namespace {
+
+/// Ratio of squares below which a rounded difference has lost too many digits; also of two products.
+constexpr double lossy = 0x1p-10, thin = 0x1p-6;
+
+/// A third ball seen along an edge, at the distance y from it. The line of same power to all three is `offset` / y from
+/// the edge, and moves by `rate` / y when all radii grow.
+template <typename Real>
+struct Side {
+  Real square, offset, rate, ratio;  // square: y²; ratio: offset / square
+  bool is_thin;
+
+  /// The third ball is at the end of the spoke, `along` times the edge along it, and `square` from it.
+  Side(const BallEdge<Real>& edge, const BallEdge<Real>& spoke, const Real& along, const Real& square)
+      : square(square),
+        offset(spoke.lift - along * edge.lift),
+        rate(spoke.shrink - along * edge.shrink),
+        ratio(offset / square),
+        is_thin(!(rounded(square) >= thin * rounded(spoke.square))) {}
+};
+
+Side<double> side_of(const EdgeOfBalls& edge, const EdgeOfBalls& spoke, double product) {
+  const double along = product * edge.inverse;
+  return {edge, spoke, along, spoke.square - along * product};
+}
+
+/// The same by vectors. Both ends of the edge give the same; the nearer one is chosen, from which short distances are
+/// exact.
+struct PreciseSide {
+  using Edge = BallEdge<DoubleDouble>;
+  PreciseSide(const Ball& i, const Ball& j, const Ball& k)
+      : edge(i, j),
+        base(distance(j.center, k.center) < distance(i.center, k.center) ? Edge(j, i) : edge),
+        spoke(*base.a, k),
+        along(dot(spoke.to, base.to) / base.square),
+        away(minus(spoke.to, times(along, base.to))),
+        side(base, spoke, along, dot(away, away)) {}
+  Edge edge, base, spoke;
+  DoubleDouble along;
+  Vector3<DoubleDouble> away;
+  Side<DoubleDouble> side;
+};
 
 /// A result, and whether it needs double-double.
 template <typename Result>
@@ -10,11 +53,10 @@ struct Tried {
   bool is_rough;
 };
 
+/// Returns the part in a tetrahedron between two sides; cosine and sine of the angle are times both distances.
 template <typename Real>
-Tried<WedgePart> in_tetrahedron(const BallEdge<Real>& edge, const BallBeside<Real>& a, const BallBeside<Real>& b,
-                                double radius, bool with_angle) {
-  const Real cosine = dot(a.away, b.away);  // times both distances, as is the sine
-  const double sine = std::abs(rounded(dot(edge.to, cross(a.away, b.away)))) / std::sqrt(rounded(edge.square));
+Tried<WedgePart> between(const Side<Real>& a, const Side<Real>& b, const Real& cosine, double sine, double radius,
+                         bool with_angle) {
   if (!(sine > 0)) return {{}, true};
   const Real oo = a.offset * b.offset, aa = a.offset * a.ratio, bb = b.offset * b.ratio, sum = aa + bb;
   WedgePart part;
@@ -26,8 +68,8 @@ Tried<WedgePart> in_tetrahedron(const BallEdge<Real>& edge, const BallBeside<Rea
 }
 
 template <typename Real>
-Tried<WedgePart> beside_triangle(const BallEdge<Real>& edge, const BallBeside<Real>& side, double radius) {
-  const Real exact = exactly<Real>(radius), ii = exact * exact;
+Tried<WedgePart> beside(const BallEdge<Real>& edge, const Side<Real>& side) {
+  const Real radius = exactly<Real>(edge.a->radius), ii = radius * radius;
   // Half of the chord in which the line of same power meets the balls, squared.
   const double square = rounded(ii - edge.lift * edge.lift / edge.square - side.offset * side.ratio);
   const double half = std::sqrt(std::max(square, 0.0)), y = std::sqrt(rounded(side.square));
@@ -38,44 +80,58 @@ Tried<WedgePart> beside_triangle(const BallEdge<Real>& edge, const BallBeside<Re
 }
 
 template <typename Real>
-Tried<double> corner_angle(const Ball& i, const Ball& j, const Ball& k) {
-  const BallEdge<Real> u(i, j), v(i, k);
+Tried<double> angle_at_corner(const BallEdge<Real>& u, const BallEdge<Real>& v) {
   const Vector3<Real> normal = cross(u.to, v.to), w = minus(times(u.lift, v.to), times(v.lift, u.to));
-  const Real nn = dot(normal, normal), radius = exactly<Real>(i.radius), ii = radius * radius;
+  const Real nn = dot(normal, normal), radius = exactly<Real>(u.a->radius), ii = radius * radius;
   const double square = rounded(nn) > 0 ? std::min(rounded(ii - dot(w, w) / nn), rounded(ii)) : 0;
-  const double y = i.radius * std::sqrt(std::max(square, 0.0) * rounded(nn)),
+  const double y = u.a->radius * std::sqrt(std::max(square, 0.0) * rounded(nn)),
                x = rounded(ii * dot(u.to, v.to) - u.lift * v.lift);
   return {std::atan2(y, x),
           rounded(nn) < lossy * rounded(u.square) * rounded(v.square) || square < lossy * rounded(ii)};
 }
 
+WedgePart precise_in_tetrahedron(const Ball& i, const Ball& j, const Ball& k, const Ball& l, bool with_angle) {
+  const PreciseSide a(i, j, k), b(i, j, l);
+  const double sine = std::abs(rounded(dot(a.edge.to, cross(a.away, b.away)))) / std::sqrt(rounded(a.edge.square));
+  return between(a.side, b.side, dot(a.away, b.away), sine, i.radius, with_angle).result;
+}
+
 }  // namespace
 
-BallCircle::BallCircle(const Ball& i, const Ball& j) : i_(i), j_(j), edge_(i, j) {
-  distance = std::sqrt(edge_.square) / edge_.scale;
-  const double shift = (i.radius - j.radius) / distance * (i.radius + j.radius) / 2;
+EdgesAtCorner::EdgesAtCorner(const std::array<const EdgeOfBalls*, 3>& edges) : edge(edges) {
+  const auto& [a, b, c] = edges;
+  product = {dot(b->to, c->to), dot(c->to, a->to), dot(a->to, b->to)};
+  volume = std::abs(dot(a->to, cross(b->to, c->to)));
+}
+
+WedgePart in_tetrahedron(const EdgesAtCorner& at, std::size_t k, bool with_angle) {
+  const std::size_t first = (k + 1) % 3, second = (k + 2) % 3;
+  const EdgeOfBalls &edge = *at.edge[k], &a = *at.edge[first], &b = *at.edge[second];
+  const double to_a = at.product[second], to_b = at.product[first], radius = edge.a->radius;
+  const Tried<WedgePart> tried =
+      between(side_of(edge, a, to_a), side_of(edge, b, to_b), at.product[k] - to_a * edge.inverse * to_b,
+              at.volume * edge.inverse_length, radius, with_angle);
+  return tried.is_rough ? precise_in_tetrahedron(*edge.a, *edge.b, *a.b, *b.b, with_angle) : tried.result;
+}
+
+WedgePart beside_triangle(const EdgeOfBalls& edge, const EdgeOfBalls& other) {
+  const Tried<WedgePart> tried = beside<double>(edge, side_of(edge, other, dot(edge.to, other.to)));
+  if (!tried.is_rough) return tried.result;
+  const PreciseSide precise(*edge.a, *edge.b, *other.b);
+  return beside(precise.edge, precise.side).result;
+}
+
+BallCircle::BallCircle(const EdgeOfBalls& of) : edge(of), distance(std::sqrt(of.square) / of.scale) {
+  const double r = of.a->radius, s = of.b->radius, shift = (r - s) / distance * (r + s) / 2;
   height_i = distance / 2 + shift;
   height_j = distance / 2 - shift;
-  square = std::max((i.radius - height_i) * (i.radius + height_i), 0.0);
+  square = std::max((r - height_i) * (r + height_i), 0.0);
 }
 
-WedgePart BallCircle::in_tetrahedron(const Side& k, const Side& l, bool with_angle) const {
-  const Tried<WedgePart> tried = space::in_tetrahedron(edge_, k, l, i_.radius, with_angle);
+double corner_angle(const EdgeOfBalls& j, const EdgeOfBalls& k) {
+  const Tried<double> tried = angle_at_corner<double>(j, k);
   if (!tried.is_rough) return tried.result;
-  const BallEdge<DoubleDouble> edge(i_, j_);
-  return space::in_tetrahedron(edge, {edge, i_, j_, *k.ball}, {edge, i_, j_, *l.ball}, i_.radius, with_angle).result;
-}
-
-WedgePart BallCircle::beside_triangle(const Side& k) const {
-  const Tried<WedgePart> tried = space::beside_triangle(edge_, k, i_.radius);
-  if (!tried.is_rough) return tried.result;
-  const BallEdge<DoubleDouble> edge(i_, j_);
-  return space::beside_triangle(edge, {edge, i_, j_, *k.ball}, i_.radius).result;
-}
-
-double corner_angle(const Ball& i, const Ball& j, const Ball& k) {
-  const Tried<double> tried = corner_angle<double>(i, j, k);
-  return tried.is_rough ? corner_angle<DoubleDouble>(i, j, k).result : tried.result;
+  return angle_at_corner<DoubleDouble>({*j.a, *j.b}, {*k.a, *k.b}).result;
 }
 
 }  // namespace rbpa::space
