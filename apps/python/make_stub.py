@@ -30,6 +30,7 @@ TYPES = [
     (r"numpy\.ndarray\[(?:bool|numpy\.bool_?)\]", "npt.NDArray[np.bool_]"),
     (r"numpy\.ndarray\[numpy\.(\w+)\]", r"npt.NDArray[np.\1]"),
     (r"\bList\[", "list["),
+    (r"\bDict\[", "dict["),
     (r"\bTuple\[", "tuple["),
     (r"\bdict\b(?!\[)", "dict[str, Any]"),
     (r"\blist\b(?!\[)", "list[Any]"),

@@ -50,7 +50,7 @@ def test_examples_in_docstrings_are_right():
     count = 0
     finder = doctest.DocTestFinder(recurse=True)
     runner = doctest.DocTestRunner()
-    for thing in (rbpa, rbpa.meshops, *(getattr(rbpa, name) for name in PUBLIC)):
+    for thing in (rbpa, rbpa.meshops, rbpa.molecules, *(getattr(rbpa, name) for name in PUBLIC)):
         for test in finder.find(thing, globs={"rbpa": rbpa, "np": np}):
             count += len(test.examples)
             assert runner.run(test).failed == 0, test.name

@@ -42,6 +42,9 @@ weighed: list[int] = mesh.triangulate_face(0, lambda a, b, c: 1.0).diagonals
 read: rbpa.PointFile = rbpa.read_points("scan.las", space=True, fields=["intensity"], where="classification == 2")
 colors: npt.NDArray[np.uint8] | None = read.colors
 intensity: npt.NDArray[np.float64] = read.fields["intensity"]
+made: rbpa.Balls = rbpa.balls(rbpa.molecules.read("m.pdb", models="all"), "bondi", 1.4)
+accessible: npt.NDArray[np.float64] = made.areas
+touching: npt.NDArray[np.int32] = rbpa.balls([[0, 0, 0]], [1.0]).contacts.balls
 
 wrong_alpha = rbpa.alpha_shape(points, alpha=[1.0])  # type: ignore[arg-type]
 wrong_name = rbpa.alpha_shape(points, radius=1.0)  # type: ignore[call-arg]

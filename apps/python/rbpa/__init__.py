@@ -24,6 +24,8 @@ Contents:
     periodic_solid(points, box, alpha=inf)   tetrahedra in a periodic box                       -> PeriodicSolid
     solid_filtration(points)             persistence of components, tunnels, voids in space     -> SolidFiltration
     union_of_balls(points, radius)       volume and area, in space                              -> BallUnion
+    balls(centers, radii, probe=0)       the same with a radius each, ball by ball, contacts    -> Balls
+    rbpa.molecules                       atoms of files with names and frames, and their radii
     estimate_normals(points)             normals of points in space
     outliers(points)                     isolated points in space
     read_points(path, space=False)       points of LAS, tables, PLY and other files             -> PointFile
@@ -47,7 +49,9 @@ Errors: ``InvalidInput`` (a ValueError) names a value that is not as expected; `
 """
 
 from rbpa import meshops as meshops
+from rbpa import molecules as molecules
 from rbpa._alpha_shape import AlphaShape, alpha_shape, concave_hull
+from rbpa._balls import BallContacts, Balls, balls
 from rbpa._core import Cancelled, ContractViolation, InvalidInput
 from rbpa._core import version as __version__
 from rbpa._delaunay import Delaunay, DelaunayInSpace
@@ -64,13 +68,13 @@ from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRepair
 
 __all__ = [
     "AlphaShape", "AlphaShapes", "Delaunay", "DelaunayInSpace", "Filtration", "Plateau", "Polygon", "Polygons", "Representative",
-    "BallUnion", "DanglingFaces", "FullComplex", "PeriodicPart", "PeriodicSolid", "Solid", "SolidVoid",
+    "BallContacts", "Balls", "BallUnion", "DanglingFaces", "FullComplex", "PeriodicPart", "PeriodicSolid", "Solid", "SolidVoid",
     "SolidFiltration", "SolidPlateau", "SolidRepresentative", "VoidTree",
     "NotWatertight", "Surface", "SurfaceComponent", "SurfaceHole", "SurfaceRepair",
     "Cancelled", "ContractViolation", "InvalidInput", "PointFile", "__version__",
     "alpha_shape", "alpha_shapes", "concave_hull", "concave_hulls", "filtration", "read_points",
     "estimate_normals", "outliers", "scale_space", "surface", "surface_of",
-    "periodic_solid", "solid", "solid_filtration", "union_of_balls",
+    "balls", "periodic_solid", "solid", "solid_filtration", "union_of_balls",
 ]  # fmt: skip
 
 # Public names appear as rbpa.AlphaShape and so on, not with the private module that defines them.

@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "io/cloud/atom_frames.h"
+#include "io/cloud/ball_radii.h"
+#include "io/cloud/elements.h"
+#include "io/interrupt.h"
+#include "python/file_errors.h"
+#include "python/module.h"
+
+namespace rbpa::python {
+namespace {
+
+using app::AtomFrame;
+using app::AtomRow;
+using MaybeText = std::optional<std::string>;
+
+/// All frames that were read; the names of atoms are those of the first.
+struct Frames {
+  AtomFrame first = {};
+  std::vector<Point3> positions = {};
+  std::vector<double> radii = {};  // empty if the file has none
+  std::vector<std::size_t> numbers = {};
+  std::vector<std::string> warnings = {};
+};
+
+bool is_same_atom(const AtomRow& a, const AtomRow& b) {
+  return a.name == b.name && a.resname == b.resname && a.chain == b.chain && a.element == b.element &&
+         (a.resseq == b.resseq || std::isnan(a.resseq));
+}
+
+Frames read_frames(app::AtomFrames& file) {
+  Frames result;
+  for (AtomFrame frame; file.next(frame);) {
+    if (result.numbers.empty()) {
+      result.first = frame;
+    } else if (!std::equal(frame.rows.begin(), frame.rows.end(), result.first.rows.begin(), result.first.rows.end(),
+                           is_same_atom)) {
+      throw app::BadInput(file.name() + ": found other atoms in frame " + std::to_string(frame.number) +
+                          ", expected those of frame " + std::to_string(result.numbers[0]) +
+                          " (read one frame at a time)");
+    }
+    result.numbers.push_back(frame.number);
+    for (const AtomRow& row : frame.rows) {
+      result.positions.push_back(row.center);
+      if (frame.has_radii) result.radii.push_back(row.radius);
+    }
+  }
+  result.warnings = file.warnings();
+  return result;
+}
+
+/// Returns the texts of a column: the distinct ones, and for each atom the number of its text.
+py::tuple texts_of(const AtomFrame& frame, std::uint32_t AtomRow::*member) {
+  std::vector<std::uint32_t> numbers = frame.column(member);
+  std::map<std::uint32_t, std::uint32_t> places;
+  py::list texts;
+  for (std::uint32_t& number : numbers) {
+    const auto [place, is_new] = places.try_emplace(number, static_cast<std::uint32_t>(places.size()));
+    if (is_new) texts.append(app::printable(frame.text(number)));
+    number = place->second;
+  }
+  return py::make_tuple(line<std::int32_t>(std::move(numbers)), texts);
+}
+
+py::dict read_atoms(const py::bytes& path, const MaybeText& format, const std::string& models, bool waters,
+                    bool ligands, bool hydrogens, bool alternates, const MaybeText& where, const MaybeText& radius) {
+  return with_file_errors([&] {
+    const std::string name = path;
+    const auto found = app::find_format(app::Use::space, format ? *format : app::input_ending(name));
+    if (!found && format) app::refuse_name("format", *format, app::endings(app::Use::space));
+    if (!found) app::refuse_input(name, app::Use::space, "format");
+    Frames made = watched(long_work, py::none(), [&](Watch& watch) {
+      const app::Interruption interruption(watch.until_stopped());
+      app::AtomFrames file(name, *found,
+                           {.frames = app::parse_frames("models", models),
+                            .waters = waters,
+                            .ligands = ligands,
+                            .hydrogens = hydrogens,
+                            .alternates = alternates,
+                            .where = where,
+                            .radius = radius});
+      return read_frames(file);
+    });
+    const AtomFrame& first = made.first;
+    py::dict result;
+    result["positions"] = rows<double>(std::move(made.positions));
+    result["radii"] = first.has_radii ? py::object(line<double>(std::move(made.radii))) : py::object(py::none());
+    result["frames"] = made.numbers;
+    result["warnings"] = made.warnings;
+    const app::AtomCounts& counts = first.counts;
+    py::dict left_out;
+    left_out["where"] = counts.deselected;
+    left_out["waters"] = counts.waters;
+    left_out["ligands"] = counts.ligands;
+    left_out["hydrogens"] = counts.hydrogens;
+    left_out["alternates"] = counts.alternates;
+    result["left_out"] = left_out;
+    py::dict texts, numbers;
+    texts["elements"] = texts_of(first, &AtomRow::element);
+    texts["names"] = texts_of(first, &AtomRow::name);
+    texts["residues"] = texts_of(first, &AtomRow::resname);
+    texts["insertion_codes"] = texts_of(first, &AtomRow::icode);
+    texts["chains"] = texts_of(first, &AtomRow::chain);
+    numbers["residue_numbers"] = line<double>(first.column(&AtomRow::resseq));
+    numbers["serials"] = line<double>(first.column(&AtomRow::serial));
+    numbers["occupancies"] = line<double>(first.column(&AtomRow::occupancy));
+    numbers["charges"] = line<double>(first.column(&AtomRow::charge));
+    result["texts"] = texts;
+    result["numbers"] = numbers;
+    return result;
+  });
+}
+
+/// The element, residue and name of atoms, and the index of the first one.
+using AtomKind = std::tuple<std::string, std::string, std::string, std::size_t>;
+
+Doubles atom_radii(const std::vector<AtomKind>& kinds, const std::string& choice, std::optional<double> otherwise,
+                   const std::map<std::string, double>& overrides) {
+  return with_file_errors([&] {
+    app::BallRadii radii(choice, otherwise);
+    for (const auto& [element, radius] : overrides) radii.override_element(element, radius);
+    AtomFrame frame;
+    frame.number_of("");
+    for (const auto& [element, residue, name, index] : kinds) {
+      app::Atom atom;
+      atom.fields[app::AtomColumn::element] = element;
+      atom.fields[app::AtomColumn::resname] = residue;
+      atom.fields[app::AtomColumn::name] = name;
+      const std::string_view symbol = app::element_of(atom);
+      AtomRow& row = frame.rows.emplace_back();
+      row.element = frame.number_of(symbol.empty() ? std::string_view(element) : symbol);
+      row.resname = frame.number_of(residue);
+      row.name = frame.number_of(name);
+      row.index = index;
+    }
+    return line<double>(radii.of(frame, "atoms"));
+  });
+}
+
+}  // namespace
+
+void bind_molecules(py::module_& module) {
+  using py::arg;
+  module.def("read_atoms", &read_atoms, arg("path"), arg("format"), arg("models"), arg("waters"), arg("ligands"),
+             arg("hydrogens"), arg("alternates"), arg("where"), arg("radius"));
+  module.def("atom_radii", &atom_radii, arg("kinds"), arg("choice"), arg("otherwise"), arg("overrides"));
+}
+
+}  // namespace rbpa::python

@@ -1,0 +1,189 @@
+"""Unions of balls with a radius each: areas, volumes, contacts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from typing import Any, NamedTuple, Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from rbpa import _core, molecules
+from rbpa._core import InvalidInput
+from rbpa._input import Floats, Indices, Progress, as_array, as_number, as_numbers, as_points, as_threads
+from rbpa._result import Result, freeze, short_repr
+
+
+def balls(
+    centers: Any,
+    radii: Union[npt.ArrayLike, str, None] = None,
+    probe: float = 0.0,
+    *,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Balls:
+    """Measures the union of balls: volume and area, the share of each ball, contacts. Which balls meet is decided
+    exactly; sizes are rounded.
+
+    Parameters
+    ----------
+    centers : array_like of shape (n, 3) or (frames, n, 3), an iterator of frames, or atoms
+        Finite coordinates; a float64 array in C order must not be changed while the result is in use. Frames are shared
+        among the threads. Atoms are those of `molecules.read`, or an object of another package that has `positions`, or
+        as in mdtraj `xyz` in nanometers, which are converted to angstroms.
+    radii : array_like of shape (n,) or (frames, n), a number, "bondi" or "protor", optional
+        The radius of each ball, at least 0. Atoms have radii by element and name; by default those of their file, if it
+        has some, else Bondi's (`molecules.radii`).
+    probe : float
+        Added to each radius: 1.4 for water, in angstroms.
+    threads
+        As for `solid`.
+    progress : callable, optional
+        Called with the numbers of finished frames and of all frames, of a single frame with 0 and the number of balls.
+
+    Raises
+    ------
+    InvalidInput
+        A ValueError that names the fault: another shape, a radius that is negative, an element without a radius.
+    Cancelled
+        `progress` returned False.
+
+    Examples
+    --------
+    >>> two = rbpa.balls([[0, 0, 0], [0, 0, 3]], [2, 2])
+    >>> round(two.volume / np.pi, 6), two.areas.round(6).tolist()  # 245π/12, and 14π of each sphere
+    (20.416667, [43.982297, 43.982297])
+    >>> two.contacts.areas.round(6).tolist()
+    [5.497787]
+    """
+    if isinstance(centers, Iterator):
+        centers = np.stack([np.array(molecules.positions_of(frame), float) for frame in centers])
+    array = as_array(molecules.positions_of(centers), "centers", 3)
+    if array.ndim == 3:
+        array = as_points(array.reshape(-1, array.shape[2]), "centers", 3).reshape(array.shape)
+    else:
+        array = as_points(array, "centers", 3)
+    if radii is None or isinstance(radii, str):
+        radii = molecules.radii(centers, radii)
+    sizes = as_numbers(radii, "radii", "numbers of at least 0, one for each center")
+    if sizes.ndim == 0:
+        sizes = np.full(array.shape[-2], sizes)
+    if sizes.shape not in (array.shape[-2:-1], array.shape[:-1]):
+        raise InvalidInput(f"radii: found an array of shape {sizes.shape}, expected {array.shape[-2:-1]}, one for each center")
+    return Balls(array, sizes, as_number(probe, "probe", "a finite number"), as_threads(threads), progress)
+
+
+class BallContacts(NamedTuple):
+    """The contacts of balls, `Balls.contacts`: pairs that share a part of the disc within their common circle. Arrays
+    are read-only, with a row for each pair in ascending order.
+
+    `balls` has shape (m, 2); `areas` are those of the discs' parts, `arcs` the lengths of arcs of their circles on the
+    surface of the union, 0 where there are none, `distances` those of the centers.
+    """
+
+    balls: Indices
+    areas: Floats
+    arcs: Floats
+    distances: Floats
+
+    def __repr__(self) -> str:
+        return short_repr(self)
+
+
+class Balls(Result):
+    """A union of balls, as returned by `balls`. Arrays are read-only. For frames of balls, `volume` and `area` are
+    arrays of shape (frames,), arrays have a first axis for frames, and what has another size in each frame is a list.
+
+    Attributes
+    ----------
+    centers : float64 array of shape (n, 3)
+    radii : float64 array of shape (n,)
+        The radii without the probe.
+    probe : float
+    volume, area : float
+        Sizes of the union of the balls with the probe, in cubed and squared units of the centers.
+    volumes, areas : float64 array of shape (n,)
+        The volume of each ball's part of the union, within its power cell, and the area of its sphere on the surface of
+        the union, exactly 0 if it is buried. Their sums are `volume` and `area`.
+    hidden : int32 array of shape (h,)
+        The balls that have no part of the union.
+    """
+
+    centers: Floats
+    radii: Floats
+    probe: float
+    volume: Any
+    area: Any
+    volumes: Floats
+    areas: Floats
+    hidden: Any
+
+    def __init__(self, centers: Floats, radii: Floats, probe: float, threads: int, progress: Progress) -> None:
+        super().__init__({"probe": probe}, centers=centers, radii=radii)
+        made = self._measured(probe, threads=threads, progress=progress)
+        for name in ("volume", "area", "volumes", "areas", "hidden"):
+            setattr(self, name, made[name])
+
+    def _measured(self, probe: float, further: bool = False, threads: int = 0, progress: Progress = None) -> dict[str, Any]:
+        """Measures the balls, also contacts and gradients if `further`. Entries have the shapes of the attributes."""
+        self._require_unchanged()
+        centers = self.centers.reshape(-1, *self.centers.shape[-2:])
+        radii = self.radii.reshape(-1, self.centers.shape[-2])
+        made = _core.measure_balls(centers, radii, probe, further, further, threads, progress)
+        made["contacts"] = [BallContacts(*contacts) for contacts in made["contacts"]]
+        freeze(*made["hidden"], *(array for contacts in made["contacts"] for array in contacts))
+        for name in ("volumes", "areas"):
+            made[name] = made[name].reshape(self.centers.shape[:-1])
+        for name in ("volume_gradient", "area_gradient") if further else ():
+            made[name] = made[name].reshape(self.centers.shape)
+        if self.centers.ndim == 2:
+            for name in ("volume", "area", "hidden", "contacts"):
+                made[name] = made[name].tolist()[0] if name in ("volume", "area") else made[name][0]
+        freeze(*(value for value in made.values() if isinstance(value, np.ndarray)))
+        return made
+
+    @cached_property
+    def _further(self) -> dict[str, Any]:
+        return self._measured(self.probe, further=True)
+
+    @property
+    def contacts(self) -> Any:
+        """The contacts of the balls with the probe, `BallContacts`. The first access to this or a gradient measures the
+        balls again."""
+        return self._further["contacts"]
+
+    @property
+    def volume_gradient(self) -> Any:
+        """The derivative of `volume` by each center: float64 array of shape (n, 3)."""
+        return self._further["volume_gradient"]
+
+    @property
+    def area_gradient(self) -> Any:
+        """The derivative of `area` by each center: float64 array of shape (n, 3)."""
+        return self._further["area_gradient"]
+
+    @cached_property
+    def without_probe(self) -> Balls:
+        """The union of the balls without the probe: of atoms the volume and area of van der Waals. Measures again."""
+        return self if self.probe == 0 else Balls(self.centers, self.radii, 0.0, 0, None)
+
+    @cached_property
+    def simplices(self) -> Any:
+        """The tetrahedra of the regular triangulation of the balls with the probe: int32 array of shape (m, 4). Costs
+        the triangulation."""
+        self._require_unchanged()
+        radii = np.broadcast_to(self.radii + self.probe, self.centers.shape[:-1])
+        if self.centers.ndim == 3:
+            found = list(map(_core.regular_triangulation, self.centers, map(np.ascontiguousarray, radii)))
+        else:
+            found = [_core.regular_triangulation(self.centers, radii)]
+        freeze(*found)
+        return found if self.centers.ndim == 3 else found[0]
+
+    def __len__(self) -> int:
+        return self.centers.shape[-2]
+
+    def __repr__(self) -> str:
+        frames = f" in {len(self.centers)} frames" if self.centers.ndim == 3 else f": volume {self.volume:.6g}, area {self.area:.6g}"
+        return f"<rbpa.Balls of {len(self)} balls, probe {self.probe:g}{frames}>"

@@ -1,0 +1,243 @@
+"""Atoms of molecules: read from files with their names and frames, and radii by element.
+
+    >>> import pathlib, tempfile, rbpa
+    >>> path = pathlib.Path(tempfile.mkdtemp(), "water.xyz")
+    >>> _ = path.write_text("3\\nwater\\nO 0 0 0\\nH 0.76 0.59 0\\nH -0.76 0.59 0\\n")
+    >>> atoms = rbpa.molecules.read(path)
+    >>> atoms.elements.tolist(), atoms.radii().tolist()
+    (['O', 'H', 'H'], [1.52, 1.2, 1.2])
+    >>> round(rbpa.balls(atoms, probe=1.4).area, 3)
+    121.767
+"""
+
+from __future__ import annotations
+
+import copy
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any, Optional, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from rbpa import _core
+from rbpa._core import InvalidInput
+from rbpa._input import Floats, as_number, shown
+
+__all__ = ["Atoms", "positions_of", "radii", "read"]
+
+Texts = npt.NDArray[np.str_]
+
+# Ways out in messages of the program, and the arguments here.
+_WAYS = {
+    "--radii FILE names its radius, --radius-default R gives one to all": "overrides={symbol: R} sets its radius, default=R that of all",
+    "--radii column:NAME, or --radius-default R": "default=R",
+    "--no-hydrogens": "hydrogens=False",
+    "--waters reads": "waters=True reads",
+    "--radii": "radius",
+    "--where": "where",
+}
+
+
+def _said(error: InvalidInput) -> InvalidInput:
+    text = str(error)
+    for way, argument in _WAYS.items():
+        text = text.replace(way, argument)
+    return InvalidInput(text)
+
+
+def read(
+    path: Union[str, os.PathLike[str]],
+    *,
+    models: Union[int, Sequence[int], str] = 1,
+    where: Optional[str] = None,
+    waters: bool = False,
+    ligands: bool = True,
+    hydrogens: bool = True,
+    alternates: bool = False,
+    radius: Optional[str] = None,
+    format: Optional[str] = None,
+) -> Atoms:
+    """Reads the atoms of a molecule: PDB, PDBx/mmCIF, PQR, .gro, .xyz, dumps of LAMMPS; or other points in space.
+
+    Parameters
+    ----------
+    path : path
+    models : int, sequence of int, or "all"
+        The models, or frames, to read, counted from 1; all must have the same atoms. Unless it is an int, positions
+        have a first axis for them.
+    where : str, optional
+        A condition that selects atoms: "chain == 'A' and resseq < 100".
+    waters, ligands, hydrogens, alternates : bool
+        Whether to keep water, other atoms of HETATM, hydrogen, all alternate locations (otherwise the one of the
+        highest occupancy in each residue).
+    radius : str, optional
+        The column of radii; by default that of the file, if there is one.
+    format : str, optional
+        "pdb", "cif", ...; by default according to the ending of the path.
+
+    Raises
+    ------
+    InvalidInput
+        A ValueError with the message of the program: an invalid file, with the line; other atoms in another model.
+    OSError
+        There is no such file, or reading fails.
+    """
+    is_one = isinstance(models, (int, np.integer)) and not isinstance(models, bool)
+    if not is_one and models != "all" and (isinstance(models, str) or not all(isinstance(m, (int, np.integer)) for m in models)):
+        raise InvalidInput(f"models: found {shown(models)}, expected a number from 1, several, or 'all'")
+    wanted = models if isinstance(models, str) else ",".join(map(str, [models] if is_one else models))  # type: ignore[list-item,arg-type]
+    try:
+        made = _core.read_atoms(os.fsencode(path), format, wanted, waters, ligands, hydrogens, alternates, where, radius)
+    except InvalidInput as error:
+        if not os.path.exists(path):
+            raise FileNotFoundError(str(error)) from None
+        raise _said(error) from None
+    return Atoms(made, () if is_one else (len(made["frames"]),))
+
+
+class Atoms:
+    """Atoms, as returned by `read`, as columns: arrays of shape (n,). ``atoms[atoms.chains == "A"]`` selects some.
+
+    Attributes
+    ----------
+    positions : float64 array of shape (n, 3), or (frames, n, 3)
+    elements, names, residues, insertion_codes, chains : arrays of str
+        Symbols of elements, as "Ca"; names of atoms and of their residues. What the file does not have is an empty text.
+    residue_numbers, serials, occupancies, charges : float64 arrays
+        NaN where the file has none.
+    frames : list of int
+        The numbers of the models, from 1.
+    left_out : dict of int
+        The numbers of atoms of the first frame that were left out, by reason.
+    warnings : list of str
+    """
+
+    positions: Floats
+    elements: Texts
+    names: Texts
+    residues: Texts
+    insertion_codes: Texts
+    chains: Texts
+    residue_numbers: Floats
+    serials: Floats
+    occupancies: Floats
+    charges: Floats
+    frames: list[int]
+    left_out: dict[str, int]
+    warnings: list[str]
+
+    def __init__(self, made: dict[str, Any], frames: tuple[int, ...]) -> None:
+        count = len(made["positions"]) // max(len(made["frames"]), 1)
+        self._columns = [*made["texts"], *made["numbers"]]
+        self.positions = made["positions"].reshape(*frames, count, 3)
+        self._radii = None if made["radii"] is None else made["radii"].reshape(*frames, count)
+        for name, (numbers, texts) in made["texts"].items():
+            setattr(self, name, np.array(texts, dtype=str)[numbers])
+        self.__dict__.update(made["numbers"], frames=made["frames"], left_out=made["left_out"], warnings=made["warnings"])
+
+    def radii(self, choice: Optional[str] = None, *, default: Optional[float] = None, overrides: Optional[Mapping[str, float]] = None) -> Floats:
+        """Returns the radius of each atom, as `molecules.radii` does; without a choice those of the file, if it has
+        some."""
+        if choice is None and self._radii is not None and not overrides:
+            return self._radii
+        return radii(self, choice or "bondi", default=default, overrides=overrides)
+
+    def __getitem__(self, chosen: Any) -> Atoms:
+        some = copy.copy(self)
+        some.positions = self.positions[..., chosen, :]
+        some._radii = None if self._radii is None else self._radii[..., chosen]
+        for name in self._columns:
+            setattr(some, name, getattr(self, name)[chosen])
+        return some
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> npt.NDArray[Any]:
+        return np.array(self.positions, dtype) if copy else np.asarray(self.positions, dtype)
+
+    def __len__(self) -> int:
+        return len(self.names)
+
+    def __repr__(self) -> str:
+        frames = f" in {len(self.positions)} frames" if self.positions.ndim == 3 else ""
+        return f"<rbpa.molecules.Atoms: {len(self)} atoms{frames}>"
+
+
+def positions_of(atoms: Any) -> Any:
+    """Returns the positions of an object with atoms (`positions`, or mdtraj's `xyz`, in angstroms); any other object
+    unchanged."""
+    if hasattr(atoms, "xyz") and hasattr(atoms, "topology"):
+        return np.multiply(atoms.xyz, 10.0, dtype=float)
+    if hasattr(atoms, "positions"):
+        return atoms.positions
+    return atoms.get_positions() if hasattr(atoms, "get_positions") else atoms
+
+
+def _texts(values: Any) -> list[str]:
+    return [str(value) for value in values]
+
+
+def _kinds(atoms: Any) -> list[tuple[str, str, str]]:
+    """Returns element, residue and name of each atom of an object that has some of them."""
+    if hasattr(atoms, "topology") and hasattr(atoms, "xyz"):
+        named = [(atom.element.symbol if atom.element else "", atom.residue.name, atom.name) for atom in atoms.topology.atoms]
+        return [(str(element), str(residue), str(name)) for element, residue, name in named]
+    count = len(positions_of(atoms)) if not isinstance(atoms, Atoms) else len(atoms)
+    columns = []
+    for names in (("elements", "get_chemical_symbols"), ("residues" if isinstance(atoms, Atoms) else "resnames",), ("names",)):
+        found = next((getattr(atoms, name) for name in names if hasattr(atoms, name)), None)
+        found = found() if callable(found) else found
+        columns.append([""] * count if found is None else _texts(found))
+    if not any(columns[0] + columns[2]):
+        raise InvalidInput(f"radii: found {shown(atoms)} without elements and names, expected radii: numbers, one for each center")
+    return list(zip(*columns))  # type: ignore[arg-type]
+
+
+def radii(
+    atoms: Any, choice: Optional[str] = None, *, default: Optional[float] = None, overrides: Optional[Mapping[str, float]] = None
+) -> Floats:
+    """Returns the radius of each atom, in angstroms.
+
+    Parameters
+    ----------
+    atoms : Atoms, or an object of another package
+        One that has `elements` or `get_chemical_symbols()`, perhaps `names` and `resnames` (MDAnalysis, ASE), or
+        mdtraj's `topology`. Where there is no element, the name decides.
+    choice : "bondi", "protor", or path, optional
+        Radii of Bondi (1964) and Mantina et al. (2009); for amino acids those of Tsai et al. (1999), which include
+        hydrogens; or a file of radii as for ``rbpa balls --radii``. By default those of the file, else "bondi".
+    default : float, optional
+        The radius of atoms that have none; otherwise they are refused.
+    overrides : mapping from symbols to radii, optional
+        Radii of elements, in place of those of `choice`.
+
+    Returns
+    -------
+    float64 array of shape (n,)
+
+    Raises
+    ------
+    InvalidInput
+        A ValueError that names the first atom without a radius.
+
+    Examples
+    --------
+    >>> class Salt:
+    ...     elements = ["Na", "Cl"]
+    ...     positions = [[0, 0, 0], [2.8, 0, 0]]
+    >>> rbpa.molecules.radii(Salt(), overrides={"Na": 1.02}).tolist()
+    [1.02, 1.75]
+    """
+    if choice is None and isinstance(atoms, Atoms):
+        return atoms.radii(default=default, overrides=overrides)
+    otherwise = None if default is None else as_number(default, "default", "a number of at least 0")
+    table = {str(element): as_number(radius, "overrides", "numbers of at least 0") for element, radius in (overrides or {}).items()}
+    kinds = _kinds(atoms)
+    first: dict[tuple[str, str, str], int] = {}
+    place = [first.setdefault(kind, i) for i, kind in enumerate(kinds)]
+    try:
+        found = _core.atom_radii([(*kind, i) for kind, i in first.items()], str(choice or "bondi"), otherwise, table)
+    except InvalidInput as error:
+        raise _said(error) from None
+    of_first = np.zeros(len(kinds))
+    of_first[list(first.values())] = found
+    return of_first[place]

@@ -1,0 +1,231 @@
+"""Unions of balls with a radius each, atoms with names and radii, and frames."""
+
+import math
+import pathlib
+import pickle
+import subprocess
+
+import numpy
+import pytest
+import rbpa
+
+LYSOZYME = pathlib.Path(__file__).parents[1] / "data/mol3_2lyz.pdb"
+
+
+def some(seed, *shape):
+    random = numpy.random.default_rng(seed)
+    return random.random((*shape, 3)), random.uniform(0.0, 0.2, shape)
+
+
+def test_two_balls_have_the_sizes_of_their_formulas():
+    two = rbpa.balls([[0, 0, 0], [0, 0, 2]], [1.5, 0.5], 0.5)
+    areas = [16 * math.pi - 2 * math.pi * 2 * 0.25, 4 * math.pi - 2 * math.pi * 0.75]
+    assert two.areas.tolist() == pytest.approx(areas, rel=1e-14)
+    assert two.area == pytest.approx(sum(areas), rel=1e-14) and type(two.area) is float
+    caps = math.pi * 0.25**2 * (6 - 0.25) / 3, math.pi * 0.75**2 * (3 - 0.75) / 3
+    assert two.volumes.tolist() == pytest.approx([32 * math.pi / 3 - caps[0], 4 * math.pi / 3 - caps[1]], rel=1e-14)
+    contacts = two.contacts
+    assert contacts.balls.tolist() == [[0, 1]] and contacts.distances.tolist() == [2]
+    assert contacts.areas[0] == pytest.approx(math.pi * (4 - 1.75**2), rel=1e-14)
+    assert contacts.arcs[0] == pytest.approx(2 * math.pi * math.sqrt(4 - 1.75**2), rel=1e-14)
+    assert two.without_probe.area == pytest.approx(4 * math.pi * (1.5**2 + 0.5**2), rel=1e-14)
+    assert two.volume_gradient[1].tolist() == pytest.approx([0, 0, contacts.areas[0]], rel=1e-14)
+    assert two.simplices.shape == (0, 4) and two.hidden.tolist() == [] and len(two) == 2
+
+
+def test_equal_radii_are_those_of_union_of_balls():
+    points = some(1, 500)[0]
+    union = rbpa.union_of_balls(points, 0.08)
+    made = rbpa.balls(points, 0.05, 0.03)
+    assert made.volume == pytest.approx(union.volume, rel=1e-12)
+    assert made.area == pytest.approx(union.area, rel=1e-12)
+    assert numpy.array_equal(made.simplices, rbpa.solid(points).simplices)
+
+
+def test_gradients_are_differences():
+    points, radii = some(2, 30)
+    made = rbpa.balls(points, radii + 0.1)
+    for i, k in ((0, 0), (7, 1), (29, 2)):
+        moved = [points.copy(), points.copy()]
+        moved[0][i, k] -= 1e-6
+        moved[1][i, k] += 1e-6
+        low, high = (rbpa.balls(p, radii + 0.1) for p in moved)
+        assert made.volume_gradient[i, k] == pytest.approx((high.volume - low.volume) / 2e-6, abs=1e-7)
+        assert made.area_gradient[i, k] == pytest.approx((high.area - low.area) / 2e-6, abs=1e-6)
+    assert abs(made.volume_gradient.sum(axis=0)).max() < 1e-12
+
+
+@pytest.mark.parametrize("threads", [1, 2, None])
+def test_frames_have_the_sizes_that_each_has_alone(threads):
+    centers, radii = some(3, 9, 60)
+    each = [rbpa.balls(c, r, 0.05) for c, r in zip(centers, radii)]
+    for made in (rbpa.balls(centers, radii, 0.05, threads=threads), rbpa.balls(iter(centers), radii, 0.05, threads=threads)):
+        assert made.volume.tolist() == [one.volume for one in each]
+        assert made.areas.shape == (9, 60) and len(made) == 60
+        for f, one in enumerate(each):
+            assert numpy.array_equal(made.areas[f], one.areas) and numpy.array_equal(made.volumes[f], one.volumes)
+            assert numpy.array_equal(made.hidden[f], one.hidden)
+            assert numpy.array_equal(made.simplices[f], one.simplices)
+            assert numpy.array_equal(made.contacts[f].areas, one.contacts.areas)
+            assert numpy.array_equal(made.area_gradient[f], one.area_gradient)
+        assert made.without_probe.area.tolist() == [one.without_probe.area for one in each]
+    assert numpy.array_equal(rbpa.balls(centers, radii[0]).areas[4], rbpa.balls(centers[4], radii[0]).areas)
+    assert "9 frames" in repr(made) and "volume" in repr(each[0])
+
+
+def test_the_program_has_the_same_rows(program, tmp_path):
+    command = [program, "balls", str(LYSOZYME), "--probe", "1.4", "-o", "a.csv", "--contacts", "c.csv", "-q"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    table = numpy.genfromtxt(tmp_path / "a.csv", delimiter=",", names=True, dtype=None, encoding="utf-8")
+    contacts = numpy.genfromtxt(tmp_path / "c.csv", delimiter=",", names=True, dtype=None, encoding="utf-8")
+    atoms = rbpa.molecules.read(LYSOZYME)
+    made = rbpa.balls(atoms, "bondi", 1.4)
+    assert numpy.array_equal(table["area"], made.areas) and numpy.array_equal(table["volume"], made.volumes)
+    assert numpy.array_equal(table["radius"], made.radii)
+    assert numpy.array_equal(table["name"], atoms.names) and numpy.array_equal(table["resname"], atoms.residues)
+    assert numpy.array_equal(contacts["area"], made.contacts.areas)
+    assert numpy.array_equal(contacts["point_b"], made.contacts.balls[:, 1])
+
+
+def test_atoms_are_columns_and_can_be_selected():
+    atoms = rbpa.molecules.read(LYSOZYME)
+    assert len(atoms) == 1001 and atoms.positions.shape == (1001, 3) and atoms.left_out["waters"] == 101
+    assert (atoms.elements[0], atoms.names[0], atoms.residues[0], atoms.residue_numbers[0], atoms.chains[0]) == ("N", "N", "LYS", 1, "A")
+    assert len(rbpa.molecules.read(LYSOZYME, waters=True)) == 1102
+    assert len(rbpa.molecules.read(LYSOZYME, where="name == 'CA'")) == 129
+    alpha = atoms[atoms.names == "CA"]
+    assert len(alpha) == 129 and set(alpha.elements) == {"C"} and alpha.positions.shape == (129, 3)
+    assert numpy.asarray(atoms) is atoms.positions
+    assert set(atoms.radii("protor")) == {1.42, 1.46, 1.61, 1.64, 1.76, 1.77, 1.88}
+    assert numpy.array_equal(rbpa.balls(atoms).radii, atoms.radii("bondi"))
+    assert "1001 atoms" in repr(atoms)
+    copy = pickle.loads(pickle.dumps(rbpa.balls(atoms, probe=1.4)))
+    assert copy.areas.tolist() == rbpa.balls(atoms, probe=1.4).areas.tolist()
+
+
+FRAMES = "".join(f"2\nProperties=species:S:1:pos:R:3:radius:R:1\nC 0 0 {i} 1.{i}\nFe 1 0 0 2\n" for i in range(4))
+
+
+def test_frames_of_a_file_have_an_axis_and_their_radii(tmp_path):
+    path = tmp_path / "m.xyz"
+    path.write_text(FRAMES)
+    atoms = rbpa.molecules.read(path, models="all")
+    assert atoms.positions.shape == (4, 2, 3) and atoms.frames == [1, 2, 3, 4] and len(atoms) == 2
+    assert atoms.radii().tolist() == [[1.0, 2.0], [1.1, 2.0], [1.2, 2.0], [1.3, 2.0]]
+    made = rbpa.balls(atoms, probe=0.5)
+    assert made.area.shape == (4,)
+    assert made.area[2] == rbpa.balls(rbpa.molecules.read(path, models=3), probe=0.5).area
+    assert rbpa.molecules.read(path, models=[2, 4]).frames == [2, 4]
+    assert atoms[:1].positions.shape == (4, 1, 3) and atoms[:1].radii().shape == (4, 1)
+    assert atoms.radii("bondi", default=1.5).tolist() == [1.7, 1.5]
+    assert atoms.radii(overrides={"fe": 1.25}).tolist() == [1.7, 1.25]
+    path.write_text(FRAMES + "2\n\nC 0 0 0 1\nN 1 0 0 1\n")
+    with pytest.raises(rbpa.InvalidInput, match="other"):
+        rbpa.molecules.read(path, models="all")
+
+
+class Group:
+    """An AtomGroup of MDAnalysis."""
+
+    positions = numpy.array([[0, 0, 0], [1.2, 0, 0], [9, 0, 0]], numpy.float32)
+    elements = numpy.array(["C", "O", "Zn"], object)
+    names = numpy.array(["CG", "OD1", "ZN"], object)
+    resnames = numpy.array(["ASP", "ASP", "ZN"], object)
+    residues = "a group of residues"
+
+
+class Nameless:
+    """An AtomGroup of a topology without elements."""
+
+    positions, names, resnames = Group.positions, Group.names, Group.resnames
+
+    @property
+    def elements(self):
+        raise AttributeError("no elements")
+
+
+class Atoms:
+    """Atoms of ASE."""
+
+    def get_positions(self):
+        return Group.positions
+
+    def get_chemical_symbols(self):
+        return ["C", "O", "Zn"]
+
+
+class Named:
+    def __init__(self, **of):
+        self.__dict__.update(of)
+
+
+class Trajectory:
+    """A trajectory of mdtraj, in nanometers."""
+
+    xyz = numpy.stack([Group.positions, Group.positions * 2]) / numpy.float32(10)
+
+    def __init__(self):
+        residues = [Named(name=name) for name in Group.resnames]
+        kinds = [Named(symbol="C"), Named(symbol="O"), None]
+        self.topology = Named(atoms=[Named(name=n, element=e, residue=r) for n, e, r in zip(Group.names, kinds, residues)])
+
+
+def test_atoms_of_other_packages_have_positions_and_radii():
+    expected = rbpa.balls(Group.positions.astype(float), [1.7, 1.52, 1.39], 1.4)
+    for atoms in (Group(), Nameless(), Atoms()):
+        made = rbpa.balls(atoms, probe=1.4)
+        assert made.radii.tolist() == [1.7, 1.52, 1.39]
+        assert made.areas.tolist() == expected.areas.tolist()
+    assert rbpa.molecules.radii(Group(), "protor").tolist() == [1.61, 1.42, 1.39]
+    made = rbpa.balls(Trajectory(), "bondi", 1.4)
+    assert made.areas.shape == (2, 3)
+    assert made.areas[0].tolist() == pytest.approx(expected.areas.tolist(), rel=1e-6)
+    frames = (atoms for atoms in [Group(), Group()])
+    assert rbpa.balls(frames, rbpa.molecules.radii(Group()), 1.4).area.tolist() == [expected.area] * 2
+
+
+@pytest.mark.parametrize(
+    "call, says",
+    [
+        (lambda: rbpa.balls([[0, 0, 0]], [1, 2]), r"radii: found an array of shape \(2,\), expected \(1,\), one for each center"),
+        (lambda: rbpa.balls([[0, 0, 0]], [-1]), "radius 0 is -1 and the probe 0, expected a sum that is finite and at least 0"),
+        (lambda: rbpa.balls(numpy.zeros((3, 2, 3)), -1), "frame 0: radius 0 is -1"),
+        (lambda: rbpa.balls([[0, 0]], 1), r"centers: found an array of shape \(1, 2\)"),
+        (lambda: rbpa.balls([[0, 0, math.nan]], 1), "nan"),
+        (lambda: rbpa.balls([[0, 0, 0]], 1, "x"), "probe: found 'x', expected a finite number"),
+        (lambda: rbpa.balls([[0, 0, 0]], 1, math.inf), "finite"),
+        (lambda: rbpa.balls([[0, 0, 0]]), "without elements and names, expected radii: numbers, one for each center"),
+        (lambda: rbpa.balls([[0, 0, 0]], "bondi"), "without elements and names"),
+        (lambda: rbpa.balls(Group(), "mine"), "mine: found no such file, expected a file of radii, or bondi"),
+        (lambda: rbpa.molecules.radii(Named(positions=[[0, 0, 0]], elements=["Fe"])), r"overrides=\{symbol: R\} sets its radius"),
+        (lambda: rbpa.molecules.radii(Group(), overrides={"Qq": 1}), "overrides: found 'Qq', expected an element"),
+        (lambda: rbpa.molecules.read(LYSOZYME, models=2), "found 1 frame, expected frame 2"),
+        (lambda: rbpa.molecules.read(LYSOZYME, models="1-2"), "models: found '1-2', expected a number from 1, several, or 'all'"),
+        (lambda: rbpa.molecules.read(LYSOZYME, models=[]), "models"),
+        (lambda: rbpa.molecules.read(LYSOZYME, where="resname == 'XXX'"), "no atom in frame 1"),
+        (lambda: rbpa.molecules.read(LYSOZYME, format="doc"), "format: found 'doc'"),
+    ],
+)
+def test_wrong_arguments_are_named(call, says):
+    with pytest.raises(rbpa.InvalidInput, match=says):
+        call()
+
+
+def test_a_missing_file_and_changed_centers_are_refused():
+    with pytest.raises(FileNotFoundError):
+        rbpa.molecules.read("no_such_file.pdb")
+    centers, radii = some(4, 20)
+    made = rbpa.balls(centers, radii)
+    centers[0] = 7
+    with pytest.raises(rbpa.InvalidInput, match="changed"):
+        made.contacts
+    assert not made.areas.flags.writeable
+
+
+def test_progress_counts_frames_and_ends_the_run():
+    centers, radii = some(5, 40, 2000)
+    calls = []
+    rbpa.balls(centers, radii, progress=lambda done, all: calls.append((done, all)))
+    assert all(of == 40 for _, of in calls)
+    with pytest.raises(rbpa.Cancelled):
+        rbpa.balls(centers, radii, progress=lambda done, all: False)
