@@ -254,6 +254,23 @@ TEST_CASE("balls within others, and equal ones, are hidden") {
   CHECK(around.volume == Approx(5 * whole).epsilon(1e-14));
 }
 
+TEST_CASE("spheres may touch where a third one passes: their circle has no direction") {
+  // From within: the second ball adds nothing.
+  const BallMeasures two = measure_balls(Points3{{0, 2, 3}, {3, 2, 1}}, Radii{2, 3}),
+                     three = measure_balls(Points3{{0, 2, 3}, {3, 2, 1}, {0, 2, 2}}, Radii{2, 3, 1});
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(three.volumes[i] == Approx(two.volumes[i]).epsilon(1e-14));
+    CHECK(three.areas[i] == Approx(two.areas[i]).epsilon(1e-14));
+  }
+  CHECK(three.areas[2] == 0);
+  // From outside: two balls, and a third through the point where they touch.
+  const Points3 row = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}};
+  const BallMeasures found = measure_balls(row, Radii{1, 1, 1}), near = measure_balls(row, Radii{1, 1, 1 - 1e-9});
+  const double lens = 2 * cap_volume(1, 1 - std::sqrt(0.5));
+  CHECK(found.volume == Approx(4 * pi - 2 * lens).epsilon(1e-14));
+  for (std::size_t i = 0; i < 3; ++i) CHECK(found.areas[i] == Approx(near.areas[i]).epsilon(1e-7));
+}
+
 TEST_CASE("each ball's volume and area agree with random points: few balls, of any arrangement") {
   const Points3 acute = {{0, 0, 0}, {1, 0, 0}, {0.4, 0.9, 0.3}}, obtuse = {{0, 0, 0}, {1, 0, 0}, {0.4, 0.2, 0.1}},
                 line = {{0, 0, 0}, {0.7, 0.1, 0.2}, {1.4, 0.2, 0.4}},

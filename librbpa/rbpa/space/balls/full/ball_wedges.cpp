@@ -1,6 +1,6 @@
 #include "rbpa/space/balls/full/ball_wedges.h"
 
-#include <utility>
+#include <numbers>
 
 namespace rbpa::space {
 namespace {
@@ -98,6 +98,14 @@ WedgePart precise_in_tetrahedron(const Ball& i, const Ball& j, const Ball& k, co
 
 }  // namespace
 
+bool EdgeOfBalls::are_tangent() const {
+  const bool is_smaller = a->radius <= b->radius;
+  const BallEdge<DoubleDouble> from_smaller(is_smaller ? *a : *b, is_smaller ? *b : *a);
+  const DoubleDouble radius = exactly<DoubleDouble>(from_smaller.a->radius);
+  const DoubleDouble square = radius * radius - from_smaller.lift * from_smaller.lift / from_smaller.square;
+  return rounded(square) <= 0x1p-90 * a->radius * b->radius;
+}
+
 EdgesAtCorner::EdgesAtCorner(const std::array<const EdgeOfBalls*, 3>& edges) : edge(edges) {
   const auto& [a, b, c] = edges;
   product = {dot(b->to, c->to), dot(c->to, a->to), dot(a->to, b->to)};
@@ -115,6 +123,7 @@ WedgePart in_tetrahedron(const EdgesAtCorner& at, std::size_t k, bool with_angle
 }
 
 WedgePart beside_triangle(const EdgeOfBalls& edge, const EdgeOfBalls& other) {
+  if (edge.is_tangent) return {};
   const Tried<WedgePart> tried = beside<double>(edge, side_of(edge, other, dot(edge.to, other.to)));
   if (!tried.is_rough) return tried.result;
   const PreciseSide precise(*edge.a, *edge.b, *other.b);
@@ -129,6 +138,9 @@ BallCircle::BallCircle(const EdgeOfBalls& of) : edge(of), distance(std::sqrt(of.
 }
 
 double corner_angle(const EdgeOfBalls& j, const EdgeOfBalls& k) {
+  // The limit of a small circle around which the angle beside the triangle is 0.
+  for (const EdgeOfBalls* edge : {&j, &k})
+    if (edge->is_tangent) return edge->lift > 0 ? std::numbers::pi : 0;
   const Tried<double> tried = angle_at_corner<double>(j, k);
   if (!tried.is_rough) return tried.result;
   return angle_at_corner<DoubleDouble>({*j.a, *j.b}, {*k.a, *k.b}).result;

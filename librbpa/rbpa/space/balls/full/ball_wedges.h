@@ -66,8 +66,16 @@ struct BallEdge {
 /// The edge in double.
 struct EdgeOfBalls : BallEdge<double> {
   EdgeOfBalls(const Ball& first, const Ball& second)
-      : BallEdge(first, second), inverse_length(1 / std::sqrt(square)), inverse(inverse_length * inverse_length) {}
+      : BallEdge(first, second), inverse_length(1 / std::sqrt(square)), inverse(inverse_length * inverse_length) {
+    const double r = first.radius, s = second.radius;
+    is_tangent = std::abs(r * r - lift * lift * inverse) <= 0x1p-40 * (r * r + s * s) && are_tangent();
+  }
   double inverse_length, inverse;  // inverse: of the square
+  /// The spheres touch, up to rounding in double-double: where other spheres meet their circle has no direction.
+  bool is_tangent;
+
+ private:
+  bool are_tangent() const;
 };
 
 /// The part of the contact of two balls that is in a wedge.
