@@ -71,7 +71,7 @@ enum class Use : unsigned {
   full = 1U << 12U,      ///< out: triangles of the plane with edges and points in no triangle
   isolated = 1U << 13U,  ///< out: points in no polygon
   boundary = 1U << 14U,  ///< out: a surface as a mesh, no picture
-  rows = 1U << 15U       ///< out: rows of a table
+  rows = 1U << 15U       ///< out: rows of a table of atoms
 };
 constexpr unsigned operator|(Use a, Use b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }
 constexpr unsigned operator|(unsigned a, Use b) { return a | static_cast<unsigned>(b); }
@@ -115,7 +115,7 @@ inline constexpr FormatRow format_table[] = {
     {"npy", "", Format::npy,
      Use::points | Use::space | Use::triangles | Use::full | Use::surface | Use::boundary | Use::solid, &npy_reader},
     {"f64xy", "", Format::raw, 0U | Use::points, &raw_reader},
-    {"json", "", Format::json, Use::levels | Use::polylines | Use::voids | Use::cycles | Use::rows},
+    {"json", "", Format::json, Use::levels | Use::polylines | Use::voids | Use::cycles},
     {"glb", "", Format::glb, Use::surface | Use::boundary},
     {"vtu", "", Format::vtu, Use::triangles | Use::full | Use::surface | Use::boundary | Use::solid | Use::cycles},
     {"msh", "", Format::gmsh, 0U | Use::solid},

@@ -46,6 +46,14 @@ inline std::string in_capitals(std::string_view text) {
   return result;
 }
 
+/// Returns `text` as a field of CSV, in quotes if it needs them.
+inline std::string csv_text(std::string_view text) {
+  if (text.find_first_of(",;\"\n\r\t ") == std::string_view::npos) return std::string(text);
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  return quoted + '"';
+}
+
 /// Returns a word that is an unsigned whole number; nothing for any other word.
 inline std::optional<std::size_t> parse_count(std::string_view word) {
   std::size_t count = 0;

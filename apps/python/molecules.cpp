@@ -56,29 +56,23 @@ Frames read_frames(app::AtomFrames& file) {
   return result;
 }
 
-/// Returns the texts of a column: the distinct ones, and for each atom the number of its text.
+/// Returns a column of texts: for each atom the number of its text, and all texts.
 py::tuple texts_of(const AtomFrame& frame, std::uint32_t AtomRow::*member) {
-  std::vector<std::uint32_t> numbers = frame.column(member);
-  std::map<std::uint32_t, std::uint32_t> places;
   py::list texts;
-  for (std::uint32_t& number : numbers) {
-    const auto [place, is_new] = places.try_emplace(number, static_cast<std::uint32_t>(places.size()));
-    if (is_new) texts.append(app::printable(frame.text(number)));
-    number = place->second;
-  }
-  return py::make_tuple(line<std::int32_t>(std::move(numbers)), texts);
+  for (const std::string& text : frame.texts) texts.append(app::printable(text));
+  return py::make_tuple(line<std::int32_t>(frame.column(member)), texts);
 }
 
 py::dict read_atoms(const py::bytes& path, const MaybeText& format, const std::string& models, bool waters,
                     bool ligands, bool hydrogens, bool alternates, const MaybeText& where, const MaybeText& radius) {
   return with_file_errors([&] {
-    const std::string name = path;
-    const auto found = app::find_format(app::Use::space, format ? *format : app::input_ending(name));
+    const std::string file_name = path;
+    const auto found = app::find_format(app::Use::space, format ? *format : app::input_ending(file_name));
     if (!found && format) app::refuse_name("format", *format, app::endings(app::Use::space));
-    if (!found) app::refuse_input(name, app::Use::space, "format");
+    if (!found) app::refuse_input(file_name, app::Use::space, "format");
     Frames made = watched(long_work, py::none(), [&](Watch& watch) {
       const app::Interruption interruption(watch.until_stopped());
-      app::AtomFrames file(name, *found,
+      app::AtomFrames file(file_name, *found,
                            {.frames = app::parse_frames("models", models),
                             .waters = waters,
                             .ligands = ligands,
@@ -94,26 +88,26 @@ py::dict read_atoms(const py::bytes& path, const MaybeText& format, const std::s
     result["radii"] = first.has_radii ? py::object(line<double>(std::move(made.radii))) : py::object(py::none());
     result["frames"] = made.numbers;
     result["warnings"] = made.warnings;
-    const app::AtomCounts& counts = first.counts;
-    py::dict left_out;
-    left_out["where"] = counts.deselected;
-    left_out["waters"] = counts.waters;
-    left_out["ligands"] = counts.ligands;
-    left_out["hydrogens"] = counts.hydrogens;
-    left_out["alternates"] = counts.alternates;
+    py::dict left_out, columns;
+    for (const auto& [name, count] : {std::pair("where", &app::AtomCounts::deselected),
+                                      {"waters", &app::AtomCounts::waters},
+                                      {"ligands", &app::AtomCounts::ligands},
+                                      {"hydrogens", &app::AtomCounts::hydrogens},
+                                      {"alternates", &app::AtomCounts::alternates}})
+      left_out[name] = first.counts.*count;
+    for (const auto& [name, text] : {std::pair("elements", &AtomRow::element),
+                                     {"names", &AtomRow::name},
+                                     {"residues", &AtomRow::resname},
+                                     {"insertion_codes", &AtomRow::icode},
+                                     {"chains", &AtomRow::chain}})
+      columns[name] = texts_of(first, text);
+    for (const auto& [name, number] : {std::pair("residue_numbers", &AtomRow::resseq),
+                                       {"serials", &AtomRow::serial},
+                                       {"occupancies", &AtomRow::occupancy},
+                                       {"charges", &AtomRow::charge}})
+      columns[name] = line<double>(first.column(number));
     result["left_out"] = left_out;
-    py::dict texts, numbers;
-    texts["elements"] = texts_of(first, &AtomRow::element);
-    texts["names"] = texts_of(first, &AtomRow::name);
-    texts["residues"] = texts_of(first, &AtomRow::resname);
-    texts["insertion_codes"] = texts_of(first, &AtomRow::icode);
-    texts["chains"] = texts_of(first, &AtomRow::chain);
-    numbers["residue_numbers"] = line<double>(first.column(&AtomRow::resseq));
-    numbers["serials"] = line<double>(first.column(&AtomRow::serial));
-    numbers["occupancies"] = line<double>(first.column(&AtomRow::occupancy));
-    numbers["charges"] = line<double>(first.column(&AtomRow::charge));
-    result["texts"] = texts;
-    result["numbers"] = numbers;
+    result["columns"] = columns;
     return result;
   });
 }

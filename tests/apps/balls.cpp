@@ -106,10 +106,9 @@ TEST_SUITE("balls") {
       CHECK(contacts[0].at("point_a") == "0");
       CHECK(contacts[0].at("point_b") == "1");
     }
-    folder.rbpa("balls b.csv --radii column:r -o t.csv --contacts t.json -q");
+    folder.rbpa("balls b.csv --radii column:r -o t.csv --contacts c.csv -q");
     CHECK(folder.content("t.csv").starts_with("point,radius,area,volume,buried\n0,1.5,"));
-    CHECK(Json::parse(folder.content("t.json")) ==
-          Json::array({{{"point_a", 0}, {"point_b", 1}, {"area", 0.0}, {"arc", 0.0}, {"distance", 2.0}}}));
+    CHECK(folder.content("c.csv") == "point_a,point_b,area,arc,distance\n0,1,0,0,2\n");
   }
 
   TEST_CASE("the summary has counts, radii with their source, and sizes with and without the probe") {
@@ -259,21 +258,16 @@ TEST_SUITE("balls") {
     CHECK(json_of(folder, "m.pdb --models 39,40")["frames"][1]["frame"] == 40);
   }
 
-  TEST_CASE("names with commas and quotes are quoted, and texts that are not UTF-8 are replaced in JSON") {
+  TEST_CASE("names with commas and quotes are quoted, and bytes that are not UTF-8 are kept") {
     const Folder folder;
     folder.file("q.cif",
                 "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
                 "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
                 "C \"C5'\" 'A,\"B' 0 0 0\nC 'C 6' \xe9 9 0 0\n");
-    REQUIRE(folder.rbpa("balls q.cif -o q.csv -o q.json -q").code == 0);
+    REQUIRE(folder.rbpa("balls q.cif -o q.csv -q").code == 0);
     const std::string text = folder.content("q.csv");
     CHECK(text.find("\n0,,,,,\"A,\"\"B\",C5',C,1.7,") != std::string::npos);
     CHECK(text.find("\n1,,,,,\xe9,\"C 6\",C,1.7,") != std::string::npos);
-    const Json json = Json::parse(folder.content("q.json"));
-    CHECK(json[0]["resname"] == "A,\"B");
-    CHECK(json[0]["serial"].is_null());
-    CHECK(json[1]["resname"] == "\xef\xbf\xbd");
-    CHECK(json[1]["buried"] == 0);
   }
 
   TEST_CASE("nested and equal balls, and points in a plane, have rows too") {
@@ -313,8 +307,8 @@ TEST_SUITE("balls") {
           {"m.pdb --group column:size", 3, "m.pdb: found no column 'size', expected a column of atoms"},
           {"m.pdb --models 0", 2, "--models: found '0', expected all, or numbers from 1 such as 1,3,10-20"},
           {"m.pdb --models 1,2", 3, "m.pdb: found 1 frame, expected frame 2"},
-          {"m.pdb --contacts c.txt", 2, "--contacts: found the ending 'txt', expected one of json, csv"},
-          {"m.pdb -o a.pdb", 2, "a.pdb: found the ending 'pdb', expected one of json, csv, or --output-format"},
+          {"m.pdb --contacts c.txt", 2, "--contacts: found the ending 'txt', expected csv"},
+          {"m.pdb -o a.pdb", 2, "a.pdb: found the ending 'pdb', expected one of csv, or --output-format"},
           {"m.pdb -o a.csv --contacts a.csv", 2, ""},
           {"m.pdb -o m.pdb --output-format csv", 2, ""},
           {"m.pdb --json -o - --output-format csv", 2, ""},

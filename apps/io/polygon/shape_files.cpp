@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "io/bytes/number.h"
-#include "io/bytes/row_writer.h"
 #include "io/interrupt.h"
 #include "io/values_at.h"
+#include "io/words.h"
 
 namespace rbpa::app {
 
@@ -235,6 +235,12 @@ void for_each_named(const NamedShapes& groups, const Visit& visit) {
   }
 }
 
+/// Returns a text in quotes for JSON. Bytes that are not UTF-8, such as Latin-1, are written as the replacement
+/// character.
+std::string json_text(std::string_view text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
 }  // namespace
 
 std::vector<std::string_view> problems_of(const NamedShapes& groups) {
@@ -243,7 +249,7 @@ std::vector<std::string_view> problems_of(const NamedShapes& groups) {
   return problems;
 }
 
-std::string json_name(const std::string& name, bool is_number) { return is_number ? name : json_string(name); }
+std::string json_name(const std::string& name, bool is_number) { return is_number ? name : json_text(name); }
 
 void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
   file.write(geojson_collection(groups.crs));
@@ -255,7 +261,7 @@ void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
                    ",\"points\":", groups.sizes[g], ",\"alpha\":", finite_or_null(groups.shapes.alphas[g]),
                    ",\"area\":", finite_or_null(totals.area), ",\"perimeter\":", finite_or_null(totals.perimeter),
                    ",\"polygons\":", groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g]);
-    if (!problem.empty()) file.write(",\"problem\":" + json_string(problem));
+    if (!problem.empty()) file.write(",\"problem\":" + json_text(problem));
     file.write("},\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[");
     write_polygons_of(file, geojson, groups, g, cuts);
     file.write("]}}");

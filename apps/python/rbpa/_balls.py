@@ -12,7 +12,7 @@ import numpy.typing as npt
 from rbpa import _core, molecules
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_array, as_number, as_numbers, as_points, as_threads
-from rbpa._result import Result, freeze, short_repr
+from rbpa._result import Result, entry, freeze, short_repr
 
 
 def balls(
@@ -30,8 +30,8 @@ def balls(
     ----------
     centers : array_like of shape (n, 3) or (frames, n, 3), an iterator of frames, or atoms
         Finite coordinates; a float64 array in C order must not be changed while the result is in use. Frames are shared
-        among the threads. Atoms are those of `molecules.read`, or an object of another package that has `positions`, or
-        as in mdtraj `xyz` in nanometers, which are converted to angstroms.
+        among the threads. Atoms are those of `molecules.read`, or an object of MDAnalysis, ASE or mdtraj
+        (`molecules.positions_of`).
     radii : array_like of shape (n,) or (frames, n), a number, "bondi" or "protor", optional
         The radius of each ball, at least 0. Atoms have radii by element and name; by default those of their file, if it
         has some, else Bondi's (`molecules.radii`).
@@ -119,65 +119,55 @@ class Balls(Result):
     areas: Floats
     hidden: Any
 
-    def __init__(self, centers: Floats, radii: Floats, probe: float, threads: int, progress: Progress) -> None:
+    def __init__(self, centers: Floats, radii: Floats, probe: float, threads: int = 0, progress: Progress = None) -> None:
         super().__init__({"probe": probe}, centers=centers, radii=radii)
-        made = self._measured(probe, threads=threads, progress=progress)
-        for name in ("volume", "area", "volumes", "areas", "hidden"):
-            setattr(self, name, made[name])
+        made = self._measured(False, threads, progress)
+        self.__dict__.update({name: made[name] for name in ("volume", "area", "volumes", "areas", "hidden")})
 
-    def _measured(self, probe: float, further: bool = False, threads: int = 0, progress: Progress = None) -> dict[str, Any]:
-        """Measures the balls, also contacts and gradients if `further`. Entries have the shapes of the attributes."""
+    def _measured(self, further: bool, threads: int = 0, progress: Progress = None) -> dict[str, Any]:
+        """Measures the balls, contacts and gradients too if `further`. Returns the attributes."""
         self._require_unchanged()
-        centers = self.centers.reshape(-1, *self.centers.shape[-2:])
-        radii = self.radii.reshape(-1, self.centers.shape[-2])
-        made = _core.measure_balls(centers, radii, probe, further, further, threads, progress)
+        shape = self.centers.shape
+        centers, radii = self.centers.reshape(-1, *shape[-2:]), self.radii.reshape(-1, shape[-2])
+        made = _core.measure_balls(centers, radii, self.probe, further, further, threads, progress)
         made["contacts"] = [BallContacts(*contacts) for contacts in made["contacts"]]
         freeze(*made["hidden"], *(array for contacts in made["contacts"] for array in contacts))
         for name in ("volumes", "areas"):
-            made[name] = made[name].reshape(self.centers.shape[:-1])
+            made[name] = made[name].reshape(shape[:-1])
         for name in ("volume_gradient", "area_gradient") if further else ():
-            made[name] = made[name].reshape(self.centers.shape)
+            made[name] = made[name].reshape(shape)
         if self.centers.ndim == 2:
-            for name in ("volume", "area", "hidden", "contacts"):
-                made[name] = made[name].tolist()[0] if name in ("volume", "area") else made[name][0]
+            made.update({name: made[name][0] for name in ("hidden", "contacts")})
+            made.update({name: float(made[name][0]) for name in ("volume", "area")})
         freeze(*(value for value in made.values() if isinstance(value, np.ndarray)))
         return made
 
     @cached_property
     def _further(self) -> dict[str, Any]:
-        return self._measured(self.probe, further=True)
+        return self._measured(True)
 
-    @property
-    def contacts(self) -> Any:
+    contacts: Any = entry(
+        "_further",
+        "contacts",
         """The contacts of the balls with the probe, `BallContacts`. The first access to this or a gradient measures the
-        balls again."""
-        return self._further["contacts"]
-
-    @property
-    def volume_gradient(self) -> Any:
-        """The derivative of `volume` by each center: float64 array of shape (n, 3)."""
-        return self._further["volume_gradient"]
-
-    @property
-    def area_gradient(self) -> Any:
-        """The derivative of `area` by each center: float64 array of shape (n, 3)."""
-        return self._further["area_gradient"]
+        balls again.""",
+    )
+    volume_gradient: Any = entry("_further", "volume_gradient", "The derivative of `volume` by each center: float64 array of shape (n, 3).")
+    area_gradient: Any = entry("_further", "area_gradient", "The derivative of `area` by each center: float64 array of shape (n, 3).")
 
     @cached_property
     def without_probe(self) -> Balls:
         """The union of the balls without the probe: of atoms the volume and area of van der Waals. Measures again."""
-        return self if self.probe == 0 else Balls(self.centers, self.radii, 0.0, 0, None)
+        return self if self.probe == 0 else Balls(self.centers, self.radii, 0.0)
 
     @cached_property
     def simplices(self) -> Any:
         """The tetrahedra of the regular triangulation of the balls with the probe: int32 array of shape (m, 4). Costs
         the triangulation."""
         self._require_unchanged()
-        radii = np.broadcast_to(self.radii + self.probe, self.centers.shape[:-1])
-        if self.centers.ndim == 3:
-            found = list(map(_core.regular_triangulation, self.centers, map(np.ascontiguousarray, radii)))
-        else:
-            found = [_core.regular_triangulation(self.centers, radii)]
+        frames = self.centers.reshape(-1, *self.centers.shape[-2:])
+        radii = np.broadcast_to(self.radii + self.probe, frames.shape[:2])
+        found = [_core.regular_triangulation(frame, np.ascontiguousarray(row)) for frame, row in zip(frames, radii)]
         freeze(*found)
         return found if self.centers.ndim == 3 else found[0]
 

@@ -23,6 +23,7 @@ import numpy.typing as npt
 from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, as_number, shown
+from rbpa._read_points import _field
 
 __all__ = ["Atoms", "positions_of", "radii", "read"]
 
@@ -63,9 +64,9 @@ def read(
     Parameters
     ----------
     path : path
-    models : int, sequence of int, or "all"
-        The models, or frames, to read, counted from 1; all must have the same atoms. Unless it is an int, positions
-        have a first axis for them.
+    models : int, sequence of int, or str
+        The models, or frames, counted from 1, or "all"; all must have the same atoms. Unless this is an int, positions
+        have a first axis for frames.
     where : str, optional
         A condition that selects atoms: "chain == 'A' and resseq < 100".
     waters, ligands, hydrogens, alternates : bool
@@ -83,12 +84,10 @@ def read(
     OSError
         There is no such file, or reading fails.
     """
-    is_one = isinstance(models, (int, np.integer)) and not isinstance(models, bool)
-    if not is_one and models != "all" and (isinstance(models, str) or not all(isinstance(m, (int, np.integer)) for m in models)):
-        raise InvalidInput(f"models: found {shown(models)}, expected a number from 1, several, or 'all'")
-    wanted = models if isinstance(models, str) else ",".join(map(str, [models] if is_one else models))  # type: ignore[list-item,arg-type]
+    is_one = isinstance(models, (int, np.integer))
+    numbers = str(models) if is_one or isinstance(models, str) else ",".join(map(str, models))  # type: ignore[arg-type]
     try:
-        made = _core.read_atoms(os.fsencode(path), format, wanted, waters, ligands, hydrogens, alternates, where, radius)
+        made = _core.read_atoms(os.fsencode(path), format, numbers, waters, ligands, hydrogens, alternates, where, radius)
     except InvalidInput as error:
         if not os.path.exists(path):
             raise FileNotFoundError(str(error)) from None
@@ -128,13 +127,11 @@ class Atoms:
     warnings: list[str]
 
     def __init__(self, made: dict[str, Any], frames: tuple[int, ...]) -> None:
-        count = len(made["positions"]) // max(len(made["frames"]), 1)
-        self._columns = [*made["texts"], *made["numbers"]]
-        self.positions = made["positions"].reshape(*frames, count, 3)
-        self._radii = None if made["radii"] is None else made["radii"].reshape(*frames, count)
-        for name, (numbers, texts) in made["texts"].items():
-            setattr(self, name, np.array(texts, dtype=str)[numbers])
-        self.__dict__.update(made["numbers"], frames=made["frames"], left_out=made["left_out"], warnings=made["warnings"])
+        self._columns = {name: _field(values) for name, values in made.pop("columns").items()}
+        shape = (*frames, len(self._columns["names"]))
+        radii, positions = made.pop("radii"), made.pop("positions")
+        self._radii: Optional[Floats] = None if radii is None else radii.reshape(shape)
+        self.__dict__.update(made, positions=positions.reshape(*shape, 3), **self._columns)
 
     def radii(self, choice: Optional[str] = None, *, default: Optional[float] = None, overrides: Optional[Mapping[str, float]] = None) -> Floats:
         """Returns the radius of each atom, as `molecules.radii` does; without a choice those of the file, if it has
@@ -145,10 +142,9 @@ class Atoms:
 
     def __getitem__(self, chosen: Any) -> Atoms:
         some = copy.copy(self)
-        some.positions = self.positions[..., chosen, :]
+        some._columns = {name: values[chosen] for name, values in self._columns.items()}
         some._radii = None if self._radii is None else self._radii[..., chosen]
-        for name in self._columns:
-            setattr(some, name, getattr(self, name)[chosen])
+        some.__dict__.update(some._columns, positions=self.positions[..., chosen, :])
         return some
 
     def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> npt.NDArray[Any]:
@@ -162,40 +158,43 @@ class Atoms:
         return f"<rbpa.molecules.Atoms: {len(self)} atoms{frames}>"
 
 
+def _member(atoms: Any, *names: str) -> Any:
+    """Returns the first of the members that the object has, the result of the call if it is a method; else None."""
+    found = next((getattr(atoms, name) for name in names if hasattr(atoms, name)), None)
+    return found() if callable(found) else found
+
+
+def _is_mdtraj(atoms: Any) -> bool:
+    return hasattr(atoms, "xyz") and hasattr(atoms, "topology")
+
+
 def positions_of(atoms: Any) -> Any:
-    """Returns the positions of an object with atoms (`positions`, or mdtraj's `xyz`, in angstroms); any other object
-    unchanged."""
-    if hasattr(atoms, "xyz") and hasattr(atoms, "topology"):
+    """Returns the positions of an object with atoms, in angstroms: `positions`, `get_positions()`, or mdtraj's `xyz`,
+    which is in nanometers; any other object unchanged."""
+    if _is_mdtraj(atoms):
         return np.multiply(atoms.xyz, 10.0, dtype=float)
-    if hasattr(atoms, "positions"):
-        return atoms.positions
-    return atoms.get_positions() if hasattr(atoms, "get_positions") else atoms
-
-
-def _texts(values: Any) -> list[str]:
-    return [str(value) for value in values]
+    found = _member(atoms, "positions", "get_positions")
+    return atoms if found is None else found
 
 
 def _kinds(atoms: Any) -> list[tuple[str, str, str]]:
-    """Returns element, residue and name of each atom of an object that has some of them."""
-    if hasattr(atoms, "topology") and hasattr(atoms, "xyz"):
-        named = [(atom.element.symbol if atom.element else "", atom.residue.name, atom.name) for atom in atoms.topology.atoms]
-        return [(str(element), str(residue), str(name)) for element, residue, name in named]
-    count = len(positions_of(atoms)) if not isinstance(atoms, Atoms) else len(atoms)
-    columns = []
-    for names in (("elements", "get_chemical_symbols"), ("residues" if isinstance(atoms, Atoms) else "resnames",), ("names",)):
-        found = next((getattr(atoms, name) for name in names if hasattr(atoms, name)), None)
-        found = found() if callable(found) else found
-        columns.append([""] * count if found is None else _texts(found))
-    if not any(columns[0] + columns[2]):
-        raise InvalidInput(f"radii: found {shown(atoms)} without elements and names, expected radii: numbers, one for each center")
-    return list(zip(*columns))  # type: ignore[arg-type]
+    """Returns element, residue and name of each atom, an empty text for what the object does not have."""
+    if _is_mdtraj(atoms):
+        rows = [(atom.element.symbol if atom.element else "", atom.residue.name, atom.name) for atom in atoms.topology.atoms]
+    else:
+        residues = _member(atoms, "residues" if isinstance(atoms, Atoms) else "resnames")
+        columns = [_member(atoms, "elements", "get_chemical_symbols"), residues, _member(atoms, "names")]
+        if columns[0] is None and columns[2] is None:
+            raise InvalidInput(f"radii: found {shown(atoms)} without elements and names, expected radii: numbers, one for each center")
+        count = max(len(column) for column in columns if column is not None)
+        rows = list(zip(*([""] * count if column is None else column for column in columns)))
+    return [(str(element), str(residue), str(name)) for element, residue, name in rows]
 
 
 def radii(
     atoms: Any, choice: Optional[str] = None, *, default: Optional[float] = None, overrides: Optional[Mapping[str, float]] = None
 ) -> Floats:
-    """Returns the radius of each atom, in angstroms.
+    """Returns the radius of each atom, in angstroms: a float64 array of shape (n,).
 
     Parameters
     ----------
@@ -206,24 +205,14 @@ def radii(
         Radii of Bondi (1964) and Mantina et al. (2009); for amino acids those of Tsai et al. (1999), which include
         hydrogens; or a file of radii as for ``rbpa balls --radii``. By default those of the file, else "bondi".
     default : float, optional
-        The radius of atoms that have none; otherwise they are refused.
+        The radius of atoms that have none; otherwise the first of them is refused with InvalidInput.
     overrides : mapping from symbols to radii, optional
         Radii of elements, in place of those of `choice`.
-
-    Returns
-    -------
-    float64 array of shape (n,)
-
-    Raises
-    ------
-    InvalidInput
-        A ValueError that names the first atom without a radius.
 
     Examples
     --------
     >>> class Salt:
     ...     elements = ["Na", "Cl"]
-    ...     positions = [[0, 0, 0], [2.8, 0, 0]]
     >>> rbpa.molecules.radii(Salt(), overrides={"Na": 1.02}).tolist()
     [1.02, 1.75]
     """
@@ -231,13 +220,13 @@ def radii(
         return atoms.radii(default=default, overrides=overrides)
     otherwise = None if default is None else as_number(default, "default", "a number of at least 0")
     table = {str(element): as_number(radius, "overrides", "numbers of at least 0") for element, radius in (overrides or {}).items()}
-    kinds = _kinds(atoms)
     first: dict[tuple[str, str, str], int] = {}
-    place = [first.setdefault(kind, i) for i, kind in enumerate(kinds)]
+    kinds = _kinds(atoms)
+    for i, kind in enumerate(kinds):
+        first.setdefault(kind, i)
     try:
         found = _core.atom_radii([(*kind, i) for kind, i in first.items()], str(choice or "bondi"), otherwise, table)
     except InvalidInput as error:
         raise _said(error) from None
-    of_first = np.zeros(len(kinds))
-    of_first[list(first.values())] = found
-    return of_first[place]
+    radius_of = dict(zip(first, found))
+    return np.array([radius_of[kind] for kind in kinds], float)

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "io/bytes/number.h"
-#include "io/bytes/row_writer.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/polygon/shape_files.h"
+#include "io/words.h"
 #include "plane/named_groups.h"
 #include "plane/radii_run.h"
 #include "rbpa/plane/groups.h"

@@ -1,76 +1,87 @@
 // What: the results of `rbpa balls`: rows of atoms, of groups of atoms and of contacts, and reports.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "io/bytes/row_writer.h"
+#include "io/bytes/output_file.h"
 #include "io/cloud/atom_frames.h"
+#include "io/cloud/ball_radii.h"
 #include "rbpa/space/balls/measure_balls.h"
-#include "space/balls_request.h"
 
 namespace rbpa::app {
 
-/// The atoms of a frame, and their measures.
-struct MeasuredAtoms {
-  std::size_t number;  ///< of the frame, from 1
-  std::vector<AtomRow> rows;
-  AtomCounts counts;
-  std::vector<double> radii;     ///< without the probe
-  BallMeasures with_probe = {};  ///< with contacts if they are written
-  double volume = 0, area = 0;   ///< without the probe
-  std::size_t buried() const;    ///< number of atoms without an area
+/// The rows into which atoms are summed up.
+enum class AtomGroups { none, residue, chain, column };
+
+/// A frame in the reports.
+struct BallTotals {
+  std::size_t number = 0;  ///< from 1
+  AtomCounts counts = {};
+  std::size_t kept = 0, buried = 0;  ///< atoms, and those without an area
+  double volume = 0, area = 0, volume_without_probe = 0, area_without_probe = 0;
 };
 
-/// Writes rows frame by frame: of atoms or groups, or of contacts between them.
+struct MeasuredAtoms : BallTotals {
+  std::vector<AtomRow> rows = {};
+  std::vector<double> radii = {};  ///< without the probe
+  BallMeasures balls = {};         ///< with the probe; with contacts if they are written
+};
+
+/// A column of the names of atoms: a text or a number.
+struct NameColumn {
+  std::string name;
+  std::uint32_t AtomRow::*text = nullptr;
+  double AtomRow::*number = nullptr;
+};
+
+/// Writes a table as CSV, frame by frame.
 class BallRows {
  public:
-  /// Keeps references to `file` and `texts`, the object that all frames were read into. `are_atoms`: points have names
-  /// of atoms.
-  BallRows(OutputFile& file, Format format, const BallsRequest& request, const AtomFrame& texts, bool are_atoms,
-           bool of_contacts);
+  enum class Of { atoms, contacts };
 
-  void write(const MeasuredAtoms& frame);
-  /// Ends the table and the file.
-  void finish();
+  /// Begins the table. Keeps references to `file` and `texts`, the object that all frames were read into. `column`: the
+  /// name of the column of groups. `are_atoms`: rows have the names of atoms.
+  BallRows(OutputFile& file, Of of, AtomGroups groups, const std::string& column, bool has_frames,
+           const AtomFrame& texts, bool are_atoms);
+
+  void write(const MeasuredAtoms& frame) { of_ == Of::atoms ? write_atoms(frame) : write_contacts(frame); }
+  void finish() { file_.finish(); }
 
  private:
-  std::vector<std::string> columns(const BallsRequest& request) const;
-  std::vector<std::string> names(const BallsRequest& request, const std::string& suffix) const;
-  void write_names(const AtomRow& atom);
+  /// The groups of a frame's atoms, in the order in which they begin; without groups, each atom is one.
+  struct Grouped {
+    std::vector<std::uint32_t> of;     // group of each atom
+    std::vector<std::uint32_t> first;  // first atom of each group
+  };
+  Grouped grouped(const std::vector<AtomRow>& rows) const;
   void write_atoms(const MeasuredAtoms& frame);
   void write_contacts(const MeasuredAtoms& frame);
+  void begin_row(const MeasuredAtoms& frame, std::span<const std::uint32_t> atoms);
+  template <typename... Values>
+  void end_row(Values... values);
+  template <typename Value>
+  void put(const Value& value);
 
   OutputFile& file_;
-  const AtomFrame& texts_;
+  Of of_;
   AtomGroups groups_;
-  bool has_frames_, are_atoms_, of_contacts_;
-  RowWriter row_;
+  bool has_frames_;
+  const AtomFrame& texts_;
+  std::vector<NameColumn> names_ = {};
+  const char* before_ = "";  // the next value of the row
 };
 
-/// What the reports have of a frame.
-struct BallTotals {
-  std::size_t number, kept, buried;
-  AtomCounts counts;
-  double volume, area, volume_without_probe, area_without_probe;
-};
+/// Returns an object: the radii that were used, and counts and sizes of each frame.
+nlohmann::ordered_json json_of(double probe, const BallRadii& radii, const std::vector<BallTotals>& frames);
 
-/// What the reports have of a run.
-struct BallFacts {
-  double probe = 0;
-  bool are_atoms = true;
-  std::vector<BallTotals> frames = {};
-  const BallRadii& radii;
-};
-
-/// Returns an object: the radii that were used, and each frame's counts and sizes.
-nlohmann::ordered_json json_of(const BallFacts& facts);
-
-/// Returns the lines of the summary: counts, radii, sizes.
-std::vector<std::string> text_of(const BallFacts& facts);
+/// Returns the lines of the summary: counts, radii, sizes. `noun` is the one of a row: "atom", "point".
+std::vector<std::string> text_of(double probe, const BallRadii& radii, const std::vector<BallTotals>& frames,
+                                 const std::string& noun);
 
 }  // namespace rbpa::app

@@ -2,11 +2,11 @@
 #include <atomic>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "io/bytes/number.h"
 #include "io/bytes/write_json.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -14,49 +14,114 @@
 #include "rbpa/space/balls/measure_ball_frames.h"
 #include "shared/run.h"
 #include "shared/stats.h"
+#include "shared/verbs.h"
 #include "space/balls_files.h"
-#include "space/balls_request.h"
 
 namespace rbpa::app {
 namespace {
+
+struct BallsRequest {
+  BallRadii radii;
+  Format format = Format::text;
+  AtomChoice choice = {};
+  double probe = 0;
+  AtomGroups groups = AtomGroups::none;
+  std::vector<Target> targets = {};
+  RunOptions run = {};
+};
+
+double parse_length(const std::string& option, const std::string& text) {
+  const ParsedNumber number = parse_whole_number(text);
+  if (number.fault != NumberFault::none || !(number.value >= 0))
+    throw WrongUsage(option + ": found " + in_quotes(text) + ", expected a length, at least 0");
+  return number.value;
+}
+
+/// Parses --group, and notes the column in `choice`.
+AtomGroups parse_groups(const std::string& text, AtomChoice& choice) {
+  constexpr std::string_view column = "column:";
+  if (text == "residue") return AtomGroups::residue;
+  if (text == "chain") return AtomGroups::chain;
+  if (!text.starts_with(column) || text.size() == column.size())
+    throw WrongUsage("--group: found " + in_quotes(text) + ", expected residue, chain or column:NAME");
+  choice.group = text.substr(column.size());
+  return AtomGroups::column;
+}
+
+/// Parses the arguments; reads the file of --radii. Throws WrongUsage that names the option; BadInput, Failure.
+BallsRequest parse(const BallsArguments& arguments) {
+  std::optional<double> otherwise;
+  if (arguments.radius_default) otherwise = parse_length("--radius-default", *arguments.radius_default);
+  BallsRequest request{.radii = BallRadii(arguments.radii, otherwise)};
+  request.format = parse_format(Use::space, arguments.atoms, arguments.format, "ATOMS");
+  request.probe = parse_length("--probe", arguments.probe);
+  request.run = parse_run(arguments.run);
+  request.choice = {.waters = arguments.waters,
+                    .ligands = !arguments.no_ligands,
+                    .hydrogens = !arguments.no_hydrogens,
+                    .alternates = arguments.alternates,
+                    .where = arguments.where};
+  request.choice.radius = request.radii.column();
+  if (arguments.models) request.choice.frames = parse_frames("--models", *arguments.models);
+  if (arguments.group) request.groups = parse_groups(*arguments.group, request.choice);
+  if (arguments.contacts && find_format(Use::rows, ending(*arguments.contacts)) != Format::csv)
+    throw WrongUsage("--contacts: found the ending " + in_quotes(ending(*arguments.contacts)) + ", expected " +
+                     endings(Use::rows));
+  std::vector<std::string> reports = given({arguments.stats, arguments.contacts});
+  if (arguments.json) reports.emplace_back("-");
+  // Without any file the summary alone is the result.
+  if (!arguments.outputs.empty() || arguments.output_format || !reports.empty())
+    request.targets = parse_targets(Use::rows, arguments, arguments.atoms, reports);
+  return request;
+}
 
 /// Reads, measures and writes some frames at a time.
 class BallsRun : public Run {
  public:
   BallsRun(const BallsArguments& arguments, BallsRequest request)
-      : Run(request.path, arguments.outputs, request.run),
-        arguments_(arguments),
-        request_(std::move(request)),
-        facts_{.probe = request_.probe, .radii = request_.radii} {}
+      : Run(arguments.atoms, arguments.outputs, request.run), arguments_(arguments), request_(std::move(request)) {}
 
   void run();
 
  private:
+  std::vector<std::string> process();
   std::vector<MeasuredAtoms> read_some(AtomFrames& file);
   void measure(std::vector<MeasuredAtoms>& some);
-  void begin_files();
-  void write(const MeasuredAtoms& frame);
-  void require_groups() const;
+  void begin_tables(const AtomFrame& first);
+  void require_groups(const AtomFrame& first) const;
 
   const BallsArguments& arguments_;
   BallsRequest request_;
-  BallFacts facts_;
   AtomFrame texts_ = {};  // every frame is read into it
+  bool are_atoms_ = true;
   std::vector<BallRows> tables_ = {};
+  std::vector<BallTotals> frames_ = {};
   std::atomic<std::size_t> done_ = 0;  // atoms
   double read_seconds_ = 0, measure_seconds_ = 0, write_seconds_ = 0;
 };
 
-/// Throws BadInput if the atoms have no names by which they could be grouped.
-void BallsRun::require_groups() const {
-  if (request_.groups != AtomGroups::residue && request_.groups != AtomGroups::chain) return;
+/// Throws BadInput if atoms have no names by which they could be grouped.
+void BallsRun::require_groups(const AtomFrame& first) const {
   const bool is_chain = request_.groups == AtomGroups::chain;
+  if (!is_chain && request_.groups != AtomGroups::residue) return;
   const auto has_none = [&](const AtomRow& row) {
     return row.chain == 0 && (is_chain || (row.resname == 0 && std::isnan(row.resseq)));
   };
-  if (std::all_of(texts_.rows.begin(), texts_.rows.end(), has_none))
+  if (std::all_of(first.rows.begin(), first.rows.end(), has_none))
     bad_input(input(), std::string("no ") + (is_chain ? "chains" : "residues") + " for --group",
               is_chain ? "some (--group residue, or column:NAME)" : "some (--group column:NAME takes any column)");
+}
+
+void BallsRun::begin_tables(const AtomFrame& first) {
+  require_groups(first);
+  are_atoms_ = first.rows.front().line > 0;
+  const FrameChoice& choice = request_.choice.frames;
+  const auto begin = [&](const std::string& path, BallRows::Of of) {
+    tables_.emplace_back(files().add(path), of, request_.groups, request_.choice.group.value_or(""),
+                         choice.all || choice.numbers.size() > 1, texts_, are_atoms_);
+  };
+  for (const Target& target : request_.targets) begin(target.path, BallRows::Of::atoms);
+  if (arguments_.contacts) begin(*arguments_.contacts, BallRows::Of::contacts);
 }
 
 /// Reads frames until there is work for all threads; returns none at the end.
@@ -65,10 +130,14 @@ std::vector<MeasuredAtoms> BallsRun::read_some(AtomFrames& file) {
   const std::size_t enough_frames = std::size_t{4} * options().threads_or_all();
   std::vector<MeasuredAtoms> some;
   for (std::size_t atoms = 0; atoms < enough_atoms && some.size() < enough_frames && file.next(texts_);) {
-    if (tables_.empty() && some.empty()) require_groups();
-    std::vector<double> radii = request_.radii.of(texts_, file.name());
-    atoms += radii.size();
-    some.push_back({texts_.number, std::move(texts_.rows), texts_.counts, std::move(radii)});
+    if (frames_.empty() && some.empty()) begin_tables(texts_);
+    MeasuredAtoms& frame = some.emplace_back();
+    frame.number = texts_.number;
+    frame.counts = texts_.counts;
+    frame.radii = request_.radii.of(texts_, file.name());
+    frame.rows = std::move(texts_.rows);
+    frame.kept = frame.rows.size();
+    atoms += frame.kept;
   }
   read_seconds_ += lap();
   return some;
@@ -81,21 +150,24 @@ void BallsRun::measure(std::vector<MeasuredAtoms>& some) {
     for (const AtomRow& row : some[f].rows) centers[f].push_back(row.center);
     frames.push_back({centers[f], some[f].radii});
   }
-  MeasureBallsOptions how{.probe = request_.probe,
-                          .contacts = request_.contacts.has_value(),
-                          .threads = options().threads,
-                          .progress = [](const Progress&) { return !interrupted(); }};
+  const auto measured = [&](double probe, bool contacts) {
+    return measure_ball_frames(
+        frames, {.probe = probe, .contacts = contacts, .threads = options().threads, .progress = [](const Progress&) {
+                   return !interrupted();
+                 }});
+  };
   try {
-    std::vector<BallMeasures> with_probe = measure_ball_frames(frames, how);
-    for (std::size_t f = 0; f < some.size(); ++f) some[f].with_probe = std::move(with_probe[f]);
-    how.probe = 0;
-    how.contacts = false;
-    const std::vector<BallMeasures> without =
-        request_.probe > 0 ? measure_ball_frames(frames, how) : std::vector<BallMeasures>();
+    std::vector<BallMeasures> with = measured(request_.probe, arguments_.contacts.has_value());
+    std::vector<BallMeasures> without;
+    if (request_.probe > 0) without = measured(0, false);
     for (std::size_t f = 0; f < some.size(); ++f) {
-      const BallMeasures& of = without.empty() ? some[f].with_probe : without[f];
-      some[f].volume = of.volume;
-      some[f].area = of.area;
+      const BallMeasures& bare = without.empty() ? with[f] : without[f];
+      some[f].volume_without_probe = bare.volume;
+      some[f].area_without_probe = bare.area;
+      some[f].volume = with[f].volume;
+      some[f].area = with[f].area;
+      some[f].buried = static_cast<std::size_t>(std::count(with[f].areas.begin(), with[f].areas.end(), 0.0));
+      some[f].balls = std::move(with[f]);
     }
   } catch (const InvalidInput& e) {
     throw BadInput(input() + ": " + e.what());
@@ -103,58 +175,41 @@ void BallsRun::measure(std::vector<MeasuredAtoms>& some) {
   measure_seconds_ += lap();
 }
 
-void BallsRun::begin_files() {
-  const auto begin = [&](const Target& target, bool of_contacts) {
-    tables_.emplace_back(files().add(target.path), target.format, request_, texts_, facts_.are_atoms, of_contacts);
-  };
-  for (const Target& target : request_.targets) begin(target, false);
-  if (request_.contacts) begin(*request_.contacts, true);
-}
-
-void BallsRun::write(const MeasuredAtoms& frame) {
-  if (facts_.frames.empty()) {
-    facts_.are_atoms = frame.rows.front().line > 0;
-    begin_files();
+/// Measures all frames, and writes their rows. Returns the warnings about the input.
+std::vector<std::string> BallsRun::process() {
+  ProgressLine line = options().line("atoms", read_from_terminal(arguments_.atoms));
+  line.say([&](double seconds) {
+    const auto done = static_cast<double>(done_);
+    return short_number(done) + " atoms" + (seconds > 0 && done > 0 ? ", " + short_number(done / seconds) + "/s" : "");
+  });
+  AtomFrames file(arguments_.atoms, request_.format, request_.choice);
+  for (std::vector<MeasuredAtoms> some = read_some(file); !some.empty(); some = read_some(file)) {
+    measure(some);
+    for (const MeasuredAtoms& frame : some) {
+      for (BallRows& table : tables_) table.write(frame);
+      frames_.push_back(frame);
+      done_ += frame.kept;
+    }
+    write_seconds_ += lap();
   }
-  for (BallRows& table : tables_) table.write(frame);
-  facts_.frames.push_back({frame.number, frame.rows.size(), frame.buried(), frame.counts, frame.with_probe.volume,
-                           frame.with_probe.area, frame.volume, frame.area});
-  done_ += frame.rows.size();
+  for (BallRows& table : tables_) table.finish();
+  write_seconds_ += lap();
+  return file.warnings();
 }
 
 void BallsRun::run() {
-  std::vector<std::string> warnings;
-  {
-    ProgressLine line = options().line("atoms", read_from_terminal(request_.path));
-    line.say([&](double seconds) {
-      const auto done = static_cast<double>(done_);
-      return short_number(done) + " atoms" +
-             (seconds > 0 && done > 0 ? ", " + short_number(done / seconds) + "/s" : "");
-    });
-    AtomFrames file(request_.path, request_.format, request_.choice);
-    for (std::vector<MeasuredAtoms> some = read_some(file); !some.empty(); some = read_some(file)) {
-      measure(some);
-      for (const MeasuredAtoms& frame : some) write(frame);
-      write_seconds_ += lap();
-    }
-    for (BallRows& table : tables_) table.finish();
-    warnings = file.warnings();
-  }
-  warning(warnings);
-  write_seconds_ += lap();
-  if (arguments_.json) add("-", [&](OutputFile& file) { write_json(file, json_of(facts_), 1); });
-  if (arguments_.stats)
-    add(*arguments_.stats, [&](OutputFile& file) {
-      nlohmann::ordered_json report = json_of(facts_);
-      report["threads"] = options().threads_or_all();
-      report["seconds"] = {{"read", read_seconds_}, {"measure", measure_seconds_}, {"write", write_seconds_}};
-      report["peak_bytes"] = peak_bytes();
-      write_json(file, report, 2);
-    });
+  warning(process());
+  nlohmann::ordered_json report = json_of(request_.probe, request_.radii, frames_);
+  if (arguments_.json) add("-", [&](OutputFile& output) { write_json(output, report, 1); });
+  report["threads"] = options().threads_or_all();
+  report["seconds"] = {{"read", read_seconds_}, {"measure", measure_seconds_}, {"write", write_seconds_}};
+  report["peak_bytes"] = peak_bytes();
+  if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& output) { write_json(output, report, 2); });
   publish();
-  std::vector<std::string> lines = text_of(facts_), paths;
-  for (const Target& target : request_.targets) paths.push_back(target.path);
-  if (request_.contacts) paths.push_back(request_.contacts->path);
+  std::vector<std::string> lines = text_of(request_.probe, request_.radii, frames_, are_atoms_ ? "atom" : "point");
+  std::vector<std::string> paths = given({arguments_.contacts});
+  for (auto target = request_.targets.rbegin(); target != request_.targets.rend(); ++target)
+    paths.insert(paths.begin(), target->path);
   lines.back() += list_of(paths);
   for (const std::string& text : lines) summarize(text);
 }
