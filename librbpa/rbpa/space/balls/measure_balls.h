@@ -1,7 +1,8 @@
-// What:   computes volume and surface area of a union of balls, of each ball's part of it, and of the contacts of balls.
-// How:    the dual complex decides exactly which balls meet, and how they are connected. The area of a ball follows from
-//         the angles of its arcs by the theorem of Gauss and Bonnet, its volume from its area and its contacts by the
-//         theorem of the divergence. docs/explanation/space.md, section 24.
+// What:   computes volume and surface area of a union of balls, of each ball's part of it, and of the contacts of
+//         balls.
+// How:    the dual complex decides exactly which balls meet, and how they are connected. The area of a ball follows
+//         from the angles of its arcs by the theorem of Gauss and Bonnet, its volume from its area and its contacts by
+//         the theorem of the divergence. docs/explanation/space.md, section 24.
 // Law:    the choice of simplices is exact. Angles and sizes are rounded: the error of an area is some 10⁻¹³ of the
 //         sphere's, that of a volume some 10⁻¹³ of the ball's (measured). Totals are exact sums, rounded once.
 // Cost:   that of a regular triangulation, and about linear in its tetrahedra.

@@ -1,6 +1,6 @@
 // What:   computes the volume and surface area of the union of equal balls around points.
-// How:    as measure_balls() does, on the full alpha complex: the dual complex of equal balls. docs/explanation/space.md,
-//         section 24.
+// How:    as measure_balls() does, on the full alpha complex, which is the dual complex of equal balls.
+//         docs/explanation/space.md, section 24.
 // Law:    the result of measure_balls() with equal radii: the choice of simplices is exact, sizes and angles are
 //         rounded, their sum is exact and rounded once.
 // Cost:   that of a Delaunay triangulation, and about linear in its tetrahedra.

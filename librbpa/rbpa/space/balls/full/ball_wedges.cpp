@@ -29,7 +29,7 @@ Side<double> side_of(const EdgeOfBalls& edge, const EdgeOfBalls& spoke, double p
   return {edge, spoke, along, spoke.square - along * product};
 }
 
-/// The same by vectors. Both ends of the edge give the same; the nearer one is chosen, from which short distances are
+/// A side by vectors. Both ends of the edge give the same; the nearer one is chosen, from which short distances are
 /// exact.
 struct PreciseSide {
   using Edge = BallEdge<DoubleDouble>;

@@ -1,7 +1,7 @@
 // What: angles and areas around the common circle of two balls, within one tetrahedron of the dual complex, or beside a
 //       triangle of it that has no tetrahedron on that side.
-// How:  docs/explanation/space.md, section 24. In double, from the products of edges at one ball; where terms cancel, again
-//       in double-double, from vectors.
+// How:  docs/explanation/space.md, section 24. In double, from the products of edges at one ball; where terms cancel,
+//       again in double-double, from vectors.
 // Law:  errors are some 2^−43 of a full turn, or of the square of a radius.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace rbpa::space {
 
-// The same formulas are evaluated in double and in double-double.
+// Formulas are evaluated in double and in double-double.
 template <typename Real>
 Real apart(double a, double b) {
   if constexpr (std::is_same_v<Real, double>)
@@ -43,7 +43,8 @@ Vector3<Real> times(const Real& s, const Vector3<Real>& v) {
 }
 
 /// The edge from a ball to another one, times a power of two that keeps the square of a short edge within the range of
-/// double. The points x, relative to the first center, of the same power to both have x · to = lift. Refers to the balls.
+/// double. The points x, relative to the first center, of the same power to both have x · to = lift. Refers to the
+/// balls.
 template <typename Real>
 struct BallEdge {
   BallEdge(const Ball& first, const Ball& second)
@@ -95,8 +96,8 @@ struct EdgesAtCorner {
 
 /// Returns the part of the contact at edge k that is in the tetrahedron.
 WedgePart in_tetrahedron(const EdgesAtCorner& at, std::size_t k, bool with_angle);
-/// Returns the part of the contact at the first edge between the triangle of both edges and the point beside it in which
-/// the spheres of the three balls meet.
+/// Returns the part of the contact at the first edge between the triangle of both edges and the point beside it in
+/// which the spheres of the three balls meet.
 WedgePart beside_triangle(const EdgeOfBalls& edge, const EdgeOfBalls& other);
 
 /// The circle in which the spheres of two balls meet. Refers to the balls.
@@ -117,7 +118,7 @@ struct BallCircle {
   double square;              ///< of the radius
 };
 
-/// Returns the angle at the sphere of the balls' common end i, in the point where it meets those of j and k, between the
+/// Returns the angle at the sphere of the common first ball, in the point where it meets those of j and k, between the
 /// directions toward j and k: of the spherical triangle of these directions and that point.
 double corner_angle(const EdgeOfBalls& j, const EdgeOfBalls& k);
 inline double corner_angle(const Ball& i, const Ball& j, const Ball& k) { return corner_angle({i, j}, {i, k}); }
