@@ -133,7 +133,8 @@ class BallParts {
     std::uint32_t before;  // the one before it around the same edge
   };
   struct Workspace {
-    std::vector<std::uint32_t> place;  // for each ball, its place among the spokes, if it has one
+    std::vector<std::uint32_t> place;  // for each ball, its place among `ends`, if it is one
+    std::vector<std::uint32_t> ends;   // the other ball of each spoke
     std::vector<Spoke> spokes;
     std::vector<Corners> star;
     std::vector<Around> around;
@@ -164,6 +165,7 @@ class BallParts {
   /// Measures the edges from ball i to balls of a greater index, and what is at ball i alone.
   void measure_star(std::uint32_t i, Workspace& w) {
     const auto star = stars_[i];
+    w.ends.clear();
     w.spokes.clear();
     w.star.clear();
     w.around.clear();
@@ -171,7 +173,7 @@ class BallParts {
     for (const std::uint32_t t : star) visit(t, i, w);
     for (const Corners& corners : w.star)
       if (corners.is_filled) add_tetrahedron(i, corners.place, w);
-    for (std::uint32_t k = 0; k < w.spokes.size(); ++k)
+    for (std::uint32_t k = 0; k < w.ends.size(); ++k)
       if (const Spoke& spoke = w.spokes[k]; spoke.ball > i && has_edge(spoke, w)) w.up.emplace_back(spoke.ball, k);
     std::sort(w.up.begin(), w.up.end());
     for (const auto& [ball, k] : w.up) w.edges.push_back(measured(i, w.spokes[k]));
@@ -190,6 +192,10 @@ class BallParts {
     star.is_filled = faces_.has_tetrahedron(t);
     Vertex& vertex = vertices_[i];
     vertex.turns += star.is_filled ? 1 : 0;
+    if (faces_.is_inside(t)) {
+      for (const std::uint32_t place : star.place) w.spokes[place].has_triangle = true;
+      return;
+    }
     vertex.is_exposed |= !star.is_filled;
     for (std::size_t k = 0; k < 3; ++k) {
       // The triangle across from a corner, and the edges to its other corners.
@@ -219,8 +225,9 @@ class BallParts {
 
   std::uint32_t place_of(std::uint32_t ball, std::uint32_t i, Workspace& w) const {
     std::uint32_t& place = w.place[ball];
-    if (place >= w.spokes.size() || w.spokes[place].ball != ball) {
-      place = static_cast<std::uint32_t>(w.spokes.size());
+    if (place >= w.ends.size() || w.ends[place] != ball) {
+      place = static_cast<std::uint32_t>(w.ends.size());
+      w.ends.push_back(ball);
       w.spokes.emplace_back(balls_[i], balls_[ball], ball);
     }
     return place;
@@ -243,7 +250,7 @@ class BallParts {
   }
 
   Edge measured(std::uint32_t i, const Spoke& spoke) const {
-    const BallCircle circle(spoke.edge);
+    const CircleOfBalls circle(spoke.edge);
     Edge edge{
         {i, spoke.ball}, {circle.height_i, circle.height_j}, circle.distance, spoke.parts.area, spoke.parts.growth};
     if (spoke.is_exposed) {

@@ -130,8 +130,8 @@ WedgePart beside_triangle(const EdgeOfBalls& edge, const EdgeOfBalls& other) {
   return beside(precise.edge, precise.side).result;
 }
 
-BallCircle::BallCircle(const EdgeOfBalls& of) : edge(of), distance(std::sqrt(of.square) / of.scale) {
-  const double r = of.a->radius, s = of.b->radius, shift = (r - s) / distance * (r + s) / 2;
+CircleOfBalls::CircleOfBalls(const EdgeOfBalls& edge) : distance(std::sqrt(edge.square) / edge.scale) {
+  const double r = edge.a->radius, s = edge.b->radius, shift = (r - s) / distance * (r + s) / 2;
   height_i = distance / 2 + shift;
   height_j = distance / 2 - shift;
   square = std::max((r - height_i) * (r + height_i), 0.0);

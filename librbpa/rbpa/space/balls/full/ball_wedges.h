@@ -100,10 +100,19 @@ WedgePart in_tetrahedron(const EdgesAtCorner& at, std::size_t k, bool with_angle
 /// which the spheres of the three balls meet.
 WedgePart beside_triangle(const EdgeOfBalls& edge, const EdgeOfBalls& other);
 
-/// The circle in which the spheres of two balls meet. Refers to the balls.
-struct BallCircle {
+/// The circle in which the spheres of two balls meet.
+struct CircleOfBalls {
+  explicit CircleOfBalls(const EdgeOfBalls& edge);
+
+  double distance;            ///< of the centers
+  double height_i, height_j;  ///< signed distances of the circle's plane from the centers, toward the other center
+  double square;              ///< of the radius
+};
+
+/// A circle that measures wedges around it. Refers to the balls.
+struct BallCircle : CircleOfBalls {
   BallCircle(const Ball& i, const Ball& j) : BallCircle(EdgeOfBalls(i, j)) {}
-  explicit BallCircle(const EdgeOfBalls& of);
+  explicit BallCircle(const EdgeOfBalls& of) : CircleOfBalls(of), edge(of) {}
 
   /// Return the parts in a tetrahedron with two more balls, and beside a triangle with a third one.
   WedgePart in_tetrahedron(const Ball& k, const Ball& l, bool with_angle) const {
@@ -113,9 +122,6 @@ struct BallCircle {
   WedgePart beside_triangle(const Ball& k) const { return space::beside_triangle(edge, {*edge.a, k}); }
 
   EdgeOfBalls edge;
-  double distance;            ///< of the centers
-  double height_i, height_j;  ///< signed distances of the circle's plane from the centers, toward the other center
-  double square;              ///< of the radius
 };
 
 /// Returns the angle at the sphere of the common first ball, in the point where it meets those of j and k, between the

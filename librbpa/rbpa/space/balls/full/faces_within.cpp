@@ -102,7 +102,10 @@ FacesWithin::FacesWithin(const Triangulated& cells, std::shared_ptr<const Simple
       for (auto t = static_cast<std::uint32_t>(begin); t < end; ++t) visit(t);
     });
   };
-  for_each_tetrahedron([&](std::uint32_t t) { has_tetrahedron_[t] = rule_->has_tetrahedron(t); });
+  for_each_tetrahedron([&](std::uint32_t t) {
+    const bool is_at_hull = std::find(neighbors[t].begin(), neighbors[t].end(), Solid::none) != neighbors[t].end();
+    if (rule_->has_tetrahedron(t)) has_tetrahedron_[t] = is_at_hull ? 1 : 2;
+  });
   // Each triangle is decided at its first tetrahedron; the second copies the result.
   for_each_tetrahedron([&](std::uint32_t t) {
     for (std::size_t k = 0; k < 4; ++k)

@@ -47,6 +47,8 @@ class FacesWithin {
               const GoOn& go_on = {});
 
   bool has_tetrahedron(std::uint32_t t) const { return has_tetrahedron_[t] != 0; }
+  /// Returns whether a tetrahedron is in the complex and has no face on the hull.
+  bool is_inside(std::uint32_t t) const { return has_tetrahedron_[t] == 2; }
   /// Returns whether the triangle across from corner k of tetrahedron t is in the complex.
   bool has_triangle(std::uint32_t t, std::size_t k) const { return has_triangle_[4 * std::size_t{t} + k] != 0; }
   /// Returns the number of tetrahedra of the complex that have the triangle across from corner k of t as a face.
@@ -77,7 +79,8 @@ class FacesWithin {
  private:
   Triangulated delaunay_;
   std::shared_ptr<const SimplexRule> rule_;
-  std::vector<std::uint8_t> has_tetrahedron_, has_triangle_;  // triangles: across from each of the four corners
+  std::vector<std::uint8_t> has_tetrahedron_;  // 1, or 2 if no face of it is on the hull
+  std::vector<std::uint8_t> has_triangle_;     // across from each of the four corners
 };
 
 }  // namespace rbpa::space
