@@ -51,6 +51,10 @@ using meshops::Vertex;
 using py::arg;
 using Reason = std::optional<std::string>;
 
+Reason described(const std::optional<meshops::Blocker>& blocker) {
+  return blocker ? Reason(describe(*blocker)) : std::nullopt;
+}
+
 void bind_delta(py::module_& module) {
   using meshops::Delta;
   py::class_<Delta>(module, "Delta", "The change of the counts of a mesh.")
@@ -117,8 +121,13 @@ void bind_handle_effects(py::module_& module) {
       .def_readonly("curve", &meshops::OpenCurveEffect::curve);
   bind_effect<meshops::ZipCurvesEffect>(module, "ZipCurvesEffect", "The effect of zip_curves().")
       .def_property_readonly("begins_with",
-                             [](const meshops::ZipCurvesEffect& e) { return std::string(name(e.begins_with)); })
-      .def_readonly("edges", &meshops::ZipCurvesEffect::edges);
+                             [](const meshops::ZipCurvesEffect& e) { return std::string(name(e.begins_with())); })
+      .def_property_readonly("edges", [](const meshops::ZipCurvesEffect& e) { return e.glued.size(); });
+  bind_effect<meshops::CreateTriangleEffect>(module, "CreateTriangleEffect",
+                                             "The effect of create_triangle(), undone by destroy_triangle(face).")
+      .def_readonly("face", &meshops::CreateTriangleEffect::face)
+      .def_readonly("inner", &meshops::CreateTriangleEffect::inner, "The first halfedge inside the triangle.")
+      .def_readonly("boundary", &meshops::CreateTriangleEffect::boundary, "The opposite of `inner`.");
 }
 
 template <typename Effect>
@@ -180,8 +189,8 @@ void bind_operator(py::class_<Mesh>& mesh, const std::string& name, Operator, Bl
   mesh.def(
       name.c_str(), +[](Mesh& m, Given... given) { return Operator{}(m.changed(), given...); }, arguments..., what);
   mesh.def((name + "_blocker").c_str(),
-           +[](const Mesh& m, Given... given) -> Reason { return Blocker{}(m.seen(), given...); }, arguments...,
-           ("Returns why " + name + "() would refuse, or None.").c_str());
+           +[](const Mesh& m, Given... given) -> Reason { return described(Blocker{}(m.seen(), given...)); },
+           arguments..., ("Returns why " + name + "() would refuse, or None.").c_str());
 }
 
 // Pass operators and blockers as lambdas, as they are overloaded.
@@ -193,7 +202,7 @@ void bind_handle_operators(py::class_<Mesh>& mesh) {
   const arg halfedge("halfedge"), face("face"), first("first"), second("second");
   mesh.def(
       "create_triangle", [](Mesh& m) { return meshops::create_triangle(m.changed()); },
-      "Adds a triangle of three new vertices. Returns its first inner halfedge.");
+      "Adds a triangle of three new vertices.");
   bind_operator<Face>(mesh, RBPA_OPERATOR(destroy_triangle),
                       "Removes a triangle that is a component of its own. Returns the Delta.", face);
   bind_operator<Face>(
@@ -273,7 +282,7 @@ void bind_stellar_operators(py::class_<Mesh>& mesh) {
   mesh.def(
       "triangulate_face_blocker",
       [](const Mesh& m, Face given, Keep kept) -> Reason {
-        return meshops::triangulate_face_blocker(m.seen(), given, kept);
+        return described(meshops::triangulate_face_blocker(m.seen(), given, kept));
       },
       face, by_name, keep, "Returns why triangulate_face() would refuse, or None.");
 }

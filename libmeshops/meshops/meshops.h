@@ -3,6 +3,7 @@
 #pragma once
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/core/contract.h"
 #include "meshops/core/delta.h"

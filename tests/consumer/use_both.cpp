@@ -26,12 +26,9 @@ void expect(bool holds, const char* what) {
 
 int main() {
   OpenMesh::TriMesh_ArrayKernelT<> mesh;
-  mesh.request_vertex_status();
-  mesh.request_halfedge_status();
-  mesh.request_edge_status();
-  mesh.request_face_status();
-  const meshops::Halfedge a = mesh.opposite_halfedge_handle(meshops::create_triangle(mesh));
-  const meshops::Halfedge b = mesh.opposite_halfedge_handle(meshops::create_triangle(mesh));
+  meshops::request_status(mesh);
+  const meshops::Halfedge a = meshops::create_triangle(mesh).boundary;
+  const meshops::Halfedge b = meshops::create_triangle(mesh).boundary;
   const meshops::GlueEffect glued = meshops::glue(mesh, a, b);
   expect(glued.what == meshops::GlueCase::join, "two triangles join");
   expect(meshops::count_topology(mesh).edges == 5, "five edges are left");

@@ -151,7 +151,10 @@ TEST_SUITE("contracts") {
                      {"on_same_curve:", [&](TestMesh& m, Halfedge h) { on_same_curve(m, h, h); }},
                      {"on_same_curve:", [&](TestMesh& m, Halfedge h) { boundary_curves(m)[0].contains(h); }},
                      {"BoundaryCurve:", [](TestMesh& m, Halfedge h) { BoundaryCurve(m, h); }},
-                     {"TopologyTracker:", [](TestMesh& m, Halfedge h) { TopologyTracker(m).note_created(h); }},
+                     {"TopologyTracker:",
+                      [](TestMesh& m, Halfedge h) {
+                        TopologyTracker(m).note(CreateTriangleEffect{Face(), h, h});
+                      }},
                      {"insert_diagonal:", [&](TestMesh& m, Halfedge h) { insert_diagonal(m, h, good); }},
                      {"insert_diagonal:", [&](TestMesh& m, Halfedge h) { insert_diagonal(m, good, h); }},
                      {"remove_diagonal:", [](TestMesh& m, Halfedge h) { remove_diagonal(m, h); }},
@@ -353,7 +356,7 @@ TEST_SUITE("contracts") {
     for (const auto& found : all)
       CHECK_MESSAGE(found.second.starts_with(found.first + ": the mesh needs "), found.second);
     // Their blockers return the reason as well.
-    const std::pair<std::string, std::optional<std::string>> blockers[] = {
+    const std::pair<std::string, std::optional<Blocker>> blockers[] = {
         {"collapse", collapse_blocker(mesh, b[0])},
         {"weld_edge", weld_edge_blocker(mesh, b[0])},
         {"weld_face", weld_face_blocker(mesh, Vertex(0))},
@@ -368,7 +371,7 @@ TEST_SUITE("contracts") {
       CAPTURE(name);
       const auto found = std::ranges::find(all, name, [](const auto& one) { return one.first; });
       REQUIRE(blocker);
-      CHECK(found->second == name + ": " + *blocker);
+      CHECK(found->second == name + ": " + describe(*blocker));
     }
     OpenMesh::TriMesh_ArrayKernelT<> empty;
     Front front(empty, 3);

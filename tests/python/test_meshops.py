@@ -139,10 +139,10 @@ def test_handle_operators_make_a_torus_of_triangles():
     first = mesh.create_triangle()
     second = mesh.create_triangle()
     before = live(mesh)
-    joined = checked(mesh, "glue", mesh.opposite(first), mesh.opposite(second))
+    joined = checked(mesh, "glue", first.boundary, second.boundary)
     assert joined.what == "join" and mesh.report().components == 1
     assert mesh.unglue(joined).what == "join" and live(mesh) == before
-    checked(mesh, "destroy_triangle", mesh.face(second))
+    checked(mesh, "destroy_triangle", second.face)
 
     square = Mesh([[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [4, 5, 9, 8], [5, 6, 10, 9], [6, 7, 11, 10],
                    [8, 9, 13, 12], [9, 10, 14, 13], [10, 11, 15, 14]])  # fmt: skip

@@ -1,7 +1,9 @@
-// What: short names for OpenMesh's halfedge connectivity and its handles.
+// What: short names for OpenMesh's halfedge connectivity and its handles, and for the kinds of elements.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
+#include <cstdint>
+#include <string_view>
 
 namespace meshops {
 
@@ -12,5 +14,16 @@ using Vertex = OpenMesh::VertexHandle;
 using Halfedge = OpenMesh::HalfedgeHandle;
 using Edge = OpenMesh::EdgeHandle;
 using Face = OpenMesh::FaceHandle;
+
+enum class ElementKind : std::uint8_t { vertex, halfedge, edge, face };
+
+constexpr std::string_view name(ElementKind kind) {
+  constexpr std::string_view names[] = {"vertex", "halfedge", "edge", "face"};
+  return names[static_cast<int>(kind)];
+}
+inline ElementKind kind_of(Vertex) { return ElementKind::vertex; }
+inline ElementKind kind_of(Halfedge) { return ElementKind::halfedge; }
+inline ElementKind kind_of(Edge) { return ElementKind::edge; }
+inline ElementKind kind_of(Face) { return ElementKind::face; }
 
 }  // namespace meshops

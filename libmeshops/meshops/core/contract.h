@@ -1,9 +1,8 @@
 // What: the exception for a broken requirement, and the check that throws it. An expected refusal is a value instead:
-//       see the …_blocker() functions.
+//       see core/blocker.h.
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -25,18 +24,8 @@ namespace detail {
 [[noreturn, gnu::cold, gnu::noinline]] inline void violate(const char* before, long long number, const char* after) {
   throw ContractViolation(before + std::to_string(number) + after);
 }
-[[noreturn, gnu::cold, gnu::noinline]] inline void violate(const char* operation, const char* refusal) {
+[[noreturn, gnu::cold, gnu::noinline]] inline void violate(const char* operation, const std::string& refusal) {
   throw ContractViolation(std::string(operation) + ": " + refusal);
-}
-
-/// Throws ContractViolation with the message "operation: refusal", unless `refusal` is null.
-inline void enforce(const char* operation, const char* refusal) {
-  if (refusal) [[unlikely]]
-    violate(operation, refusal);
-}
-/// Returns `refusal` as a string; nothing when it is null.
-inline std::optional<std::string> as_blocker(const char* refusal) {
-  return refusal ? std::optional<std::string>(refusal) : std::nullopt;
 }
 
 }  // namespace detail

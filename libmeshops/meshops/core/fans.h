@@ -10,8 +10,6 @@ namespace meshops {
 
 namespace detail {
 
-inline constexpr const char* several_fans = "a vertex has several fans";
-
 /// Returns whether the vertex that the boundary halfedge `out` leaves has several fans: the fan that begins with `out`
 /// is not the fan that ends at prev(out). The walk advances from both ends at once, so that their cache misses overlap.
 inline bool has_other_fans(const Connectivity& mesh, Halfedge out) {

@@ -1,11 +1,12 @@
-// What: tells which handles name live elements of a mesh, visits all of them, and tells whether elements can be
-//       deleted.
+// What: tells which handles name live elements of a mesh, visits all of them, and tells or ensures that elements can
+//       be deleted.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
-#include "meshops/core/contract.h"
 
 namespace meshops {
 
@@ -33,13 +34,22 @@ inline bool has_status(const Connectivity& mesh) {
   return mesh.has_vertex_status() && mesh.has_halfedge_status() && mesh.has_edge_status() && mesh.has_face_status();
 }
 
+/// Requests status of every kind that the mesh lacks, so that elements can be marked deleted.
+inline void request_status(Connectivity& mesh) {
+  if (!mesh.has_vertex_status()) mesh.request_vertex_status();
+  if (!mesh.has_halfedge_status()) mesh.request_halfedge_status();
+  if (!mesh.has_edge_status()) mesh.request_edge_status();
+  if (!mesh.has_face_status()) mesh.request_face_status();
+}
+
 namespace detail {
 
-/// Returns why elements of the mesh cannot be deleted, or nullptr when they can.
-inline const char* status_refusal(const Connectivity& mesh) {
-  return has_status(mesh)
-             ? nullptr
-             : "the mesh needs status of every kind to mark what is deleted (request_vertex_status() and so on)";
+/// Returns why elements of the mesh cannot be deleted, or nothing when they can.
+inline std::optional<Blocker> status_blocker(const Connectivity& mesh) {
+  return has_status(mesh) ? std::nullopt : std::optional(Blocker(BlockerKind::no_status));
+}
+inline void require_status(const Connectivity& mesh, const char* operation) {
+  enforce(operation, status_blocker(mesh));
 }
 
 }  // namespace detail

@@ -144,11 +144,6 @@ std::string_view name(DefectKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-std::string_view name(ElementKind kind) {
-  static constexpr std::array<std::string_view, 3> names = {"vertex", "halfedge", "face"};
-  return names[static_cast<std::size_t>(kind)];
-}
-
 std::string describe(const Defect& defect) {
   return std::string(name(defect.element)) + ' ' + std::to_string(defect.index) + ": " + std::string(name(defect.kind));
 }

@@ -33,8 +33,6 @@ enum class DefectKind {
   vertex_has_several_fans
 };
 
-enum class ElementKind { vertex, halfedge, face };
-
 struct Defect {
   DefectKind kind;
   ElementKind element;
@@ -43,7 +41,6 @@ struct Defect {
 };
 
 MESHOPS_API std::string_view name(DefectKind kind);
-MESHOPS_API std::string_view name(ElementKind kind);
 
 /// Returns a text for people: "vertex 17: vertex has several fans".
 MESHOPS_API std::string describe(const Defect& defect);

@@ -1,7 +1,6 @@
 #include "meshops/front/front.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 #include "meshops/core/validate.h"
@@ -34,8 +33,7 @@ Front::Front(Connectivity& mesh, std::span<const Site> site_of_vertex)
       supply_(1),
       keeps_handles_(true),
       waiting_(mesh) {
-  require(has_status(mesh),
-          "Front: the mesh needs status of every kind to mark what is deleted (request_vertex_status() and so on)");
+  detail::require_status(mesh, "Front");
   if (const auto defects = validate(mesh); !defects.empty())
     throw ContractViolation("Front: the mesh is not sound: " + describe(defects.front()));
   guard_.count_elements();
@@ -121,8 +119,7 @@ Fit Front::fit(Halfedge h, Site apex) const {
 
 /// Checks everything about a fit: a caller may have made it, or the front may have changed since fit().
 void Front::check(const Fit& fit) const {
-  const auto refuse = [](const Refusal& refusal) { throw ContractViolation("insert: " + describe(refusal)); };
-  if (fit.refusal) refuse(*fit.refusal);
+  detail::enforce("insert", fit.refusal);
   if (fit.front_ != nullptr) {
     require(fit.front_ == this, "insert: the fit is one of another front");
     require(fit.revision_ == revision(),
@@ -131,11 +128,12 @@ void Front::check(const Fit& fit) const {
   const detail::Fitting lookup = by_sites();
   Fit corners(fit.corners);
   lookup.check_corners(corners);
-  if (corners.refusal) refuse(*corners.refusal);
+  detail::enforce("insert", corners.refusal);
   for (unsigned i = 0; i < 3; ++i) {
     const Halfedge h = fit.sides.side[i];
     if (!h.is_valid()) continue;
-    if (!is_boundary(h)) refuse({RefusalKind::no_boundary_halfedge, 0, 0, h.idx()});
+    if (!is_boundary(h))
+      detail::enforce("insert", std::optional(Refusal{RefusalKind::no_boundary_halfedge, 0, 0, h.idx()}));
     require(lookup.start(h) == fit.corners[i] && lookup.end(h) == fit.corners[(i + 1) % 3],
             "insert: a given side does not run between its corners");
   }
@@ -169,7 +167,7 @@ InsertedTriangle Front::put(const Fit& fit) {
 
 InsertedTriangle Front::insert_checked(const Fit& fit, const char* operation) {
   guard_.require_changeable();
-  if (fit.refusal) throw ContractViolation(std::string(operation) + ": " + describe(*fit.refusal));
+  detail::enforce(operation, fit.refusal);
   return put(fit);
 }
 
@@ -189,7 +187,7 @@ std::optional<Refusal> Front::detach_blocker(Face f) const {
 
 DetachedTriangle Front::detach(Face f) {
   guard_.require_changeable();
-  if (const auto refusal = detach_blocker(f)) throw ContractViolation("detach: " + describe(*refusal));
+  detail::enforce("detach", detach_blocker(f));
   const TriangleRim rim = rim_of(mesh_, f);
   DetachedTriangle detached;
   std::array<Vertex, 3> second;

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "meshops/core/blocker.h"
+
 namespace meshops {
 
 std::string_view name(RefusalKind kind) {
@@ -31,7 +33,7 @@ std::string describe(const Refusal& refusal) {
     case RefusalKind::not_at_front:
       return "no side of face " + index + " is on the boundary";
     case RefusalKind::no_status:
-      return "the mesh needs status of every kind to mark what is deleted (request_vertex_status() and so on)";
+      return describe(Blocker(BlockerKind::no_status));
     case RefusalKind::triangle_there:
       return "face " + index + " on " + site + " and site " + std::to_string(refusal.to) + " is that triangle already";
   }

@@ -8,18 +8,6 @@
 namespace meshops {
 namespace {
 
-const char* reason_against_closing(const Connectivity& mesh, Halfedge h) {
-  if (!is_live(mesh, h)) return "the halfedge does not exist or is deleted";
-  if (!mesh.is_boundary(h)) return "the halfedge is not on the boundary";
-  if (mesh.next_halfedge_handle(mesh.next_halfedge_handle(h)) == h) return "the curve has two edges: glue them";
-  Halfedge side = h;
-  do {
-    if (detail::has_other_fans(mesh, side)) return detail::several_fans;
-    side = mesh.next_halfedge_handle(side);
-  } while (side != h);
-  return nullptr;
-}
-
 /// Returns whether another side of the face of `h` starts at the same vertex as `h`.
 bool is_passed_again(const Connectivity& mesh, Halfedge h) {
   const Face f = mesh.face_handle(h);
@@ -30,35 +18,22 @@ bool is_passed_again(const Connectivity& mesh, Halfedge h) {
   }
 }
 
-const char* reason_against_opening(const Connectivity& mesh, Face f) {
-  if (!mesh.has_face_status()) return "the mesh needs face status to mark what is deleted (request_face_status())";
-  if (!is_live(mesh, f)) return "the face does not exist or is deleted";
-  const Halfedge first = mesh.halfedge_handle(f);
-  Halfedge h = first;
-  std::size_t sides = 0;
-  do {
-    if (mesh.is_boundary(mesh.opposite_halfedge_handle(h))) return "a side of the face is on the boundary";
-    if (mesh.is_boundary(mesh.from_vertex_handle(h))) return "a corner of the face is on the boundary";
-    if (mesh.face_handle(mesh.opposite_halfedge_handle(h)) == f) return "the face lies on both sides of an edge";
-    ++sides;
-    h = mesh.next_halfedge_handle(h);
-  } while (h != first);
-  if (sides == 3) return nullptr;  // its corners are three distinct vertices, because no edge is a loop
-  do {
-    if (is_passed_again(mesh, h)) return "the face passes a vertex twice";
-    h = mesh.next_halfedge_handle(h);
-  } while (h != first);
-  return nullptr;
-}
-
 }  // namespace
 
-std::optional<std::string> close_curve_blocker(const Connectivity& mesh, Halfedge h) {
-  return detail::as_blocker(reason_against_closing(mesh, h));
+std::optional<Blocker> close_curve_blocker(const Connectivity& mesh, Halfedge h) {
+  if (!is_live(mesh, h)) return Blocker(BlockerKind::missing, h);
+  if (!mesh.is_boundary(h)) return Blocker(BlockerKind::not_on_boundary, h);
+  if (mesh.next_halfedge_handle(mesh.next_halfedge_handle(h)) == h) return Blocker(BlockerKind::curve_too_short, h);
+  Halfedge side = h;
+  do {
+    if (detail::has_other_fans(mesh, side)) return Blocker(BlockerKind::several_fans, mesh.from_vertex_handle(side));
+    side = mesh.next_halfedge_handle(side);
+  } while (side != h);
+  return std::nullopt;
 }
 
 CloseCurveEffect close_curve(Connectivity& mesh, Halfedge h) {
-  detail::enforce("close_curve", reason_against_closing(mesh, h));
+  detail::enforce("close_curve", close_curve_blocker(mesh, h));
   const Face f = mesh.new_face();
   mesh.set_halfedge_handle(f, h);
   Halfedge side = h;
@@ -69,12 +44,31 @@ CloseCurveEffect close_curve(Connectivity& mesh, Halfedge h) {
   return {f};
 }
 
-std::optional<std::string> open_curve_blocker(const Connectivity& mesh, Face f) {
-  return detail::as_blocker(reason_against_opening(mesh, f));
+std::optional<Blocker> open_curve_blocker(const Connectivity& mesh, Face f) {
+  if (!mesh.has_face_status()) return Blocker(BlockerKind::no_status);
+  if (!is_live(mesh, f)) return Blocker(BlockerKind::missing, f);
+  const Halfedge first = mesh.halfedge_handle(f);
+  Halfedge h = first;
+  std::size_t sides = 0;
+  do {
+    const Halfedge beyond = mesh.opposite_halfedge_handle(h);
+    const Vertex corner = mesh.from_vertex_handle(h);
+    if (mesh.is_boundary(beyond)) return Blocker(BlockerKind::on_boundary, mesh.edge_handle(h));
+    if (mesh.is_boundary(corner)) return Blocker(BlockerKind::on_boundary, corner);
+    if (mesh.face_handle(beyond) == f) return Blocker(BlockerKind::face_on_both_sides, f);
+    ++sides;
+    h = mesh.next_halfedge_handle(h);
+  } while (h != first);
+  if (sides == 3) return std::nullopt;  // its corners are three distinct vertices, because no edge is a loop
+  do {
+    if (is_passed_again(mesh, h)) return Blocker(BlockerKind::corner_repeated, mesh.from_vertex_handle(h));
+    h = mesh.next_halfedge_handle(h);
+  } while (h != first);
+  return std::nullopt;
 }
 
 OpenCurveEffect open_curve(Connectivity& mesh, Face f) {
-  detail::enforce("open_curve", reason_against_opening(mesh, f));
+  detail::enforce("open_curve", open_curve_blocker(mesh, f));
   const Halfedge first = mesh.halfedge_handle(f);
   Halfedge h = first;
   do {

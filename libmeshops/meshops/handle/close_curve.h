@@ -5,9 +5,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/handle/effect.h"
 
@@ -27,7 +27,7 @@ struct OpenCurveEffect {
 /// exist, it is not on the boundary, the curve has two edges (use glue()), or a vertex on the curve has several fans
 /// (core/fans.h).
 /// Cost:     the degrees of the vertices on the curve.
-MESHOPS_API std::optional<std::string> close_curve_blocker(const Connectivity& mesh, Halfedge h);
+MESHOPS_API std::optional<Blocker> close_curve_blocker(const Connectivity& mesh, Halfedge h);
 
 /// Fills the boundary curve through `h` with one face. `h` becomes the halfedge of the face.
 /// Δ:        F +1, χ +1, curves −1, others 0.
@@ -41,7 +41,7 @@ MESHOPS_API CloseCurveEffect close_curve(Connectivity& mesh, Halfedge h);
 /// no face left; a corner is on the boundary, or the face passes a vertex twice, so that the remaining faces at that
 /// vertex would form two fans. For a triangle with a side or a corner on the boundary, use remove_triangle().
 /// Cost:     the number of sides; with more than three also the degrees of the corners.
-MESHOPS_API std::optional<std::string> open_curve_blocker(const Connectivity& mesh, Face f);
+MESHOPS_API std::optional<Blocker> open_curve_blocker(const Connectivity& mesh, Face f);
 
 /// Marks a face as deleted, so that its sides become a boundary curve. Edges and vertices keep their handles.
 /// Δ:        F −1, χ −1, curves +1, others 0.

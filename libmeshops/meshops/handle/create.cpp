@@ -4,10 +4,11 @@
 
 namespace meshops {
 
-Halfedge create_triangle(Connectivity& mesh) {
+CreateTriangleEffect create_triangle(Connectivity& mesh) {
   TriangleSides sides;
   for (Vertex& v : sides.corner) v = mesh.new_vertex();
-  return insert_triangle(mesh, sides).side[0];
+  const InsertedTriangle made = insert_triangle(mesh, sides);
+  return {made.face, made.side[0], mesh.opposite_halfedge_handle(made.side[0])};
 }
 
 }  // namespace meshops

@@ -10,35 +10,18 @@
 namespace meshops {
 namespace {
 
-const char* reason_against_any(const Connectivity& mesh, Face f) {
-  if (const char* reason = detail::status_refusal(mesh)) return reason;
-  if (!is_live(mesh, f)) return "the face does not exist or is deleted";
+std::optional<Blocker> blocker_of_any(const Connectivity& mesh, Face f) {
+  if (const auto reason = detail::status_blocker(mesh)) return reason;
+  if (!is_live(mesh, f)) return Blocker(BlockerKind::missing, f);
   const Halfedge first = mesh.halfedge_handle(f);
   const Halfedge third = mesh.next_halfedge_handle(mesh.next_halfedge_handle(first));
-  return mesh.next_halfedge_handle(third) == first ? nullptr : "the face is not a triangle";
+  return mesh.next_halfedge_handle(third) == first ? std::nullopt
+                                                   : std::optional(Blocker(BlockerKind::not_triangle, f));
 }
 
 std::array<Halfedge, 3> sides_of_triangle(const Connectivity& mesh, Face f) {
   const Halfedge first = mesh.halfedge_handle(f), second = mesh.next_halfedge_handle(first);
   return {first, second, mesh.next_halfedge_handle(second)};
-}
-
-const char* reason_against_destroying(const Connectivity& mesh, Face f) {
-  if (const char* reason = reason_against_any(mesh, f)) return reason;
-  const auto beyond = [&](Halfedge side) { return mesh.opposite_halfedge_handle(side); };
-  for (const Halfedge side : sides_of_triangle(mesh, f))
-    if (!mesh.is_boundary(beyond(side))) return "a side is glued to another face";
-  // The boundary runs around the triangle alone, unless it continues to another fan at a corner.
-  for (const Halfedge side : sides_of_triangle(mesh, f))
-    if (mesh.prev_halfedge_handle(beyond(side)) != beyond(mesh.next_halfedge_handle(side))) return detail::several_fans;
-  return nullptr;
-}
-
-const char* reason_against_removing(const Connectivity& mesh, Face f) {
-  if (const char* reason = reason_against_any(mesh, f)) return reason;
-  for (const Halfedge side : sides_of_triangle(mesh, f))
-    if (has_several_fans(mesh, mesh.from_vertex_handle(side))) return detail::several_fans;
-  return nullptr;
 }
 
 void destroy(Connectivity& mesh, Face f) {
@@ -54,22 +37,34 @@ void destroy(Connectivity& mesh, Face f) {
 
 }  // namespace
 
-std::optional<std::string> destroy_triangle_blocker(const Connectivity& mesh, Face f) {
-  return detail::as_blocker(reason_against_destroying(mesh, f));
+std::optional<Blocker> destroy_triangle_blocker(const Connectivity& mesh, Face f) {
+  if (const auto reason = blocker_of_any(mesh, f)) return reason;
+  const auto beyond = [&](Halfedge side) { return mesh.opposite_halfedge_handle(side); };
+  for (const Halfedge side : sides_of_triangle(mesh, f))
+    if (!mesh.is_boundary(beyond(side))) return Blocker(BlockerKind::not_on_boundary, mesh.edge_handle(side));
+  // The boundary runs around the triangle alone, unless it continues to another fan at a corner.
+  for (const Halfedge side : sides_of_triangle(mesh, f))
+    if (mesh.prev_halfedge_handle(beyond(side)) != beyond(mesh.next_halfedge_handle(side)))
+      return Blocker(BlockerKind::several_fans, mesh.to_vertex_handle(side));
+  return std::nullopt;
 }
 
 Delta destroy_triangle(Connectivity& mesh, Face f) {
-  detail::enforce("destroy_triangle", reason_against_destroying(mesh, f));
+  detail::enforce("destroy_triangle", destroy_triangle_blocker(mesh, f));
   destroy(mesh, f);
   return delta_of_destroy();
 }
 
-std::optional<std::string> remove_triangle_blocker(const Connectivity& mesh, Face f) {
-  return detail::as_blocker(reason_against_removing(mesh, f));
+std::optional<Blocker> remove_triangle_blocker(const Connectivity& mesh, Face f) {
+  if (const auto reason = blocker_of_any(mesh, f)) return reason;
+  for (const Halfedge side : sides_of_triangle(mesh, f))
+    if (const Vertex v = mesh.from_vertex_handle(side); has_several_fans(mesh, v))
+      return Blocker(BlockerKind::several_fans, v);
+  return std::nullopt;
 }
 
 Delta remove_triangle(Connectivity& mesh, Face f) {
-  detail::enforce("remove_triangle", reason_against_removing(mesh, f));
+  detail::enforce("remove_triangle", remove_triangle_blocker(mesh, f));
   Delta delta;
   // unglue() of the halfedge on this side leaves the edge and the vertices to the faces beyond it.
   for (const Halfedge side : sides_of_triangle(mesh, f)) {

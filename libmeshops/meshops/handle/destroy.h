@@ -3,9 +3,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/core/delta.h"
 #include "meshops/handle/effect.h"
@@ -15,7 +15,7 @@ namespace meshops {
 /// Returns why `f` cannot be destroyed, or nothing when it can. The reasons: the mesh lacks status of some kind, there
 /// is no such face, it is no triangle, a side is glued to another face, or a corner has several fans (core/fans.h).
 /// Cost:     constant.
-MESHOPS_API std::optional<std::string> destroy_triangle_blocker(const Connectivity& mesh, Face f);
+MESHOPS_API std::optional<Blocker> destroy_triangle_blocker(const Connectivity& mesh, Face f);
 
 /// Marks a triangle that is a component of its own as deleted, with its edges and vertices.
 /// Returns:  delta_of_destroy().
@@ -28,7 +28,7 @@ MESHOPS_API Delta destroy_triangle(Connectivity& mesh, Face f);
 /// Returns why `f` cannot be removed, or nothing when it can. The reasons: the mesh lacks status of some kind, there is
 /// no such face, it is no triangle, or a corner has several fans (core/fans.h).
 /// Cost:     the degrees of the corners that are on the boundary.
-MESHOPS_API std::optional<std::string> remove_triangle_blocker(const Connectivity& mesh, Face f);
+MESHOPS_API std::optional<Blocker> remove_triangle_blocker(const Connectivity& mesh, Face f);
 
 /// Unglues the glued sides of a triangle and destroys the triangle. Where the remaining faces would touch each other
 /// only in a corner, the corner becomes several vertices with the same properties, one for each fan.

@@ -10,14 +10,15 @@
 namespace meshops {
 namespace {
 
-/// Returns why the vertex that the boundary halfedge `out` leaves cannot become one with `other`, or nullptr when it
+/// Returns why the vertex that the boundary halfedge `out` leaves cannot become one with `other`, or nothing when it
 /// can. Walks once through the fan of the vertex.
-const char* reason_at(const Connectivity& mesh, Halfedge out, Vertex other) {
+std::optional<Blocker> blocker_at(const Connectivity& mesh, Halfedge out, Vertex other) {
   for (Halfedge h = out;;) {
-    if (mesh.to_vertex_handle(h) == other) return "an edge joins two vertices that would become one";
+    if (mesh.to_vertex_handle(h) == other) return Blocker(BlockerKind::loop_edge, mesh.edge_handle(h));
     const Halfedge in = mesh.opposite_halfedge_handle(h);
     h = mesh.next_halfedge_handle(in);
-    if (mesh.is_boundary(in)) return h == out ? nullptr : detail::several_fans;
+    if (mesh.is_boundary(in))
+      return h == out ? std::nullopt : std::optional(Blocker(BlockerKind::several_fans, mesh.from_vertex_handle(out)));
   }
 }
 
@@ -36,18 +37,27 @@ Vertex merge(Connectivity& mesh, Vertex a, Vertex b) {
 
 namespace detail {
 
-const char* merge_refusal(const Connectivity& mesh, Halfedge out, Halfedge other_out) {
+std::optional<Blocker> merge_blocker(const Connectivity& mesh, Halfedge out, Halfedge other_out) {
   if (out != other_out)
-    if (const char* reason = reason_at(mesh, out, mesh.from_vertex_handle(other_out))) return reason;
-  return has_other_fans(mesh, other_out) ? several_fans : nullptr;
+    if (const auto reason = blocker_at(mesh, out, mesh.from_vertex_handle(other_out))) return reason;
+  if (has_other_fans(mesh, other_out)) return Blocker(BlockerKind::several_fans, mesh.from_vertex_handle(other_out));
+  return std::nullopt;
 }
 
-const char* glue_refusal(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  if (!is_live(mesh, first) || !is_live(mesh, second)) return "a halfedge does not exist or is deleted";
-  if (mesh.edge_handle(first) == mesh.edge_handle(second)) return "both halfedges are of one edge";
-  if (!mesh.is_boundary(first) || !mesh.is_boundary(second)) return "a halfedge is not on the boundary";
-  if (const char* reason = merge_refusal(mesh, first, mesh.next_halfedge_handle(second))) return reason;
-  return merge_refusal(mesh, mesh.next_halfedge_handle(first), second);
+std::optional<Blocker> boundary_blocker(const Connectivity& mesh, Halfedge first, Halfedge second) {
+  for (const Halfedge h : {first, second})
+    if (!is_live(mesh, h)) return Blocker(BlockerKind::missing, h);
+  for (const Halfedge h : {first, second})
+    if (!mesh.is_boundary(h)) return Blocker(BlockerKind::not_on_boundary, h);
+  return std::nullopt;
+}
+
+std::optional<Blocker> glue_links_blocker(const Connectivity& mesh, Halfedge first, Halfedge second) {
+  if (is_live(mesh, first) && mesh.edge_handle(first) == mesh.edge_handle(second))
+    return Blocker(BlockerKind::same_edge, mesh.edge_handle(first));
+  if (const auto reason = boundary_blocker(mesh, first, second)) return reason;
+  if (const auto reason = merge_blocker(mesh, first, mesh.next_halfedge_handle(second))) return reason;
+  return merge_blocker(mesh, mesh.next_halfedge_handle(first), second);
 }
 
 GlueCase case_of_glue(const Connectivity& mesh, Halfedge first, Halfedge second) {
@@ -103,31 +113,23 @@ GlueEffect glue_links(Connectivity& mesh, Halfedge first, Halfedge second, GlueC
 
 }  // namespace detail
 
-namespace {
-
-const char* refusal(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  const char* reason = detail::status_refusal(mesh);
-  return reason != nullptr ? reason : detail::glue_refusal(mesh, first, second);
-}
-
-}  // namespace
-
-std::optional<std::string> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  return detail::as_blocker(refusal(mesh, first, second));
+std::optional<Blocker> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second) {
+  const auto reason = detail::status_blocker(mesh);
+  return reason ? reason : detail::glue_links_blocker(mesh, first, second);
 }
 
 GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  detail::enforce("glue_case", detail::glue_refusal(mesh, first, second));
+  detail::enforce("glue_case", detail::glue_links_blocker(mesh, first, second));
   return detail::case_of_glue(mesh, first, second);
 }
 
 GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second) {
-  detail::enforce("glue", refusal(mesh, first, second));
+  detail::enforce("glue", glue_blocker(mesh, first, second));
   return detail::glue_links(mesh, first, second, detail::case_of_glue(mesh, first, second));
 }
 
 GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what) {
-  detail::enforce("glue", refusal(mesh, first, second));
+  detail::enforce("glue", glue_blocker(mesh, first, second));
   return detail::glue_links(mesh, first, second, what);
 }
 

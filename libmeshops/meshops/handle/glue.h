@@ -4,9 +4,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/handle/effect.h"
 
@@ -28,7 +28,7 @@ struct GlueEffect {
 /// some kind, one of the two does not exist or is not a boundary halfedge, both are of one edge, an edge joins two
 /// vertices that would become one (that edge would become a loop), or an end has several fans (core/fans.h).
 /// Cost:     the degrees of the ends.
-MESHOPS_API std::optional<std::string> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
+MESHOPS_API std::optional<Blocker> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// Returns the case of glue() for these boundary halfedges.
 /// Requires: glue_blocker() is empty, except that the mesh needs no status. Throws ContractViolation.

@@ -105,14 +105,6 @@ GlueCase case_of_unglue(const Connectivity& mesh, Halfedge h, const End& start, 
 
 namespace detail {
 
-const char* unglue_refusal(const Connectivity& mesh, Halfedge h) {
-  if (!is_live(mesh, h)) return "the halfedge does not exist or is deleted";
-  if (mesh.is_boundary(mesh.edge_handle(h))) return "the edge is on the boundary";
-  for (const Vertex end : {mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)})
-    if (has_several_fans(mesh, end)) return several_fans;
-  return nullptr;
-}
-
 UnglueEffect unglue_links(Connectivity& mesh, Halfedge h) {
   const End start(mesh, mesh.from_vertex_handle(h)), end(mesh, mesh.to_vertex_handle(h));
   const GlueCase what = case_of_unglue(mesh, h, start, end);
@@ -128,25 +120,28 @@ UnglueEffect unglue_links(Connectivity& mesh, Halfedge h) {
 
 }  // namespace detail
 
-std::optional<std::string> unglue_blocker(const Connectivity& mesh, Halfedge h) {
-  return detail::as_blocker(detail::unglue_refusal(mesh, h));
+std::optional<Blocker> unglue_blocker(const Connectivity& mesh, Halfedge h) {
+  if (!is_live(mesh, h)) return Blocker(BlockerKind::missing, h);
+  if (mesh.is_boundary(mesh.edge_handle(h))) return Blocker(BlockerKind::on_boundary, mesh.edge_handle(h));
+  for (const Vertex end : {mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)})
+    if (has_several_fans(mesh, end)) return Blocker(BlockerKind::several_fans, end);
+  return std::nullopt;
 }
 
 GlueCase unglue_case(const Connectivity& mesh, Halfedge h) {
-  detail::enforce("unglue_case", detail::unglue_refusal(mesh, h));
+  detail::enforce("unglue_case", unglue_blocker(mesh, h));
   return case_of_unglue(mesh, h, End(mesh, mesh.from_vertex_handle(h)), End(mesh, mesh.to_vertex_handle(h)));
 }
 
 UnglueEffect unglue(Connectivity& mesh, Halfedge h) {
-  detail::enforce("unglue", detail::unglue_refusal(mesh, h));
+  detail::enforce("unglue", unglue_blocker(mesh, h));
   return detail::unglue_links(mesh, h);
 }
 
 UnglueEffect unglue(Connectivity& mesh, const GlueEffect& effect) {
-  require(has_status(mesh),
-          "unglue: the mesh needs status of every kind to know what is deleted (request_vertex_status() and so on)");
+  detail::require_status(mesh, "unglue");
   const Halfedge h = effect.survivor;
-  detail::enforce("unglue", detail::unglue_refusal(mesh, h));
+  detail::enforce("unglue", unglue_blocker(mesh, h));
   const End start(mesh, mesh.from_vertex_handle(h)), end(mesh, mesh.to_vertex_handle(h));
   const auto is_dead = [&](auto element, std::size_t count) {
     return element.is_valid() && static_cast<std::size_t>(element.idx()) < count && !is_live(mesh, element);

@@ -7,9 +7,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/handle/effect.h"
 #include "meshops/handle/glue.h"
@@ -28,7 +28,7 @@ struct UnglueEffect {
 /// Returns why the edge of `h` cannot be unglued, or nothing when it can. The reasons: the halfedge does not exist, its
 /// edge is on the boundary, or an end has several fans (core/fans.h).
 /// Cost:     the degrees of the ends that are on the boundary.
-MESHOPS_API std::optional<std::string> unglue_blocker(const Connectivity& mesh, Halfedge h);
+MESHOPS_API std::optional<Blocker> unglue_blocker(const Connectivity& mesh, Halfedge h);
 
 /// Returns the case of glue() of which unglue() would be the inverse.
 /// Requires: unglue_blocker() is empty. Throws ContractViolation.

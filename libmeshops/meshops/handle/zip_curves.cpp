@@ -20,17 +20,16 @@ std::size_t length_of_curve(const Connectivity& mesh, Halfedge through) {
 
 }  // namespace
 
-std::optional<std::string> zip_curves_blocker(const Connectivity& mesh, Halfedge first, Halfedge second) {
-  if (const char* reason = detail::status_refusal(mesh)) return reason;
-  if (!is_live(mesh, first) || !is_live(mesh, second)) return "a halfedge does not exist or is deleted";
-  if (!mesh.is_boundary(first) || !mesh.is_boundary(second)) return "a halfedge is not on the boundary";
-  if (on_same_curve(mesh, first, second)) return "both halfedges are on one curve";
-  if (const std::size_t a = length_of_curve(mesh, first), b = length_of_curve(mesh, second); a != b)
-    return "the curves have " + std::to_string(a) + " and " + std::to_string(b) + " edges";
+std::optional<Blocker> zip_curves_blocker(const Connectivity& mesh, Halfedge first, Halfedge second) {
+  if (const auto reason = detail::status_blocker(mesh)) return reason;
+  if (const auto reason = detail::boundary_blocker(mesh, first, second)) return reason;
+  if (on_same_curve(mesh, first, second)) return Blocker(BlockerKind::same_curve, second);
+  if (const std::size_t edges = length_of_curve(mesh, second); edges != length_of_curve(mesh, first))
+    return Blocker(BlockerKind::curve_length, second, static_cast<int>(edges));
   // Each vertex of one curve merges with one vertex of the other, so that checking every pair beforehand covers all.
   Halfedge h = first, g = second;
   do {
-    if (const char* reason = detail::merge_refusal(mesh, h, mesh.next_halfedge_handle(g))) return reason;
+    if (const auto reason = detail::merge_blocker(mesh, h, mesh.next_halfedge_handle(g))) return reason;
     h = mesh.next_halfedge_handle(h);
     g = mesh.prev_halfedge_handle(g);
   } while (h != first);
@@ -38,19 +37,23 @@ std::optional<std::string> zip_curves_blocker(const Connectivity& mesh, Halfedge
 }
 
 ZipCurvesEffect zip_curves(Connectivity& mesh, Halfedge first, Halfedge second) {
-  if (const auto blocker = zip_curves_blocker(mesh, first, second)) throw ContractViolation("zip_curves: " + *blocker);
+  detail::enforce("zip_curves", zip_curves_blocker(mesh, first, second));
   const std::size_t edges = length_of_curve(mesh, first);
-  ZipCurvesEffect effect{GlueCase::join, edges};
+  ZipCurvesEffect effect;
+  effect.glued.reserve(edges);
   Halfedge h = first, g = second;
   for (std::size_t i = 0; i < edges; ++i) {
     const Halfedge next = mesh.next_halfedge_handle(h), previous = mesh.prev_halfedge_handle(g);
     const GlueCase what = i == 0 ? detail::case_of_glue(mesh, h, g) : i + 1 < edges ? GlueCase::zip : GlueCase::close;
-    if (i == 0) effect.begins_with = what;
-    detail::glue_links(mesh, h, g, what);
+    effect.glued.push_back(detail::glue_links(mesh, h, g, what));
     h = next;
     g = previous;
   }
   return effect;
+}
+
+void undo(Connectivity& mesh, const ZipCurvesEffect& effect) {
+  for (std::size_t i = effect.glued.size(); i-- > 0;) unglue(mesh, effect.glued[i]);
 }
 
 }  // namespace meshops

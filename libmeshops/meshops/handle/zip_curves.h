@@ -4,25 +4,24 @@
 // Source: Lewiner et al., Topological mesh operators, section on handle operators.
 #pragma once
 
-#include <cstddef>
 #include <optional>
-#include <string>
+#include <vector>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/handle/effect.h"
+#include "meshops/handle/glue.h"
 
 namespace meshops {
 
 struct ZipCurvesEffect {
-  GlueCase begins_with;  ///< join or handle
-  std::size_t edges;     ///< number of edges of the seam, which runs from `first` along its curve
+  std::vector<GlueEffect> glued;  ///< the edges of the seam, which runs from `first` along its curve
 
+  GlueCase begins_with() const { return glued.front().what; }  ///< join or handle
   Delta delta() const {
-    Delta sum = delta_of(begins_with) + delta_of(GlueCase::close);
-    const int zips = static_cast<int>(edges) - 2;
-    sum.vertices += zips * delta_of(GlueCase::zip).vertices;
-    sum.edges += zips * delta_of(GlueCase::zip).edges;
+    Delta sum;
+    for (const GlueEffect& edge : glued) sum = sum + edge.delta();
     return sum;
   }
 };
@@ -31,7 +30,7 @@ struct ZipCurvesEffect {
 /// lacks status of some kind, a halfedge does not exist or is not on the boundary, both are on one curve, the lengths
 /// differ, an edge joins two vertices that would become one, or a vertex has several fans (core/fans.h).
 /// Cost:     the degrees of the vertices on both curves.
-MESHOPS_API std::optional<std::string> zip_curves_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
+MESHOPS_API std::optional<Blocker> zip_curves_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// Glues `first` to `second`, the edge after `first` to the edge before `second`, and so on all around. The two curves
 /// become one closed seam of inner edges. Use it for pieces that were built separately.
@@ -40,8 +39,13 @@ MESHOPS_API std::optional<std::string> zip_curves_blocker(const Connectivity& me
 /// Requires:    zip_curves_blocker() is empty; the mesh has status of every kind.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the curve through `second`.
-/// Inverse:     unglue() of the seam, from its last edge to its first.
+/// Inverse:     undo(), exactly.
 /// Cost:        as one glue(), plus the degrees of the vertices on both curves.
 MESHOPS_API ZipCurvesEffect zip_curves(Connectivity& mesh, Halfedge first, Halfedge second);
+
+/// Unglues the seam, from its last edge to its first. If the mesh is as zip_curves() left it, every record is restored.
+/// Requires: as unglue() of each effect in `glued`. Throws ContractViolation at the first edge that cannot be unglued;
+///           edges after it on the seam stay unglued.
+MESHOPS_API void undo(Connectivity& mesh, const ZipCurvesEffect& effect);
 
 }  // namespace meshops

@@ -24,33 +24,67 @@ std::vector<Halfedge> sides_of(const Connectivity& mesh, Face f) {
   return sides;
 }
 
-}  // namespace
-
-History::History(Connectivity& mesh) : mesh_(mesh) {
-  require(has_status(mesh),
-          "History: the mesh needs status of every kind to mark what is deleted (request_vertex_status() and so on)");
+std::vector<Vertex> corners_of(const Connectivity& mesh, Face f) {
+  std::vector<Vertex> corners;
+  for (const Halfedge side : sides_of(mesh, f)) corners.push_back(mesh.from_vertex_handle(side));
+  return corners;
 }
 
-Halfedge History::create_triangle() {
-  return perform<Halfedge>([this] {
-    const Halfedge side = meshops::create_triangle(mesh_);
-    return std::pair(side, [this, f = mesh_.face_handle(side)] { meshops::destroy_triangle(mesh_, f); });
+/// Undoes destroy_triangle(). All records except the halfedges of the corners are as they were; the halfedge of a
+/// corner is the only boundary halfedge that leaves the corner.
+void revive(Connectivity& mesh, Face f) {
+  mesh.status(f).set_deleted(false);
+  for (const Halfedge side : sides_of(mesh, f)) {
+    revive(mesh, mesh.edge_handle(side));
+    mesh.status(mesh.to_vertex_handle(side)).set_deleted(false);
+    mesh.set_halfedge_handle(mesh.to_vertex_handle(side), mesh.opposite_halfedge_handle(side));
+  }
+}
+
+}  // namespace
+
+History::History(Connectivity& mesh) : mesh_(mesh) { detail::require_status(mesh, "History"); }
+
+CreateTriangleEffect History::create_triangle() {
+  return perform<CreateTriangleEffect>([this] {
+    const CreateTriangleEffect effect = meshops::create_triangle(mesh_);
+    return std::pair(effect, [this, f = effect.face] { meshops::destroy_triangle(mesh_, f); });
   });
 }
 
 void History::destroy_triangle(Face f) {
   perform<Delta>([this, f] {
     const Delta delta = meshops::destroy_triangle(mesh_, f);
-    // All records except the halfedges of the corners are as they were; the halfedge of a corner is the only boundary
-    // halfedge that leaves the corner.
-    return std::pair(delta, [this, f] {
-      mesh_.status(f).set_deleted(false);
-      for (const Halfedge side : sides_of(mesh_, f)) {
-        revive(mesh_, mesh_.edge_handle(side));
-        mesh_.status(mesh_.to_vertex_handle(side)).set_deleted(false);
-        mesh_.set_halfedge_handle(mesh_.to_vertex_handle(side), mesh_.opposite_halfedge_handle(side));
+    return std::pair(delta, [this, f] { revive(mesh_, f); });
+  });
+}
+
+Delta History::remove_triangle(Face f) {
+  return perform<Delta>([this, f] {
+    detail::enforce("remove_triangle", remove_triangle_blocker(mesh_, f));
+    const std::vector<Halfedge> sides = sides_of(mesh_, f);
+    const Undo name = named_again(corners_of(mesh_, f));
+    Delta delta;
+    std::vector<UnglueEffect> unglued;
+    for (const Halfedge side : sides)
+      if (!mesh_.is_boundary(mesh_.opposite_halfedge_handle(side))) {
+        unglued.push_back(meshops::unglue(mesh_, side));
+        delta = delta + unglued.back().delta();
       }
+    delta = delta + meshops::destroy_triangle(mesh_, f);
+    return std::pair(delta, [this, f, unglued, name] {
+      revive(mesh_, f);
+      for (auto one = unglued.rbegin(); one != unglued.rend(); ++one)
+        meshops::glue(mesh_, one->first, one->second, one->what);
+      name();
     });
+  });
+}
+
+ZipCurvesEffect History::zip_curves(Halfedge first, Halfedge second) {
+  return perform<ZipCurvesEffect>([this, first, second] {
+    const ZipCurvesEffect effect = meshops::zip_curves(mesh_, first, second);
+    return std::pair(effect, [this, effect] { meshops::undo(mesh_, effect); });
   });
 }
 
@@ -64,7 +98,7 @@ GlueEffect History::glue(Halfedge first, Halfedge second) {
 
 UnglueEffect History::unglue(Halfedge h) {
   return perform<UnglueEffect>([this, h] {
-    if (const auto blocker = unglue_blocker(mesh_, h)) throw ContractViolation("unglue: " + *blocker);
+    detail::enforce("unglue", unglue_blocker(mesh_, h));
     const Undo name = named_again({mesh_.from_vertex_handle(h), mesh_.to_vertex_handle(h)});
     const UnglueEffect effect = meshops::unglue(mesh_, h);
     return std::pair(effect, [this, effect, name] {
@@ -83,10 +117,8 @@ CloseCurveEffect History::close_curve(Halfedge h) {
 
 OpenCurveEffect History::open_curve(Face f) {
   return perform<OpenCurveEffect>([this, f] {
-    if (const auto blocker = open_curve_blocker(mesh_, f)) throw ContractViolation("open_curve: " + *blocker);
-    std::vector<Vertex> corners;
-    for (const Halfedge side : sides_of(mesh_, f)) corners.push_back(mesh_.from_vertex_handle(side));
-    const Undo name = named_again(std::move(corners));
+    detail::enforce("open_curve", open_curve_blocker(mesh_, f));
+    const Undo name = named_again(corners_of(mesh_, f));
     const OpenCurveEffect effect = meshops::open_curve(mesh_, f);
     return std::pair(effect, [this, f, name] {
       mesh_.status(f).set_deleted(false);
@@ -128,7 +160,7 @@ InsertDiagonalEffect History::insert_diagonal(Halfedge from, Halfedge to, Keep k
 
 RemoveDiagonalEffect History::remove_diagonal(Halfedge h) {
   return perform<RemoveDiagonalEffect>([this, h] {
-    if (const auto blocker = remove_diagonal_blocker(mesh_, h)) throw ContractViolation("remove_diagonal: " + *blocker);
+    detail::enforce("remove_diagonal", remove_diagonal_blocker(mesh_, h));
     const Halfedge o = mesh_.opposite_halfedge_handle(h);
     const Halfedge named = mesh_.halfedge_handle(mesh_.face_handle(o));
     const std::vector<Halfedge> before = {mesh_.prev_halfedge_handle(h), mesh_.prev_halfedge_handle(o)};
@@ -163,6 +195,13 @@ SplitVertexEffect History::split_vertex(std::optional<Halfedge> left, std::optio
 
 History::Undo History::undo_of_split(Halfedge halfedge) {
   return [this, halfedge] { meshops::collapse(mesh_, halfedge, Keep::manifold); };
+}
+
+History::Undo History::undo_of_diagonals(const std::vector<Halfedge>& diagonals) {
+  return [this, diagonals] {
+    for (auto diagonal = diagonals.rbegin(); diagonal != diagonals.rend(); ++diagonal)
+      meshops::remove_diagonal(mesh_, *diagonal);
+  };
 }
 
 History::Undo History::undo_of_weld(const WeldEffect& effect) {

@@ -16,8 +16,10 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/element_counts.h"
 #include "meshops/handle/close_curve.h"
+#include "meshops/handle/create.h"
 #include "meshops/handle/glue.h"
 #include "meshops/handle/unglue.h"
+#include "meshops/handle/zip_curves.h"
 #include "meshops/stellar/collapse.h"
 #include "meshops/stellar/diagonal.h"
 #include "meshops/stellar/flip.h"
@@ -25,6 +27,7 @@
 #include "meshops/stellar/split_edge.h"
 #include "meshops/stellar/split_face.h"
 #include "meshops/stellar/split_vertex.h"
+#include "meshops/stellar/triangulate_face.h"
 #include "meshops/stellar/weld_edge.h"
 #include "meshops/stellar/weld_face.h"
 
@@ -43,12 +46,14 @@ class MESHOPS_API History {
  public:
   explicit History(Connectivity& mesh);
 
-  Halfedge create_triangle();
+  CreateTriangleEffect create_triangle();
   void destroy_triangle(Face f);
+  Delta remove_triangle(Face f);
   GlueEffect glue(Halfedge first, Halfedge second);
   UnglueEffect unglue(Halfedge h);
   CloseCurveEffect close_curve(Halfedge h);
   OpenCurveEffect open_curve(Face f);
+  ZipCurvesEffect zip_curves(Halfedge first, Halfedge second);
 
   FlipEffect flip(Edge e, Keep keep = Keep::simplicial);
   WeldEffect collapse(Halfedge h, Keep keep = Keep::simplicial);
@@ -61,6 +66,15 @@ class MESHOPS_API History {
   SplitFaceEffect split_face(Face f);
   SplitVertexEffect split_vertex(std::optional<Halfedge> left, std::optional<Halfedge> right,
                                  Keep keep = Keep::simplicial);
+  /// Triangulates with a copy of the weight, which redo() calls again: it must then return what it returned before.
+  template <TriangleWeight Weight>
+  TriangulateFaceEffect triangulate_face(Face f, Weight weight, Keep keep = Keep::simplicial) {
+    return perform<TriangulateFaceEffect>([this, f, weight, keep] {
+      TriangulateFaceEffect effect = meshops::triangulate_face(mesh_, f, weight, keep);
+      Undo undo = undo_of_diagonals(effect.diagonals);
+      return std::pair(std::move(effect), std::move(undo));
+    });
+  }
   /// Splits with a hook (split_hooks.h), by default PlaceVertex: split_edge(mesh, h, CarryOver()). A copy of the hook
   /// is kept, and called again by redo(): objects to which it refers must still exist then.
   /// Requires: `mesh` is the mesh of the history. Throws ContractViolation.
@@ -132,6 +146,7 @@ class MESHOPS_API History {
     });
   }
   Undo undo_of_split(Halfedge halfedge);
+  Undo undo_of_diagonals(const std::vector<Halfedge>& diagonals);
   Undo undo_of_weld(const WeldEffect& effect);
   Undo named_again(std::vector<Vertex> vertices) const;
   void require_own() const;

@@ -6,12 +6,14 @@
 #pragma once
 
 #include <optional>
-#include <string>
+#include <variant>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/stellar/count_effects.h"
 #include "meshops/stellar/keep.h"
+#include "meshops/stellar/split_hooks.h"
 
 namespace meshops {
 
@@ -20,8 +22,7 @@ namespace meshops {
 /// which would become a pinch; a second edge joins its ends and would become a loop; nothing but an edge would be left
 /// of the component; the start of h has several fans (core/fans.h); with Keep::simplicial, the link condition fails:
 /// the ends have a common neighbor other than the apexes, or both have three edges on a tetrahedron.
-MESHOPS_API std::optional<std::string> collapse_blocker(const Connectivity& mesh, Halfedge h,
-                                                        Keep keep = Keep::simplicial);
+MESHOPS_API std::optional<Blocker> collapse_blocker(const Connectivity& mesh, Halfedge h, Keep keep = Keep::simplicial);
 
 /// Merges the vertex v of h = v→w into w, which takes over the fan of v; the triangles at h close.
 /// Effect:      v, the edge of h, the edges from v to the apexes, and the faces at h are marked deleted. Every
@@ -35,5 +36,17 @@ MESHOPS_API std::optional<std::string> collapse_blocker(const Connectivity& mesh
 /// Δ:           V −1, E −3, F −2; along a boundary edge V −1, E −2, F −1; the topology stays.
 /// Cost:        the degree of v; Keep::simplicial: for each edge of v, up to twice the degree of w.
 MESHOPS_API WeldEffect collapse(Connectivity& mesh, Halfedge h, Keep keep = Keep::simplicial);
+
+/// Collapses h, or returns why it cannot be collapsed: collapse_blocker() and collapse() with one test of the links.
+MESHOPS_API std::variant<WeldEffect, Blocker> try_collapse(Connectivity& mesh, Halfedge h,
+                                                           Keep keep = Keep::simplicial);
+
+/// Collapses h and then calls hook(mesh, effect) (split_hooks.h): PlaceVertex, Interpolate, or any callable, which may
+/// place the surviving vertex and give it properties. The removed elements still have theirs.
+/// Throws: ContractViolation, and what the hook throws; the mesh is then as before, except for what the hook wrote.
+template <typename Mesh, SplitHook<Mesh, WeldEffect> Hook>
+WeldEffect collapse(Mesh& mesh, Halfedge h, Hook hook, Keep keep = Keep::simplicial) {
+  return detail::with_hook(mesh, collapse(static_cast<Connectivity&>(mesh), h, keep), hook);
+}
 
 }  // namespace meshops

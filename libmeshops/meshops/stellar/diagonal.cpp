@@ -4,34 +4,6 @@
 #include "meshops/stellar/relink.h"
 
 namespace meshops {
-namespace {
-
-const char* refusal(const Connectivity& mesh, Halfedge from, Halfedge to, Keep keep) {
-  if (!is_live(mesh, from) || !is_live(mesh, to)) return "a halfedge does not exist or is deleted";
-  if (mesh.is_boundary(from) || mesh.face_handle(from) != mesh.face_handle(to))
-    return "the halfedges are not sides of one face";
-  if (from == to || mesh.next_halfedge_handle(from) == to || mesh.next_halfedge_handle(to) == from)
-    return "the corners are neighbors: a face of two sides would be left";
-  const Vertex a = mesh.from_vertex_handle(from), b = mesh.from_vertex_handle(to);
-  if (a == b) return "both corners are one vertex: the edge would be a loop";
-  if (keep == Keep::manifold) return nullptr;
-  if (detail::are_joined(mesh, a, b)) return "two edges would join the same vertices";
-  const Halfedge second = mesh.next_halfedge_handle(from), fourth = mesh.next_halfedge_handle(to);
-  const bool is_quadrangle = mesh.next_halfedge_handle(second) == to && mesh.next_halfedge_handle(fourth) == from;
-  return is_quadrangle && mesh.from_vertex_handle(second) == mesh.from_vertex_handle(fourth)
-             ? "two triangles would have the same corners"
-             : nullptr;
-}
-
-const char* refusal(const Connectivity& mesh, Halfedge h) {
-  if (const char* reason = detail::status_refusal(mesh)) return reason;
-  if (!is_live(mesh, h)) return "the halfedge does not exist or is deleted";
-  const Halfedge o = mesh.opposite_halfedge_handle(h);
-  if (mesh.is_boundary(h) || mesh.is_boundary(o)) return "the edge is on the boundary";
-  return mesh.face_handle(h) == mesh.face_handle(o) ? "the face lies on both sides of the edge" : nullptr;
-}
-
-}  // namespace
 
 Halfedge detail::cut_face(Connectivity& mesh, Halfedge from, Halfedge to, Halfedge diagonal, Face added) {
   const Face face = mesh.face_handle(from);
@@ -57,24 +29,43 @@ Halfedge detail::cut_face(Connectivity& mesh, Halfedge from, Halfedge to, Halfed
   return side;
 }
 
-std::optional<std::string> insert_diagonal_blocker(const Connectivity& mesh, Halfedge from, Halfedge to, Keep keep) {
-  return detail::as_blocker(refusal(mesh, from, to, keep));
+std::optional<Blocker> insert_diagonal_blocker(const Connectivity& mesh, Halfedge from, Halfedge to, Keep keep) {
+  for (const Halfedge h : {from, to})
+    if (!is_live(mesh, h)) return Blocker(BlockerKind::missing, h);
+  const Face face = mesh.face_handle(from);
+  if (mesh.is_boundary(from) || face != mesh.face_handle(to)) return Blocker(BlockerKind::other_face, to);
+  if (from == to || mesh.next_halfedge_handle(from) == to || mesh.next_halfedge_handle(to) == from)
+    return Blocker(BlockerKind::corners_adjacent, to);
+  const Vertex a = mesh.from_vertex_handle(from), b = mesh.from_vertex_handle(to);
+  if (a == b) return Blocker(BlockerKind::corner_repeated, a);
+  if (keep == Keep::manifold) return std::nullopt;
+  if (detail::are_joined(mesh, a, b)) return Blocker(BlockerKind::double_edge, a);
+  const Halfedge second = mesh.next_halfedge_handle(from), fourth = mesh.next_halfedge_handle(to);
+  const bool is_quadrangle = mesh.next_halfedge_handle(second) == to && mesh.next_halfedge_handle(fourth) == from;
+  if (is_quadrangle && mesh.from_vertex_handle(second) == mesh.from_vertex_handle(fourth))
+    return Blocker(BlockerKind::double_triangle, face);
+  return std::nullopt;
 }
 
 InsertDiagonalEffect insert_diagonal(Connectivity& mesh, Halfedge from, Halfedge to, Keep keep) {
-  detail::enforce("insert_diagonal", refusal(mesh, from, to, keep));
+  detail::enforce("insert_diagonal", insert_diagonal_blocker(mesh, from, to, keep));
   detail::AddedElements elements(mesh, 0, 1, 1);
   const Halfedge diagonal = elements.edge(mesh.from_vertex_handle(from), mesh.from_vertex_handle(to));
   const Face face = elements.face();
   return {detail::cut_face(mesh, from, to, diagonal, face), face};
 }
 
-std::optional<std::string> remove_diagonal_blocker(const Connectivity& mesh, Halfedge h) {
-  return detail::as_blocker(refusal(mesh, h));
+std::optional<Blocker> remove_diagonal_blocker(const Connectivity& mesh, Halfedge h) {
+  if (const auto reason = detail::status_blocker(mesh)) return reason;
+  if (!is_live(mesh, h)) return Blocker(BlockerKind::missing, h);
+  const Halfedge o = mesh.opposite_halfedge_handle(h);
+  if (mesh.is_boundary(h) || mesh.is_boundary(o)) return Blocker(BlockerKind::on_boundary, mesh.edge_handle(h));
+  const Face face = mesh.face_handle(h);
+  return face == mesh.face_handle(o) ? std::optional(Blocker(BlockerKind::face_on_both_sides, face)) : std::nullopt;
 }
 
 RemoveDiagonalEffect remove_diagonal(Connectivity& mesh, Halfedge h) {
-  detail::enforce("remove_diagonal", refusal(mesh, h));
+  detail::enforce("remove_diagonal", remove_diagonal_blocker(mesh, h));
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   const Halfedge after_h = mesh.next_halfedge_handle(h), before_h = mesh.prev_halfedge_handle(h);
   const Halfedge after_o = mesh.next_halfedge_handle(o), before_o = mesh.prev_halfedge_handle(o);

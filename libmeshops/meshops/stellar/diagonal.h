@@ -6,9 +6,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/core/delta.h"
 #include "meshops/stellar/keep.h"
@@ -34,8 +34,8 @@ struct RemoveDiagonalEffect {
 /// would be left) or one vertex (a loop); with Keep::simplicial, an edge joins the corners already, or the diagonal
 /// would make two triangles with the same corners, in a quadrangle that touches itself.
 /// Cost: constant; Keep::simplicial: the lesser degree of the two corners.
-MESHOPS_API std::optional<std::string> insert_diagonal_blocker(const Connectivity& mesh, Halfedge from, Halfedge to,
-                                                               Keep keep = Keep::simplicial);
+MESHOPS_API std::optional<Blocker> insert_diagonal_blocker(const Connectivity& mesh, Halfedge from, Halfedge to,
+                                                           Keep keep = Keep::simplicial);
 
 /// Cuts the face of which `from` and `to` are sides, along a new edge between the corners at which they start.
 /// Effect:      the old face keeps the part with mesh.halfedge_handle(face); the other part is a new face. New elements
@@ -51,7 +51,7 @@ MESHOPS_API InsertDiagonalEffect insert_diagonal(Connectivity& mesh, Halfedge fr
 
 /// Returns why the edge of h cannot be removed, or nothing when it can. The reasons: the mesh lacks status of some
 /// kind, the halfedge does not exist, its edge is on the boundary, or one face lies on both sides of the edge.
-MESHOPS_API std::optional<std::string> remove_diagonal_blocker(const Connectivity& mesh, Halfedge h);
+MESHOPS_API std::optional<Blocker> remove_diagonal_blocker(const Connectivity& mesh, Halfedge h);
 
 /// Removes the edge of h. The edge and the face of h are marked deleted; the face on the other side of the edge gets
 /// the sides of both. Two faces with several common edges become one face that touches itself.

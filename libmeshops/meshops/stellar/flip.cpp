@@ -30,17 +30,6 @@ bool apexes_are_joined(const Connectivity& mesh, const Quadrangle& q, Vertex c, 
   return false;
 }
 
-const char* refusal(const Connectivity& mesh, Edge e, Keep keep) {
-  if (!is_live(mesh, e)) return "the edge does not exist or is deleted";
-  const Quadrangle q(mesh, e);
-  if (mesh.is_boundary(q.h) || mesh.is_boundary(q.o)) return "the edge is on the boundary";
-  if (!detail::is_triangle(mesh, q.h) || !detail::is_triangle(mesh, q.o)) return "a face is not a triangle";
-  const Vertex c = mesh.to_vertex_handle(q.bc), d = mesh.to_vertex_handle(q.ad);
-  if (c == d) return "both triangles have the same apex: the edge would become a loop";
-  if (keep == Keep::simplicial && apexes_are_joined(mesh, q, c, d)) return "two edges would join the same vertices";
-  return nullptr;
-}
-
 /// Links `h`, `after` and `before` to a loop in this order, and puts all three into the face of `h`.
 void link(Connectivity& mesh, Halfedge h, Halfedge after, Halfedge before) {
   const Face face = mesh.face_handle(h);
@@ -53,12 +42,20 @@ void link(Connectivity& mesh, Halfedge h, Halfedge after, Halfedge before) {
 
 }  // namespace
 
-std::optional<std::string> flip_blocker(const Connectivity& mesh, Edge e, Keep keep) {
-  return detail::as_blocker(refusal(mesh, e, keep));
+std::optional<Blocker> flip_blocker(const Connectivity& mesh, Edge e, Keep keep) {
+  if (!is_live(mesh, e)) return Blocker(BlockerKind::missing, e);
+  const Quadrangle q(mesh, e);
+  if (mesh.is_boundary(q.h) || mesh.is_boundary(q.o)) return Blocker(BlockerKind::on_boundary, e);
+  for (const Halfedge side : {q.h, q.o})
+    if (!detail::is_triangle(mesh, side)) return Blocker(BlockerKind::not_triangle, mesh.face_handle(side));
+  const Vertex c = mesh.to_vertex_handle(q.bc), d = mesh.to_vertex_handle(q.ad);
+  if (c == d) return Blocker(BlockerKind::loop_edge, e);
+  if (keep == Keep::simplicial && apexes_are_joined(mesh, q, c, d)) return Blocker(BlockerKind::double_edge, c);
+  return std::nullopt;
 }
 
 FlipEffect flip(Connectivity& mesh, Edge e, Keep keep) {
-  detail::enforce("flip", refusal(mesh, e, keep));
+  detail::enforce("flip", flip_blocker(mesh, e, keep));
   const Quadrangle q(mesh, e);
   const Face left = mesh.face_handle(q.h), right = mesh.face_handle(q.o);
   const Vertex a = mesh.to_vertex_handle(q.o), b = mesh.to_vertex_handle(q.h);
@@ -75,8 +72,7 @@ FlipEffect flip(Connectivity& mesh, Edge e, Keep keep) {
 }
 
 void undo(Connectivity& mesh, const FlipEffect& effect) {
-  if (const auto blocker = flip_blocker(mesh, effect.edge, Keep::manifold))
-    throw ContractViolation("undo: " + *blocker);
+  detail::enforce("undo", flip_blocker(mesh, effect.edge, Keep::manifold));
   // Now h = d→c with ca, ad on the left and db, bc on the right.
   const Halfedge h = mesh.halfedge_handle(effect.edge, 0), o = mesh.opposite_halfedge_handle(h);
   const Halfedge ca = mesh.next_halfedge_handle(h), ad = mesh.prev_halfedge_handle(h);

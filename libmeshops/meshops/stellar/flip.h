@@ -5,9 +5,9 @@
 
 #include <array>
 #include <optional>
-#include <string>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/core/delta.h"
 #include "meshops/stellar/keep.h"
@@ -24,7 +24,7 @@ struct FlipEffect {
 /// Returns why the edge cannot be flipped, or nothing when it can. The reasons: the edge does not exist or is deleted,
 /// it is on the boundary, a face at it is not a triangle, both triangles have the same apex (the edge would become a
 /// loop), or, with Keep::simplicial, an edge joins the two apexes.
-MESHOPS_API std::optional<std::string> flip_blocker(const Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
+MESHOPS_API std::optional<Blocker> flip_blocker(const Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
 /// Rotates the edge counter-clockwise in the quadrangle of its two triangles.
 /// Effect:      a halfedge a→b with the apex c on the left and d on the right becomes d→c. The face on its left stays

@@ -1,6 +1,6 @@
-// What: a split hook that gives the new vertex the mean of chosen vertex properties.
-// Law:  split_edge() sets the mean of both ends, split_face() the mean of the three corners, split_vertex() the value
-//       of the old vertex. A hook that throws leaves the mesh as it was before the split (split_hooks.h).
+// What: a hook that gives the new vertex of a split, or the survivor of a collapse, the mean of chosen properties.
+// Law:  split_edge() and collapse() set the mean of both ends, split_face() the mean of the three corners,
+//       split_vertex() the value of the old vertex. A hook that throws leaves the mesh as it was (split_hooks.h).
 #pragma once
 
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
@@ -123,6 +123,14 @@ class Interpolate {
       const Vertex corners[] = {mesh.to_vertex_handle(vw), mesh.to_vertex_handle(vc), mesh.to_vertex_handle(vd)};
       set_means(mesh, effect.added.vertex, corners);
     }
+  }
+
+  template <typename Mesh>
+  requires std::derived_from<Mesh, Connectivity>
+  void operator()(Mesh& mesh, const WeldEffect& effect) const {
+    if constexpr (HasPoints<Mesh>) PlaceVertex()(mesh, effect);
+    const Vertex ends[] = {effect.survivor, effect.removed.vertex};
+    set_means(mesh, effect.survivor, ends);
   }
 
  private:

@@ -184,17 +184,16 @@ bool parts_gaps(const Connectivity& mesh, Vertex w, std::optional<Halfedge> left
   return within > 1 || (within == 1 && !full_turn && gaps_between(*right, *left) > 0);
 }
 
-/// Returns a reason if two edges would join the new vertex to one of its neighbors; nullptr otherwise.
-const char* double_edge_refusal(const Connectivity& mesh, Vertex w, Halfedge left, Halfedge right) {
-  const char* const reason = "two edges would join the new vertex and the same other";
+/// Returns a neighbor of the new vertex to which two edges would join it; an invalid handle when there is none.
+Vertex joined_twice(const Connectivity& mesh, Vertex w, Halfedge left, Halfedge right) {
   const Vertex c = left.is_valid() ? mesh.to_vertex_handle(left) : Vertex();
   const Vertex d = right.is_valid() ? mesh.to_vertex_handle(right) : Vertex();
-  if (c == d) return reason;
+  if (c == d) return c;
   const Halfedge named = mesh.halfedge_handle(w);
   const Halfedge end = right.is_valid() ? right : ccw(mesh, named);
   for (Halfedge out = ccw(mesh, left.is_valid() ? left : named); out != end; out = ccw(mesh, out))
-    if (const Vertex to = mesh.to_vertex_handle(out); to == c || to == d) return reason;
-  return nullptr;
+    if (const Vertex to = mesh.to_vertex_handle(out); to == c || to == d) return to;
+  return Vertex();
 }
 
 }  // namespace
@@ -254,17 +253,18 @@ void open_vertex_again(Connectivity& mesh, const WeldEffect& effect) {
       mesh.set_halfedge_handle(removed.face[i], side);
 }
 
-const char* open_refusal(const Connectivity& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,
-                         Keep keep) {
-  if (!left && !right) return "both halfedges are left out";
-  if ((left && !is_live(mesh, *left)) || (right && !is_live(mesh, *right)))
-    return "a halfedge does not exist or is deleted";
+std::optional<Blocker> open_blocker(const Connectivity& mesh, std::optional<Halfedge> left,
+                                    std::optional<Halfedge> right, Keep keep) {
+  if (!left && !right) return Blocker(BlockerKind::none_given);
+  for (const auto& h : {left, right})
+    if (h && !is_live(mesh, *h)) return Blocker(BlockerKind::missing, *h);
   const Vertex w = mesh.from_vertex_handle(left ? *left : *right);
-  if (left && right && mesh.from_vertex_handle(*right) != w) return "the halfedges leave different vertices";
-  if ((!left || !right) && !mesh.is_boundary(w)) return "a halfedge is left out and the vertex is not on the boundary";
-  if (mesh.is_boundary(w) && parts_gaps(mesh, w, left, right)) return several_fans;
-  return keep == Keep::manifold ? nullptr
-                                : double_edge_refusal(mesh, w, left.value_or(Halfedge()), right.value_or(Halfedge()));
+  if (left && right && mesh.from_vertex_handle(*right) != w) return Blocker(BlockerKind::other_vertex, *right);
+  if ((!left || !right) && !mesh.is_boundary(w)) return Blocker(BlockerKind::not_on_boundary, w);
+  if (mesh.is_boundary(w) && parts_gaps(mesh, w, left, right)) return Blocker(BlockerKind::several_fans, w);
+  if (keep == Keep::manifold) return std::nullopt;
+  const Vertex twice = joined_twice(mesh, w, left.value_or(Halfedge()), right.value_or(Halfedge()));
+  return twice.is_valid() ? std::optional(Blocker(BlockerKind::double_edge, twice)) : std::nullopt;
 }
 
 WeldEffect close_links(Connectivity& mesh, Halfedge h) {
@@ -335,14 +335,13 @@ WeldEffect close_edge(Connectivity& mesh, Halfedge h) {
   return effect;
 }
 
-const char* close_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
+std::optional<Blocker> close_blocker(const Connectivity& mesh, Halfedge h, Keep keep) {
   const Star s(mesh, h);
   const Vertex v = mesh.to_vertex_handle(s.o), w = mesh.to_vertex_handle(s.h);
   const bool inner = s.has_left && s.has_right;
-  if ((s.has_left && !is_triangle(mesh, s.h)) || (s.has_right && !is_triangle(mesh, s.o)))
-    return "a face is not a triangle";
-  if (inner && mesh.is_boundary(v) && mesh.is_boundary(w))
-    return "an inner edge between two boundary vertices: they would become a pinch";
+  if (s.has_left && !is_triangle(mesh, s.h)) return Blocker(BlockerKind::not_triangle, mesh.face_handle(s.h));
+  if (s.has_right && !is_triangle(mesh, s.o)) return Blocker(BlockerKind::not_triangle, mesh.face_handle(s.o));
+  if (inner && mesh.is_boundary(v) && mesh.is_boundary(w)) return Blocker(BlockerKind::pinch, mesh.edge_handle(h));
 
   // Two edges that become one have no face left if neither has a face besides the triangle that closes.
   const Halfedge cw_left = mesh.opposite_halfedge_handle(s.wc), wd = mesh.opposite_halfedge_handle(s.dw);
@@ -354,20 +353,21 @@ const char* close_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
     only_edge_left = s.v_has_degree_two() || dangles(s.vc, s.dv);
   else if (s.v_has_degree_two())
     only_edge_left = dangles(cw_left, wd);
-  if (only_edge_left) return "nothing but an edge would be left of the component";
+  if (only_edge_left) return Blocker(BlockerKind::only_edge_left, mesh.edge_handle(h));
 
   const Halfedge end = s.has_right ? s.vd : s.h;
   const Halfedge start = s.v_has_degree_two() ? end : ccw(mesh, s.has_left ? s.vc : s.h);
   int gaps = (s.has_left ? mesh.is_boundary(s.vc) : 1);
   for (Halfedge out = start; out != end; out = ccw(mesh, out)) {
-    if (mesh.to_vertex_handle(out) == w) return "another edge joins the two vertices: it would become a loop";
+    if (mesh.to_vertex_handle(out) == w) return Blocker(BlockerKind::loop_edge, mesh.edge_handle(out));
     gaps += mesh.is_boundary(out);
   }
-  if (gaps > 1) return several_fans;
-  if (keep == Keep::manifold) return nullptr;
+  if (gaps > 1) return Blocker(BlockerKind::several_fans, v);
+  if (keep == Keep::manifold) return std::nullopt;
 
   for (Halfedge out = start; out != end; out = ccw(mesh, out))
-    if (are_joined(mesh, w, mesh.to_vertex_handle(out))) return "two edges would join the same vertices";
+    if (const Vertex to = mesh.to_vertex_handle(out); are_joined(mesh, w, to))
+      return Blocker(BlockerKind::double_edge, to);
   // If v has only one more face, between left and right, that face must not get the corners of another face of w.
   if (start == end && inner && is_triangle(mesh, s.vc)) {
     const Vertex c = mesh.to_vertex_handle(s.vc), d = mesh.to_vertex_handle(s.vd);
@@ -375,11 +375,11 @@ const char* close_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
     do {
       const Vertex to = mesh.to_vertex_handle(out), then = mesh.to_vertex_handle(mesh.next_halfedge_handle(out));
       if (((to == c && then == d) || (to == d && then == c)) && is_triangle(mesh, out))
-        return "two triangles would have the same corners";
+        return Blocker(BlockerKind::double_triangle, mesh.face_handle(out));
       out = cw(mesh, out);
     } while (out != s.o);
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 }  // namespace meshops::detail

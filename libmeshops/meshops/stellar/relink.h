@@ -1,13 +1,12 @@
 // What:  the two changes of links behind all stellar operators but the flip: opening a vertex to two, and closing two
 //        to one.
-// Law:   close_edge(open_vertex()) restores every live record. Only open_refusal() and close_refusal() check links.
+// Law:   close_edge(open_vertex()) restores every live record. Only open_blocker() and close_blocker() check links.
 #pragma once
 
 #include <optional>
-#include <string>
 
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
-#include "meshops/core/contract.h"
 #include "meshops/core/live.h"
 #include "meshops/stellar/count_effects.h"
 #include "meshops/stellar/keep.h"
@@ -42,10 +41,6 @@ inline void make_triangle(Connectivity& mesh, Face face, Halfedge a, Halfedge b,
 /// halfedge of the face goes to the face `added`. Returns the halfedge of the new edge that has `added` on its left.
 Halfedge cut_face(Connectivity& mesh, Halfedge from, Halfedge to, Halfedge diagonal, Face added);
 
-inline void require_status(const Connectivity& mesh, const char* operation) {
-  enforce(operation, status_refusal(mesh));
-}
-
 /// Makes `named` the halfedge of the vertex again, if it is live, leaves the vertex, and is on the boundary where the
 /// vertex is.
 inline void name_again(Connectivity& mesh, Vertex v, Halfedge named) {
@@ -63,18 +58,18 @@ SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge ri
 
 /// Opens a vertex as above, but reuses the elements that a weld marked deleted: edges and faces in the order in which
 /// close_edge() names them. The mesh is sound afterwards, whatever these elements were before.
-/// Requires: open_refusal() is null; the effect has `left` or `right`, and different elements, all marked deleted.
+/// Requires: open_blocker() is empty; the effect has `left` or `right`, and different elements, all marked deleted.
 void open_vertex_again(Connectivity& mesh, const WeldEffect& effect);
 
-/// Returns why split_vertex(left, right, keep) is refused, or nullptr when it is not.
-const char* open_refusal(const Connectivity& mesh, std::optional<Halfedge> left, std::optional<Halfedge> right,
-                         Keep keep);
+/// Returns why split_vertex(left, right, keep) is refused, or nothing when it is not.
+std::optional<Blocker> open_blocker(const Connectivity& mesh, std::optional<Halfedge> left,
+                                    std::optional<Halfedge> right, Keep keep);
 /// Merges the start of h into its end and closes the faces of h. Marks the removed elements deleted.
 WeldEffect close_edge(Connectivity& mesh, Halfedge h);
 /// Merges as close_edge() does, without marking anything deleted.
 WeldEffect close_links(Connectivity& mesh, Halfedge h);
 
-/// Returns why close_edge(h) is refused, or nullptr when it is not. Requires: h is live.
-const char* close_refusal(const Connectivity& mesh, Halfedge h, Keep keep);
+/// Returns why close_edge(h) is refused, or nothing when it is not. Requires: h is live.
+std::optional<Blocker> close_blocker(const Connectivity& mesh, Halfedge h, Keep keep);
 
 }  // namespace meshops::detail

@@ -4,9 +4,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/stellar/count_effects.h"
 #include "meshops/stellar/keep.h"
@@ -14,10 +14,10 @@
 namespace meshops {
 
 /// Returns why the vertex cannot be removed, or nothing when it can. The reasons: the mesh lacks status of some kind,
-/// the vertex does not exist, it is isolated, or none of its halfedges can be collapsed; the text then names the reason
-/// for mesh.halfedge_handle(v).
-MESHOPS_API std::optional<std::string> remove_vertex_blocker(const Connectivity& mesh, Vertex v,
-                                                             Keep keep = Keep::simplicial);
+/// the vertex does not exist, it is isolated, or none of its halfedges can be collapsed: then the reason is that of
+/// collapse_blocker() for mesh.halfedge_handle(v).
+MESHOPS_API std::optional<Blocker> remove_vertex_blocker(const Connectivity& mesh, Vertex v,
+                                                         Keep keep = Keep::simplicial);
 
 /// Collapses the first halfedge of v that has no blocker. Halfedges are tried from mesh.halfedge_handle(v) on,
 /// clockwise, in the order of mesh.voh_range(v).

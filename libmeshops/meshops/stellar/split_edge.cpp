@@ -6,16 +6,6 @@
 namespace meshops {
 namespace {
 
-const char* split_edge_refusal(const Connectivity& mesh, Halfedge h, Keep keep) {
-  if (!is_live(mesh, h)) return "the edge does not exist or is deleted";
-  const Halfedge o = mesh.opposite_halfedge_handle(h);
-  for (const Halfedge side : {h, o})
-    if (!mesh.is_boundary(side) && !detail::is_triangle(mesh, side)) return "a face is not a triangle";
-  if (keep == Keep::manifold || mesh.is_boundary(h) || mesh.is_boundary(o)) return nullptr;
-  const auto apex = [&](Halfedge side) { return mesh.to_vertex_handle(mesh.next_halfedge_handle(side)); };
-  return apex(h) == apex(o) ? "two edges would join the new vertex and the same other" : nullptr;
-}
-
 /// Replaces `side` in its face by `heir`, between `before` and `after`.
 void cut(Connectivity& mesh, Halfedge side, Halfedge heir, Halfedge before, Halfedge after) {
   const Face face = mesh.face_handle(side);
@@ -25,22 +15,26 @@ void cut(Connectivity& mesh, Halfedge side, Halfedge heir, Halfedge before, Half
   if (mesh.halfedge_handle(face) == side) mesh.set_halfedge_handle(face, heir);
 }
 
-Halfedge first_halfedge(const Connectivity& mesh, Edge e) {
-  return is_live(mesh, e) ? mesh.halfedge_handle(e, 0) : Halfedge();
-}
-
 }  // namespace
 
-std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Halfedge h, Keep keep) {
-  return detail::as_blocker(split_edge_refusal(mesh, h, keep));
+std::optional<Blocker> split_edge_blocker(const Connectivity& mesh, Halfedge h, Keep keep) {
+  if (!is_live(mesh, h)) return Blocker(BlockerKind::missing, h);
+  const Halfedge o = mesh.opposite_halfedge_handle(h);
+  for (const Halfedge side : {h, o})
+    if (!mesh.is_boundary(side) && !detail::is_triangle(mesh, side))
+      return Blocker(BlockerKind::not_triangle, mesh.face_handle(side));
+  if (keep == Keep::manifold || mesh.is_boundary(h) || mesh.is_boundary(o)) return std::nullopt;
+  const auto apex = [&](Halfedge side) { return mesh.to_vertex_handle(mesh.next_halfedge_handle(side)); };
+  return apex(h) == apex(o) ? std::optional(Blocker(BlockerKind::double_edge, apex(h))) : std::nullopt;
 }
 
-std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Edge e, Keep keep) {
-  return split_edge_blocker(mesh, first_halfedge(mesh, e), keep);
+std::optional<Blocker> split_edge_blocker(const Connectivity& mesh, Edge e, Keep keep) {
+  return is_live(mesh, e) ? split_edge_blocker(mesh, mesh.halfedge_handle(e, 0), keep)
+                          : Blocker(BlockerKind::missing, e);
 }
 
 SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
-  detail::enforce("split_edge", split_edge_refusal(mesh, h, keep));
+  detail::enforce("split_edge", split_edge_blocker(mesh, h, keep));
   // Does what detail::open_vertex() does at b, without its case distinctions: the only edge that moves is known.
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   const Halfedge after_h = mesh.next_halfedge_handle(h), before_o = mesh.prev_halfedge_handle(o);
@@ -83,7 +77,8 @@ SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
 }
 
 SplitEdgeEffect split_edge(Connectivity& mesh, Edge e, Keep keep) {
-  return split_edge(mesh, first_halfedge(mesh, e), keep);
+  if (!is_live(mesh, e)) detail::enforce("split_edge", std::optional(Blocker(BlockerKind::missing, e)));
+  return split_edge(mesh, mesh.halfedge_handle(e, 0), keep);
 }
 
 }  // namespace meshops

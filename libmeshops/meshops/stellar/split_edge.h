@@ -4,9 +4,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/stellar/count_effects.h"
 #include "meshops/stellar/keep.h"
@@ -17,10 +17,9 @@ namespace meshops {
 /// Returns why the edge cannot be split, or nothing when it can. The reasons: the edge does not exist or is deleted, a
 /// face at the edge is not a triangle, or, with Keep::simplicial, the two triangles have the same apex, to which the
 /// new vertex would be joined twice.
-MESHOPS_API std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Halfedge h,
-                                                          Keep keep = Keep::simplicial);
-MESHOPS_API std::optional<std::string> split_edge_blocker(const Connectivity& mesh, Edge e,
-                                                          Keep keep = Keep::simplicial);
+MESHOPS_API std::optional<Blocker> split_edge_blocker(const Connectivity& mesh, Halfedge h,
+                                                      Keep keep = Keep::simplicial);
+MESHOPS_API std::optional<Blocker> split_edge_blocker(const Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
 /// Splits the edge of h = a→b at a new vertex, which is joined to the apex of each triangle at the edge.
 /// Effect:      h and its edge keep their handles and become the half from a to the new vertex; the old faces stay on

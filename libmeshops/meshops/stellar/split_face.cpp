@@ -4,21 +4,14 @@
 #include "meshops/stellar/relink.h"
 
 namespace meshops {
-namespace {
-
-const char* refusal(const Connectivity& mesh, Face f) {
-  if (!is_live(mesh, f)) return "the face does not exist or is deleted";
-  return detail::is_triangle(mesh, mesh.halfedge_handle(f)) ? nullptr : "the face is not a triangle";
-}
-
-}  // namespace
-
-std::optional<std::string> split_face_blocker(const Connectivity& mesh, Face f) {
-  return detail::as_blocker(refusal(mesh, f));
+std::optional<Blocker> split_face_blocker(const Connectivity& mesh, Face f) {
+  if (!is_live(mesh, f)) return Blocker(BlockerKind::missing, f);
+  if (!detail::is_triangle(mesh, mesh.halfedge_handle(f))) return Blocker(BlockerKind::not_triangle, f);
+  return std::nullopt;
 }
 
 SplitFaceEffect split_face(Connectivity& mesh, Face f) {
-  detail::enforce("split_face", refusal(mesh, f));
+  detail::enforce("split_face", split_face_blocker(mesh, f));
   // Does what detail::open_vertex() does at the corner w, without its case distinctions: no edge moves here, and
   // nothing is on the boundary.
   const Halfedge wc = mesh.halfedge_handle(f), cd = mesh.next_halfedge_handle(wc), dw = mesh.next_halfedge_handle(cd);

@@ -4,9 +4,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/stellar/count_effects.h"
 #include "meshops/stellar/split_hooks.h"
@@ -15,7 +15,7 @@ namespace meshops {
 
 /// Returns why the face cannot be split, or nothing when it can. The reasons: the face does not exist, or it is not a
 /// triangle. A simplicial mesh always stays simplicial.
-MESHOPS_API std::optional<std::string> split_face_blocker(const Connectivity& mesh, Face f);
+MESHOPS_API std::optional<Blocker> split_face_blocker(const Connectivity& mesh, Face f);
 
 /// Puts a new vertex into a triangle and joins it to the three corners.
 /// Effect:      let mesh.halfedge_handle(f) leave the corner w. The old face stays at the side that does not touch w;

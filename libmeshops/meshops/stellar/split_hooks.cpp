@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "meshops/stellar/relink.h"
+#include "meshops/stellar/undo.h"
 
 namespace meshops::detail {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 bool is_as_split(const Connectivity& mesh, const SplitEffect& effect) {
   const StarElements& added = effect.added;
   const Halfedge h = effect.halfedge;
-  if (!is_live(mesh, h) || close_refusal(mesh, h, Keep::manifold)) return false;
+  if (!is_live(mesh, h) || close_blocker(mesh, h, Keep::manifold)) return false;
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   std::vector<Edge> edges = {mesh.edge_handle(h)};
   std::vector<Face> faces;
@@ -62,6 +63,14 @@ void carry_over(Connectivity& mesh, const SplitVertexEffect& effect) {
   if (!mesh.is_boundary(o))
     copy_edge_properties(mesh, mesh.opposite_halfedge_handle(mesh.prev_halfedge_handle(o)),
                          mesh.next_halfedge_handle(o));
+}
+
+void take_back(Connectivity& mesh, const WeldEffect& effect) {
+  try {
+    undo(mesh, effect);
+  } catch (const ContractViolation&) {
+    // A hook that changed links is responsible for them: the mesh is sound, and the collapse stays.
+  }
 }
 
 void take_back(Connectivity& mesh, const SplitEffect& effect) {

@@ -1,8 +1,8 @@
-// What: functions that a split calls as soon as the new elements are linked: they place the new vertex and fill in the
-//       properties of new elements. The links do not depend on them.
-// Law:  a hook that throws leaves the mesh as it was before the split, in every record and property, except for what
-//       the hook wrote to old elements. If the hook added elements, the elements of the split are marked deleted
-//       instead of removed; without status of every kind, the split stays.
+// What: functions that a split or a collapse calls as soon as the elements are linked: they place the new or surviving
+//       vertex and fill in properties. The links do not depend on them.
+// Law:  a hook that throws leaves the mesh as it was before the operator, in every record and property, except for what
+//       the hook wrote to old elements. If the hook of a split added elements, the elements of the split are marked
+//       deleted instead of removed; without status of every kind, the split stays.
 #pragma once
 
 #include <concepts>
@@ -23,21 +23,18 @@ concept HasPoints = std::derived_from<Mesh, Connectivity> && requires(Mesh& mesh
   requires std::floating_point<std::remove_cvref_t<decltype(p[0])>>;
 };
 
-/// Callable as hook(mesh, effect) with the effect of split_edge(), split_face() or split_vertex(). It may write points
-/// and properties of any element; if it throws, only what it wrote to old elements stays. It must not change links.
+/// Callable as hook(mesh, effect) with the effect of split_edge(), split_face(), split_vertex() or collapse(). It may
+/// write points and properties of any element; if it throws, only what it wrote to old elements stays. It must not
+/// change links.
 template <typename Hook, typename Mesh, typename Effect>
 concept SplitHook = std::derived_from<Mesh, Connectivity> && std::invocable<Hook&, Mesh&, const Effect&>;
 
-/// Puts the new vertex in the middle of the edge, at the centroid of the triangle, or on the vertex that was split.
-/// Splits of a mesh with points use it when no hook is given.
+/// Puts the new vertex in the middle of the edge, at the centroid of the triangle, or on the vertex that was split, and
+/// the survivor of a collapse in the middle of the edge. Splits of a mesh with points use it when no hook is given.
 struct PlaceVertex {
   template <HasPoints Mesh>
   void operator()(Mesh& mesh, const SplitEdgeEffect& effect) const {
-    // Halves before adding, because the sum may overflow.
-    const auto half = static_cast<Scalar<Mesh>>(0.5);
-    typename Mesh::Point middle = mesh.point(mesh.from_vertex_handle(effect.line)) * half;
-    middle += mesh.point(mesh.to_vertex_handle(effect.halfedge)) * half;
-    mesh.set_point(effect.added.vertex, middle);
+    set_middle(mesh, effect.added.vertex, mesh.from_vertex_handle(effect.line), mesh.to_vertex_handle(effect.halfedge));
   }
   template <HasPoints Mesh>
   void operator()(Mesh& mesh, const SplitFaceEffect& effect) const {
@@ -54,8 +51,20 @@ struct PlaceVertex {
   void operator()(Mesh& mesh, const SplitVertexEffect& effect) const {
     mesh.set_point(effect.added.vertex, mesh.point(mesh.to_vertex_handle(effect.halfedge)));
   }
+  template <HasPoints Mesh>
+  void operator()(Mesh& mesh, const WeldEffect& effect) const {
+    set_middle(mesh, effect.survivor, effect.survivor, effect.removed.vertex);
+  }
 
  private:
+  template <typename Mesh>
+  static void set_middle(Mesh& mesh, Vertex v, Vertex a, Vertex b) {
+    // Halves before adding, because the sum may overflow.
+    const auto half = static_cast<Scalar<Mesh>>(0.5);
+    typename Mesh::Point middle = mesh.point(a) * half;
+    middle += mesh.point(b) * half;
+    mesh.set_point(v, middle);
+  }
   template <typename Mesh>
   using Scalar = std::remove_cvref_t<decltype(std::declval<typename Mesh::Point&>()[0])>;
 };
@@ -70,6 +79,8 @@ MESHOPS_API void carry_over(Connectivity& mesh, const SplitVertexEffect& effect)
 
 /// Undoes a split whose hook threw, and removes the elements that the split added; the Law above names the exceptions.
 MESHOPS_API void take_back(Connectivity& mesh, const SplitEffect& effect);
+/// Undoes a collapse whose hook threw.
+MESHOPS_API void take_back(Connectivity& mesh, const WeldEffect& effect);
 
 template <typename Mesh, typename Effect, typename Hook>
 Effect with_hook(Mesh& mesh, const Effect& effect, Hook& hook) {

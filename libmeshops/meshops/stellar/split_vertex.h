@@ -4,9 +4,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/stellar/count_effects.h"
 #include "meshops/stellar/keep.h"
@@ -18,9 +18,8 @@ namespace meshops {
 /// out; one does not exist or is deleted; they leave different vertices; one is left out at an inner vertex; the vertex
 /// has several fans (core/fans.h) and the boundary passes between the halfedges; with Keep::simplicial, two edges would
 /// join the new vertex to the same other vertex.
-MESHOPS_API std::optional<std::string> split_vertex_blocker(const Connectivity& mesh, std::optional<Halfedge> left,
-                                                            std::optional<Halfedge> right,
-                                                            Keep keep = Keep::simplicial);
+MESHOPS_API std::optional<Blocker> split_vertex_blocker(const Connectivity& mesh, std::optional<Halfedge> left,
+                                                        std::optional<Halfedge> right, Keep keep = Keep::simplicial);
 
 /// Splits the vertex w that `left` and `right` leave: a new vertex takes over the edges between them, counter-clockwise
 /// from left to right. Both edges open to a triangle with the new edge; `left` lies on the left of the new halfedge.

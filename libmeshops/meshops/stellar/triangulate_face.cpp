@@ -17,9 +17,9 @@ struct Corner {
 
 }  // namespace
 
-Polygon::Polygon(const Connectivity& mesh, Face face, Keep keep) {
+Polygon::Polygon(const Connectivity& mesh, Face face, Keep keep) : reason_(BlockerKind::no_triangulation, face) {
   if (!is_live(mesh, face)) {
-    reason_ = "the face does not exist or is deleted";
+    reason_ = Blocker(BlockerKind::missing, face);
     return;
   }
   const Halfedge first = mesh.halfedge_handle(face);
@@ -33,9 +33,10 @@ Polygon::Polygon(const Connectivity& mesh, Face face, Keep keep) {
   } while (h != first);
   std::sort(sorted.begin(), sorted.end());
   const auto same_vertex = [](const Corner& a, const Corner& b) { return a.vertex == b.vertex; };
-  if (keep == Keep::simplicial && std::adjacent_find(sorted.begin(), sorted.end(), same_vertex) != sorted.end()) {
+  const auto repeated = std::adjacent_find(sorted.begin(), sorted.end(), same_vertex);
+  if (keep == Keep::simplicial && repeated != sorted.end()) {
     // Two diagonals could join the same vertices, which the table of parts cannot detect.
-    reason_ = "the face passes a vertex twice";
+    reason_ = Blocker(BlockerKind::corner_repeated, Vertex(repeated->vertex));
     sides_.clear();
     return;
   }
@@ -85,10 +86,10 @@ TriangulateFaceEffect Polygon::cut(Connectivity& mesh, const std::vector<std::ui
 
 }  // namespace detail
 
-std::optional<std::string> triangulate_face_blocker(const Connectivity& mesh, Face face, Keep keep) {
+std::optional<Blocker> triangulate_face_blocker(const Connectivity& mesh, Face face, Keep keep) {
   const detail::Polygon polygon(mesh, face, keep);
   const auto any = [](Vertex, Vertex, Vertex) { return 0; };
-  return detail::as_blocker(detail::least_triangulation(polygon, any) ? nullptr : polygon.reason());
+  return detail::least_triangulation(polygon, any) ? std::nullopt : std::optional(polygon.reason());
 }
 
 }  // namespace meshops

@@ -10,11 +10,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <vector>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/core/contract.h"
 #include "meshops/core/delta.h"
@@ -50,7 +50,7 @@ class MESHOPS_API Polygon {
   /// Returns the number of corners; 0 when the face does not exist, or it cannot be triangulated.
   std::size_t size() const { return sides_.size(); }
   /// Returns why the face has no triangulation. Meaningful only when it has none.
-  const char* reason() const { return reason_; }
+  const Blocker& reason() const { return reason_; }
   Vertex corner(std::size_t i) const { return corners_[i]; }
   /// Returns whether corners i < j are neighbors or may be joined by a diagonal.
   bool may_join(std::size_t i, std::size_t j) const {
@@ -63,7 +63,7 @@ class MESHOPS_API Polygon {
   std::vector<Halfedge> sides_;
   std::vector<Vertex> corners_;
   std::vector<bool> allowed_;
-  const char* reason_ = "every triangulation has an edge that is not allowed";
+  Blocker reason_;
 };
 
 /// Returns a table: entry i · size + j is, for the part of the polygon from corner i to corner j > i, the apex of the
@@ -102,8 +102,8 @@ std::optional<std::vector<std::uint32_t>> least_triangulation(const Polygon& pol
 /// triangulation has an edge with one vertex at both ends; with Keep::simplicial, every triangulation has an edge
 /// between vertices that an edge joins already, or the face passes a vertex twice.
 /// Cost: O(k³) time and O(k²) memory for k sides.
-MESHOPS_API std::optional<std::string> triangulate_face_blocker(const Connectivity& mesh, Face face,
-                                                                Keep keep = Keep::simplicial);
+MESHOPS_API std::optional<Blocker> triangulate_face_blocker(const Connectivity& mesh, Face face,
+                                                            Keep keep = Keep::simplicial);
 
 /// Triangulates a face with the least total weight. Of several triangulations of that weight it chooses the one whose
 /// triangle at the last side has the first apex, counted from mesh.halfedge_handle(face) on, and likewise in each part.
@@ -117,7 +117,7 @@ template <TriangleWeight Weight>
 TriangulateFaceEffect triangulate_face(Connectivity& mesh, Face face, Weight weight, Keep keep = Keep::simplicial) {
   const detail::Polygon polygon(mesh, face, keep);
   const auto apex = detail::least_triangulation(polygon, weight);
-  if (!apex) detail::violate("triangulate_face", polygon.reason());
+  if (!apex) detail::enforce("triangulate_face", std::optional(polygon.reason()));
   return polygon.cut(mesh, *apex);
 }
 

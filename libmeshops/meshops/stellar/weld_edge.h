@@ -4,9 +4,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/stellar/count_effects.h"
 #include "meshops/stellar/keep.h"
@@ -20,8 +20,8 @@ struct WeldEdgeEffect : WeldEffect {
 /// Returns why the start of h cannot be welded into the edge, or nothing when it can. The reasons: there is no such
 /// halfedge, the start does not have four edges (three on the boundary, with h along the boundary), a face at it is not
 /// a triangle, or a reason of collapse_blocker().
-MESHOPS_API std::optional<std::string> weld_edge_blocker(const Connectivity& mesh, Halfedge h,
-                                                         Keep keep = Keep::simplicial);
+MESHOPS_API std::optional<Blocker> weld_edge_blocker(const Connectivity& mesh, Halfedge h,
+                                                     Keep keep = Keep::simplicial);
 
 /// Removes the vertex v of h = v→b and all its edges except the one opposite to h, a–v, which becomes a–b.
 /// Effect:      v, the edge of h, the edges from v to the apexes, and the faces at h are marked deleted; the faces at

@@ -3,27 +3,19 @@
 #include "meshops/stellar/relink.h"
 
 namespace meshops {
-namespace {
-
-const char* refusal(const Connectivity& mesh, Vertex v, Keep keep) {
-  if (const char* reason = detail::status_refusal(mesh)) return reason;
-  if (!is_live(mesh, v)) return "the vertex does not exist or is deleted";
-  if (mesh.is_isolated(v)) return "the vertex is isolated";
-  if (mesh.is_boundary(v)) return "the vertex is on the boundary";
+std::optional<Blocker> weld_face_blocker(const Connectivity& mesh, Vertex v, Keep keep) {
+  if (const auto reason = detail::status_blocker(mesh)) return reason;
+  if (!is_live(mesh, v)) return Blocker(BlockerKind::missing, v);
+  if (mesh.is_isolated(v)) return Blocker(BlockerKind::isolated, v);
+  if (mesh.is_boundary(v)) return Blocker(BlockerKind::on_boundary, v);
   const Halfedge first = mesh.halfedge_handle(v), second = detail::ccw(mesh, first), third = detail::ccw(mesh, second);
-  if (first == third || detail::ccw(mesh, third) != first) return "the vertex does not have three edges";
-  if (!detail::is_triangle(mesh, second)) return "a face is not a triangle";
-  return detail::close_refusal(mesh, first, keep);
-}
-
-}  // namespace
-
-std::optional<std::string> weld_face_blocker(const Connectivity& mesh, Vertex v, Keep keep) {
-  return detail::as_blocker(refusal(mesh, v, keep));
+  if (first == third || detail::ccw(mesh, third) != first) return Blocker(BlockerKind::wrong_degree, v, 3);
+  if (!detail::is_triangle(mesh, second)) return Blocker(BlockerKind::not_triangle, mesh.face_handle(second));
+  return detail::close_blocker(mesh, first, keep);
 }
 
 WeldFaceEffect weld_face(Connectivity& mesh, Vertex v, Keep keep) {
-  detail::enforce("weld_face", refusal(mesh, v, keep));
+  detail::enforce("weld_face", weld_face_blocker(mesh, v, keep));
   const Halfedge first = mesh.halfedge_handle(v);
   const Face face = mesh.face_handle(detail::ccw(mesh, first));
   return {detail::close_edge(mesh, first), face};

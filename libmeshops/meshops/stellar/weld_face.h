@@ -4,9 +4,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/stellar/count_effects.h"
 #include "meshops/stellar/keep.h"
@@ -20,8 +20,7 @@ struct WeldFaceEffect : WeldEffect {
 /// Returns why the vertex cannot be welded into one face, or nothing when it can. The reasons: the mesh lacks status of
 /// some kind, the vertex does not exist, it is isolated or on the boundary, it does not have three edges, a face at it
 /// is not a triangle, or, with Keep::simplicial, a triangle with these corners exists already.
-MESHOPS_API std::optional<std::string> weld_face_blocker(const Connectivity& mesh, Vertex v,
-                                                         Keep keep = Keep::simplicial);
+MESHOPS_API std::optional<Blocker> weld_face_blocker(const Connectivity& mesh, Vertex v, Keep keep = Keep::simplicial);
 
 /// Removes an inner vertex of degree three; its three triangles become one.
 /// Effect:      the vertex, its edges, and the two faces at the edge of mesh.halfedge_handle(v) are marked deleted;

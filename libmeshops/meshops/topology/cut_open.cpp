@@ -35,21 +35,20 @@ std::vector<Edge> seams_of_spheres(const Connectivity& mesh, std::span<const Edg
 
 }  // namespace
 
-std::optional<std::string> cut_open_blocker(const Connectivity& mesh, std::span<const Edge> edges) {
+std::optional<Blocker> cut_open_blocker(const Connectivity& mesh, std::span<const Edge> edges) {
   for (const Edge e : edges) {
-    const std::string name = "edge " + std::to_string(e.idx()) + ": ";
-    if (!is_live(mesh, e)) return name + "the edge does not exist or is deleted";
-    if (const auto blocker = unglue_blocker(mesh, mesh.halfedge_handle(e, 0))) return name + *blocker;
+    if (!is_live(mesh, e)) return Blocker(BlockerKind::missing, e);
+    if (const auto blocker = unglue_blocker(mesh, mesh.halfedge_handle(e, 0))) return blocker;
   }
   std::vector<Edge> sorted(edges.begin(), edges.end());
   std::sort(sorted.begin(), sorted.end());
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
-    return "edge " + std::to_string(twice->idx()) + ": named twice";
+    return Blocker(BlockerKind::named_twice, *twice);
   return std::nullopt;
 }
 
 std::vector<UnglueEffect> cut_open(Connectivity& mesh, std::span<const Edge> edges) {
-  if (const auto blocker = cut_open_blocker(mesh, edges)) throw ContractViolation("cut_open: " + *blocker);
+  detail::enforce("cut_open", cut_open_blocker(mesh, edges));
   std::vector<UnglueEffect> cuts;
   cuts.reserve(edges.size());
   // A cut edge keeps its handle on one side, and no other edge changes its handle.
@@ -59,7 +58,7 @@ std::vector<UnglueEffect> cut_open(Connectivity& mesh, std::span<const Edge> edg
 
 std::vector<UnglueEffect> cut_open(Connectivity& mesh, const Homology& homology) {
   std::vector<Edge> edges = homology.cut_graph;
-  if (const auto blocker = cut_open_blocker(mesh, edges)) throw ContractViolation("cut_open: " + *blocker);
+  detail::enforce("cut_open", cut_open_blocker(mesh, edges));
   const std::vector<Edge> seams = seams_of_spheres(mesh, edges);
   edges.insert(edges.end(), seams.begin(), seams.end());
   return cut_open(mesh, edges);

@@ -6,10 +6,10 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "meshops/core/api.h"
+#include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
 #include "meshops/handle/unglue.h"
 #include "meshops/topology/homology.h"
@@ -19,7 +19,7 @@ namespace meshops {
 /// Returns why the mesh cannot be cut along these edges, or nothing when it can: the reason of unglue_blocker() for one
 /// of them, or that an edge is named twice.
 /// Cost: the degrees of the ends of the edges; the number of edges, times its logarithm.
-MESHOPS_API std::optional<std::string> cut_open_blocker(const Connectivity& mesh, std::span<const Edge> edges);
+MESHOPS_API std::optional<Blocker> cut_open_blocker(const Connectivity& mesh, std::span<const Edge> edges);
 
 /// Unglues edges, in the order in which they are given.
 /// Effect:   a vertex becomes as many vertices as there are fans of faces around it after the cut; new vertices and

@@ -34,7 +34,8 @@ bool TopologyTracker::in_same_component(Vertex a, Vertex b) {
 
 GlueEffect TopologyTracker::glue(Halfedge first, Halfedge second) {
   // Calls that glue() would refuse are left to glue().
-  if (!has_status(mesh_) || detail::glue_refusal(mesh_, first, second)) return meshops::glue(mesh_, first, second);
+  if (!has_status(mesh_) || detail::glue_links_blocker(mesh_, first, second))
+    return meshops::glue(mesh_, first, second);
   const GlueEffect effect = detail::glue_links(mesh_, first, second, case_of(first, second));
   note(effect);
   return effect;
@@ -49,15 +50,16 @@ GlueCase TopologyTracker::case_of(Halfedge first, Halfedge second) {
                                                          : GlueCase::handle;
 }
 
-void TopologyTracker::note_created(Halfedge first_side) {
-  require(is_live(mesh_, first_side), "TopologyTracker: halfedge ", first_side.idx(), " does not exist or is deleted");
-  change(delta_of_create());
+void TopologyTracker::note(const CreateTriangleEffect& effect) {
+  require(is_live(mesh_, effect.inner), "TopologyTracker: halfedge ", effect.inner.idx(),
+          " does not exist or is deleted");
+  change(effect.delta());
   const std::uint32_t fresh = new_node();
-  Halfedge h = first_side;
+  Halfedge h = effect.inner;
   do {
     put(mesh_.from_vertex_handle(h), fresh);
     h = mesh_.next_halfedge_handle(h);
-  } while (h != first_side);
+  } while (h != effect.inner);
 }
 
 void TopologyTracker::note_destroyed() { change(delta_of_destroy()); }

@@ -11,6 +11,7 @@
 #include "meshops/core/connectivity.h"
 #include "meshops/core/disjoint_sets.h"
 #include "meshops/handle/close_curve.h"
+#include "meshops/handle/create.h"
 #include "meshops/handle/glue.h"
 #include "meshops/handle/unglue.h"
 #include "meshops/handle/zip_curves.h"
@@ -40,8 +41,8 @@ class MESHOPS_API TopologyTracker {
   /// Sews as zip_curves() does (handle/zip_curves.h), and notes the effect.
   ZipCurvesEffect zip_curves(Halfedge first, Halfedge second);
 
-  void note_created(Halfedge first_side);  ///< for create_triangle(): takes its result
-  void note_destroyed();                   ///< for destroy_triangle()
+  void note_destroyed();  ///< for destroy_triangle()
+  void note(const CreateTriangleEffect& effect);
   void note(const GlueEffect& effect);
   void note(const UnglueEffect& effect);
   void note(const CloseCurveEffect& effect);

@@ -64,7 +64,7 @@ void expect_marks(const MyMesh& mesh, int vertices, int edges, int faces, const 
 int main() {
   MyMesh mesh;
   std::vector<meshops::Halfedge> boundary;
-  for (int t = 0; t < 4; ++t) boundary.push_back(mesh.opposite_halfedge_handle(meshops::create_triangle(mesh)));
+  for (int t = 0; t < 4; ++t) boundary.push_back(meshops::create_triangle(mesh).boundary);
   mark(mesh);
   const auto check = [&](const char* what) { expect_marks(mesh, 12, 12, 4, what); };
 

@@ -157,10 +157,9 @@ TEST_SUITE("front") {
     OpenMesh::TriMesh_ArrayKernelT<> plain;
     Front without_status(plain, 3);
     const Face f = without_status.create(0, 1, 2).face;
-    CHECK_THROWS_WITH_AS(
-        without_status.detach(f),
-        "detach: the mesh needs status of every kind to mark what is deleted (request_vertex_status() and so on)",
-        ContractViolation);
+    CHECK_THROWS_WITH_AS(without_status.detach(f),
+                         "detach: the mesh needs status of every kind to mark what is deleted (request_status())",
+                         ContractViolation);
     CHECK(without_status.faces() == 1);
   }
 }

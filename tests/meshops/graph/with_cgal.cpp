@@ -84,7 +84,7 @@ TEST_SUITE("graph views together with CGAL") {
     mesh.request_edge_status();
     mesh.request_halfedge_status();
     mesh.request_face_status();
-    const auto boundary = [&] { return mesh.opposite_halfedge_handle(meshops::create_triangle(mesh)); };
+    const auto boundary = [&] { return meshops::create_triangle(mesh).boundary; };
     const meshops::Halfedge a = boundary(), b = boundary(), c = boundary(), d = boundary();
     const auto valid = [&] {
       Mesh compact = mesh;

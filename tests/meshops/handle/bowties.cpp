@@ -18,7 +18,7 @@ using namespace meshops::test;
 
 namespace {
 
-const char* const several_fans = "a vertex has several fans";
+const char* const several_fans = "has several fans (separate_fans() gives each a vertex)";
 
 /// Bowtie as OpenMesh makes it, of the triangles 0 1 2 and 0 3 4.
 struct Bowtie {
@@ -49,8 +49,8 @@ void fold(TestMesh& mesh) {
 
 TEST_SUITE("bowties") {
   TEST_CASE_FIXTURE(Bowtie, "no triangle of a bowtie is destroyed or removed") {
-    CHECK(*destroy_triangle_blocker(mesh, Face(0)) == several_fans);
-    CHECK(*remove_triangle_blocker(mesh, Face(0)) == several_fans);
+    CHECK(destroy_triangle_blocker(mesh, Face(0))->kind == BlockerKind::several_fans);
+    CHECK(remove_triangle_blocker(mesh, Face(0))->kind == BlockerKind::several_fans);
     check_refused(mesh, several_fans, [&] { destroy_triangle(mesh, Face(1)); });
     check_refused(mesh, several_fans, [&] { remove_triangle(mesh, Face(1)); });
     separate_fans(mesh);
@@ -70,12 +70,12 @@ TEST_SUITE("bowties") {
       const Halfedge other = b[6];
       tie(mesh, at, corner == 0 ? mesh.from_vertex_handle(other) : mesh.to_vertex_handle(other));
       for (const Halfedge h : {inner, mesh.opposite_halfedge_handle(inner)}) {
-        CHECK(*unglue_blocker(mesh, h) == several_fans);
+        CHECK(unglue_blocker(mesh, h)->kind == BlockerKind::several_fans);
         check_refused(mesh, several_fans, [&] { unglue(mesh, h); });
         check_refused(mesh, several_fans, [&] { unglue_case(mesh, h); });
       }
-      CHECK(*glue_blocker(mesh, boundary, other) == several_fans);
-      CHECK(*glue_blocker(mesh, other, boundary) == several_fans);
+      CHECK(glue_blocker(mesh, boundary, other)->kind == BlockerKind::several_fans);
+      CHECK(glue_blocker(mesh, other, boundary)->kind == BlockerKind::several_fans);
       check_refused(mesh, several_fans, [&] { glue(mesh, boundary, other); });
       check_refused(mesh, several_fans, [&] { glue(mesh, other, boundary, GlueCase::join); });
       check_refused(mesh, several_fans, [&] { glue_case(mesh, other, boundary); });
@@ -89,25 +89,25 @@ TEST_SUITE("bowties") {
     const Halfedge next = mesh.next_halfedge_handle(mesh.prev_halfedge_handle(b[0]));
     REQUIRE(next == b[0]);
     const Halfedge before = mesh.prev_halfedge_handle(b[0]);
-    CHECK(*glue_blocker(mesh, before, b[0]) == several_fans);
-    CHECK(*glue_blocker(mesh, b[0], before) == several_fans);
+    CHECK(glue_blocker(mesh, before, b[0])->kind == BlockerKind::several_fans);
+    CHECK(glue_blocker(mesh, b[0], before)->kind == BlockerKind::several_fans);
   }
 
   TEST_CASE_FIXTURE(Bowtie, "a curve through a bowtie is neither closed nor sewn") {
     const Halfedge h = between(1, 0);
     REQUIRE(mesh.is_boundary(h));
-    CHECK(*close_curve_blocker(mesh, h) == several_fans);
+    CHECK(close_curve_blocker(mesh, h)->kind == BlockerKind::several_fans);
     check_refused(mesh, several_fans, [&] { close_curve(mesh, h); });
     const auto b = separate_triangles(mesh, 2);
     glue(mesh, b[0], b[3]);
     const Halfedge curve = b[1];  // a curve of four edges; the bowtie has one of six
-    CHECK(zip_curves_blocker(mesh, h, curve)->starts_with("the curves have 6 and 4 edges"));
+    CHECK(*zip_curves_blocker(mesh, h, curve) == Blocker(BlockerKind::curve_length, curve, 4));
     const auto c = separate_triangles(mesh, 3);
     tie(mesh, mesh.from_vertex_handle(c[0]), mesh.from_vertex_handle(c[3]));
-    CHECK(*zip_curves_blocker(mesh, h, c[0]) == several_fans);
+    CHECK(zip_curves_blocker(mesh, h, c[0])->kind == BlockerKind::several_fans);
     const auto d = separate_triangles(mesh, 4);
     for (const unsigned t : {0u, 3u, 6u}) glue(mesh, d[t], d[t + 5]);
-    REQUIRE(*zip_curves_blocker(mesh, d[1], c[0]) == several_fans);
+    REQUIRE(zip_curves_blocker(mesh, d[1], c[0])->kind == BlockerKind::several_fans);
     check_refused(mesh, several_fans, [&] { zip_curves(mesh, c[0], d[1]); });
   }
 
@@ -117,8 +117,8 @@ TEST_SUITE("bowties") {
     check_sound(mesh);
     Face face;
     for (const Face f : mesh.faces()) face = f;
-    CHECK(*open_curve_blocker(mesh, face) == "the face lies on both sides of an edge");
-    check_refused(mesh, "the face lies on both sides of an edge", [&] { open_curve(mesh, face); });
+    CHECK(open_curve_blocker(mesh, face)->kind == BlockerKind::face_on_both_sides);
+    check_refused(mesh, "lies on both sides of an edge", [&] { open_curve(mesh, face); });
   }
 
   TEST_CASE("a face that passes an inner vertex twice is not removed, because two fans would be left there") {
@@ -144,7 +144,7 @@ TEST_SUITE("bowties") {
     for (const Halfedge side : rim) mesh.set_face_handle(side, around);
     mesh.delete_isolated_vertices();
     check_sound(mesh);
-    CHECK(*open_curve_blocker(mesh, around) == "the face passes a vertex twice");
-    check_refused(mesh, "the face passes a vertex twice", [&] { open_curve(mesh, around); });
+    CHECK(open_curve_blocker(mesh, around)->kind == BlockerKind::corner_repeated);
+    check_refused(mesh, "is a corner of the face twice", [&] { open_curve(mesh, around); });
   }
 }

@@ -20,8 +20,8 @@ TEST_SUITE("close_curve") {
         const Halfedge h = curve.front();
         if (const auto blocker = close_curve_blocker(mesh, h)) {
           CHECK(curve.length() == 2);
-          CHECK(*blocker == "the curve has two edges: glue them");
-          check_refused(mesh, *blocker, [&] { close_curve(mesh, h); });
+          CHECK(blocker->kind == BlockerKind::curve_too_short);
+          check_refused(mesh, describe(*blocker), [&] { close_curve(mesh, h); });
           continue;
         }
         const auto before = live_snapshot(mesh);
@@ -60,7 +60,7 @@ TEST_SUITE("close_curve") {
           CHECK(isomorphism_class(mesh) == before);
         } else {
           ++refused;
-          check_refused(mesh, *open_curve_blocker(mesh, f), [&] { open_curve(mesh, f); });
+          check_refused(mesh, describe(*open_curve_blocker(mesh, f)), [&] { open_curve(mesh, f); });
         }
       }
     }
@@ -71,14 +71,14 @@ TEST_SUITE("close_curve") {
   TEST_CASE("each reason has a message of its own") {
     TestMesh mesh;
     const auto b = separate_triangles(mesh, 1);
-    CHECK(*open_curve_blocker(mesh, Face(0)) == "a side of the face is on the boundary");
-    CHECK(*open_curve_blocker(mesh, Face(7)) == "the face does not exist or is deleted");
-    CHECK(*close_curve_blocker(mesh, mesh.opposite_halfedge_handle(b[0])) == "the halfedge is not on the boundary");
-    CHECK(*close_curve_blocker(mesh, Halfedge(99)) == "the halfedge does not exist or is deleted");
+    CHECK(open_curve_blocker(mesh, Face(0))->kind == BlockerKind::on_boundary);
+    CHECK(open_curve_blocker(mesh, Face(7))->kind == BlockerKind::missing);
+    CHECK(close_curve_blocker(mesh, mesh.opposite_halfedge_handle(b[0]))->kind == BlockerKind::not_on_boundary);
+    CHECK(close_curve_blocker(mesh, Halfedge(99))->kind == BlockerKind::missing);
     // A triangle with others glued around it, which touches the boundary in its corners.
     TestMesh star;
     add_triangles(star, 6, {{0, 1, 2}, {1, 0, 3}, {2, 1, 4}, {0, 2, 5}});
-    CHECK(*open_curve_blocker(star, Face(0)) == "a corner of the face is on the boundary");
+    CHECK(open_curve_blocker(star, Face(0))->kind == BlockerKind::on_boundary);
     TestMesh strip_of_two;
     strip(strip_of_two, 2);
     for (;;) {
@@ -86,7 +86,7 @@ TEST_SUITE("close_curve") {
       if (curve.length() == 2) break;
       glue(strip_of_two, curve.front(), strip_of_two.next_halfedge_handle(curve.front()));
     }
-    CHECK(*close_curve_blocker(strip_of_two, boundary_curves(strip_of_two).front().front()) ==
-          "the curve has two edges: glue them");
+    CHECK(close_curve_blocker(strip_of_two, boundary_curves(strip_of_two).front().front())->kind ==
+          BlockerKind::curve_too_short);
   }
 }

@@ -14,9 +14,9 @@ TEST_CASE("create adds one triangle, and changes the counts by the table") {
   TestMesh mesh;
   strip(mesh, 2);
   const TopologyCounts before = count_topology(mesh);
-  const Halfedge h = create_triangle(mesh);
+  const CreateTriangleEffect effect = create_triangle(mesh);
   const TopologyCounts after = count_topology(mesh);
-  const Delta delta = delta_of_create();
+  const Delta delta = effect.delta();
   CHECK(static_cast<int>(after.vertices - before.vertices) == delta.vertices);
   CHECK(static_cast<int>(after.edges - before.edges) == delta.edges);
   CHECK(static_cast<int>(after.faces - before.faces) == delta.faces);
@@ -24,7 +24,10 @@ TEST_CASE("create adds one triangle, and changes the counts by the table") {
   CHECK(static_cast<int>(after.components - before.components) == delta.components);
   CHECK(after.euler() - before.euler() == delta.euler());
   CHECK(after.genus() == before.genus());
-  CHECK_FALSE(mesh.is_boundary(h));
-  CHECK(mesh.is_boundary(mesh.opposite_halfedge_handle(h)));
+  CHECK(delta == delta_of_create());
+  CHECK(mesh.face_handle(effect.inner) == effect.face);
+  CHECK(mesh.halfedge_handle(effect.face) == effect.inner);
+  CHECK(mesh.opposite_halfedge_handle(effect.inner) == effect.boundary);
+  CHECK(mesh.is_boundary(effect.boundary));
   check_sound(mesh);
 }

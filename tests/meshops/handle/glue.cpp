@@ -89,13 +89,13 @@ TEST_SUITE("glue") {
     TestMesh mesh;
     const auto b = separate_triangles(mesh, 2);
     const Halfedge inner = mesh.opposite_halfedge_handle(b[0]);
-    CHECK(*glue_blocker(mesh, b[0], b[0]) == "both halfedges are of one edge");
-    CHECK(*glue_blocker(mesh, b[0], inner) == "both halfedges are of one edge");
-    CHECK(*glue_blocker(mesh, inner, b[3]) == "a halfedge is not on the boundary");
-    CHECK(*glue_blocker(mesh, Halfedge(), b[3]) == "a halfedge does not exist or is deleted");
-    CHECK(*glue_blocker(mesh, Halfedge(99), b[3]) == "a halfedge does not exist or is deleted");
+    CHECK(glue_blocker(mesh, b[0], b[0])->kind == BlockerKind::same_edge);
+    CHECK(glue_blocker(mesh, b[0], inner)->kind == BlockerKind::same_edge);
+    CHECK(glue_blocker(mesh, inner, b[3])->kind == BlockerKind::not_on_boundary);
+    CHECK(glue_blocker(mesh, Halfedge(), b[3])->kind == BlockerKind::missing);
+    CHECK(glue_blocker(mesh, Halfedge(99), b[3])->kind == BlockerKind::missing);
     // The far ends of sides 0 and 1 of one triangle are joined by side 2.
-    CHECK(*glue_blocker(mesh, b[0], b[1]) == "an edge joins two vertices that would become one");
+    CHECK(glue_blocker(mesh, b[0], b[1])->kind == BlockerKind::loop_edge);
     const auto label = std::vector<int>{0, 1, 2, 3, 4, 5};
     const auto before = canonical_faces(mesh, label);
     CHECK_THROWS_AS(glue(mesh, b[0], b[1]), ContractViolation);

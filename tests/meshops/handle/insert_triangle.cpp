@@ -46,7 +46,7 @@ struct Twins {
     const InsertedTriangle done = insert_triangle(fast, sides);
     for (int i = 0; i < done.merged; ++i) fast.status(done.left_over[static_cast<unsigned>(i)]).set_deleted(true);
 
-    Halfedge h = create_triangle(literal);
+    Halfedge h = create_triangle(literal).inner;
     literal_label.insert(literal_label.end(), label.begin(), label.end());
     for (unsigned i = 0; i < 3; ++i) {
       const Halfedge outer = literal.opposite_halfedge_handle(h);
@@ -61,7 +61,7 @@ struct Twins {
   /// Returns whether create and glue would be accepted, tried on a copy.
   bool literal_accepts(const std::array<Halfedge, 3>& side) const {
     TestMesh copy = literal;
-    Halfedge h = create_triangle(copy);
+    Halfedge h = create_triangle(copy).inner;
     for (unsigned i = 0; i < 3; ++i) {
       const Halfedge outer = copy.opposite_halfedge_handle(h);
       h = copy.next_halfedge_handle(h);

@@ -32,7 +32,7 @@ int random_step(History& history, TestMesh& mesh, std::mt19937& random) {
       at = mesh.next_halfedge_handle(at);
     return at;
   }();
-  const int what = any(16);
+  const int what = any(19);
   switch (what) {
     case 0:
       history.create_triangle();
@@ -82,6 +82,16 @@ int random_step(History& history, TestMesh& mesh, std::mt19937& random) {
       else
         history.split_face(mesh, f, CarryOver());
       break;
+    case 15:
+      history.remove_triangle(f);
+      break;
+    case 16:
+      history.zip_curves(h, g);
+      break;
+    case 17:
+      history.triangulate_face(
+          f, [](Vertex a, Vertex b, Vertex c) { return a.idx() * b.idx() % 7 + c.idx(); }, keep);
+      break;
     default:
       history.split_vertex(h, random() % 3 ? std::optional(near) : std::nullopt, keep);
   }
@@ -92,7 +102,7 @@ int random_step(History& history, TestMesh& mesh, std::mt19937& random) {
 
 TEST_SUITE("history") {
   TEST_CASE("undoing a random walk restores all records step by step, and redoing it repeats the walk") {
-    std::array<int, 16> done{};
+    std::array<int, 19> done{};
     for (const Specimen& specimen : corpus()) {
       INFO(specimen.name);
       TestMesh mesh;
@@ -101,7 +111,7 @@ TEST_SUITE("history") {
       std::mt19937 random(27);
       History history(mesh);
       std::vector<std::vector<int>> records = {snapshot(mesh)};
-      for (int i = 0; i < 1500; ++i) {
+      for (int i = 0; i < 2000; ++i) {
         const std::size_t steps = history.steps();
         try {
           ++done[static_cast<std::size_t>(random_step(history, mesh, random))];

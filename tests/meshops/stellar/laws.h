@@ -42,7 +42,7 @@ inline int stride(const Connectivity& mesh) { return !is_large(mesh) ? 1 : rbpa_
 /// Checks that the blocker returns a reason and the operator throws the same, with nothing changed; or that both
 /// accept.
 template <typename Operate>
-bool refuses(TestMesh& mesh, const std::optional<std::string>& blocker, Operate operate) {
+bool refuses(TestMesh& mesh, const std::optional<Blocker>& blocker, Operate operate) {
   if (!blocker) return false;
   const auto before = snapshot(mesh);
   std::string thrown;
@@ -51,7 +51,7 @@ bool refuses(TestMesh& mesh, const std::optional<std::string>& blocker, Operate 
   } catch (const ContractViolation& violation) {
     thrown = violation.what();
   }
-  CHECK_MESSAGE(thrown.find(*blocker) != std::string::npos, *blocker, " but thrown was: ", thrown);
+  CHECK_MESSAGE(thrown.ends_with(": " + describe(*blocker)), describe(*blocker), " but thrown was: ", thrown);
   CHECK(snapshot(mesh) == before);
   return true;
 }

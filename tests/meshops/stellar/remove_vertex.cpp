@@ -42,12 +42,11 @@ TEST_SUITE("remove_vertex") {
   TEST_CASE("every reason against removing a vertex is reported") {
     TestMesh mesh;
     mesh.new_vertex();
-    CHECK(*remove_vertex_blocker(mesh, Vertex(-1)) == "the vertex does not exist or is deleted");
-    CHECK(*remove_vertex_blocker(mesh, Vertex(0)) == "the vertex is isolated");
+    CHECK(remove_vertex_blocker(mesh, Vertex(-1))->kind == BlockerKind::missing);
+    CHECK(remove_vertex_blocker(mesh, Vertex(0))->kind == BlockerKind::isolated);
     TestMesh triangle;
     add_triangles(triangle, 3, {{0, 1, 2}});
-    CHECK(*remove_vertex_blocker(triangle, Vertex(0)) ==
-          "no edge at the vertex can be collapsed: nothing but an edge would be left of the component");
+    CHECK(remove_vertex_blocker(triangle, Vertex(0))->kind == BlockerKind::only_edge_left);
     CHECK_THROWS_AS(remove_vertex(triangle, Vertex(0)), ContractViolation);
   }
 
@@ -57,9 +56,7 @@ TEST_SUITE("remove_vertex") {
     remove_vertex(mesh, Vertex(0));
     remove_vertex(mesh, Vertex(5));
     CHECK(counts(mesh) == Delta{4, 6, 4, 0, 1, 0});
-    for (int i = 1; i < 5; ++i)
-      CHECK(*remove_vertex_blocker(mesh, Vertex(i)) ==
-            "no edge at the vertex can be collapsed: two triangles would have the same corners");
+    for (int i = 1; i < 5; ++i) CHECK(remove_vertex_blocker(mesh, Vertex(i))->kind == BlockerKind::double_triangle);
     remove_vertex(mesh, Vertex(1), Keep::manifold);
     CHECK(counts(mesh) == Delta{3, 3, 2, 0, 1, 0});
     check_sound(mesh);

@@ -81,15 +81,13 @@ TEST_SUITE("split_vertex") {
     corpus()[2].build(wheel);
     const Halfedge a = wheel.find_halfedge(Vertex(0), Vertex(1)), b = wheel.find_halfedge(Vertex(0), Vertex(2));
     const Halfedge rim = wheel.find_halfedge(Vertex(1), Vertex(2));
-    CHECK(*split_vertex_blocker(wheel, std::nullopt, std::nullopt) == "both halfedges are left out");
-    CHECK(*split_vertex_blocker(wheel, Halfedge(99), a) == "a halfedge does not exist or is deleted");
-    CHECK(*split_vertex_blocker(wheel, std::nullopt, Halfedge()) == "a halfedge does not exist or is deleted");
-    CHECK(*split_vertex_blocker(wheel, a, rim) == "the halfedges leave different vertices");
-    CHECK(*split_vertex_blocker(wheel, a, std::nullopt) ==
-          "a halfedge is left out and the vertex is not on the boundary");
-    CHECK(*split_vertex_blocker(wheel, std::nullopt, a) ==
-          "a halfedge is left out and the vertex is not on the boundary");
-    CHECK(*split_vertex_blocker(wheel, a, a) == "two edges would join the new vertex and the same other");
+    CHECK(split_vertex_blocker(wheel, std::nullopt, std::nullopt)->kind == BlockerKind::none_given);
+    CHECK(split_vertex_blocker(wheel, Halfedge(99), a)->kind == BlockerKind::missing);
+    CHECK(split_vertex_blocker(wheel, std::nullopt, Halfedge())->kind == BlockerKind::missing);
+    CHECK(split_vertex_blocker(wheel, a, rim)->kind == BlockerKind::other_vertex);
+    CHECK(split_vertex_blocker(wheel, a, std::nullopt)->kind == BlockerKind::not_on_boundary);
+    CHECK(split_vertex_blocker(wheel, std::nullopt, a)->kind == BlockerKind::not_on_boundary);
+    CHECK(split_vertex_blocker(wheel, a, a)->kind == BlockerKind::double_edge);
     CHECK_FALSE(split_vertex_blocker(wheel, a, a, Keep::manifold));
     CHECK_FALSE(split_vertex_blocker(wheel, a, b));
     CHECK_FALSE(split_vertex_blocker(wheel, b, a));

@@ -10,7 +10,7 @@ namespace meshops::test {
 std::vector<Halfedge> separate_triangles(Connectivity& mesh, int count) {
   std::vector<Halfedge> boundary;
   for (int t = 0; t < count; ++t) {
-    Halfedge h = create_triangle(mesh);
+    Halfedge h = create_triangle(mesh).inner;
     for (int i = 0; i < 3; ++i) {
       boundary.push_back(mesh.opposite_halfedge_handle(h));
       h = mesh.next_halfedge_handle(h);

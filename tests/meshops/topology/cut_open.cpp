@@ -60,15 +60,15 @@ TEST_SUITE("cut_open") {
     TestMesh mesh;
     separate_triangles(mesh, 1);
     const std::vector<Edge> on_boundary = {Edge(0)}, none = {Edge(99)};
-    check_refused(mesh, "edge 0: the edge is on the boundary", [&] { cut_open(mesh, on_boundary); });
-    check_refused(mesh, "edge 99: the edge does not exist or is deleted", [&] { cut_open(mesh, none); });
+    check_refused(mesh, "cut_open: edge 0 is on the boundary", [&] { cut_open(mesh, on_boundary); });
+    check_refused(mesh, "cut_open: edge 99 does not exist or is deleted", [&] { cut_open(mesh, none); });
     TestMesh closed;
     corpus()[6].build(closed);
     Edge inner;
     for (const Edge e : live_edges(closed))
       if (!closed.is_boundary(e)) inner = e;
     const std::vector<Edge> twice = {inner, inner};
-    check_refused(closed, "named twice", [&] { cut_open(closed, twice); });
-    CHECK(*cut_open_blocker(closed, twice) == "edge " + std::to_string(inner.idx()) + ": named twice");
+    check_refused(closed, "is named twice", [&] { cut_open(closed, twice); });
+    CHECK(*cut_open_blocker(closed, twice) == Blocker(BlockerKind::named_twice, inner));
   }
 }

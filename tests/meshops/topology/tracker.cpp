@@ -68,7 +68,7 @@ class RandomWalk {
   void did(const std::string& what) { ++done_[what]; }
 
   void create() {
-    tracker_.note_created(create_triangle(mesh_));
+    tracker_.note(create_triangle(mesh_));
     did("create");
   }
   void destroy_one() {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "meshops/core/contract.h"
+#include "meshops/core/live.h"
 #include "meshops/core/validate.h"
 #include "meshops/stellar/keep.h"
 #include "support/meshes.h"
@@ -51,16 +52,17 @@ class Judge {
 
   /// Runs an operator, which must agree with its blocker. Returns its effect if it was done.
   template <typename Operate>
-  auto run(const std::optional<std::string>& blocker, Operate operate) -> std::optional<decltype(operate())> {
+  auto run(const std::optional<Blocker>& blocker, Operate operate) -> std::optional<decltype(operate())> {
     blocker_ = blocker;
+    if (blocker) check_named(*blocker);
     try {
       auto effect = operate();
-      if (blocker) fail("was done although the blocker returned: " + *blocker);
+      if (blocker) fail("was done although the blocker returned: " + describe(*blocker));
       return effect;
     } catch (const ContractViolation& violation) {
       if (!blocker) fail("was refused without a blocker: " + std::string(violation.what()));
-      if (!std::string(violation.what()).ends_with(": " + *blocker))
-        fail("said \"" + std::string(violation.what()) + "\" and not: " + *blocker);
+      if (!std::string(violation.what()).ends_with(": " + describe(*blocker)))
+        fail("said \"" + std::string(violation.what()) + "\" and not: " + describe(*blocker));
       if (snapshot(mesh_) != records_) fail("changed what it refused to change");
       return std::nullopt;
     }
@@ -74,7 +76,8 @@ class Judge {
     std::string bad = apply(expected);
     if (bad.empty()) bad = badness(expected, rules);
     if (!delta) {
-      if (bad.empty() && !is_doubled_at(rules, expected)) fail("was refused, but would have been right: " + *blocker_);
+      if (bad.empty() && !is_doubled_at(rules, expected))
+        fail("was refused, but would have been right: " + describe(*blocker_));
       ++tally_[name_].refused;
       return;
     }
@@ -121,6 +124,28 @@ class Judge {
   }
 
  private:
+  /// Checks that the reason concerns an element as its kind says.
+  void check_named(const Blocker& blocker) const {
+    const auto is = [&](auto handle) { return is_live(mesh_, handle); };
+    const bool live = blocker.element == ElementKind::vertex     ? is(Vertex(blocker.index))
+                      : blocker.element == ElementKind::halfedge ? is(Halfedge(blocker.index))
+                      : blocker.element == ElementKind::edge     ? is(Edge(blocker.index))
+                                                                 : is(Face(blocker.index));
+    const bool should_live = blocker.kind != BlockerKind::missing && blocker.kind != BlockerKind::none_given;
+    if (live != should_live) fail("named an element that is live or not, contrary to the reason: " + describe(blocker));
+    const Vertex v(blocker.index);
+    const Edge e(blocker.index);
+    const bool on_vertex = blocker.element == ElementKind::vertex, on_edge = blocker.element == ElementKind::edge;
+    if ((blocker.kind == BlockerKind::several_fans && !before_.has_several_fans(v.idx())) ||
+        (blocker.kind == BlockerKind::not_triangle && mesh_.valence(Face(blocker.index)) == 3) ||
+        (blocker.kind == BlockerKind::wrong_degree && mesh_.valence(v) == static_cast<unsigned>(blocker.count)) ||
+        (blocker.kind == BlockerKind::on_boundary && on_vertex && !mesh_.is_boundary(v)) ||
+        (blocker.kind == BlockerKind::on_boundary && on_edge && !mesh_.is_boundary(e)) ||
+        (blocker.kind == BlockerKind::not_on_boundary && on_edge && mesh_.is_boundary(e)) ||
+        (blocker.kind == BlockerKind::not_on_boundary && on_vertex && mesh_.is_boundary(v)))
+      fail("named an element for which the reason is wrong: " + describe(blocker));
+  }
+
   std::string badness(const Model& after, const Rules& rules) const {
     if (needs_one_fan(rules)) return "a vertex has several fans";
     if (std::string broken = after.broken(); !broken.empty()) return broken;
@@ -140,7 +165,7 @@ class Judge {
   std::string name_;
   Model before_;
   std::vector<int> records_;
-  std::optional<std::string> blocker_;
+  std::optional<Blocker> blocker_;
   std::map<std::string, Tally> tally_;
 };
 

@@ -21,10 +21,10 @@ std::vector<int> joined(std::vector<int> a, const std::vector<int>& b) {
 
 void Walk::create() {
   judge_.begin("create_triangle");
-  const auto side = judge_.run(std::nullopt, [&] { return create_triangle(mesh_); });
+  const auto effect = judge_.run(std::nullopt, [&] { return create_triangle(mesh_); });
   judge_.compare(delta_of_create(), {}, [&](Model& model) {
     Cycle cycle;
-    Halfedge h = *side;
+    Halfedge h = effect->inner;
     for (int i = 0; i < 3; ++i, h = mesh_.next_halfedge_handle(h)) cycle.push_back(h.idx());
     for (const int s : cycle) {
       const Halfedge at(s);
@@ -33,7 +33,7 @@ void Walk::create() {
       model.add_vertex(mesh_.from_vertex_handle(at).idx());
       model.add_edge(s, mesh_.from_vertex_handle(at).idx(), mesh_.to_vertex_handle(at).idx());
     }
-    model.set_face(mesh_.face_handle(*side).idx(), cycle);
+    model.set_face(effect->face.idx(), cycle);
     return "";
   });
 }
@@ -119,6 +119,9 @@ void Walk::zip() {
       judge_.run(zip_curves_blocker(mesh_, first, second), [&] { return zip_curves(mesh_, first, second); });
   judge_.compare(effect ? std::optional(effect->delta()) : std::nullopt, {.one_fan = at},
                  [&](Model& model) { return by_definition::zip_curves(model, first.idx(), second.idx()); });
+  if (!effect || !choices_.one_in(2)) return;
+  undo(mesh_, *effect);
+  if (snapshot(mesh_) != judge_.records()) judge_.fail("is not restored by undo()");
 }
 
 void Walk::separate() {

@@ -59,7 +59,7 @@ void Walk::ask() {
   allow_refusal([&] { tracker.in_same_component(v, arguments_.vertex()); });
   allow_refusal([&] { tracker.note(recall(glued_).effect); });
   allow_refusal([&] { tracker.note_undone(recall(welded_).effect); });
-  allow_refusal([&] { tracker.note_created(a); });
+  allow_refusal([&] { tracker.note(CreateTriangleEffect{f, a, b}); });
 
   const Delta counts = judge_.before().counts();
   const TopologyReport r = report(mesh_);

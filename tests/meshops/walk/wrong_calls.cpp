@@ -288,7 +288,7 @@ class WrongCalls {
             case 3:
               return tracker.note_undone(replayed(welds_));
             case 4:
-              return tracker.note_created(halfedge());
+              return tracker.note(CreateTriangleEffect{face(), halfedge(), halfedge()});
             case 5:
               return tracker.note(CloseCurveEffect{face()});
             case 6:

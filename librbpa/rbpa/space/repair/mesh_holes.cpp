@@ -85,9 +85,7 @@ FilledMesh fill_holes(meshops::Connectivity& mesh, std::span<const Point3> place
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) site_of[triangles[t][k]] = filling.triangles[t][k];
   FilledMesh filled{std::move(filling.loops), {}};
-  meshops::require(
-      meshops::has_status(mesh),
-      "fill_holes: the mesh needs status of every kind to mark what is deleted (request_vertex_status() and so on)");
+  meshops::detail::require_status(mesh, "fill_holes");
   zip(mesh, site_of);
   meshops::Front front(mesh, site_of);
   for (std::size_t t = triangles.size(); t < filling.triangles.size(); ++t) {

@@ -23,7 +23,7 @@ struct FilledMesh {
 };
 
 /// Fills the given boundary curves of a mesh; boundary_curves(mesh) returns all, including the outer rim of a sheet.
-/// Requires: a sound mesh of triangles, with status of every kind (request_vertex_status() and so on), in which no two
+/// Requires: a sound mesh of triangles, with status of every kind (meshops::request_status()), in which no two
 ///           edges join the same vertices; `places` has a finite position for each vertex, by index; `curves` are of
 ///           this mesh, none twice.
 /// Throws:   as fill_holes() of loops; ContractViolation when a face is not a triangle, places or status are missing,
