@@ -4,7 +4,7 @@ cmake_minimum_required(VERSION 3.22)
 # Public headers are directly in these folders: in librbpa those of PublicHeaders.cmake; in libmeshops, which installs all headers, those that are not in a namespace detail.
 set(librbpa_folders rbpa rbpa/plane rbpa/fill rbpa/space/solid rbpa/space/surface rbpa/space/repair rbpa/space/persistence rbpa/space/balls rbpa/base)
 set(libmeshops_folders meshops meshops/core meshops/handle meshops/stellar meshops/history meshops/patch meshops/front
-  meshops/topology meshops/graph)
+  meshops/topology meshops/graph meshops/simplify)
 get_filename_component(ROOT "${ROOT}" ABSOLUTE)
 include(${ROOT}/librbpa/cmake/PublicHeaders.cmake)
 set(page ${ROOT}/docs/reference/cpp_headers.md)

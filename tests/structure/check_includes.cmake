@@ -2,20 +2,21 @@ cmake_minimum_required(VERSION 3.22)
 # Fails if a file includes one from a folder that its own folder must not include.
 # Each line has a folder and the folders that it may include; a folder may always include itself.
 set(allowed
-  "meshops: meshops/core meshops/front meshops/graph meshops/handle meshops/history meshops/patch meshops/stellar
-    meshops/topology"
+  "meshops: meshops/core meshops/front meshops/graph meshops/handle meshops/history meshops/patch meshops/simplify
+    meshops/stellar meshops/topology"
   "meshops/front: meshops/core meshops/handle meshops/patch"
   "meshops/graph: meshops/core"
   "meshops/handle: meshops/core"
   "meshops/history: meshops/core meshops/handle meshops/stellar"
   "meshops/patch: meshops/core"
+  "meshops/simplify: meshops/core meshops/stellar"
   "meshops/stellar: meshops/core"
   "meshops/topology: meshops/core meshops/graph meshops/handle meshops/stellar"
 
   "rbpa: meshops/core meshops/front meshops/topology rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/run
     rbpa/base/sort rbpa/fill rbpa/fill/front rbpa/fill/rings rbpa/paper rbpa/plane rbpa/plane/hierarchy rbpa/plane/mesh
-    rbpa/plane/patches rbpa/plane/shape rbpa/space/balls rbpa/space/persistence rbpa/space/repair rbpa/space/solid
-    rbpa/space/surface"
+    rbpa/plane/patches rbpa/plane/shape rbpa/space/balls rbpa/space/persistence rbpa/space/repair rbpa/space/simplify
+    rbpa/space/solid rbpa/space/surface"
   "rbpa/base: meshops/core"
   "rbpa/base/arrays: meshops/core rbpa/base rbpa/base/run"
   "rbpa/base/exact: rbpa/base"
@@ -75,6 +76,8 @@ set(allowed
   "rbpa/space/repair/closing: meshops/core rbpa/base rbpa/base/arrays rbpa/base/run rbpa/space/cells
     rbpa/space/predicate"
   "rbpa/space/repair/refining: meshops/core meshops/stellar rbpa/base rbpa/space/predicate rbpa/space/surface"
+  "rbpa/space/simplify: meshops/core meshops/simplify meshops/stellar rbpa/base rbpa/space/predicate
+    rbpa/space/surface"
   "rbpa/space/solid: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/run rbpa/base/sort
     rbpa/space/cells rbpa/space/predicate rbpa/space/solid/boundary rbpa/space/solid/insertion
     rbpa/space/solid/periodic rbpa/space/solid/rows rbpa/space/solid/tiles rbpa/space/solid/triples rbpa/space/surface
@@ -129,7 +132,7 @@ set(allowed
   "apps/stream: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon rbpa/base rbpa/plane"
   "apps/triangulation: apps/io apps/io/bytes apps/io/mesh rbpa/base rbpa/space/repair rbpa/space/surface")
 # Rooms, from the ground floor up: no folder may include one of a room above its own, and the plane and space are siblings.
-set(floors meshops rbpa/base rbpa/plane rbpa/fill rbpa/paper rbpa/space/predicate rbpa/space/cells rbpa/space/surface rbpa/space/repair
+set(floors meshops rbpa/base rbpa/plane rbpa/fill rbpa/paper rbpa/space/predicate rbpa/space/cells rbpa/space/surface rbpa/space/repair rbpa/space/simplify
   rbpa/space/solid rbpa/space/persistence rbpa/space/balls rbpa apps)
 function(floor_of folder result)
   if(folder MATCHES "^(meshops|apps|rbpa$)")

@@ -1,0 +1,68 @@
+// What:   the functions by which a simplification decides: what an edge costs, where its vertex goes, and whether.
+// Source: Garland and Heckbert, Surface simplification using quadric error metrics (1997).
+#pragma once
+
+#include <concepts>
+#include <optional>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/stellar/count_effects.h"
+
+namespace meshops {
+
+/// Policy of a simplification: it decides geometry, the engine decides topology. A policy has four functions:
+///   cost(mesh, e)           returns the cost of collapsing the edge e, a finite number; nothing for an edge that stays.
+///                           The least cost comes first
+///   place(mesh, e)          returns the place of the vertex to which e would collapse: a value of any type, such as a
+///                           point. Floating-point numbers and ranges of them must be finite, and so must types for
+///                           which is_finite(place) is declared beside them
+///   allows(mesh, e, place)  returns whether e may collapse to this place
+///   key(mesh, v)            returns a key of the vertex that does not depend on its number, such as its point. Edges of
+///                           equal cost are ordered by the keys of their ends. If the keys of different vertices
+///                           differ, the result does not depend on the numbers of vertices, edges and faces
+/// The cost of an edge may depend on the triangles at its ends, but it is computed again only if one of its ends was
+/// merged or merged into another; whether it is allowed, also if a neighbor of an end was. No function may change the
+/// mesh.
+template <typename P, typename Mesh>
+concept SimplifyPolicy = requires(P policy, const Mesh& mesh, Edge e, Vertex v) {
+  { policy.cost(mesh, e) } -> std::convertible_to<std::optional<double>>;
+  { policy.allows(mesh, e, policy.place(mesh, e)) } -> std::same_as<bool>;
+  { policy.key(mesh, v) } -> std::totally_ordered;
+};
+
+template <typename P, typename Mesh>
+using PlaceOf = std::remove_cvref_t<decltype(std::declval<P&>().place(std::declval<const Mesh&>(), Edge()))>;
+
+/// Policy that is told what was merged:
+///   merge(mesh, effect, place)  is called when an edge has collapsed, with the mesh that it may write points and
+///                               properties to, but no links. It places the surviving vertex, and merges what the
+///                               policy keeps for the two vertices. If it throws, the collapse is undone
+/// Without merge(), the engine sets the point of the survivor to the place, if the mesh has points.
+template <typename P, typename Mesh>
+concept MergingPolicy = requires(P policy, Mesh& mesh, const WeldEffect& effect, const PlaceOf<P, Mesh>& place) {
+  policy.merge(mesh, effect, place);
+};
+
+/// Policy that chooses which vertex stays:
+///   survivor(mesh, e, place)  returns the end of e that keeps its handle and its properties; the other is removed
+/// Without survivor(), the end with the lesser key stays.
+template <typename P, typename Mesh>
+concept ChoosingPolicy = requires(P policy, const Mesh& mesh, Edge e, const PlaceOf<P, Mesh>& place) {
+  { policy.survivor(mesh, e, place) } -> std::same_as<Vertex>;
+};
+
+/// Policy that ends the run:
+///   stops(mesh, e, cost)  returns whether the run ends before the edge e, the next one, is collapsed at this cost
+template <typename P, typename Mesh>
+concept StoppingPolicy = requires(P policy, const Mesh& mesh, Edge e, double cost) {
+  { policy.stops(mesh, e, cost) } -> std::same_as<bool>;
+};
+
+/// Policy that declares `costs_grow`, a bool: if it is true, the cost of an edge never falls when one of its ends is
+/// merged, as with sums of quadrics. The engine then computes costs anew only when the turn of an edge comes.
+template <typename P>
+concept GrowingPolicy = requires(const P policy) {
+  { policy.costs_grow } -> std::convertible_to<bool>;
+};
+
+}  // namespace meshops
