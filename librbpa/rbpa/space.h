@@ -1,4 +1,4 @@
-// What: all public headers about points in space: solids, surfaces, repair, persistence, balls.
+// What: all public headers about points in space: solids, surfaces, repair, simplification, persistence, balls.
 #pragma once
 
 #include "rbpa/space/balls/dangling_faces.h"
@@ -23,6 +23,8 @@
 #include "rbpa/space/repair/refine_filling.h"
 #include "rbpa/space/repair/suggested_repairs.h"
 #include "rbpa/space/repair/watertight.h"
+#include "rbpa/space/simplify/quadric.h"
+#include "rbpa/space/simplify/quadric_policy.h"
 #include "rbpa/space/solid/periodic_solid.h"
 #include "rbpa/space/solid/solid.h"
 #include "rbpa/space/solid/solid_boundary.h"

@@ -1,4 +1,4 @@
-// What: tests whether the normal of a triangle agrees with another vector.
+// What: tests whether the normal of a triangle agrees with another vector, or with the normal of another triangle.
 // Law:  exact for every finite input (docs/explanation/surfaces.md, section 15).
 // Cost: some nanoseconds; microseconds when the filter fails.
 #pragma once
@@ -27,6 +27,11 @@ class RoundedNormal {
     return magnitude_.x * std::abs(Real(v.x)) + magnitude_.y * std::abs(Real(v.y)) + magnitude_.z * std::abs(Real(v.z));
   }
 
+  /// Returns the scalar product with another normal; magnitude() likewise. A coordinate of a normal has at most four
+  /// roundings, so that a term of the product has at most nine, and the error is below 16 roundoffs of magnitude().
+  Real product(const RoundedNormal& other) const { return dot(normal_, other.normal_); }
+  Real magnitude(const RoundedNormal& other) const { return dot(magnitude_, other.magnitude_); }
+
  private:
   Vector3<Real> normal_, magnitude_;
 };
@@ -52,5 +57,17 @@ class TriangleNormal {
   Point3 a_, b_, c_;
   RoundedNormal<Real> rounded_;
 };
+
+/// Returns the sign of (b − a) × (c − a) · (e − d) × (f − d).
+inline int compare_normals(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e,
+                           const Point3& f) {
+  using Real = long double;  // its exponents hold products of four differences of doubles
+  const RoundedNormal<Real> one(a, b, c), other(d, e, f);
+  const Real product = one.product(other), bound = 8 * std::numeric_limits<Real>::epsilon() * one.magnitude(other);
+  if (product > bound) return 1;
+  if (product < -bound) return -1;
+  if (bound == 0) return 0;  // all products are 0, and not by underflow
+  return exact::compare_normals(a, b, c, d, e, f);
+}
 
 }  // namespace rbpa::space

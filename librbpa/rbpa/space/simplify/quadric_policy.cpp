@@ -1,0 +1,220 @@
+#include "rbpa/space/simplify/quadric_policy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/live_range.h"
+#include "rbpa/space/predicate/bounding_box.h"
+#include "rbpa/space/predicate/normal_sign.h"
+#include "rbpa/space/predicate/vector3.h"
+
+namespace rbpa {
+namespace {
+
+using meshops::Connectivity;
+using meshops::Edge;
+using meshops::Halfedge;
+using meshops::Vertex;
+using Vector = space::Vector3<double>;
+
+/// Returns the rank of each place in lexicographic order; equal places have one rank.
+std::vector<std::uint32_t> ranks_of(const std::vector<Point3>& places) {
+  std::vector<std::uint32_t> order(places.size()), rank(places.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return places[a] < places[b]; });
+  for (std::size_t i = 1; i < order.size(); ++i)
+    rank[order[i]] = rank[order[i - 1]] + (places[order[i - 1]] < places[order[i]] ? 1U : 0U);
+  return rank;
+}
+
+/// Adds up the quadrics around vertices. Every sum runs through its terms in an order that does not depend on numbers.
+class Sums {
+ public:
+  /// Requires: `at` has the scaled place of each vertex.
+  Sums(const Connectivity& mesh, const std::vector<Point3>& at, const std::vector<std::uint32_t>& rank,
+       const QuadricOptions& options)
+      : mesh_(mesh),
+        at_(at),
+        rank_(rank),
+        options_(options),
+        noise_(options.normal_deviation * options.normal_deviation),
+        least_cosine_(std::cos(options.sharp_angle * std::numbers::pi / 180)) {}
+
+  Quadric around(Vertex v) const {
+    Quadric sum;
+    if (mesh_.is_isolated(v)) return sum;
+    const Halfedge first = first_of(v);
+    Halfedge out = first;
+    do {
+      if (!mesh_.is_boundary(out)) {
+        const Plane plane = plane_of(out);
+        sum += Quadric::plane(plane.normal, plane.through, plane.area, noise_);
+      }
+      add_edge(sum, out);
+      out = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(out));
+    } while (out != first);
+    return sum;
+  }
+
+ private:
+  struct Plane {
+    Point3 normal, through;  // unit normal and centroid of a triangle
+    double area = 0;         // 0 for no triangle
+  };
+
+  std::uint32_t rank_at_end(Halfedge h) const {
+    return rank_[static_cast<std::size_t>(mesh_.to_vertex_handle(h).idx())];
+  }
+  const Point3& at_end(Halfedge h) const { return at_[static_cast<std::size_t>(mesh_.to_vertex_handle(h).idx())]; }
+
+  /// Returns the boundary halfedge of a vertex, or that to the neighbor of the least rank.
+  Halfedge first_of(Vertex v) const {
+    Halfedge first = mesh_.halfedge_handle(v);
+    if (mesh_.is_boundary(first)) return first;
+    for (const Halfedge h : mesh_.voh_range(v))
+      if (rank_at_end(h) < rank_at_end(first)) first = h;
+    return first;
+  }
+
+  /// Returns the plane of the triangle of a halfedge; computed from its corner of the least rank on.
+  Plane plane_of(Halfedge h) const {
+    if (mesh_.is_boundary(h)) return {};
+    std::array<Halfedge, 3> sides = {h, mesh_.next_halfedge_handle(h), mesh_.prev_halfedge_handle(h)};
+    std::rotate(sides.begin(),
+                std::min_element(sides.begin(), sides.end(),
+                                 [&](Halfedge a, Halfedge b) { return rank_at_end(a) < rank_at_end(b); }),
+                sides.end());
+    const Point3 &a = at_end(sides[0]), &b = at_end(sides[1]), &c = at_end(sides[2]);
+    const Vector n = space::cross(space::from<double>(a, b), space::from<double>(a, c));
+    const double length = std::sqrt(space::dot(n, n));
+    if (length == 0) return {};
+    return {{n.x / length, n.y / length, n.z / length},
+            {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3},
+            length / 2};
+  }
+
+  /// Adds planes that stand on the edge of a halfedge, if it is on the boundary or sharp: for each triangle at the edge
+  /// the plane through the edge that is perpendicular to the triangle.
+  void add_edge(Quadric& sum, Halfedge h) const {
+    if (rank_at_end(mesh_.opposite_halfedge_handle(h)) > rank_at_end(h)) h = mesh_.opposite_halfedge_handle(h);
+    const Halfedge o = mesh_.opposite_halfedge_handle(h);
+    const Plane left = plane_of(h), right = plane_of(o);
+    const bool on_boundary = mesh_.is_boundary(h) || mesh_.is_boundary(o);
+    const double cosine =
+        left.normal.x * right.normal.x + left.normal.y * right.normal.y + left.normal.z * right.normal.z;
+    if (!on_boundary && !(left.area > 0 && right.area > 0 && cosine < least_cosine_)) return;
+    const Vector along = space::from<double>(at_end(o), at_end(h));
+    const double weight = (on_boundary ? options_.boundary_weight : options_.sharp_weight) * space::dot(along, along);
+    for (const Plane& plane : {left, right}) {
+      const Vector across = space::cross(along, Vector{plane.normal.x, plane.normal.y, plane.normal.z});
+      const double length = std::sqrt(space::dot(across, across));
+      if (plane.area > 0 && length > 0)
+        sum += Quadric::plane({across.x / length, across.y / length, across.z / length}, at_end(h), weight);
+    }
+  }
+
+  const Connectivity& mesh_;
+  const std::vector<Point3>& at_;
+  const std::vector<std::uint32_t>& rank_;
+  const QuadricOptions& options_;
+  const double noise_, least_cosine_;
+};
+
+/// Returns 0 for a negative number; NaN stays.
+double not_negative(double error) { return error < 0 ? 0 : error; }
+
+Point3 rounded_to_float(const Point3& p) {
+  return {static_cast<double>(static_cast<float>(p.x)), static_cast<double>(static_cast<float>(p.y)),
+          static_cast<double>(static_cast<float>(p.z))};
+}
+
+}  // namespace
+
+QuadricPolicy::QuadricPolicy(const Connectivity& mesh, std::vector<Point3> places, const QuadricOptions& options)
+    : costs_grow(!options.at_ends),
+      options_(options),
+      places_(std::move(places)),
+      quadrics_(mesh.n_vertices()),
+      rank_(ranks_of(places_)) {
+  meshops::require_one_each("QuadricPolicy", places_.size(), "places", mesh.n_vertices(), "vertices");
+  space::Box box;
+  for (const Vertex v : meshops::live_vertices(mesh)) box.include(places_[index(v)]);
+  const auto middle = [](double low, double high) { return low / 2 + high / 2; };
+  if (box.low.x <= box.high.x)
+    center_ = {middle(box.low.x, box.high.x), middle(box.low.y, box.high.y), middle(box.low.z, box.high.z)};
+  const double size =
+      std::max({box.high.x / 2 - box.low.x / 2, box.high.y / 2 - box.low.y / 2, box.high.z / 2 - box.low.z / 2});
+  if (size > 0 && std::isfinite(size)) scale_ = std::ldexp(1.0, std::min(-std::ilogb(size), 1000));
+  std::vector<Point3> at(places_.size());
+  std::transform(places_.begin(), places_.end(), at.begin(), [&](const Point3& p) { return local(p); });
+  const Sums sums(mesh, at, rank_, options_);
+  for (const Vertex v : meshops::live_vertices(mesh)) quadrics_[index(v)] = sums.around(v);
+}
+
+Point3 QuadricPolicy::local(const Point3& p) const {
+  return {(p.x - center_.x) * scale_, (p.y - center_.y) * scale_, (p.z - center_.z) * scale_};
+}
+
+Point3 QuadricPolicy::unscaled(const Point3& p) const {
+  const Point3 place = {center_.x + p.x / scale_, center_.y + p.y / scale_, center_.z + p.z / scale_};
+  return options_.single_precision ? rounded_to_float(place) : place;
+}
+
+/// Returns the ends of an edge, the one of lesser rank first.
+std::pair<Vertex, Vertex> QuadricPolicy::ends(const Connectivity& mesh, Edge e) const {
+  const Halfedge h = mesh.halfedge_handle(e, 0);
+  const Vertex a = mesh.from_vertex_handle(h), b = mesh.to_vertex_handle(h);
+  return rank_[index(b)] < rank_[index(a)] ? std::pair(b, a) : std::pair(a, b);
+}
+
+QuadricPolicy::Target QuadricPolicy::target(const Connectivity& mesh, Edge e) const {
+  const auto [a, b] = ends(mesh, e);
+  const Quadric sum = quadrics_[index(a)] + quadrics_[index(b)];
+  if (!options_.at_ends)
+    if (const auto least = sum.minimum()) return {unscaled(*least), not_negative(sum(*least))};
+  const Point3 at_a = local(places_[index(a)]), at_b = local(places_[index(b)]);
+  Target best = {places_[index(a)], sum(at_a)};
+  if (const double error = sum(at_b); error < best.error) best = {places_[index(b)], error};
+  const Point3 middle = {(at_a.x + at_b.x) / 2, (at_a.y + at_b.y) / 2, (at_a.z + at_b.z) / 2};
+  if (const double error = sum(middle); !options_.at_ends && error < best.error) best = {unscaled(middle), error};
+  best.error = not_negative(best.error);
+  return best;
+}
+
+double QuadricPolicy::cost(const Connectivity& mesh, Edge e) const { return target(mesh, e).error; }
+
+Point3 QuadricPolicy::place(const Connectivity& mesh, Edge e) const { return target(mesh, e).place; }
+
+bool QuadricPolicy::allows(const Connectivity& mesh, Edge e, const Point3& place) const {
+  const auto [a, b] = ends(mesh, e);
+  return keeps_directions(mesh, a, b, place) && keeps_directions(mesh, b, a, place);
+}
+
+bool QuadricPolicy::keeps_directions(const Connectivity& mesh, Vertex moved, Vertex other, const Point3& place) const {
+  const Point3& old = places_[index(moved)];
+  if (old == place) return true;
+  for (const Halfedge out : mesh.voh_range(moved)) {
+    const Vertex second = mesh.to_vertex_handle(out), third = mesh.to_vertex_handle(mesh.next_halfedge_handle(out));
+    if (mesh.is_boundary(out) || second == other || third == other) continue;
+    const Point3 &p = places_[index(second)], &q = places_[index(third)];
+    const int sign = space::compare_normals(old, p, q, place, p, q);
+    if (sign < 0 || (sign == 0 && space::compare_normals(old, p, q, old, p, q) > 0)) return false;
+  }
+  return true;
+}
+
+Vertex QuadricPolicy::survivor(const Connectivity& mesh, Edge e, const Point3& place) const {
+  const auto [a, b] = ends(mesh, e);
+  return places_[index(b)] == place && places_[index(a)] != place ? b : a;
+}
+
+void QuadricPolicy::merge(const Connectivity&, const meshops::WeldEffect& effect, const Point3& place) {
+  quadrics_[index(effect.survivor)] += quadrics_[index(effect.removed.vertex)];
+  places_[index(effect.survivor)] = place;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,123 @@
+// What:   simplifies a triangle mesh in space by quadric errors: fewer triangles, near the old ones.
+// Law:    topology as meshops::simplify() keeps it. No triangle turns by a right angle or more in one collapse, decided
+//         exactly on the points that the mesh gets. The result does not depend on the numbers of vertices and faces, if
+//         no two vertices lie on one point.
+// Cost:   that of meshops::simplify(), with some hundred operations for each cost, and microseconds for each collapse.
+// Source: Garland and Heckbert, Surface simplification using quadric error metrics (1997); Trettner and Kobbelt, Fast
+//         and robust QEF minimization using probabilistic quadrics (2020).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/simplify/simplify.h"
+#include "meshops/stellar/split_hooks.h"
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/simplify/quadric.h"
+#include "rbpa/space/surface/surface_mesh.h"
+
+namespace rbpa {
+
+struct QuadricOptions {
+  /// Weight of the planes that stand on boundary edges, as a multiple of the squared length of the edge; triangles
+  /// weigh their area. It keeps boundary curves in place.
+  double boundary_weight = 100;
+  /// Weight of such planes, one for each of the two triangles, on edges at which the normals of the triangles differ by
+  /// more than `sharp_angle`, in degrees.
+  double sharp_weight = 1;
+  double sharp_angle = 60;
+  /// Standard deviation of the normals, in radians. Above 0, the least error is at one point also where planes leave it
+  /// open; in a plane, vertices stay evenly spread.
+  double normal_deviation = 1e-3;
+  /// Whether a vertex goes to the end of its edge with the less error, so that all vertices are vertices of the input;
+  /// otherwise it goes to the place of the least error.
+  bool at_ends = false;
+  /// Whether places are rounded to float, as for a mesh with such points.
+  bool single_precision = false;
+};
+
+/// Policy of meshops::simplify() that keeps a place and a quadric for each vertex.
+class RBPA_API QuadricPolicy {
+ public:
+  /// Computes the quadrics of a mesh of triangles.
+  /// Requires: a sound mesh; `places` has a finite position for each vertex, by index; no option is negative.
+  /// Throws:   ContractViolation when there are fewer places than vertices. A place that is not finite makes a cost
+  ///           that simplify() refuses. Cost: n log n.
+  QuadricPolicy(const meshops::Connectivity& mesh, std::vector<Point3> places, const QuadricOptions& options = {});
+
+  /// Returns the error at the place of the edge: the sum over the triangles that went into its ends, up to three times
+  /// each, of area · distance², where lengths are multiplied by scale(). It never falls when ends are merged, unless
+  /// `at_ends`.
+  double cost(const meshops::Connectivity& mesh, meshops::Edge e) const;
+  Point3 place(const meshops::Connectivity& mesh, meshops::Edge e) const;
+  /// Returns whether no triangle at the ends of the edge turns by a right angle or more, or loses its area.
+  bool allows(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const;
+  /// Returns the rank of the vertex among all, by the points of the beginning; vertices on one point have one rank.
+  std::uint32_t key(const meshops::Connectivity&, meshops::Vertex v) const { return rank_[index(v)]; }
+  /// Returns the end of the edge that lies at the place, else the end of the lesser key.
+  meshops::Vertex survivor(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const;
+  void merge(const meshops::Connectivity& mesh, const meshops::WeldEffect& effect, const Point3& place);
+
+  /// Returns the power of two by which lengths are multiplied in errors, so that the mesh has about the size 1.
+  double scale() const { return scale_; }
+  const std::vector<Point3>& places() const { return places_; }
+
+  const bool costs_grow;
+
+ private:
+  struct Target {
+    Point3 place;
+    double error;
+  };
+  static std::size_t index(meshops::Vertex v) { return static_cast<std::size_t>(v.idx()); }
+  std::pair<meshops::Vertex, meshops::Vertex> ends(const meshops::Connectivity& mesh, meshops::Edge e) const;
+  Target target(const meshops::Connectivity& mesh, meshops::Edge e) const;
+  bool keeps_directions(const meshops::Connectivity& mesh, meshops::Vertex moved, meshops::Vertex other,
+                        const Point3& place) const;
+  Point3 local(const Point3& p) const;
+  Point3 unscaled(const Point3& local) const;
+
+  QuadricOptions options_;
+  std::vector<Point3> places_;
+  std::vector<Quadric> quadrics_;
+  std::vector<std::uint32_t> rank_;
+  Point3 center_;
+  double scale_ = 1;
+};
+
+namespace detail {
+
+/// Policy that also writes the places to the mesh.
+template <meshops::HasPoints AnyMesh>
+struct MeshQuadrics : QuadricPolicy {
+  using QuadricPolicy::QuadricPolicy;
+  void merge(AnyMesh& mesh, const meshops::WeldEffect& effect, const Point3& place) {
+    QuadricPolicy::merge(mesh, effect, place);
+    using Number = std::remove_cvref_t<decltype(mesh.point(effect.survivor)[0])>;
+    mesh.set_point(effect.survivor,
+                   {static_cast<Number>(place.x), static_cast<Number>(place.y), static_cast<Number>(place.z)});
+  }
+};
+
+}  // namespace detail
+
+/// Simplifies a mesh in place, down to the limits of `options`. Deleted elements stay in the mesh until
+/// garbage_collection(). `options.cost` is in units of QuadricPolicy::cost().
+/// Requires: simplify_blocker(mesh) is empty; a sound mesh with three finite coordinates for each vertex.
+/// Throws:   as meshops::simplify().
+template <meshops::HasPoints AnyMesh, typename Visitor = meshops::SimplifyVisitor>
+meshops::SimplifyResult simplify(AnyMesh& mesh, const meshops::SimplifyOptions& options, QuadricOptions quadrics = {},
+                                 Visitor&& visitor = {}) {
+  meshops::detail::enforce("simplify", meshops::simplify_blocker(mesh));
+  if constexpr (std::is_same_v<std::remove_cvref_t<decltype(std::declval<AnyMesh&>().point(meshops::Vertex())[0])>,
+                               float>)
+    quadrics.single_precision = true;
+  return meshops::simplify(mesh, detail::MeshQuadrics<AnyMesh>(mesh, places_of(mesh), quadrics), options, visitor);
+}
+
+}  // namespace rbpa

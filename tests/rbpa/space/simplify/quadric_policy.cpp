@@ -1,0 +1,364 @@
+// Simplification by quadric errors, on files of meshes and on surfaces with a known error.
+#include "rbpa/space/simplify/quadric_policy.h"
+
+#include <doctest/doctest.h>
+
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "meshops/core/contract.h"
+#include "meshops/core/validate.h"
+#include "meshops/stellar/undo.h"
+#include "meshops/topology/build_mesh.h"
+#include "meshops/topology/report.h"
+#include "rbpa/base/mesh.h"
+#include "rbpa/space/predicate/normal_sign.h"
+#include "support/data_folder.h"
+
+using namespace rbpa_test;
+using meshops::Edge;
+using meshops::Face;
+using meshops::Halfedge;
+using meshops::Vertex;
+using rbpa::Point3;
+using rbpa::QuadricOptions;
+
+TEST_SUITE_BEGIN("space");
+
+namespace {
+
+/// Triangles with points, as a file has them.
+struct Triangles {
+  std::vector<Point3> points;
+  std::vector<std::array<std::uint32_t, 3>> corners;
+};
+
+Triangles read_off(const std::filesystem::path& path) {
+  std::ifstream stream(path);
+  std::string magic;
+  std::size_t points = 0, faces = 0, edges = 0;
+  stream >> magic >> points >> faces >> edges;
+  Triangles t{std::vector<Point3>(points), std::vector<std::array<std::uint32_t, 3>>(faces)};
+  for (Point3& p : t.points) stream >> p.x >> p.y >> p.z;
+  for (auto& [a, b, c] : t.corners) stream >> edges >> a >> b >> c;
+  REQUIRE(stream);
+  return t;
+}
+
+template <typename Mesh>
+void build(const Triangles& t, Mesh& mesh) {
+  meshops::PolygonSoup soup;
+  soup.points = t.points.size();
+  for (const auto& corners : t.corners) soup.add_face(corners);
+  const auto point_of = meshops::build_mesh(mesh, soup);
+  using Number = typename Mesh::Point::value_type;
+  for (const Vertex v : mesh.vertices()) {
+    const Point3& p = t.points[point_of[static_cast<std::size_t>(v.idx())]];
+    mesh.set_point(v, {static_cast<Number>(p.x), static_cast<Number>(p.y), static_cast<Number>(p.z)});
+  }
+  meshops::request_status(mesh);
+}
+
+/// Returns the triangles of a mesh as points, each from its least corner on, sorted.
+template <typename Mesh>
+std::vector<std::array<Point3, 3>> canonical(const Mesh& mesh) {
+  const auto places = rbpa::places_of(mesh);
+  std::vector<std::array<Point3, 3>> all;
+  for (const Face f : meshops::live_faces(mesh)) {
+    std::array<Point3, 3> t;
+    Halfedge h = mesh.halfedge_handle(f);
+    for (Point3& p : t) {
+      p = places[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())];
+      h = mesh.next_halfedge_handle(h);
+    }
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    all.push_back(t);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+Triangles shuffled(const Triangles& t, std::mt19937& random) {
+  std::vector<std::uint32_t> number(t.points.size());
+  std::iota(number.begin(), number.end(), 0U);
+  std::shuffle(number.begin(), number.end(), random);
+  Triangles result{std::vector<Point3>(t.points.size()), t.corners};
+  for (std::size_t v = 0; v < number.size(); ++v) result.points[number[v]] = t.points[v];
+  for (auto& corners : result.corners) {
+    for (std::uint32_t& corner : corners) corner = number[corner];
+    std::rotate(corners.begin(), corners.begin() + random() % 3, corners.end());
+  }
+  std::shuffle(result.corners.begin(), result.corners.end(), random);
+  return result;
+}
+
+/// A grid of squares, each cut in two, in the plane z = 0, with inner points moved at random.
+Triangles sheet(std::uint32_t n, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> shift(-0.3, 0.3);
+  Triangles t;
+  const auto at = [&](std::uint32_t i, std::uint32_t j) { return i * (n + 1) + j; };
+  for (std::uint32_t i = 0; i <= n; ++i)
+    for (std::uint32_t j = 0; j <= n; ++j) {
+      const bool inner = i > 0 && j > 0 && i < n && j < n;
+      t.points.push_back({i + (inner ? shift(random) : 0), j + (inner ? shift(random) : 0), 0});
+      if (i == n || j == n) continue;
+      t.corners.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      t.corners.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  return t;
+}
+
+/// A sphere of radius 1: an octahedron, subdivided `times` times.
+Triangles sphere(int times) {
+  Triangles t{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
+              {{0, 1, 2}, {1, 3, 2}, {3, 4, 2}, {4, 0, 2}, {1, 0, 5}, {3, 1, 5}, {4, 3, 5}, {0, 4, 5}}};
+  for (; times > 0; --times) {
+    std::map<std::array<std::uint32_t, 2>, std::uint32_t> middle;
+    const auto between = [&](std::uint32_t a, std::uint32_t b) {
+      const auto [slot, is_new] = middle.insert({{std::min(a, b), std::max(a, b)}, 0});
+      if (is_new) {
+        const Point3 p = t.points[a], q = t.points[b];
+        const Point3 m = {p.x + q.x, p.y + q.y, p.z + q.z};
+        const double length = std::hypot(m.x, m.y, m.z);
+        slot->second = static_cast<std::uint32_t>(t.points.size());
+        t.points.push_back({m.x / length, m.y / length, m.z / length});
+      }
+      return slot->second;
+    };
+    std::vector<std::array<std::uint32_t, 3>> finer;
+    for (const auto& [a, b, c] : t.corners) {
+      const std::uint32_t ab = between(a, b), bc = between(b, c), ca = between(c, a);
+      for (const auto& corners : {std::array{a, ab, ca}, {b, bc, ab}, {c, ca, bc}, {ab, bc, ca}})
+        finer.push_back(corners);
+    }
+    t.corners = std::move(finer);
+  }
+  return t;
+}
+
+/// Checks soundness, topology and directions of triangles at every tenth collapse.
+template <typename Mesh>
+struct Watch : meshops::SimplifyVisitor {
+  explicit Watch(const Mesh& mesh) : before(meshops::report(mesh)), places(rbpa::places_of(mesh)) {}
+  void collapsed(const Mesh& mesh, const meshops::WeldEffect& effect, double) {
+    effects.push_back(effect);
+    check_directions(mesh, effect.survivor);
+    if (effects.size() % 10 == 0) check(mesh);
+  }
+  void check(const Mesh& mesh) const {
+    CHECK(meshops::validate(mesh).empty());
+    const meshops::TopologyReport now = meshops::report(mesh);
+    CHECK(now.betti == before.betti);
+    CHECK(now.boundary_curves == before.boundary_curves);
+    CHECK(now.genus == before.genus);
+    CHECK(now.solid_components == before.solid_components);
+  }
+  /// Checks by integers that no triangle at the survivor turned against what it was with either end in its place.
+  void check_directions(const Mesh& mesh, Vertex survivor) {
+    const auto at = [](Vertex v) { return static_cast<std::size_t>(v.idx()); };
+    const auto& p = mesh.point(survivor);
+    const Point3 now = {double(p[0]), double(p[1]), double(p[2])};
+    const Vertex removed = effects.back().removed.vertex;
+    for (const Halfedge out : mesh.voh_range(survivor)) {
+      if (mesh.is_boundary(out)) continue;
+      const Point3& a = places[at(mesh.to_vertex_handle(out))];
+      const Point3& b = places[at(mesh.to_vertex_handle(mesh.next_halfedge_handle(out)))];
+      const auto agrees = [&](Vertex old) {
+        return rbpa::space::exact::compare_normals(places[at(old)], a, b, now, a, b) > 0;
+      };
+      CHECK((agrees(survivor) || agrees(removed)));
+    }
+    places[at(survivor)] = now;
+  }
+  meshops::TopologyReport before;
+  std::vector<Point3> places;
+  std::vector<meshops::WeldEffect> effects;
+};
+
+using FloatMesh = OpenMesh::PolyMesh_ArrayKernelT<>;
+
+}  // namespace
+
+TEST_CASE(
+    "meshes from files keep topology and directions at every tenth collapse, down to the least, and undo() is exact") {
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(bundled_data())) {
+    if (entry.path().extension() != ".off") continue;
+    INFO(entry.path().string());
+    const Triangles t = read_off(entry.path());
+    const auto run = [&](auto&& mesh, const QuadricOptions& options) {
+      build(t, mesh);
+      const std::size_t faces = mesh.n_faces();
+      Watch watch(mesh);
+      const auto result = rbpa::simplify(mesh, {.faces = faces / 10}, options, watch);
+      CHECK(result.collapses > faces / 4);
+      rbpa::simplify(mesh, {}, options, watch);
+      watch.check(mesh);
+      for (auto effect = watch.effects.rbegin(); effect != watch.effects.rend(); ++effect) meshops::undo(mesh, *effect);
+      CHECK(meshops::report(mesh).faces == faces);
+      CHECK(meshops::validate(mesh).empty());
+    };
+    run(rbpa::Mesh(), {});
+    run(FloatMesh(), {.at_ends = true});
+    ++files;
+  }
+  CHECK(files >= 5);
+}
+
+TEST_CASE("the result does not depend on the order of points and triangles, bit for bit") {
+  std::mt19937 random(5);
+  for (const char* name : {"m3_spot.off", "m3_bob.off", "m3_plate_holes.off"}) {
+    const Triangles t = read_off(bundled_data() / name);
+    for (const bool at_ends : {false, true}) {
+      rbpa::Mesh one, other;
+      build(shuffled(t, random), one);
+      build(shuffled(t, random), other);
+      const std::size_t faces = one.n_faces() / 5;
+      rbpa::simplify(one, {.faces = faces}, {.at_ends = at_ends});
+      rbpa::simplify(other, {.faces = faces}, {.at_ends = at_ends});
+      CHECK(canonical(one) == canonical(other));
+    }
+  }
+}
+
+TEST_CASE("a sheet in a plane stays in the plane, with its outline and its area, at any size and place") {
+  for (const auto& [shift, size] : {std::pair(0.0, 1.0), {1e6, 1.0}, {0.0, 1e150}, {0.0, 1e-200}}) {
+    CAPTURE(size);
+    Triangles t = sheet(12, 3);
+    for (Point3& p : t.points) p = {(p.x + shift) * size, p.y * size, 7 * size};
+    rbpa::Mesh mesh;
+    build(t, mesh);
+    rbpa::simplify(mesh, {.faces = 30});
+    CHECK(meshops::validate(mesh).empty());
+    double area = 0;
+    for (const Face f : meshops::live_faces(mesh)) {
+      std::array<Point3, 3> c;
+      Halfedge h = mesh.halfedge_handle(f);
+      for (Point3& p : c) {
+        const auto& q = mesh.point(mesh.to_vertex_handle(h));
+        p = {q[0] / size - shift, q[1] / size, q[2] / size};
+        h = mesh.next_halfedge_handle(h);
+        CHECK(std::abs(p.z - 7) < 1e-6);
+        CHECK((p.x > -1e-6 && p.x < 12 + 1e-6 && p.y > -1e-6 && p.y < 12 + 1e-6));
+      }
+      const double twice = (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
+      CHECK(twice > 0);
+      area += twice / 2;
+    }
+    CHECK(area == doctest::Approx(144).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("with at_ends every vertex left is one of the input, and stays the vertex that it was") {
+  const Triangles t = read_off(bundled_data() / "m3_spot.off");
+  rbpa::Mesh mesh;
+  build(t, mesh);
+  const auto places = rbpa::places_of(mesh);
+  rbpa::simplify(mesh, {.faces = 200}, {.at_ends = true});
+  const auto now = rbpa::places_of(mesh);
+  for (const Vertex v : meshops::live_vertices(mesh))
+    CHECK(now[static_cast<std::size_t>(v.idx())] == places[static_cast<std::size_t>(v.idx())]);
+}
+
+TEST_CASE(
+    "a sphere of 8192 triangles with 400 left is within 2 % of the sphere, and the place of least error is better") {
+  double greatest[2] = {0, 0};
+  for (const bool at_ends : {false, true}) {
+    rbpa::Mesh mesh;
+    build(sphere(5), mesh);
+    rbpa::simplify(mesh, {.faces = 400}, {.at_ends = at_ends});
+    for (const Face f : meshops::live_faces(mesh)) {
+      rbpa::Mesh::Point middle(0, 0, 0);
+      for (const Vertex v : mesh.fv_range(f)) middle += mesh.point(v) / 3;
+      greatest[at_ends] = std::max(greatest[at_ends], std::abs(1 - middle.norm()));
+    }
+  }
+  CHECK(greatest[0] < 0.02);
+  CHECK(greatest[0] < greatest[1]);
+}
+
+TEST_CASE("corners and sharp edges of a cube stay where they are") {
+  const Triangles t = read_off(bundled_data() / "m3_cube_no_bottom.off");
+  rbpa::Mesh mesh;
+  build(t, mesh);
+  const auto before = rbpa::places_of(mesh);
+  const auto box = [](const std::vector<Point3>& points, const rbpa::Mesh& of) {
+    std::array<double, 2> range = {1e300, -1e300};
+    for (const Vertex v : meshops::live_vertices(of)) {
+      const Point3& p = points[static_cast<std::size_t>(v.idx())];
+      range = {std::min({range[0], p.x, p.y, p.z}), std::max({range[1], p.x, p.y, p.z})};
+    }
+    return range;
+  };
+  const auto whole = box(before, mesh);
+  const auto result = rbpa::simplify(mesh, {.cost = 1e-4});
+  CHECK(result.end != meshops::SimplifyEnd::faces);
+  CHECK(result.faces <= 14);
+  const auto left = box(rbpa::places_of(mesh), mesh);
+  CHECK(left[0] == doctest::Approx(whole[0]).epsilon(0.01));
+  CHECK(left[1] == doctest::Approx(whole[1]).epsilon(0.01));
+}
+
+TEST_CASE("places that are not finite are refused with the mesh untouched, and fewer places than vertices too") {
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    rbpa::Mesh mesh;
+    build(sheet(4, 1), mesh);
+    mesh.set_point(Vertex(12), {0, wrong, 0});
+    CHECK_THROWS_AS(rbpa::simplify(mesh, {}), meshops::ContractViolation);
+    CHECK(meshops::report(mesh).faces == 32);
+  }
+  rbpa::Mesh mesh;
+  build(sheet(4, 1), mesh);
+  CHECK_THROWS_AS(rbpa::QuadricPolicy(mesh, std::vector<Point3>(3)), meshops::ContractViolation);
+  rbpa::Mesh empty;
+  meshops::request_status(empty);
+  CHECK(rbpa::simplify(empty, {}).collapses == 0);
+}
+
+TEST_CASE("the minimum of a quadric is where its planes meet, and none is given where they leave it open") {
+  rbpa::Quadric q = rbpa::Quadric::plane({1, 0, 0}, {3, 9, 9}, 2) + rbpa::Quadric::plane({0, 0.6, 0.8}, {0, 5, 0}, 1);
+  CHECK_FALSE(q.minimum());
+  CHECK(q({3, 5, 0}) == doctest::Approx(0));
+  CHECK(q({5, 5, 0}) == doctest::Approx(8));
+  q += rbpa::Quadric::plane({0, 0, 1}, {0, 0, -2}, 5);
+  const auto least = q.minimum();
+  REQUIRE(least);
+  CHECK(least->x == doctest::Approx(3));
+  CHECK(least->z == doctest::Approx(-2));
+  CHECK(0.6 * (least->y - 5) + 0.8 * least->z == doctest::Approx(0));
+  const rbpa::Quadric noisy = rbpa::Quadric::plane({0, 0, 1}, {1, 2, 3}, 2, 0.25);
+  CHECK(noisy({1, 2, 3}) == doctest::Approx(0));
+  CHECK(noisy({1, 4, 3}) == doctest::Approx(2));
+  CHECK(noisy.minimum()->y == doctest::Approx(2));
+}
+
+TEST_CASE("the sign of the product of two normals is exact where rounding decides nothing") {
+  const Point3 a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0};
+  const double tiny = std::ldexp(1.0, -1060);
+  CHECK(rbpa::space::compare_normals(a, b, c, a, b, {0, tiny, 1}) == 1);
+  CHECK(rbpa::space::compare_normals(a, b, c, a, b, {0, -tiny, 1}) == -1);
+  CHECK(rbpa::space::compare_normals(a, b, c, a, b, {0, 0, 1}) == 0);
+  CHECK(rbpa::space::compare_normals(a, b, c, a, b, {2, 0, 0}) == 0);
+  std::mt19937_64 random(9);
+  for (int i = 0; i < 2000; ++i) {
+    std::array<Point3, 6> p;
+    for (Point3& q : p) q = {double(random() % 5), double(random() % 5), double(random() % 5) * 1e-9};
+    CHECK(rbpa::space::compare_normals(p[0], p[1], p[2], p[3], p[4], p[5]) ==
+          rbpa::space::exact::compare_normals(p[0], p[1], p[2], p[3], p[4], p[5]));
+  }
+}
+
+TEST_SUITE_END();
