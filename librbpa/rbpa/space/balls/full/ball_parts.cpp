@@ -19,7 +19,6 @@ namespace rbpa::space {
 namespace {
 
 using std::numbers::pi;
-constexpr std::uint32_t none = Solid::none;
 
 /// Returns the exponent of a power of two that scales the balls so that products of lengths are within the range of
 /// double: 0 for sizes that need none.
@@ -112,8 +111,8 @@ class BallParts {
   struct Spoke {
     Spoke(const Ball& from, const Ball& to, std::uint32_t other) : edge(from, to), ball(other) {}
     EdgeOfBalls edge;
-    std::uint32_t ball, last = none;  // last: the last of its tetrahedra in the list
-    std::uint32_t ends = 0;           // of arcs, at sides of triangles without a tetrahedron
+    std::uint32_t ball, last = Solid::none;  // last: the last of its tetrahedra in the list
+    std::uint32_t ends = 0;                  // of arcs, at sides of triangles without a tetrahedron
     bool is_exposed = false, has_triangle = false;
     WedgePart parts;  // sums
     void add(double times, const WedgePart& part) {
@@ -245,7 +244,7 @@ class BallParts {
   bool has_edge(const Spoke& spoke, Workspace& w) const {
     if (spoke.has_triangle) return true;
     w.ring.clear();
-    for (std::uint32_t at = spoke.last; at != none; at = w.around[at].before) w.ring.push_back(w.around[at].at);
+    for (std::uint32_t at = spoke.last; at != Solid::none; at = w.around[at].before) w.ring.push_back(w.around[at].at);
     return faces_.has_edge_alone(w.ring);
   }
 
