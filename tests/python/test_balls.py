@@ -42,6 +42,13 @@ def test_equal_radii_are_those_of_union_of_balls():
     assert numpy.array_equal(made.simplices, rbpa.solid(points).simplices)
 
 
+def test_no_balls_and_no_frames_have_no_size():
+    none = rbpa.balls(numpy.zeros((0, 3)), [], 1.4)
+    assert none.volume == 0 and none.areas.shape == (0,) and none.contacts.balls.shape == (0, 2) and none.simplices.shape == (0, 4)
+    empty = rbpa.balls(numpy.zeros((0, 5, 3)), 1.0)
+    assert empty.volume.shape == (0,) and empty.areas.shape == (0, 5) and empty.contacts == [] and empty.simplices == []
+
+
 def test_gradients_are_differences():
     points, radii = some(2, 30)
     made = rbpa.balls(points, radii + 0.1)

@@ -71,7 +71,7 @@ def balls(
         sizes = np.full(array.shape[-2], sizes)
     if sizes.shape not in (array.shape[-2:-1], array.shape[:-1]):
         raise InvalidInput(f"radii: found an array of shape {sizes.shape}, expected {array.shape[-2:-1]}, one for each center")
-    return Balls(array, sizes, as_number(probe, "probe", "a finite number"), as_threads(threads), progress)
+    return Balls(array, sizes, as_number(probe, "probe", "a finite number"), threads, progress)
 
 
 class BallContacts(NamedTuple):
@@ -119,17 +119,17 @@ class Balls(Result):
     areas: Floats
     hidden: Any
 
-    def __init__(self, centers: Floats, radii: Floats, probe: float, threads: int = 0, progress: Progress = None) -> None:
+    def __init__(self, centers: Floats, radii: Floats, probe: float, threads: Optional[int] = None, progress: Progress = None) -> None:
         super().__init__({"probe": probe}, centers=centers, radii=radii)
         made = self._measured(False, threads, progress)
         self.__dict__.update({name: made[name] for name in ("volume", "area", "volumes", "areas", "hidden")})
 
-    def _measured(self, further: bool, threads: int = 0, progress: Progress = None) -> dict[str, Any]:
+    def _measured(self, further: bool, threads: Optional[int] = None, progress: Progress = None) -> dict[str, Any]:
         """Measures the balls, contacts and gradients too if `further`. Returns the attributes."""
         self._require_unchanged()
         shape = self.centers.shape
-        centers, radii = self.centers.reshape(-1, *shape[-2:]), self.radii.reshape(-1, shape[-2])
-        made = _core.measure_balls(centers, radii, self.probe, further, further, threads, progress)
+        centers = self.centers if self.centers.ndim == 3 else self.centers[None]
+        made = _core.measure_balls(centers, np.atleast_2d(self.radii), self.probe, further, further, as_threads(threads), progress)
         made["contacts"] = [BallContacts(*contacts) for contacts in made["contacts"]]
         freeze(*made["hidden"], *(array for contacts in made["contacts"] for array in contacts))
         for name in ("volumes", "areas"):
@@ -165,7 +165,7 @@ class Balls(Result):
         """The tetrahedra of the regular triangulation of the balls with the probe: int32 array of shape (m, 4). Costs
         the triangulation."""
         self._require_unchanged()
-        frames = self.centers.reshape(-1, *self.centers.shape[-2:])
+        frames = self.centers if self.centers.ndim == 3 else self.centers[None]
         radii = np.broadcast_to(self.radii + self.probe, frames.shape[:2])
         found = [_core.regular_triangulation(frame, np.ascontiguousarray(row)) for frame, row in zip(frames, radii)]
         freeze(*found)
