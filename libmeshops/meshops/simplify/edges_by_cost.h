@@ -49,12 +49,8 @@ class EdgesByCost {
   /// Notes that the cost of a waiting edge is known from below only.
   void mark_outdated(Edge e) { state_[index(e)] = State::outdated; }
 
-  /// Removes and returns the first edge; `is_outdated` tells whether its cost must be computed again.
-  struct Next {
-    Entry entry;
-    bool is_outdated;
-  };
-  std::optional<Next> pop() {
+  /// Removes and returns the first edge, and whether its cost must be computed again.
+  std::optional<std::pair<Entry, bool>> pop() {
     while (!heap_.empty()) {
       std::pop_heap(heap_.begin(), heap_.end());
       Entry entry = std::move(heap_.back());
@@ -62,7 +58,7 @@ class EdgesByCost {
       if (is_stale(entry)) continue;
       const bool is_outdated = state_[index(entry.edge)] == State::outdated;
       state_[index(entry.edge)] = State::absent;
-      return Next{std::move(entry), is_outdated};
+      return std::pair(std::move(entry), is_outdated);
     }
     return std::nullopt;
   }

@@ -9,18 +9,15 @@
 #pragma once
 
 #include <concepts>
-#include <cstddef>
 #include <optional>
 #include <type_traits>
 
 #include "meshops/core/api.h"
 #include "meshops/core/blocker.h"
 #include "meshops/core/connectivity.h"
-#include "meshops/core/progress.h"
 #include "meshops/simplify/simplify_policy.h"
 #include "meshops/simplify/simplify_run.h"
 #include "meshops/simplify/simplify_visitor.h"
-#include "meshops/stellar/keep.h"
 
 namespace meshops {
 
@@ -31,29 +28,23 @@ MESHOPS_API std::optional<Blocker> simplify_blocker(const Connectivity& mesh);
 /// Collapses edges until a limit of the options is reached, the policy stops the run, or no edge is left that can be
 /// collapsed. Deleted elements stay in the mesh, marked deleted, until garbage_collection().
 /// Requires: simplify_blocker() is empty; the mesh is sound, except that vertices may have several fans.
-/// Throws:   ContractViolation when simplify_blocker() has a reason; when a cost or a place is not finite, or a
-///           survivor is not an end of its edge; and when a callback adds elements to the mesh or removes some. Whatever
-///           the policy or the visitor throws; Cancelled. The mesh is then as after the last collapse: untouched if none
-///           was done, as when the first cost is wrong.
-template <std::derived_from<Connectivity> Mesh, typename Policy, typename Visitor = SimplifyVisitor>
-requires SimplifyPolicy<std::remove_cvref_t<Policy>, Mesh> SimplifyResult simplify(Mesh& mesh, Policy&& policy,
-                                                                                   const SimplifyOptions& options = {},
-                                                                                   Visitor&& visitor = {}) {
+/// Throws:   ContractViolation when simplify_blocker() has a reason, when a cost or a place is not finite, when a
+///           survivor is not an end of its edge, and when a callback adds elements to the mesh or removes some. What
+///           the policy or the visitor throws; Cancelled. The mesh is then as after the last collapse, and untouched
+///           if none was done: as when one of the first costs is wrong.
+template <std::derived_from<Connectivity> Mesh, SimplifyPolicy<Mesh> Policy, typename Visitor = SimplifyVisitor>
+SimplifyResult simplify(Mesh& mesh, Policy&& policy, const SimplifyOptions& options = {}, Visitor&& visitor = {}) {
   using P = std::remove_reference_t<Policy>;
   using V = std::remove_reference_t<Visitor>;
-  static_assert(
-      MergingPolicy<P, Mesh> || !requires { &P::merge; },
-      "the policy has a member merge that is ignored: expected merge(Mesh&, const WeldEffect&, place)");
-  static_assert(
-      ChoosingPolicy<P, Mesh> || !requires { &P::survivor; },
-      "the policy has a member survivor that is ignored: expected Vertex survivor(const Mesh&, Edge, place)");
-  static_assert(
-      StoppingPolicy<P, Mesh> || !requires { &P::stops; },
-      "the policy has a member stops that is ignored: expected bool stops(const Mesh&, Edge, double cost)");
-  static_assert(std::derived_from<std::remove_cv_t<V>, SimplifyVisitor>,
-                "the visitor must derive from SimplifyVisitor");
+  constexpr bool merges = MergingPolicy<P, Mesh> || !requires { &P::merge; };
+  static_assert(merges, "the policy's merge is ignored: expected merge(Mesh&, const WeldEffect&, place)");
+  constexpr bool chooses = ChoosingPolicy<P, Mesh> || !requires { &P::survivor; };
+  static_assert(chooses, "the policy's survivor is ignored: expected Vertex survivor(const Mesh&, Edge, place)");
+  constexpr bool ends = StoppingPolicy<P, Mesh> || !requires { &P::stops; };
+  static_assert(ends, "the policy's stops is ignored: expected bool stops(const Mesh&, Edge, double cost)");
+  static_assert(std::derived_from<std::remove_cv_t<V>, SimplifyVisitor>, "the visitor is no SimplifyVisitor");
   static_assert(std::same_as<std::remove_cv_t<V>, SimplifyVisitor> || !detail::KeepsSimplifyEvents<V>,
-                "the visitor has no event, or one with another name: expected collapsed, refused or disallowed");
+                "the visitor has no event: expected collapsed, refused or disallowed");
   detail::enforce("simplify", simplify_blocker(mesh));
   return detail::SimplifyRun<Mesh, P, V>(mesh, policy, visitor, options).run();
 }

@@ -4,6 +4,8 @@
 
 #include <concepts>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 #include "meshops/core/connectivity.h"
 #include "meshops/stellar/count_effects.h"
@@ -11,14 +13,14 @@
 namespace meshops {
 
 /// Policy of a simplification: it decides geometry, the engine decides topology. A policy has four functions:
-///   cost(mesh, e)           returns the cost of collapsing the edge e, a finite number; nothing for an edge that stays.
-///                           The least cost comes first
+///   cost(mesh, e)           returns the cost of a collapse of the edge e, a finite number; nothing for an edge that
+///                           stays. The least cost comes first
 ///   place(mesh, e)          returns the place of the vertex to which e would collapse: a value of any type, such as a
 ///                           point. Floating-point numbers and ranges of them must be finite, and so must types for
 ///                           which is_finite(place) is declared beside them
 ///   allows(mesh, e, place)  returns whether e may collapse to this place
-///   key(mesh, v)            returns a key of the vertex that does not depend on its number, such as its point. Edges of
-///                           equal cost are ordered by the keys of their ends. If the keys of different vertices
+///   key(mesh, v)            returns a key of the vertex that does not depend on its number, such as its point. Edges
+///                           of equal cost are ordered by the keys of their ends. If the keys of different vertices
 ///                           differ, the result does not depend on the numbers of vertices, edges and faces
 /// The cost of an edge may depend on the triangles at its ends, but it is computed again only if one of its ends was
 /// merged or merged into another; whether it is allowed, also if a neighbor of an end was. No function may change the
@@ -33,7 +35,7 @@ concept SimplifyPolicy = requires(P policy, const Mesh& mesh, Edge e, Vertex v) 
 template <typename P, typename Mesh>
 using PlaceOf = std::remove_cvref_t<decltype(std::declval<P&>().place(std::declval<const Mesh&>(), Edge()))>;
 
-/// Policy that is told what was merged:
+/// Policy that merges what it keeps for vertices:
 ///   merge(mesh, effect, place)  is called when an edge has collapsed, with the mesh that it may write points and
 ///                               properties to, but no links. It places the surviving vertex, and merges what the
 ///                               policy keeps for the two vertices. If it throws, the collapse is undone

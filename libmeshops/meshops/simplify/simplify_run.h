@@ -1,17 +1,17 @@
 // What: one run of the simplification engine, its options and its result.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <iterator>
 #include <optional>
 #include <ranges>
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
-#include "meshops/core/api.h"
 #include "meshops/core/contract.h"
 #include "meshops/core/element_counts.h"
 #include "meshops/core/live_range.h"
@@ -76,7 +76,10 @@ class SimplifyRun {
         options_(options),
         counts_(ElementCounts::of(mesh)),
         step_(options.go_on),
-        edges_(mesh.n_edges()) {}
+        edges_(mesh.n_edges()),
+        left_at_(mesh.n_vertices(), false) {
+    require(!options.cost || !std::isnan(*options.cost), "simplify: options.cost is NaN, expected a number");
+  }
 
   SimplifyResult run() {
     for ([[maybe_unused]] const Face f : live_faces(mesh_)) ++result_.faces;
@@ -93,17 +96,17 @@ class SimplifyRun {
   static constexpr std::size_t steps_of_a_cost = 4, steps_of_a_collapse = 64;
 
   const Mesh& seen() const { return mesh_; }
-  /// Calls the policy or the visitor. Throws ContractViolation when it added elements to the mesh or removed some.
+  // ask() and tell() call the policy or the visitor, and throw ContractViolation when that changed the mesh.
   template <typename Call>
   auto ask(Call call) {
-    if constexpr (std::is_void_v<decltype(call())>) {
-      call();
-      require_intact();
-    } else {
-      auto answer = call();
-      require_intact();
-      return answer;
-    }
+    auto answer = call();
+    require_intact();
+    return answer;
+  }
+  template <typename Call>
+  void tell(Call call) {
+    call();
+    require_intact();
   }
   void require_intact() const {
     require(ElementCounts::of(mesh_) == counts_,
@@ -120,21 +123,33 @@ class SimplifyRun {
   /// Computes the cost of the edge and makes it wait, unless it has none.
   void queue(Edge e) {
     const std::optional<double> cost = ask([&]() -> std::optional<double> { return policy_.cost(seen(), e); });
-    if (!cost) return edges_.remove(e);
+    if (!cost) {
+      edges_.remove(e);
+      return leave(e, [] {});
+    }
     if (!std::isfinite(*cost)) [[unlikely]]
       violate_number("cost", e, *cost, "a finite number, or nothing for an edge that stays");
     const auto [a, b] = ends(e);
     edges_.push(e, *cost, key(a), key(b));
   }
 
+  /// Notes that an edge does not wait for its turn, and reports it.
+  template <typename Event>
+  void leave(Edge e, Event event) {
+    const auto [a, b] = ends(e);
+    left_at_[index(a)] = left_at_[index(b)] = true;
+    tell(event);
+  }
+  static std::size_t index(Vertex v) { return static_cast<std::size_t>(v.idx()); }
+
   SimplifyEnd advance() {
     while (result_.faces > options_.faces) {
       const auto next = edges_.pop();
       if (!next) return SimplifyEnd::exhausted;
-      const Edge e = next->entry.edge;
-      const double cost = next->entry.cost;
+      const Edge e = next->first.edge;
+      const double cost = next->first.cost;
       if (!is_live(mesh_, e)) continue;
-      if (next->is_outdated) {
+      if (next->second) {
         queue(e);
         continue;
       }
@@ -150,13 +165,15 @@ class SimplifyRun {
   void try_edge(Edge e, double cost) {
     const auto place = ask([&] { return policy_.place(seen(), e); });
     require_finite_place(e, place);
-    if (!ask([&] { return policy_.allows(seen(), e, place); })) return ask([&] { visitor_.disallowed(seen(), e); });
+    if (!ask([&] { return policy_.allows(seen(), e, place); }))
+      return leave(e, [&] { visitor_.disallowed(seen(), e); });
     const auto tried = try_collapse(mesh_, toward(e, place), options_.keep);
-    if (const auto* blocker = std::get_if<Blocker>(&tried)) return ask([&] { visitor_.refused(seen(), e, *blocker); });
+    if (const auto* blocker = std::get_if<Blocker>(&tried))
+      return leave(e, [&] { visitor_.refused(seen(), e, *blocker); });
     const WeldEffect& effect = std::get<WeldEffect>(tried);
     const auto merge = [&](Mesh& mesh, const WeldEffect& done) {
       if constexpr (MergingPolicy<Policy, Mesh>)
-        ask([&] { policy_.merge(mesh, done, place); });
+        tell([&] { policy_.merge(mesh, done, place); });
       else if constexpr (HasPoints<Mesh>)
         mesh.set_point(done.survivor, place);
     };
@@ -164,7 +181,8 @@ class SimplifyRun {
     ++result_.collapses;
     result_.faces -= effect.removed.faces().size();
     result_.cost = result_.cost ? std::max(*result_.cost, cost) : cost;
-    ask([&] { visitor_.collapsed(seen(), effect, cost); });
+    tell([&] { visitor_.collapsed(seen(), effect, cost); });
+    require(is_live(mesh_, effect.survivor), "simplify: the visitor removed elements of the mesh");
     update_around(effect.survivor);
   }
 
@@ -195,7 +213,10 @@ class SimplifyRun {
         edges_.mark_outdated(e);
       else
         queue(e);
-      for (const Halfedge beyond : mesh_.voh_range(mesh_.to_vertex_handle(out)))
+      const Vertex neighbor = mesh_.to_vertex_handle(out);
+      if (!left_at_[index(neighbor)]) continue;
+      left_at_[index(neighbor)] = false;
+      for (const Halfedge beyond : mesh_.voh_range(neighbor))
         if (const Edge further = mesh_.edge_handle(beyond); !edges_.waits(further)) queue(further);
     }
   }
@@ -207,6 +228,7 @@ class SimplifyRun {
   const ElementCounts counts_;
   Steps step_;
   EdgesByCost<Key> edges_;
+  std::vector<bool> left_at_;  // for each vertex: whether an edge at it may not wait for its turn
   SimplifyResult result_;
 };
 

@@ -57,7 +57,7 @@ std::vector<Label> numbered(const Connectivity& mesh) {
   return labels;
 }
 
-/// What of a mesh a simplification keeps.
+/// Topology of a mesh, which a simplification keeps.
 struct Topology {
   explicit Topology(const Connectivity& mesh) {
     const TopologyReport all = report(mesh);
@@ -254,7 +254,7 @@ TEST_SUITE("simplify") {
     CHECK(collapses > 2500);
   }
 
-  TEST_CASE("the run ends at the number of faces, at the cost, when the policy says so, or when nothing is left") {
+  TEST_CASE("the run ends at the number of faces, at the cost, when the policy stops it, or when nothing is left") {
     TestMesh mesh;
     corpus()[12].build(mesh);
     const std::size_t all = mesh.n_faces();
@@ -277,6 +277,9 @@ TEST_SUITE("simplify") {
     } enough(labels.of);
     CHECK(simplify(mesh, enough).end == SimplifyEnd::policy);
     CHECK(enough.left == -1);
+    const auto records = snapshot(mesh);
+    CHECK_THROWS_AS(simplify(mesh, labels, {.cost = std::numeric_limits<double>::quiet_NaN()}), ContractViolation);
+    CHECK(snapshot(mesh) == records);
     CHECK(simplify(mesh, labels).end == SimplifyEnd::exhausted);
     check_sound(mesh);
   }
