@@ -31,59 +31,52 @@ std::vector<std::uint32_t> ranks_of(const std::vector<Point3>& places) {
   return rank;
 }
 
-/// Adds up the quadrics around vertices. Every sum runs through its terms in an order that does not depend on numbers.
-class Sums {
- public:
-  /// Requires: `at` has the scaled place of each vertex.
-  Sums(const Connectivity& mesh, const std::vector<Point3>& at, const std::vector<std::uint32_t>& rank,
-       const QuadricOptions& options)
-      : mesh_(mesh),
-        at_(at),
-        rank_(rank),
-        options_(options),
-        noise_(options.normal_deviation * options.normal_deviation),
-        least_cosine_(std::cos(options.sharp_angle * std::numbers::pi / 180)) {}
+/// Sums of quadrics around vertices. Every sum runs through its terms in an order that does not depend on numbers.
+struct Sums {
+  const Connectivity& mesh;
+  const std::vector<Point3>& at;  // the scaled place of each vertex
+  const std::vector<std::uint32_t>& rank;
+  const QuadricOptions& options;
+  const double noise = options.normal_deviation * options.normal_deviation;
+  const double least_cosine = std::cos(options.sharp_angle * std::numbers::pi / 180);
 
   Quadric around(Vertex v) const {
     Quadric sum;
-    if (mesh_.is_isolated(v)) return sum;
+    if (mesh.is_isolated(v)) return sum;
     const Halfedge first = first_of(v);
     Halfedge out = first;
     do {
-      if (!mesh_.is_boundary(out)) {
+      if (!mesh.is_boundary(out)) {
         const Plane plane = plane_of(out);
-        sum += Quadric::plane(plane.normal, plane.through, plane.area, noise_);
+        sum += Quadric::plane(plane.normal, plane.through, plane.area, noise);
       }
       add_edge(sum, out);
-      out = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(out));
+      out = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(out));
     } while (out != first);
     return sum;
   }
 
- private:
   struct Plane {
     Point3 normal, through;  // unit normal and centroid of a triangle
     double area = 0;         // 0 for no triangle
   };
 
-  std::uint32_t rank_at_end(Halfedge h) const {
-    return rank_[static_cast<std::size_t>(mesh_.to_vertex_handle(h).idx())];
-  }
-  const Point3& at_end(Halfedge h) const { return at_[static_cast<std::size_t>(mesh_.to_vertex_handle(h).idx())]; }
+  std::uint32_t rank_at_end(Halfedge h) const { return rank[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())]; }
+  const Point3& at_end(Halfedge h) const { return at[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())]; }
 
   /// Returns the boundary halfedge of a vertex, or that to the neighbor of the least rank.
   Halfedge first_of(Vertex v) const {
-    Halfedge first = mesh_.halfedge_handle(v);
-    if (mesh_.is_boundary(first)) return first;
-    for (const Halfedge h : mesh_.voh_range(v))
+    Halfedge first = mesh.halfedge_handle(v);
+    if (mesh.is_boundary(first)) return first;
+    for (const Halfedge h : mesh.voh_range(v))
       if (rank_at_end(h) < rank_at_end(first)) first = h;
     return first;
   }
 
   /// Returns the plane of the triangle of a halfedge; computed from its corner of the least rank on.
   Plane plane_of(Halfedge h) const {
-    if (mesh_.is_boundary(h)) return {};
-    std::array<Halfedge, 3> sides = {h, mesh_.next_halfedge_handle(h), mesh_.prev_halfedge_handle(h)};
+    if (mesh.is_boundary(h)) return {};
+    std::array<Halfedge, 3> sides = {h, mesh.next_halfedge_handle(h), mesh.prev_halfedge_handle(h)};
     std::rotate(sides.begin(),
                 std::min_element(sides.begin(), sides.end(),
                                  [&](Halfedge a, Halfedge b) { return rank_at_end(a) < rank_at_end(b); }),
@@ -100,15 +93,15 @@ class Sums {
   /// Adds planes that stand on the edge of a halfedge, if it is on the boundary or sharp: for each triangle at the edge
   /// the plane through the edge that is perpendicular to the triangle.
   void add_edge(Quadric& sum, Halfedge h) const {
-    if (rank_at_end(mesh_.opposite_halfedge_handle(h)) > rank_at_end(h)) h = mesh_.opposite_halfedge_handle(h);
-    const Halfedge o = mesh_.opposite_halfedge_handle(h);
+    if (rank_at_end(mesh.opposite_halfedge_handle(h)) > rank_at_end(h)) h = mesh.opposite_halfedge_handle(h);
+    const Halfedge o = mesh.opposite_halfedge_handle(h);
     const Plane left = plane_of(h), right = plane_of(o);
-    const bool on_boundary = mesh_.is_boundary(h) || mesh_.is_boundary(o);
+    const bool on_boundary = mesh.is_boundary(h) || mesh.is_boundary(o);
     const double cosine =
         left.normal.x * right.normal.x + left.normal.y * right.normal.y + left.normal.z * right.normal.z;
-    if (!on_boundary && !(left.area > 0 && right.area > 0 && cosine < least_cosine_)) return;
+    if (!on_boundary && !(left.area > 0 && right.area > 0 && cosine < least_cosine)) return;
     const Vector along = space::from<double>(at_end(o), at_end(h));
-    const double weight = (on_boundary ? options_.boundary_weight : options_.sharp_weight) * space::dot(along, along);
+    const double weight = (on_boundary ? options.boundary_weight : options.sharp_weight) * space::dot(along, along);
     for (const Plane& plane : {left, right}) {
       const Vector across = space::cross(along, Vector{plane.normal.x, plane.normal.y, plane.normal.z});
       const double length = std::sqrt(space::dot(across, across));
@@ -116,21 +109,7 @@ class Sums {
         sum += Quadric::plane({across.x / length, across.y / length, across.z / length}, at_end(h), weight);
     }
   }
-
-  const Connectivity& mesh_;
-  const std::vector<Point3>& at_;
-  const std::vector<std::uint32_t>& rank_;
-  const QuadricOptions& options_;
-  const double noise_, least_cosine_;
 };
-
-/// Returns 0 for a negative number; NaN stays.
-double not_negative(double error) { return error < 0 ? 0 : error; }
-
-Point3 rounded_to_float(const Point3& p) {
-  return {static_cast<double>(static_cast<float>(p.x)), static_cast<double>(static_cast<float>(p.y)),
-          static_cast<double>(static_cast<float>(p.z))};
-}
 
 }  // namespace
 
@@ -151,7 +130,7 @@ QuadricPolicy::QuadricPolicy(const Connectivity& mesh, std::vector<Point3> place
   if (size > 0 && std::isfinite(size)) scale_ = std::ldexp(1.0, std::min(-std::ilogb(size), 1000));
   std::vector<Point3> at(places_.size());
   std::transform(places_.begin(), places_.end(), at.begin(), [&](const Point3& p) { return local(p); });
-  const Sums sums(mesh, at, rank_, options_);
+  const Sums sums{mesh, at, rank_, options_};
   for (const Vertex v : meshops::live_vertices(mesh)) quadrics_[index(v)] = sums.around(v);
 }
 
@@ -160,8 +139,10 @@ Point3 QuadricPolicy::local(const Point3& p) const {
 }
 
 Point3 QuadricPolicy::unscaled(const Point3& p) const {
-  const Point3 place = {center_.x + p.x / scale_, center_.y + p.y / scale_, center_.z + p.z / scale_};
-  return options_.single_precision ? rounded_to_float(place) : place;
+  const auto rounded = [&](double x) {
+    return options_.single_precision ? static_cast<double>(static_cast<float>(x)) : x;
+  };
+  return {rounded(center_.x + p.x / scale_), rounded(center_.y + p.y / scale_), rounded(center_.z + p.z / scale_)};
 }
 
 /// Returns the ends of an edge, the one of lesser rank first.
@@ -175,13 +156,13 @@ QuadricPolicy::Target QuadricPolicy::target(const Connectivity& mesh, Edge e) co
   const auto [a, b] = ends(mesh, e);
   const Quadric sum = quadrics_[index(a)] + quadrics_[index(b)];
   if (!options_.at_ends)
-    if (const auto least = sum.minimum()) return {unscaled(*least), not_negative(sum(*least))};
+    if (const auto least = sum.minimum()) return {unscaled(*least), std::max(sum(*least), 0.0)};
   const Point3 at_a = local(places_[index(a)]), at_b = local(places_[index(b)]);
   Target best = {places_[index(a)], sum(at_a)};
   if (const double error = sum(at_b); error < best.error) best = {places_[index(b)], error};
   const Point3 middle = {(at_a.x + at_b.x) / 2, (at_a.y + at_b.y) / 2, (at_a.z + at_b.z) / 2};
   if (const double error = sum(middle); !options_.at_ends && error < best.error) best = {unscaled(middle), error};
-  best.error = not_negative(best.error);
+  best.error = std::max(best.error, 0.0);  // NaN stays
   return best;
 }
 

@@ -3,8 +3,7 @@
 //         exactly on the points that the mesh gets. The result does not depend on the numbers of vertices and faces, if
 //         no two vertices lie on one point.
 // Cost:   that of meshops::simplify(), with some hundred operations for each cost, and microseconds for each collapse.
-// Source: Garland and Heckbert, Surface simplification using quadric error metrics (1997); Trettner and Kobbelt, Fast
-//         and robust QEF minimization using probabilistic quadrics (2020).
+// Source: Garland and Heckbert (1997); Trettner and Kobbelt (2020): see quadric.h.
 #pragma once
 
 #include <cstddef>
@@ -65,7 +64,6 @@ class RBPA_API QuadricPolicy {
 
   /// Returns the power of two by which lengths are multiplied in errors, so that the mesh has about the size 1.
   double scale() const { return scale_; }
-  const std::vector<Point3>& places() const { return places_; }
 
   const bool costs_grow;
 
