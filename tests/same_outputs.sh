@@ -227,7 +227,7 @@ PYTHON
   same rbpa info in/none.xy
   same rbpa info in
   same rbpa info in/f8.nothing
-  same rbpa info in/f8.laz
+  same rbpa info in/f8.e57
   same rbpa info in/f8.npy --where 'class == 1'
   same rbpa info in/f8.npy --columns 1,2
   same rbpa info in/f8.npy --skip-invalid

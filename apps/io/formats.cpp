@@ -26,8 +26,7 @@ std::string conversion(std::string_view ending, const std::string& path) {
 }  // namespace
 
 std::string cloud_conversion(const std::string& path) {
-  return is_word_of(input_ending(path), "laz zlas e57 pcd ptx bpf rdb copc") ? "pdal translate " + path + " points.las"
-                                                                             : "";
+  return is_word_of(input_ending(path), "zlas e57 pcd ptx bpf rdb") ? "pdal translate " + path + " points.las" : "";
 }
 
 std::optional<Format> find_format(Use use, std::string_view name) {

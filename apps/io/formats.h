@@ -24,6 +24,7 @@ enum class Format {
   raw,
   kitti,  // .bin
   las,
+  laz,
   off,
   ply,
   obj,
@@ -96,6 +97,7 @@ inline constexpr FormatRow format_table[] = {
     {"xyzn", "", Format::xyzn, Use::points | Use::space, &xyzn_reader},
     {"xyzrgb", "", Format::xyzrgb, Use::points | Use::space, &xyzrgb_reader},
     {"las", "", Format::las, Use::points | Use::space, &las_reader},
+    {"laz", "copc", Format::laz, Use::points | Use::space, &las_reader},
     {"bin", "", Format::kitti, Use::points | Use::space, &kitti_reader},
     {"off", "", Format::off, Use::points | Use::space | Use::mesh | Use::triangles | Use::surface | Use::boundary,
      &off_reader},
@@ -158,6 +160,9 @@ constexpr bool is_table(Format format) {
 constexpr bool has_lines(Format format) {
   return is_table(format) || format == Format::wkt || format == Format::geojson || format == Format::ogr;
 }
+
+/// Returns whether points of the format are those of a laser scan, LAS or LAZ; their reader finds out which of the two.
+constexpr bool is_las(Format format) { return format == Format::las || format == Format::laz; }
 
 /// Returns whether points of the format are pixels, to which --foreground and --threshold apply.
 constexpr bool is_image(Format format) { return format == Format::png || format == Format::pgm; }

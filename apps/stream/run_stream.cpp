@@ -79,7 +79,7 @@ class Run {
     manifest_.facts.crs = block.about.crs;
     manifest_.facts.degrees = manifest_.facts.degrees || block.about.degrees;
     for (const std::string& text : block.about.warnings) warning(text, name);
-    const bool has_heights = block.about.heights.differ() || request_.sources[block.file].format == Format::las;
+    const bool has_heights = block.about.heights.differ() || is_las(request_.sources[block.file].format);
     if (has_heights && request_.wants(StreamFormat::ply))
       warning("meshes of tiles have z = 0 (rbpa mesh keeps heights, of points that fit into memory)", name);
   }

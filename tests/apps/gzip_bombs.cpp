@@ -44,7 +44,7 @@ void check_memory(const Folder& folder, const std::string& command, const std::s
   CHECK(outcome.err.ends_with(" MB of available memory, as reading needs five times the size" + way_out + "\n"));
 }
 
-const std::string stream = " (rbpa stream reads tables, .npy, .f64xy and LAS a block at a time)";
+const std::string stream = " (rbpa stream reads tables, .npy, .f64xy, LAS and LAZ a block at a time)";
 
 }  // namespace
 

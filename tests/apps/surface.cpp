@@ -172,7 +172,7 @@ TEST_SUITE("surface") {
 
     folder.file("p.off", "OFF\n1 0 0\n0 0 0\n");
     refuses(folder, "p.off --radius 1 --skip-invalid -o m.off", 2,
-            "--skip-invalid: found a format without lines of points, expected las or text");
+            "--skip-invalid: found a format without lines of points, expected las, laz or text");
     refuses(folder, "p.off --radius 1 --where \"z > 1\" -o m.off", 2,
             "--where: found a format without fields, expected " + rbpa::app::with_fields(rbpa::app::Use::space));
     // Messages are those of the other verbs.

@@ -348,7 +348,7 @@ TEST_SUITE("tables of people") {
 
   TEST_CASE("a format that is not read is refused with the program that converts it") {
     const Folder folder;
-    CHECK(folder.rbpa("info p.laz").err.find("(pdal translate p.laz points.las)") != std::string::npos);
+    CHECK(folder.rbpa("info p.e57").err.find("(pdal translate p.e57 points.las)") != std::string::npos);
     CHECK(folder.rbpa("info p.gpx").err.find("(ogr2ogr -f GeoJSON points.geojson p.gpx)") != std::string::npos);
     CHECK(folder.rbpa("info p.foo").err.find("(") == std::string::npos);
   }

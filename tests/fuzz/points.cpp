@@ -39,9 +39,8 @@ PointSource source_of(Format format, unsigned options) {
   source.vertices = (options & 4U) != 0;
   source.skip_invalid = (options & 8U) != 0;
   if ((options & 16U) != 0)
-    source.where = format == Format::las
-                       ? fuzz::condition_of(format, {"classification == 2 or x < 0 and not withheld"})
-                       : fuzz::condition_of(format, {"class > 1 or not x == 2", "x > 1 or not y == 2"});
+    source.where = is_las(format) ? fuzz::condition_of(format, {"classification == 2 or x < 0 and not withheld"})
+                                  : fuzz::condition_of(format, {"class > 1 or not x == 2", "x > 1 or not y == 2"});
   if ((options & 32U) != 0) source.where = fuzz::condition_of(format, {"gps_time > 1 or red > 1"});
   source.shift_longitude = (options & 64U) != 0;
   return source;

@@ -219,6 +219,15 @@ def test_places_in_the_file_stay_where_lines_are_left_out(tmp_path):
         rbpa.read_points(path, fields={"k": bytes})
 
 
+def test_compressed_scans_are_read_with_their_fields():
+    scan = DATA / "laz/point-color-time.las.laz"
+    read = rbpa.read_points(scan, space=True, fields=["intensity", "gps_time"])
+    assert read.points.shape == (1065, 3) and read.colors.shape == (1065, 3)
+    assert len(np.unique(read.fields["gps_time"])) > 1
+    first = rbpa.read_points(scan, where=f"gps_time == {read.fields['gps_time'][0]!r}")
+    assert first.points[0].tolist() == read.points[0, :2].tolist()
+
+
 REFUSED = {
     "cut off": (lambda path: path.write_bytes(las(path).read_bytes()[:-3]), {}, "found 4 whole records of 26 bytes, expected 5"),
     "no las": (lambda path: path.write_bytes(b"LASF" + bytes(50)), {}, "scan.las: found "),
@@ -227,7 +236,7 @@ REFUSED = {
     "not in this format": (las, {"fields": ["nir"]}, "expected one with nir, as fields requires: 8, 10"),
     "no condition": (las, {"where": "classification =="}, "where: found "),
     "columns": (las, {"columns": "1,2"}, "columns: found a format with fixed columns, expected text"),
-    "format": (las, {"format": "laz"}, "format: found 'laz', expected one of xy, txt"),
+    "format": (las, {"format": "e57"}, "format: found 'e57', expected one of xy, txt"),
 }
 
 
@@ -249,9 +258,9 @@ def test_a_file_that_is_cut_off_is_read_as_far_as_it_goes_if_asked(tmp_path):
 def test_a_missing_file_is_an_error_of_the_system(tmp_path):
     with pytest.raises(FileNotFoundError, match="nothing.las"):
         rbpa.read_points(tmp_path / "nothing.las")
-    with pytest.raises(rbpa.InvalidInput, match="found the ending 'laz'.*pdal translate"):
-        (tmp_path / "a.laz").write_bytes(b"LASF")
-        rbpa.read_points(tmp_path / "a.laz")
+    with pytest.raises(rbpa.InvalidInput, match="found the ending 'e57'.*pdal translate"):
+        (tmp_path / "a.e57").write_bytes(b"ASTM")
+        rbpa.read_points(tmp_path / "a.e57")
 
 
 def test_the_program_says_the_same(tmp_path, program):

@@ -8,6 +8,7 @@
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/words.h"
 #include "rbpa/base/triangle.h"
 
 namespace rbpa::app {
@@ -50,7 +51,7 @@ std::string streamed_formats() {
       if (is_table(row.format))
         found[Format::text] = "tables";
       else
-        found[row.format] = row.format == Format::las ? "LAS" : "." + std::string(row.endings);
+        found[row.format] = is_las(row.format) ? in_capitals(row.endings) : "." + std::string(row.endings);
     }
   std::vector<std::string> names;
   for (const auto& [format, name] : found) names.push_back(name);

@@ -158,11 +158,11 @@ const CloudFormat* cloud_format(Format format);
 /// Returns whether the format has a reader (cloud_format()), and the reader has the property.
 bool has(Format format, bool CloudFormat::*property);
 
-/// Returns, for messages, the formats of a use for whose readers fit() is true, and `others`: "las, ply or text". All
+/// Returns, for messages, the formats of a use for whose readers fit() is true, and `others`: "las, laz, ply or text". All
 /// tables are "text".
 std::string readable(Use use, const std::function<bool(const CloudFormat&)>& fit, std::vector<std::string> others = {});
 
-/// Returns the formats that `rbpa stream` reads a block at a time: "tables, .npy, .f64xy and LAS".
+/// Returns the formats that `rbpa stream` reads a block at a time: "tables, .npy, .f64xy, LAS and LAZ".
 std::string streamed_formats();
 
 /// Returns the formats of a use whose points have fields, and `others`, in the form of readable().

@@ -8,6 +8,7 @@
 #include "io/cloud/las_header.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/laz/laz_records.h"
 
 namespace rbpa::app {
 namespace {
@@ -52,14 +53,18 @@ class LasCloud final : public Cloud {
     }
     const LasCrs system = find_system(first);
     facts_.file.crs = system.crs;
-    if (content_.is_compressed()) {
+    if (content_.is_compressed() && !header_.is_compressed) {
       count_ = header_.count.sought(skip_invalid_);
     } else {
       settle(header_.count);
     }
+    if (header_.is_compressed)
+      laz_.emplace(content_, header_.begin, read_laz_format(laszip_record(first, header_), header_.length, name),
+                   count_, read_bytes(), skip_invalid_);
     if (!system.warning.empty() && !in_space_) facts_.file.warnings.push_back(system.warning);
     if (in_space_ && system.crs) facts_.file.degrees = system.crs->degrees;
-    if (!selection_ && is_settled_) facts_.expected = count_;  // a point for each record
+    // A point for each record; but LAZ may promise many more points than there are bytes.
+    if (!selection_ && is_settled_ && count_ <= content_.size()) facts_.expected = count_;
     content_.skip(header_.begin);
   }
 
@@ -68,12 +73,15 @@ class LasCloud final : public Cloud {
     while (block.count == 0 && first_ < count_) {
       stop_if_interrupted();
       const std::size_t count = std::min(points_at_once, count_ - first_);
-      const std::string_view bytes = content_.ahead(count * header_.length);
+      const std::string_view bytes = laz_ ? laz_->ahead() : content_.ahead(count * header_.length);
       const std::size_t whole = std::min(count, bytes.size() / header_.length);
       read(bytes.data(), whole, block);
-      content_.skip(whole * header_.length);
+      laz_ ? laz_->skip(whole * header_.length) : content_.skip(whole * header_.length);
       first_ += whole;
-      if (whole < count) settle(header_.count.with_room(first_));
+      if (laz_ && whole == 0)
+        leave_out_rest();
+      else if (!laz_ && whole < count)
+        settle(header_.count.with_room(first_));
     }
     if (block.count == 0 && !ended_) end();
     return block.count > 0;
@@ -88,7 +96,7 @@ class LasCloud final : public Cloud {
                          " marked as withheld (--where \"not withheld\" leaves them out)");
   }
 
-  std::uint64_t bytes_read() const override { return content_.bytes_read(); }
+  std::uint64_t bytes_read() const override { return laz_ ? laz_->bytes_read() : content_.bytes_read(); }
 
  private:
   /// Returns the coordinate system of the file; also reads the records after the points.
@@ -100,6 +108,26 @@ class LasCloud final : public Cloud {
     Content more = content_.again();
     more.skip(header_.extended_begin);
     return las_crs(before, more.ahead(most), header_);
+  }
+
+  /// Returns which bytes of a record are read.
+  std::vector<bool> read_bytes() const {
+    std::vector<bool> wanted(header_.length);
+    const auto want = [&](std::size_t offset, std::size_t size) {
+      std::fill_n(wanted.begin() + static_cast<std::ptrdiff_t>(offset), size, true);
+    };
+    want(0, has_z_ ? 12 : 8);
+    for (const LasPlace& place : places_) want(place.field.offset, size_of(place.field.type));
+    if (withheld_) want(withheld_->offset, 1);
+    if (red_) want(red_->offset, 6);
+    return wanted;
+  }
+
+  /// Ends the points before those of LAZ that cannot be decoded, which --skip-invalid leaves out.
+  void leave_out_rest() {
+    facts_.file.warnings.push_back(std::to_string(count_ - first_) + " of the " + counted(count_, "point") +
+                                   " in the header are left out: " + laz_->fault());
+    count_ = first_;
   }
 
   bool is_selected(const char* record) {
@@ -166,6 +194,7 @@ class LasCloud final : public Cloud {
   bool in_space_, has_z_, skip_invalid_;
   LasHeader header_ = {};
   std::vector<ScaledInteger> axes_ = {};
+  std::optional<LazRecords> laz_ = std::nullopt;  // the records, if they are compressed
   std::optional<Selection> selection_ = std::nullopt;
   std::vector<LasPlace> places_ = {};
   std::optional<LasField> withheld_ = std::nullopt, red_ = std::nullopt;  // green and blue follow red
@@ -176,7 +205,7 @@ class LasCloud final : public Cloud {
 
 }  // namespace
 
-/// Reads LAS 1.0 to 1.4, point formats 0 to 10, with red, green and blue unless all points are black.
+/// Reads LAS and LAZ 1.0 to 1.4, point formats 0 to 10, with red, green and blue unless all points are black.
 const CloudFormat las_reader = {
     .open = open_as<LasCloud>, .fields = names_of_las_fields, .streams = true, .skips_invalid = true};
 

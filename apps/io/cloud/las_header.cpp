@@ -76,6 +76,10 @@ void find_points(LasHeader& header, std::string_view bytes, std::size_t size, co
               "one after the header, from " + std::to_string(header.size) + " to " + std::to_string(size));
   std::size_t left = size - begin;
   header.begin = begin;
+  if (header.is_compressed) {
+    header.count = {claimed, claimed, header.length};
+    return;
+  }
   constexpr std::size_t signature = 2;
   const bool is_signed =
       header.minor == 0 && begin <= bytes.size() && begins_with_signature(bytes.substr(begin)) && left >= signature;
@@ -106,11 +110,9 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
     bad_input(name, "a header size of " + std::to_string(header.size),
               "from " + std::to_string(first_header_size) + " to the size of the file, " + std::to_string(size));
   header.records = las_value<std::uint32_t>(at + 100);
-  const unsigned format = las_value<std::uint8_t>(at + 104);
   constexpr unsigned compressed = 0xC0U;  // bits that LASzip sets
-  if ((format & compressed) != 0)
-    bad_input(name, "LAZ, which is compressed",
-              "LAS (pdal translate FILE points.las, or las2las -i FILE -o points.las)");
+  header.is_compressed = (las_value<std::uint8_t>(at + 104) & compressed) != 0;
+  const unsigned format = las_value<std::uint8_t>(at + 104) & ~compressed;
   if (format > last_las_format)
     bad_input(name, "point format " + std::to_string(format), "a format from 0 to " + std::to_string(last_las_format));
   header.format = format;
@@ -222,30 +224,43 @@ LasCrs crs_of_keys(std::string_view data) {
 std::string_view without_zeros(std::string_view text) { return text.substr(0, std::min(text.find('\0'), text.size())); }
 
 void take_note(Found& found, std::string_view user, unsigned number, std::string_view data) {
-  if (without_zeros(user) != "LASF_Projection") return;
+  if (user != "LASF_Projection") return;
   if (number == 2112) found.text = crs_of_text(without_zeros(data));
   if (number == 34735) found.keys = crs_of_keys(data);
 }
 
-/// Adds to `found` the coordinate systems that `count` records from `at` to `end` name. The header of a record has
-/// reserved bytes (2), user (16), number (2), length (2; 8 in an extended record) and description (32).
-void visit(Found& found, std::string_view bytes, std::size_t at, std::size_t end, std::size_t count, bool extended) {
+/// Calls take(user, number, data) for `count` records from `at` to `end`. The header of a record has reserved bytes (2),
+/// user (16), number (2), length (2; 8 in an extended record) and description (32).
+template <typename Take>
+void visit(std::string_view bytes, std::size_t at, std::size_t end, std::size_t count, bool extended, Take take) {
   const std::size_t frame = extended ? 60 : 54;
   for (std::size_t i = 0; i < count && at <= end && end - at >= frame; ++i) {
     const char* record = bytes.data() + at;
     const std::size_t length = extended ? las_value<std::uint64_t>(record + 20) : las_value<std::uint16_t>(record + 20);
     if (length > end - at - frame) return;
-    take_note(found, {record + 2, 16}, las_value<std::uint16_t>(record + 18), bytes.substr(at + frame, length));
+    take(without_zeros({record + 2, 16}), las_value<std::uint16_t>(record + 18), bytes.substr(at + frame, length));
     at += frame + length;
   }
 }
 
 }  // namespace
 
+std::string_view laszip_record(std::string_view before, const LasHeader& header) {
+  std::string_view found;
+  visit(before, header.size, std::min(header.begin, before.size()), header.records, false,
+        [&](std::string_view user, unsigned number, std::string_view data) {
+          if (user == "laszip encoded" && number == 22204) found = data;
+        });
+  return found;
+}
+
 LasCrs las_crs(std::string_view before, std::string_view behind, const LasHeader& header) {
   Found found;
-  visit(found, before, header.size, std::min(header.begin, before.size()), header.records, false);
-  visit(found, behind, 0, behind.size(), header.extended_records, true);
+  const auto take = [&](std::string_view user, unsigned number, std::string_view data) {
+    take_note(found, user, number, data);
+  };
+  visit(before, header.size, std::min(header.begin, before.size()), header.records, false, take);
+  visit(behind, 0, behind.size(), header.extended_records, true, take);
   if (found.text && (found.text->crs || !found.keys)) return *found.text;
   return found.keys.value_or(LasCrs{});
 }

@@ -52,13 +52,15 @@ T las_value(const char* at) {
 }
 
 struct LasHeader {
-  unsigned minor;   ///< the version of the file is 1.minor
-  unsigned format;  ///< format of point records, 0 to 10
+  unsigned minor;      ///< the version of the file is 1.minor
+  unsigned format;     ///< format of point records, 0 to 10
+  bool is_compressed;  ///< the points are those of LAZ
   std::size_t size;
   std::size_t records;  ///< number of variable length records, which begin after the header
-  LasCount count;       ///< number of points: in the header, and in the room before the next part of the file
-  std::size_t length;   ///< size of a point record in bytes, with extra bytes
-  std::size_t begin;    ///< offset of the first point record
+  LasCount count;  ///< number of points: in the header, and in the room before the next part of the file; of LAZ twice
+                   ///< that in the header
+  std::size_t length;  ///< size of a point record in bytes, with extra bytes
+  std::size_t begin;   ///< offset of the first point record
   std::size_t extended_begin,
       extended_records;   ///< offset and number of the records after the points, from version 1.4 on
   std::size_t waveforms;  ///< offset of the record with waveforms, from version 1.3 on; 0: none
@@ -73,6 +75,10 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
 /// Throws BadInput if the scale or the offset of x, y or z (axis 0, 1, 2) gives no coordinates. read_las_header()
 /// checks x and y; the caller checks z if it is requested.
 void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name);
+
+/// Returns the data of the record by which LASzip says how points are compressed; empty without it. `before` is the file
+/// up to its points at least.
+std::string_view laszip_record(std::string_view before, const LasHeader& header);
 
 struct LasCrs {
   std::optional<Crs> crs = std::nullopt;  ///< the system; absent if it is not understood

@@ -92,7 +92,8 @@ std::vector<std::string> files_in(const std::string& folder, const PointArgument
   if (!content.clouds.empty())
     bad_input(content.clouds.front(), "points in a format that is not read, in a folder whose files are all read",
               "a folder without them, or the names of files (" + cloud_conversion(content.clouds.front()) + ")");
-  const bool has_tiles = !arguments.format && content.points.contains(Format::las);
+  const bool has_tiles =
+      !arguments.format && (content.points.contains(Format::las) || content.points.contains(Format::laz));
   std::vector<std::string> found, formats;
   for (auto& [format, paths] : content.points) {
     std::sort(paths.begin(), paths.end());

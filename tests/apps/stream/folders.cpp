@@ -32,21 +32,9 @@ const std::vector<Listing> listings = {
      "7 files are read: a.las, b.las, c.las, d.las, e.las and 2 more; not read: sub/\n"},
     {{"a.csv", "b.txt", "c.xyz"}, "3 files are read: a.csv, b.txt, c.xyz\n"},
     {{"a.csv", "notes.md"}, "1 file is read: a.csv; not read: notes.md\n"},
-    {{"a.las", "a.laz"},
-     "t/a.laz: found points in a format that is not read, in a folder whose files are all read, expected a folder "
-     "without "
-     "them, or the names of files (pdal translate t/a.laz points.las)\n",
-     3},
-    {{"a.las", "B.LAZ"},
-     "t/B.LAZ: found points in a format that is not read, in a folder whose files are all read, expected a folder "
-     "without "
-     "them, or the names of files (pdal translate t/B.LAZ points.las)\n",
-     3},
-    {{"a.laz"},
-     "t/a.laz: found points in a format that is not read, in a folder whose files are all read, expected a folder "
-     "without "
-     "them, or the names of files (pdal translate t/a.laz points.las)\n",
-     3},
+    {{"a.laz", "b.copc.laz", "index.csv"}, "2 files are read: a.laz, b.copc.laz; not read: index.csv\n"},
+    {{"a.las", "a.laz"}, "t: " + several + "a.las, a.laz" + one, 3},
+    {{"a.las", "B.LAZ"}, "t: " + several + "B.LAZ, a.las" + one, 3},
     {{"a.las", "b.e57"},
      "t/b.e57: found points in a format that is not read, in a folder whose files are all read, expected a folder "
      "without "
@@ -72,7 +60,7 @@ TEST_SUITE("stream folders") {
           std::filesystem::create_directory(folder.path("t/" + name));
           folder.file("t/" + name + "inner.las", tile(x += 100));
         } else {
-          const bool is_las = name.ends_with(".las") || name.ends_with(".LAS");
+          const bool is_las = name.ends_with(".las") || name.ends_with(".LAS") || name.ends_with(".laz");
           folder.file("t/" + name, is_las ? tile(x += 100) : "0 0\n0.9 0\n0 0.9\n");
         }
       }

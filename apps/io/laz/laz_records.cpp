@@ -1,0 +1,225 @@
+#include "io/laz/laz_records.h"
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include "io/failure.h"
+#include "io/interrupt.h"
+#include "io/laz/item_models.h"
+#include "rbpa/base/join_in_order.h"
+
+namespace rbpa::app {
+namespace {
+
+constexpr std::size_t piece_bytes = std::size_t{8} << 20U;  // most bytes of the records of a piece
+constexpr std::size_t batch_bytes = 4 * piece_bytes;        // limit for several chunks that are decoded together
+constexpr std::size_t window_points = 16384;                // points in a piece of a chunk whose size is not known
+constexpr std::size_t most_growth = 8;  // a compressed record has at most so many times the bytes of the record
+
+std::string byte_of(const Content& content, std::uint64_t at) {
+  return content.name() + ": byte " + std::to_string(at);
+}
+
+/// Throws BadInput for a file that promises more than 500 times its size, as of gzip files (input_bytes.h).
+void require_ratio(const Content& content, std::size_t begin, std::size_t length, std::size_t points) {
+  constexpr std::size_t always = std::size_t{64} << 20U, greatest_ratio = 500;
+  const std::size_t size = content.size() - std::min(begin, content.size());
+  if (content.is_compressed() || points <= always / length || points / greatest_ratio <= size / length) return;
+  bad_input(byte_of(content, begin), counted(points, "point") + " in " + counted(size, "byte"),
+            "points of at most 500 times as many bytes (laszip decompresses the file)");
+}
+
+/// Returns the number of 8 bytes at `at`.
+std::uint64_t word_at(const Content& content, std::uint64_t at) {
+  Content words = content.again();
+  words.skip(at);
+  const std::string_view bytes = words.ahead(8);
+  if (bytes.size() < 8) bad_input(byte_of(content, at), "the end of the file", "the place of the table of chunks");
+  return load_little<std::uint64_t>(bytes.data());
+}
+
+/// Returns the chunks of a file whose points begin at `begin`, with the place of the table of chunks; nothing if the
+/// compressor was interrupted before it wrote a table. Together the chunks have `points` points and fit into the file.
+/// Throws BadInput if the table is wrong.
+std::optional<std::vector<LazChunk>> read_chunk_table(const Content& content, std::size_t begin,
+                                                      const LazFormat& format, std::size_t points) {
+  constexpr auto at_end = static_cast<std::uint64_t>(-1);  // the compressor could not go back in its output
+  std::uint64_t place = word_at(content, begin);
+  if (place == at_end && !content.is_compressed()) place = word_at(content, content.size() - 8);
+  if (place == at_end || place == begin) return std::nullopt;
+  const std::uint64_t version_and_count = place < begin + 8 || place > content.size() ? 1 : word_at(content, place);
+  const std::string where = byte_of(content, place), all = counted(points, "point");
+  if (version_and_count % (std::uint64_t{1} << 32U) != 0)
+    bad_input(byte_of(content, begin), "byte " + std::to_string(place) + " as the place of a table of chunks",
+              "a table of version 0 behind the points");
+  const std::size_t count = version_and_count >> 32U, room = place - begin - 8;
+  const bool varies = format.chunk_size == LazFormat::varying;
+  Content table = content.again();
+  table.skip(place + 8);
+  constexpr std::size_t most_for_number = 8;  // bytes
+  const std::string_view bytes = table.ahead(4 + 2 * most_for_number * std::min(count, room / format.length));
+  std::vector<LazChunk> chunks;
+  std::size_t left = points, left_bytes = room;
+  if (count > 0) try {
+      ArithmeticDecoder decoder(bytes);
+      IntegerDecoder<32> numbers(2);
+      for (LazChunk last{0, 0}; chunks.size() < count; chunks.push_back(last)) {
+        const auto number = [&](std::uint64_t before, std::size_t context) {
+          return numbers.decode(decoder, static_cast<std::uint32_t>(before), context);
+        };
+        last.points = varies ? number(last.points, 0) : std::min<std::size_t>(format.chunk_size, left);
+        last.size = number(last.size, 1);
+        if (last.points == 0 || last.points > left || last.size < format.length || last.size > left_bytes)
+          bad_input(where,
+                    "a chunk of " + counted(last.points, "point") + " in " + counted(last.size, "byte") + " after " +
+                        counted(chunks.size(), "chunk"),
+                    "chunks of " + all + " in " + counted(room, "byte"));
+        left -= last.points;
+        left_bytes -= last.size;
+      }
+    } catch (const BadStream& fault) {
+      bad_input(where, fault.found + " after " + counted(chunks.size(), "chunk"), counted(count, "chunk"));
+    }
+  if (left > 0) bad_input(where, counted(count, "chunk") + " without " + std::to_string(left) + " of the points", all);
+  return chunks;
+}
+
+}  // namespace
+
+LazRecords::LazRecords(const Content& content, std::size_t begin, LazFormat format, std::size_t points,
+                       std::vector<bool> wanted, bool skip_invalid)
+    : content_(content.again()),
+      format_(std::move(format)),
+      wanted_(std::move(wanted)),
+      skip_invalid_(skip_invalid),
+      left_(points),
+      place_(begin),
+      threads_(std::max(std::thread::hardware_concurrency(), 1U)) {
+  require_ratio(content, begin, format_.length, points);
+  if (format_.has_chunks && points > 0) {
+    try {
+      table_ = read_chunk_table(content, begin, format_, points);
+    } catch (const BadInput&) {
+      if (!skip_invalid) throw;  // else read on without it
+    }
+    place_ += 8;
+    if (is_windowed() && format_.chunk_size == LazFormat::varying)
+      bad_input(byte_of(content, begin), "chunks of various sizes without a table", "one behind them");
+  }
+  content_.skip(place_);
+  if (threads_ > 1 && table_ && table_->size() > 1)
+    batches_ = std::make_unique<ReadAhead<Batch>>(1, [this](Batch& batch) { return make(batch); });
+}
+
+std::string_view LazRecords::ahead() {
+  while (piece_ == batch_.pieces.size() || skipped_ == batch_.pieces[piece_].records.size()) {
+    skipped_ = 0;
+    if (piece_ < batch_.pieces.size() && ++piece_ < batch_.pieces.size()) continue;
+    Batch next;
+    if (!(batches_ ? batches_->next(next) : make(next))) return {};
+    batch_ = std::move(next);
+    piece_ = 0;
+  }
+  const std::vector<char>& records = batch_.pieces[piece_].records;
+  return {records.data() + skipped_, records.size() - skipped_};
+}
+
+bool LazRecords::make(Batch& batch) {
+  if (in_use_ == 0 && (ended_ || left_ == 0)) return false;
+  stop_if_interrupted();
+  try {
+    if (in_use_ == 0) begin_chunks();
+    if (is_windowed()) {
+      Slot& slot = slots_.front();
+      const std::size_t count = std::min(slot.left, window_points) + 1;
+      slot.bytes = window_ = content_.ahead(count * format_.length * most_growth);
+      if (slot.left < slot.points) slot.decoder->move_to(window_);
+    }
+    join_in_order(
+        threads_, in_use_, [&](std::size_t i) { return decode(slots_[i]); }, [](std::size_t) { return true; },
+        [&](std::size_t, Piece piece) {
+          batch.pieces.push_back(std::move(piece));
+          if (batch.pieces.back().fault) throw *batch.pieces.back().fault;
+        });
+    const bool all_decoded = slots_.front().left == 0;  // several chunks are decoded at once
+    const std::size_t size = is_windowed() ? static_cast<std::size_t>(slots_.front().decoder->at() - window_.data())
+                             : all_decoded ? window_.size()
+                                           : 0;
+    content_.skip(size);
+    place_ += size;
+    if (all_decoded) in_use_ = 0;
+  } catch (const BadStream& fault) {
+    const auto at = static_cast<std::uint64_t>(fault.at - window_.data());
+    const std::string where = byte_of(content_, place_ + at);
+    if (!skip_invalid_) bad_input(where, fault.found, fault.expected);
+    batch.fault = where + ": found " + fault.found;
+    ended_ = true;
+    in_use_ = 0;
+  }
+  batch.bytes_read = content_.bytes_read();
+  return true;
+}
+
+void LazRecords::begin_chunks() {
+  if (table_) {
+    std::uint64_t size = 0;
+    std::size_t count = 0, bytes = 0;
+    for (; next_chunk_ + count < table_->size() && count < threads_; ++count) {
+      const LazChunk& chunk = (*table_)[next_chunk_ + count];
+      const std::size_t more = chunk.points * format_.length;
+      if (count > 0 && (std::max(more, bytes) > piece_bytes || bytes + more > batch_bytes)) break;
+      bytes += more;
+      size += chunk.size;
+    }
+    window_ = require_ahead(size);
+    for (std::size_t at = 0; count > 0; --count) {
+      const LazChunk& chunk = (*table_)[next_chunk_++];
+      begin(chunk.points, window_.substr(at, chunk.size));
+      at += chunk.size;
+    }
+  } else if (format_.is_layered) {
+    window_ = require_ahead(layered_head_size(format_));
+    const LazChunk chunk = layered_chunk(format_, window_);
+    if (chunk.points == 0 || chunk.points > left_)
+      throw BadStream{window_.data() + format_.length, "a chunk of " + counted(chunk.points, "point"),
+                      "from 1 to " + std::to_string(left_) + " of them"};
+    window_ = require_ahead(chunk.size);
+    begin(chunk.points, window_);
+  } else {
+    begin(std::min<std::size_t>(left_, format_.chunk_size), {});
+  }
+}
+
+std::string_view LazRecords::require_ahead(std::uint64_t size) {
+  window_ = content_.ahead(size);
+  if (window_.size() >= size) return window_.substr(0, size);
+  throw BadStream{window_.data() + window_.size(), "the end of the file", "more compressed points"};
+}
+
+void LazRecords::begin(std::size_t points, std::string_view bytes) {
+  if (in_use_ == slots_.size()) slots_.push_back({.decoder = std::make_unique<ChunkDecoder>(format_, wanted_)});
+  Slot& slot = slots_[in_use_++];
+  slot.bytes = bytes;
+  slot.points = slot.left = points;
+  left_ -= points;
+}
+
+LazRecords::Piece LazRecords::decode(Slot& slot) const {
+  const std::size_t length = format_.length, most = is_windowed() ? window_points : piece_bytes / length;
+  const std::size_t count = std::min(slot.left, most);
+  Piece piece;
+  piece.records.resize(count * length);
+  std::size_t done = 0;
+  try {
+    if (slot.left == slot.points) slot.decoder->begin(slot.bytes, slot.points);
+    for (; done < count; ++done) slot.decoder->next(piece.records.data() + done * length);
+  } catch (const BadStream& fault) {
+    piece.fault = fault;
+    piece.records.resize(done * length);
+  }
+  slot.left -= done;
+  return piece;
+}
+
+}  // namespace rbpa::app

@@ -1,0 +1,87 @@
+// What: decompresses the point records of a LAZ file, which are then read as those of LAS.
+// Law:  the records do not depend on the number of threads.
+// Cost: chunks are decoded by all threads while the caller reads records of those before; in memory are the compressed
+//       and decompressed bytes of as many chunks as there are threads, twice, at most some tens of megabytes. Of a file
+//       without chunks or without their table only some thousand points at a time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/bytes/content.h"
+#include "io/laz/chunk_decoder.h"
+#include "rbpa/base/read_ahead.h"
+
+namespace rbpa::app {
+
+class LazRecords {
+ public:
+  /// Decompresses `points` records from byte `begin` of `content` on; see ChunkDecoder for `wanted`. With
+  /// `skip_invalid` the records end without an exception where they cannot be decoded. Throws BadInput.
+  LazRecords(const Content& content, std::size_t begin, LazFormat format, std::size_t points, std::vector<bool> wanted,
+             bool skip_invalid);
+
+  /// Returns the next records, at least one, unless there are no more; they are valid until the next call. Throws
+  /// BadInput that names the byte, unless skip_invalid; Failure, Cancelled.
+  std::string_view ahead();
+  /// Skips `size` bytes of those that ahead() returned.
+  void skip(std::size_t size) { skipped_ += size; }
+
+  /// Returns why records are left out; empty if none are.
+  const std::string& fault() const { return batch_.fault; }
+  std::uint64_t bytes_read() const { return batch_.bytes_read; }
+
+ private:
+  /// Consecutive records, decoded by one thread up to the fault, if there is one.
+  struct Piece {
+    std::vector<char> records = {};
+    std::optional<BadStream> fault = std::nullopt;
+  };
+  struct Batch {
+    std::vector<Piece> pieces = {};
+    std::string fault = {};
+    std::uint64_t bytes_read = 0;
+  };
+  /// A chunk that is being decoded.
+  struct Slot {
+    std::unique_ptr<ChunkDecoder> decoder;
+    std::string_view bytes = {};
+    std::size_t points = 0, left = 0;
+  };
+
+  /// Decodes the next chunks, or a part of one. Returns false at the end.
+  bool make(Batch& batch);
+  /// Makes the next chunk, or as many as there are threads, those of slots_.
+  void begin_chunks();
+  /// Returns the next `size` bytes of the file. Throws BadStream if there are fewer.
+  std::string_view require_ahead(std::uint64_t size);
+  /// Gives a chunk to the next slot.
+  void begin(std::size_t points, std::string_view bytes);
+  Piece decode(Slot& slot) const;
+  /// Returns whether the size of a chunk in bytes is known only when the chunk is decoded.
+  bool is_windowed() const { return !table_ && !format_.is_layered; }
+
+  Content content_;
+  LazFormat format_;
+  std::vector<bool> wanted_;
+  bool skip_invalid_;
+  std::optional<std::vector<LazChunk>> table_ = std::nullopt;
+  std::size_t next_chunk_ = 0, left_;  // left_: points in chunks that are not begun
+  std::string_view window_ = {};       // the bytes that are being decoded; those of all slots
+  std::uint64_t place_;                // of window_ in the file
+  std::size_t threads_;
+  std::vector<Slot> slots_ = {};
+  std::size_t in_use_ = 0;  // slots
+  bool ended_ = false;
+
+  Batch batch_ = {};  // what ahead() returns
+  std::size_t piece_ = 0, skipped_ = 0;
+  std::unique_ptr<ReadAhead<Batch>> batches_ = nullptr;  // the last member, as its thread uses the others
+};
+
+}  // namespace rbpa::app
