@@ -17,8 +17,6 @@
 namespace rbpa {
 namespace {
 
-constexpr std::uint32_t none = Solid::none;
-
 /// A search for the tetrahedra of a void at one radius, and for the triangles around them.
 class VoidSearch {
  public:
@@ -38,7 +36,7 @@ class VoidSearch {
         const std::uint32_t triangle = filtration_.triangles_of[reached[i]][k];
         if (filtration_.triangle_alpha[triangle] <= alpha) continue;
         const std::uint32_t beyond = filtration_.delaunay.neighbors[reached[i]][k];
-        meshops::require(beyond != none, "solid_representatives: pair ", static_cast<long long>(pair),
+        meshops::require(beyond != Solid::none, "solid_representatives: pair ", static_cast<long long>(pair),
                          " has a void that reaches the outside, expected pairs of solid_persistence() of this "
                          "filtration");
         if (is_reached_[beyond]) continue;

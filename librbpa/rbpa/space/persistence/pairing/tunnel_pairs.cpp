@@ -7,12 +7,6 @@
 #include "rbpa/space/solid/solid.h"
 
 namespace rbpa::space {
-namespace {
-
-constexpr std::uint32_t none = Solid::none;
-
-}  // namespace
-
 struct Tunnels::Boundary {
   std::array<ColumnEntry, 3> entries;  ///< entries of the column, ascending; 0 is no entry
   std::span<const ColumnEntry> span() const {
@@ -26,8 +20,8 @@ Tunnels::Tunnels(const SolidFiltration& filtration, std::span<const std::uint32_
     : filtration_(filtration),
       rank_(order.size()),
       joins_(joins),
-      owner_(order.size(), none),
-      kept_(order.size(), none) {
+      owner_(order.size(), Solid::none),
+      kept_(order.size(), Solid::none) {
   for (std::uint32_t i = 0; i < order.size(); ++i) rank_[order[i]] = i + 1;
   for (std::uint32_t triangle = 0; triangle < filtration.triangles.size(); ++triangle) {
     step(makes_void[triangle] ? 1 : 8);
@@ -40,7 +34,7 @@ std::vector<std::uint32_t> Tunnels::cycle(std::uint32_t edge) const {
   const auto add = [&](std::span<const ColumnEntry> column) {
     for (const ColumnEntry entry : column) edges.push_back(edge_of(entry));
   };
-  if (kept_[edge] != none)
+  if (kept_[edge] != Solid::none)
     add(columns_[kept_[edge]]);
   else
     add(boundary_of(owner_[edge]).span());
@@ -56,7 +50,7 @@ bool Tunnels::is_boundary(std::span<const std::uint32_t> edges, std::uint32_t tr
   for (const ColumnEntry& entry : entries) column_.add({&entry, 1});
   for (ColumnEntry pivot; (pivot = column_.pivot()) != 0;) {
     const std::uint32_t edge = edge_of(pivot);
-    if (owner_[edge] == none || is_triangle_before(triangle, owner_[edge])) return false;
+    if (owner_[edge] == Solid::none || is_triangle_before(triangle, owner_[edge])) return false;
     add_column_of(edge);
   }
   return true;
@@ -81,7 +75,7 @@ void Tunnels::reduce(std::uint32_t triangle) {
   const Boundary boundary = boundary_of(triangle);
   ColumnEntry pivot = boundary.entries.back();
   if (pivot == 0) return;
-  if (owner_[edge_of(pivot)] == none) {
+  if (owner_[edge_of(pivot)] == Solid::none) {
     owner_[edge_of(pivot)] = triangle;
     return;
   }
@@ -89,7 +83,7 @@ void Tunnels::reduce(std::uint32_t triangle) {
   bool is_sum = false;
   for (; pivot != 0; pivot = column_.pivot()) {
     const std::uint32_t edge = edge_of(pivot), owner = owner_[edge];
-    if (owner == none) return keep(edge, triangle, is_sum ? column_.ascending() : std::vector<ColumnEntry>());
+    if (owner == Solid::none) return keep(edge, triangle, is_sum ? column_.ascending() : std::vector<ColumnEntry>());
     if (is_triangle_before(triangle, owner)) {
       // The reduced column is stored there; the reduction continues with the column that was stored.
       const std::vector<ColumnEntry> others = released(edge);
@@ -109,7 +103,7 @@ void Tunnels::reduce(std::uint32_t triangle) {
 }
 
 void Tunnels::add_column_of(std::uint32_t edge) {
-  if (kept_[edge] == none)
+  if (kept_[edge] == Solid::none)
     column_.add(boundary_of(owner_[edge]).span());
   else
     column_.add(columns_[kept_[edge]]);
@@ -130,8 +124,8 @@ void Tunnels::keep(std::uint32_t edge, std::uint32_t triangle, std::vector<Colum
 
 /// Returns the column stored at an edge, and removes it; empty where none is stored.
 std::vector<ColumnEntry> Tunnels::released(std::uint32_t edge) {
-  const std::uint32_t at = std::exchange(kept_[edge], none);
-  if (at == none) return {};
+  const std::uint32_t at = std::exchange(kept_[edge], Solid::none);
+  if (at == Solid::none) return {};
   free_.push_back(at);
   return std::exchange(columns_[at], {});
 }

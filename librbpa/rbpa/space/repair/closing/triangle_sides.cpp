@@ -12,8 +12,6 @@
 namespace rbpa::space {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffff;
-
 auto key(const TriangleSide& side) { return std::tie(side.from, side.to); }
 
 /// Returns the side from `from` to `to`, or the end.
@@ -50,6 +48,7 @@ std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std:
       "boundary_loops: two triangles have a side in the same direction, expected triangles oriented alike");
   std::uint32_t vertices = 0;
   for (const TriangleSide& side : sides) vertices = std::max(vertices, side.from + 1);
+  constexpr std::uint32_t none = 0xffffffff;
   std::vector<std::uint32_t> next(vertices, none);  // along the boundary, with the triangles to the right
   for (const TriangleSide& side : sides) {
     step(2);

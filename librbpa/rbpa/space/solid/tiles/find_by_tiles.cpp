@@ -15,8 +15,6 @@
 namespace rbpa::space {
 namespace {
 
-constexpr std::uint32_t none = Solid::none;
-
 /// The results of the tiles, one after the other.
 class Collected {
  public:
@@ -36,7 +34,7 @@ class Collected {
     corners.insert(corners.end(), stars.tetrahedra.begin(), stars.tetrahedra.end());
     neighbors.resize(corners.size());
     const auto first = static_cast<std::uint32_t>(base);
-    const auto moved = [&](std::uint32_t t) { return t == none ? none : t + first; };
+    const auto moved = [&](std::uint32_t t) { return t == Solid::none ? Solid::none : t + first; };
     for (std::size_t t = 0; t < stars.neighbors.size(); ++t) {
       const Row& row = stars.neighbors[t];
       neighbors[base + t] = {moved(row[0]), moved(row[1]), moved(row[2]), moved(row[3])};
@@ -59,14 +57,14 @@ class Collected {
       for (; at < end; ++at) {
         const Row& row = shared_[at];
         if ((is_unsettled[row[0]] | is_unsettled[row[1]] | is_unsettled[row[2]] | is_unsettled[row[3]]) == 0) continue;
-        Place first = none;
+        Place first = Solid::none;
         for (const Place i : row)
           if (is_unsettled[i] == 0) first = std::min(first, i);
         if (first - leaves_[leaf].first >= leaves_[leaf].end - leaves_[leaf].first) continue;
         const std::size_t t = found.rows.corners.size();
         check_number_of(t + 1);
         found.rows.corners.push_back(row);
-        found.rows.neighbors.push_back({none, none, none, none});
+        found.rows.neighbors.push_back({Solid::none, Solid::none, Solid::none, Solid::none});
         if (has_radii_) found.is_within.push_back(shared_is_within_[at]);
         for (std::size_t k = 0; k < 4; ++k) found.border.push_back(border_face(row, static_cast<std::uint32_t>(t), k));
       }
@@ -89,11 +87,11 @@ void leave_out(FoundRows& found) {
   auto& [corners, neighbors] = found.rows;
   meshops::FreshVector<std::uint32_t> number(corners.size());
   std::uint32_t count = 0;
-  for (std::size_t t = 0; t < corners.size(); ++t) number[t] = found.is_within[t] != 0 ? count++ : none;
+  for (std::size_t t = 0; t < corners.size(); ++t) number[t] = found.is_within[t] != 0 ? count++ : Solid::none;
   for (std::size_t t = 0; t < corners.size(); ++t) {
-    if (number[t] == none) continue;
+    if (number[t] == Solid::none) continue;
     Row row = neighbors[t];
-    for (std::uint32_t& neighbor : row) neighbor = neighbor == none ? none : number[neighbor];
+    for (std::uint32_t& neighbor : row) neighbor = neighbor == Solid::none ? Solid::none : number[neighbor];
     corners[number[t]] = corners[t];
     neighbors[number[t]] = row;
   }

@@ -6,8 +6,6 @@
 namespace rbpa::space {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffff;
-
 /// A face by its two greater corners, and as 4 · (row) + (number of the corner across).
 struct Face {
   std::uint64_t corners;
@@ -41,6 +39,7 @@ void link(std::vector<Face>& faces, meshops::FreshVector<std::array<std::uint32_
 meshops::FreshVector<std::array<std::uint32_t, 4>> link_faces(std::span<const std::array<std::uint32_t, 4>> rows,
                                                               std::size_t bound, Threads& threads) {
   constexpr std::size_t at_a_time = 1u << 14;
+  constexpr std::uint32_t none = 0xffffffff;
   meshops::FreshVector<std::array<std::uint32_t, 4>> neighbors(rows.size(), {none, none, none, none});
   // Sorts rows by their second corner; rows are sorted by their first corner already.
   std::vector<std::uint32_t> first(bound + 1, 0), by_second(rows.size());
