@@ -1,6 +1,7 @@
 #include "meshops/simplify/simplify.h"
 
 #include <doctest/doctest.h>
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include <algorithm>
 #include <array>

@@ -7,6 +7,7 @@
 #include "rbpa/space/solid/solid.h"
 
 namespace rbpa::space {
+
 struct Tunnels::Boundary {
   std::array<ColumnEntry, 3> entries;  ///< entries of the column, ascending; 0 is no entry
   std::span<const ColumnEntry> span() const {
