@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -19,6 +20,30 @@ struct Thrown : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Policy of a simplification whose answers are drawn, wrong ones among them.
+struct AnyPolicy {
+  Choices& choices;
+
+  std::optional<double> cost(const Connectivity&, Edge) {
+    if (choices.one_in(600)) return std::numeric_limits<double>::quiet_NaN();
+    return choices.one_in(20) ? std::nullopt : std::optional<double>(choices.below(9));
+  }
+  unsigned place(const Connectivity&, Edge) {
+    if (choices.one_in(200)) throw Thrown("place");
+    return choices.below(9);
+  }
+  bool allows(const Connectivity&, Edge, unsigned) { return !choices.one_in(4); }
+  Vertex survivor(const Connectivity& mesh, Edge e, unsigned) {
+    if (choices.one_in(100)) return Vertex(static_cast<int>(choices.below(40)) - 1);
+    return mesh.to_vertex_handle(mesh.halfedge_handle(e, choices.below(2)));
+  }
+  unsigned key(const Connectivity&, Vertex) { return choices.below(3); }
+  bool stops(const Connectivity&, Edge, double) { return choices.one_in(200); }
+  void merge(Connectivity&, const WeldEffect&, unsigned) {
+    if (choices.one_in(100)) throw Thrown("merge");
+  }
+};
+
 class WrongCalls {
  public:
   explicit WrongCalls(Choices& choices) : choices_(choices), own_(choices, mesh_), foreign_(choices, other_) {
@@ -34,7 +59,7 @@ class WrongCalls {
     static constexpr Step steps[] = {&WrongCalls::handles, &WrongCalls::stellar, &WrongCalls::polygons,
                                      &WrongCalls::hooks,   &WrongCalls::effects, &WrongCalls::cuts,
                                      &WrongCalls::loops,   &WrongCalls::track,   &WrongCalls::history,
-                                     &WrongCalls::front,   &WrongCalls::look};
+                                     &WrongCalls::front,   &WrongCalls::look,    &WrongCalls::simplification};
     (this->*steps[choices_.below(std::size(steps))])();
     if (mesh_.n_edges() > 250) mesh_.garbage_collection();  // remembered effects are then of another mesh
   }
@@ -174,7 +199,10 @@ class WrongCalls {
     const Halfedge h = halfedge();
     const auto throws = [](TestMesh&, const auto&) { throw Thrown("hook"); };
     const auto wrong = choices_.one_in(2) ? foreign_weight_ : OpenMesh::VPropHandleT<double>();
-    switch (choices_.below(6)) {
+    switch (choices_.below(7)) {
+      case 6:
+        run("collapse, hook that throws", [&] { collapse(mesh_, h, throws); });
+        break;
       case 0:
         run("split_edge, hook that throws", [&] { split_edge(mesh_, h, throws); });
         break;
@@ -397,6 +425,25 @@ class WrongCalls {
       for (const Defect& defect : validate(copy)) throw WalkFailure("a front left " + describe(defect));
       done ? ++tally_[name].done : ++tally_[name].refused;
     }
+  }
+
+  /// Simplifies a copy of the mesh, which stays sound and keeps its topology also if the policy is wrong.
+  void simplification() {
+    TestMesh copy = mesh_;
+    const TopologyReport before = report(copy);
+    const Keep keep = own_.keep();
+    bool done = false;
+    try {
+      simplify(copy, AnyPolicy{choices_}, {.faces = choices_.below(20), .keep = keep});
+      done = true;
+    } catch (const ContractViolation&) {
+    } catch (const Thrown&) {
+    }
+    for (const Defect& defect : validate(copy)) throw WalkFailure("simplify left " + describe(defect));
+    const TopologyReport after = report(copy);
+    if (after.betti != before.betti || after.boundary_curves != before.boundary_curves || after.genus != before.genus)
+      throw WalkFailure("simplify changed the topology");
+    done ? ++tally_["simplify"].done : ++tally_["simplify"].refused;
   }
 
   void look() {
