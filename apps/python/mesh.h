@@ -10,27 +10,19 @@
 #include <vector>
 
 #include "meshops/core/connectivity.h"
-#include "meshops/core/contract.h"
+#include "meshops/core/live.h"
 #include "meshops/topology/polygon_soup.h"
 
 namespace rbpa::python {
 
 /// Connectivity without coordinates, which can mark elements of every kind as deleted.
 struct MeshKernel : OpenMesh::PolyMesh_ArrayKernelT<> {
-  MeshKernel() {
-    request_vertex_status();
-    request_halfedge_status();
-    request_edge_status();
-    request_face_status();
-  }
+  MeshKernel() { meshops::request_status(*this); }
 
   /// Replaces the elements and links by those of `other`. Adds status to `other` first, since OpenMesh would otherwise
   /// remove it from this mesh. Requires: no element of `other` is marked as deleted.
   void take_links(OpenMesh::PolyConnectivity& other) {
-    other.request_vertex_status();
-    other.request_halfedge_status();
-    other.request_edge_status();
-    other.request_face_status();
+    meshops::request_status(other);
     assign_connectivity(other);
   }
 };

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "drawings/canvas.h"
-#include "meshops/core/connectivity.h"
+#include "meshops/core/live.h"
 
 namespace figures {
 
@@ -23,12 +23,7 @@ struct PlaneTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
 };
 struct Mesh : OpenMesh::PolyMesh_ArrayKernelT<PlaneTraits> {
-  Mesh() {
-    request_vertex_status();
-    request_edge_status();
-    request_halfedge_status();
-    request_face_status();
-  }
+  Mesh() { meshops::request_status(*this); }
 };
 
 /// Mesh whose points are places. If it does not fit into the plane, a corner of a face may lie elsewhere than its

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "meshops/core/live.h"
 #include "meshops/front/engine.h"
 #include "meshops/topology/build_mesh.h"
 #include "rbpa/base/error.h"
@@ -143,10 +144,7 @@ class ProgressVisitor : public Monitor {
 
 Pieces advance_from(const Outline& outline, const SizeField& field, const FillOptions& options, const GoOn& go_on) {
   Mesh mesh;
-  mesh.request_vertex_status();
-  mesh.request_halfedge_status();
-  mesh.request_edge_status();
-  mesh.request_face_status();
+  meshops::request_status(mesh);
   const std::vector<std::uint32_t> site_of_vertex = meshops::build_mesh(mesh, cones_over(outline));
   const std::size_t outside = mesh.n_faces();
   std::vector<std::vector<Site>> rings;
@@ -201,10 +199,7 @@ void place(Mesh& mesh, std::span<const Point> places, std::span<const std::uint3
 /// Improves the triangles: moves places and flips edges.
 void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, const FillOptions& options) {
   Mesh mesh;
-  mesh.request_vertex_status();
-  mesh.request_halfedge_status();
-  mesh.request_edge_status();
-  mesh.request_face_status();
+  meshops::request_status(mesh);
   const std::vector<std::uint32_t> site = meshops::build_mesh(mesh, soup_of(pieces.triangles, pieces.places.size()));
   place(mesh, pieces.places, site);
   const Checkpoint checkpoint = checkpoint_of(options.progress, outline, pieces.triangles.size());
