@@ -271,6 +271,31 @@ TEST_CASE("spheres may touch where a third one passes: their circle has no direc
   for (std::size_t i = 0; i < 3; ++i) CHECK(found.areas[i] == Approx(near.areas[i]).epsilon(1e-7));
 }
 
+TEST_CASE("a ball however small on the circle of two large ones changes only its own share, from whichever end") {
+  Random random(21);
+  for (const double size : {1e-2, 1e-3, 1e-5, 1e-7, 1e-8, 1e-10, 1e-13, 1e-17})
+    for (int trial = 0; trial < 20; ++trial) {
+      CAPTURE(size);
+      Balls balls = {{around({0, 0, 0}, 0.5, random), around({1, 2, 0}, 0.5, random)}, {2.5, 3}};
+      const double d = std::sqrt(square(balls.centers[0], balls.centers[1])), height = (d * d + 6.25 - 9) / (2 * d);
+      const Point3 axis = unit(balls.centers[1] - balls.centers[0]), across = unit(cross(axis, around({}, 1, random)));
+      const BallMeasures two = measure_balls(balls.centers, balls.radii);
+      balls.centers.push_back(balls.centers[0] + height * axis + std::sqrt(6.25 - height * height) * across +
+                              around({}, size / 2, random));
+      balls.radii.push_back(size);
+      const BallMeasures three = measure_balls(balls.centers, balls.radii);
+      std::swap(balls.centers[0], balls.centers[2]);
+      std::swap(balls.radii[0], balls.radii[2]);
+      const BallMeasures turned = measure_balls(balls.centers, balls.radii);
+      CHECK(std::abs(three.areas[2] - turned.areas[0]) <= 1e-11 * size * size);
+      CHECK(std::abs(three.volumes[2] - turned.volumes[0]) <= 1e-11 * size * size * size);
+      for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(std::abs(three.areas[i] - two.areas[i]) <= 1e-12 + 20 * size * size);
+        CHECK(std::abs(three.areas[i] - turned.areas[i == 0 ? 2 : 1]) <= 1e-12);
+      }
+    }
+}
+
 TEST_CASE("each ball's volume and area agree with random points: few balls, of any arrangement") {
   const Points3 acute = {{0, 0, 0}, {1, 0, 0}, {0.4, 0.9, 0.3}}, obtuse = {{0, 0, 0}, {1, 0, 0}, {0.4, 0.2, 0.1}},
                 line = {{0, 0, 0}, {0.7, 0.1, 0.2}, {1.4, 0.2, 0.4}},

@@ -1,6 +1,7 @@
 #include "rbpa/space/balls/full/ball_wedges.h"
 
 #include <numbers>
+#include <utility>
 
 namespace rbpa::space {
 namespace {
@@ -13,7 +14,7 @@ constexpr double lossy = 0x1p-10, thin = 0x1p-6;
 template <typename Real>
 struct Side {
   Real square, offset, rate, ratio;  // square: y²; ratio: offset / square
-  bool is_thin;
+  bool is_thin;                      // or too rough for another reason
 
   /// The third ball is at the end of the spoke, `along` times the edge along it, and `square` from it.
   Side(const BallEdge<Real>& edge, const BallEdge<Real>& spoke, const Real& along, const Real& square)
@@ -26,7 +27,9 @@ struct Side {
 
 Side<double> side_of(const EdgeOfBalls& edge, const EdgeOfBalls& spoke, double product) {
   const double along = product * edge.inverse;
-  return {edge, spoke, along, spoke.square - along * product};
+  Side<double> side(edge, spoke, along, spoke.square - along * product);
+  side.is_thin |= edge.is_uneven || spoke.is_uneven;
+  return side;
 }
 
 /// A side by vectors. Both ends of the edge give the same; the nearer one is chosen, from which short distances are
@@ -90,21 +93,34 @@ Tried<double> angle_at_corner(const BallEdge<Real>& u, const BallEdge<Real>& v) 
           rounded(nn) < lossy * rounded(u.square) * rounded(v.square) || square < lossy * rounded(ii)};
 }
 
+/// Returns the square of the radius of the circle in which the spheres meet; negative if they do not.
+double square_of_circle(const EdgeOfBalls& edge) {
+  const bool is_smaller = edge.a->radius <= edge.b->radius;
+  const BallEdge<DoubleDouble> from_smaller(is_smaller ? *edge.a : *edge.b, is_smaller ? *edge.b : *edge.a);
+  const DoubleDouble radius = exactly<DoubleDouble>(from_smaller.a->radius);
+  return rounded(radius * radius - from_smaller.lift * from_smaller.lift / from_smaller.square);
+}
+
 WedgePart precise_in_tetrahedron(const Ball& i, const Ball& j, const Ball& k, const Ball& l, bool with_angle) {
   const PreciseSide a(i, j, k), b(i, j, l);
   const double sine = std::abs(rounded(dot(a.edge.to, cross(a.away, b.away)))) / std::sqrt(rounded(a.edge.square));
   return between(a.side, b.side, dot(a.away, b.away), sine, i.radius, with_angle).result;
 }
 
+/// Returns the corner angle at a sphere where it meets that of a very small ball, at the edge's end, and a third one. It
+/// follows from the angle beside the triangle, which only the small ball knows well, by the cotangent formula.
+double angle_near_small_ball(const EdgeOfBalls& edge, const EdgeOfBalls& other) {
+  const CircleOfBalls circle(edge);
+  const double angle = beside_triangle(edge, other).angle;
+  const Vector3<double> normal = cross(edge.to, other.to);
+  const double sine = std::sqrt(dot(normal, normal)), cosine = dot(edge.to, other.to);
+  return std::atan2(edge.a->radius * std::sin(angle) * sine,
+                    std::sqrt(circle.square) * cosine - circle.height_i * std::cos(angle) * sine);
+}
+
 }  // namespace
 
-bool EdgeOfBalls::are_tangent() const {
-  const bool is_smaller = a->radius <= b->radius;
-  const BallEdge<DoubleDouble> from_smaller(is_smaller ? *a : *b, is_smaller ? *b : *a);
-  const DoubleDouble radius = exactly<DoubleDouble>(from_smaller.a->radius);
-  const DoubleDouble square = radius * radius - from_smaller.lift * from_smaller.lift / from_smaller.square;
-  return rounded(square) <= 0x1p-90 * a->radius * b->radius;
-}
+bool EdgeOfBalls::are_tangent() const { return square_of_circle(*this) <= 0x1p-90 * a->radius * b->radius; }
 
 EdgesAtCorner::EdgesAtCorner(const std::array<const EdgeOfBalls*, 3>& edges) : edge(edges) {
   const auto& [a, b, c] = edges;
@@ -126,7 +142,8 @@ WedgePart beside_triangle(const EdgeOfBalls& edge, const EdgeOfBalls& other) {
   if (edge.is_tangent) return {};
   const Tried<WedgePart> tried = beside<double>(edge, side_of(edge, other, dot(edge.to, other.to)));
   if (!tried.is_rough) return tried.result;
-  const PreciseSide precise(*edge.a, *edge.b, *other.b);
+  const bool from_b = edge.is_uneven && edge.b->radius < edge.a->radius;
+  const PreciseSide precise(from_b ? *edge.b : *edge.a, from_b ? *edge.a : *edge.b, *other.b);
   return beside(precise.edge, precise.side).result;
 }
 
@@ -135,14 +152,23 @@ CircleOfBalls::CircleOfBalls(const EdgeOfBalls& edge) : distance(std::sqrt(edge.
   height_i = distance / 2 + shift;
   height_j = distance / 2 - shift;
   square = std::max((r - height_i) * (r + height_i), 0.0);
+  if (!edge.is_uneven) return;
+  const auto height = [](const BallEdge<DoubleDouble>& from) {
+    return rounded(from.lift) / std::sqrt(rounded(from.square));
+  };
+  height_i = height({*edge.a, *edge.b});
+  height_j = height({*edge.b, *edge.a});
+  square = std::max(square_of_circle(edge), 0.0);
 }
 
 double corner_angle(const EdgeOfBalls& j, const EdgeOfBalls& k) {
   // The limit of a small circle around which the angle beside the triangle is 0.
   for (const EdgeOfBalls* edge : {&j, &k})
     if (edge->is_tangent) return edge->lift > 0 ? std::numbers::pi : 0;
+  for (const auto& [edge, other] : {std::pair{&j, &k}, std::pair{&k, &j}})
+    if (edge->b->radius < 0x1p-24 * edge->a->radius) return angle_near_small_ball(*edge, *other);
   const Tried<double> tried = angle_at_corner<double>(j, k);
-  if (!tried.is_rough) return tried.result;
+  if (!tried.is_rough && !j.is_uneven && !k.is_uneven) return tried.result;
   return angle_at_corner<DoubleDouble>({*j.a, *j.b}, {*k.a, *k.b}).result;
 }
 

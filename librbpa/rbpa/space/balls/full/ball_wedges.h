@@ -69,9 +69,11 @@ struct EdgeOfBalls : BallEdge<double> {
   EdgeOfBalls(const Ball& first, const Ball& second)
       : BallEdge(first, second), inverse_length(1 / std::sqrt(square)), inverse(inverse_length * inverse_length) {
     const double r = first.radius, s = second.radius;
+    is_uneven = std::min(r, s) < 0x1p-10 * std::max(r, s);
     is_tangent = std::abs(r * r - lift * lift * inverse) <= 0x1p-40 * (r * r + s * s) && are_tangent();
   }
   double inverse_length, inverse;  // inverse: of the square
+  bool is_uneven;                  // one ball is so small that lengths rounded for the other are too rough for it
   /// The spheres touch, up to rounding in double-double: where other spheres meet their circle has no direction.
   bool is_tangent;
 
