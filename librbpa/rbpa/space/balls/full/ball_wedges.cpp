@@ -107,8 +107,8 @@ WedgePart precise_in_tetrahedron(const Ball& i, const Ball& j, const Ball& k, co
   return between(a.side, b.side, dot(a.away, b.away), sine, i.radius, with_angle).result;
 }
 
-/// Returns the corner angle at a sphere where it meets that of a very small ball, at the edge's end, and a third one. It
-/// follows from the angle beside the triangle, which only the small ball knows well, by the cotangent formula.
+/// Returns the corner angle at a sphere where it meets that of a very small ball, at the edge's end, and a third one.
+/// It follows from the angle beside the triangle, which only the small ball knows well, by the cotangent formula.
 double angle_near_small_ball(const EdgeOfBalls& edge, const EdgeOfBalls& other) {
   const CircleOfBalls circle(edge);
   const double angle = beside_triangle(edge, other).angle;
