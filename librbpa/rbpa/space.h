@@ -1,6 +1,7 @@
 // What: all public headers about points in space: solids, surfaces, repair, simplification, persistence, balls.
 #pragma once
 
+#include "rbpa/space/balls/ball_voids.h"
 #include "rbpa/space/balls/dangling_faces.h"
 #include "rbpa/space/balls/full_topology.h"
 #include "rbpa/space/balls/measure_ball_frames.h"

@@ -1,20 +1,63 @@
-// What: computes the volume of each void of the full alpha complex outside of the balls of radius alpha.
-// How:  the volume of the tetrahedra of a void, less the volume of the balls in them by inclusion and exclusion. The
-//       share of a tetrahedron in a ball is given by its angles: docs/explanation/space.md, section 21.
-// Law:  the choice of simplices is exact; sizes and angles are rounded; their sum is exact and rounded once.
-// Cost: linear in the tetrahedra of voids.
+// What: measures what balls with different radii leave of regions of tetrahedra outside of their complex, and the share
+//       of each ball in the surface there.
+// How:  the volume of the tetrahedra, less the parts of balls in their angles: docs/explanation/space.md, section 25.
+// Law:  right for voids, up to rounding. At triangles outside of the complex, the part of a ball that reaches across
+//       counts on the side of the tetrahedra at its center.
+// Cost: linear in the tetrahedra around the corners of regions.
 // Source: Edelsbrunner, Facello, Fu, Liang, Measuring proteins and voids in proteins (1995).
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/space/balls/full/edges.h"
 #include "rbpa/space/balls/full/triangulated.h"
 
 namespace rbpa::space {
+
+/// Balls around the vertices of a triangulation, and regions of its tetrahedra outside of the balls' complex. Any
+/// thread calls the functions.
+struct BallRegions {
+  static constexpr std::uint32_t none = 0xffffffff;
+
+  Triangulated cells;
+  std::span<const Point3> positions;      ///< those of `cells`, scaled as the radii
+  std::span<const double> radii;          ///< for each vertex
+  std::span<const std::uint32_t> region;  ///< for each tetrahedron, its region, or none
+  std::size_t count = 0;                  ///< number of regions
+  /// Return whether the triangle across from corner k of t, the edge with these tetrahedra around it, and a point are
+  /// in the complex. Without the last one, all points are.
+  std::function<bool(std::uint32_t t, std::size_t k)> is_wall;
+  std::function<bool(std::span<const EdgeAt>)> has_edge;
+  std::function<bool(std::uint32_t)> has_vertex = {};
+};
+
+/// Sizes of a region, in units of the scaled positions.
+struct RegionMeasure {
+  double tetrahedra = 0;  ///< volume of its tetrahedra; the same for any order of points
+  double volume = 0;      ///< volume outside of the balls
+  double area = 0;        ///< area of the balls there
+};
+
+/// The part of a sphere that is in a region and outside of the other balls.
+struct RegionShare {
+  std::uint32_t region, ball;
+  double area;
+};
+
+struct RegionMeasures {
+  std::vector<RegionMeasure> all;
+  std::vector<RegionShare> shares;  ///< of balls in the complex; ascending by region and ball
+};
+
+/// Measures the regions. Requires: positions and radii whose sixth powers fit double; a neighbor of a tetrahedron is
+/// missing only across a wall or the hull. Throws: Cancelled.
+RegionMeasures outside_of_balls(const BallRegions& regions, Threads& threads, const GoOn& go_on = {});
 
 /// Returns, for each of `voids` voids, the volume of its part that is at least alpha from every point, in cubed units.
 /// Requires: `space` has the tetrahedra of voids, without a neighbor across a triangle of the complex; `void_of` has
