@@ -152,6 +152,23 @@ TEST_CASE("points that nearly coincide have nearly one ball, however near they a
   CHECK_THROWS_AS(union_of_balls(Points3{{1e308, 0, 0}, {-1e308, 0, 0}}, 1), rbpa::InvalidInput);
 }
 
+TEST_CASE("points much nearer than the radius lose no digits: the order changes only the rounding") {
+  Random random(8);
+  for (const double size : {1e-2, 1e-4, 1e-6, 1e-8}) {
+    CAPTURE(size);
+    Points3 points;
+    for (int i = 0; i < 60; ++i) {
+      const auto near = [&](int cluster) { return 0.9 * cluster + size * random.unit(); };
+      points.push_back({near(i % 3), near(i % 2), near(i % 5 == 0 ? 1 : 0)});
+    }
+    const BallUnion expected = union_of_balls(points, 1);
+    std::reverse(points.begin(), points.end());
+    const BallUnion reversed = union_of_balls(points, 1);
+    CHECK(reversed.volume == doctest::Approx(expected.volume).epsilon(1e-14));
+    CHECK(reversed.area == doctest::Approx(expected.area).epsilon(1e-13));
+  }
+}
+
 TEST_CASE("moving and scaling by powers of two, shuffling and three threads change the result only by rounding") {
   Points3 points = jittered_cubes(500, 5);
   const BallUnion expected = union_of_balls(points, 0.75, {.threads = 1}),
