@@ -270,6 +270,40 @@ TEST_SUITE("balls") {
     CHECK(text.find("\n1,,,,,\xe9,\"C 6\",C,1.7,") != std::string::npos);
   }
 
+  TEST_CASE("voids and pockets have sizes, the largest ball that fits in, and the atoms around them") {
+    const Folder folder;
+    // Balls around the corners of a cube leave its center free; they close its sides from a radius of √2 on.
+    std::string frames;
+    for (const std::string size : {"1", "1.05"}) {
+      frames += "8\nProperties=species:S:1:pos:R:3:radius:R:1\n";
+      for (int i = 0; i < 8; ++i)
+        frames += std::string("C ") + (i & 1 ? "" : "-") + size + " " + (i & 2 ? "" : "-") + size + " " +
+                  (i & 4 ? "" : "-") + size + " 1.2\n";
+    }
+    folder.file("c.xyz", frames);
+    const Outcome outcome = folder.rbpa("balls c.xyz --models all --probe 0.25 --voids v.csv --pockets p.csv");
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.ends_with("\nrbpa: with the probe: 1 void, 1 pocket -> v.csv, p.csv\n"));
+    const std::vector<Row> voids = rows_of(folder.content("v.csv")), pockets = rows_of(folder.content("p.csv"));
+    REQUIRE(voids.size() == 1);
+    CHECK(voids[0].at("frame") + voids[0].at("number") == "11");
+    CHECK(voids[0].at("points") == "\"0 1 2 3 4 5 6 7\"");
+    CHECK(number(voids[0], "volume_between_points") == doctest::Approx(8));
+    CHECK(number(voids[0], "radius_max") == doctest::Approx(std::sqrt(3) - 1.45));
+    CHECK(number(voids[0], "volume_outside_balls") > 4 * pi / 3 * std::pow(std::sqrt(3) - 1.45, 3));
+    CHECK(std::abs(number(voids[0], "x")) + std::abs(number(voids[0], "y")) < 1e-12);
+    CHECK(number(voids[0], "area") > 4 * pi * std::pow(std::sqrt(3) - 1.45, 2));
+    REQUIRE(pockets.size() == 1);
+    CHECK(pockets[0].at("frame") + pockets[0].at("mouths") == "26");
+    CHECK(number(pockets[0], "volume_between_points") == doctest::Approx(8 * 1.05 * 1.05 * 1.05));
+    CHECK(number(pockets[0], "radius_max") == doctest::Approx(1.05 * std::sqrt(3) - 1.45));
+    CHECK(number(pockets[0], "mouth_radius_max") == doctest::Approx(1.05 * std::sqrt(2) - 1.45));
+    REQUIRE(folder.rbpa("balls c.xyz --probe 0.25 --voids one.csv -q").code == 0);
+    const std::string one = folder.content("one.csv"), all = folder.content("v.csv");
+    CHECK("frame," + one.substr(0, one.find('\n') + 1) + "1," + one.substr(one.find('\n') + 1) == all);
+    CHECK(folder.rbpa("balls c.xyz --voids v.obj").err == "rbpa: --voids: found the ending 'obj', expected csv\n");
+  }
+
   TEST_CASE("nested and equal balls, and points in a plane, have rows too") {
     const Folder folder;
     folder.file("n.csv", "x,y,z,r\n0,0,0,2\n0,0,0,1\n0,0,0,2\n5,0,0,1\n9,0,0,0\n");

@@ -12,6 +12,7 @@
 #include "io/bytes/output_file.h"
 #include "io/cloud/atom_frames.h"
 #include "io/cloud/ball_radii.h"
+#include "rbpa/space/balls/ball_voids.h"
 #include "rbpa/space/balls/measure_balls.h"
 
 namespace rbpa::app {
@@ -31,6 +32,7 @@ struct MeasuredAtoms : BallTotals {
   std::vector<AtomRow> rows = {};
   std::vector<double> radii = {};  ///< without the probe
   BallMeasures balls = {};         ///< with the probe; with contacts if they are written
+  BallVoids voids = {};            ///< if they are written; with the probe
 };
 
 /// A column of the names of atoms: a text or a number.

@@ -16,6 +16,7 @@
 #include "shared/stats.h"
 #include "shared/verbs.h"
 #include "space/balls_files.h"
+#include "space/balls_voids.h"
 
 namespace rbpa::app {
 namespace {
@@ -64,10 +65,12 @@ BallsRequest parse(const BallsArguments& arguments) {
   request.choice.radius = request.radii.column();
   if (arguments.models) request.choice.frames = parse_frames("--models", *arguments.models);
   if (arguments.group) request.groups = parse_groups(*arguments.group, request.choice);
-  if (arguments.contacts && find_format(Use::rows, ending(*arguments.contacts)) != Format::csv)
-    throw WrongUsage("--contacts: found the ending " + in_quotes(ending(*arguments.contacts)) + ", expected " +
-                     endings(Use::rows));
-  std::vector<std::string> reports = given({arguments.stats, arguments.contacts});
+  for (const auto& [option, path] :
+       {std::pair("--contacts", &arguments.contacts), {"--voids", &arguments.voids}, {"--pockets", &arguments.pockets}})
+    if (*path && find_format(Use::rows, ending(**path)) != Format::csv)
+      throw WrongUsage(std::string(option) + ": found the ending " + in_quotes(ending(**path)) + ", expected " +
+                       endings(Use::rows));
+  std::vector<std::string> reports = given({arguments.stats, arguments.contacts, arguments.voids, arguments.pockets});
   if (arguments.json) reports.emplace_back("-");
   // Without any file the summary alone is the result.
   if (!arguments.outputs.empty() || arguments.output_format || !reports.empty())
@@ -84,6 +87,8 @@ class BallsRun : public Run {
   void run();
 
  private:
+  /// Returns whether the sizes without the probe are shown anywhere.
+  bool is_reported() const { return !options().quiet || arguments_.json || arguments_.stats; }
   std::vector<std::string> process();
   std::vector<MeasuredAtoms> read_some(AtomFrames& file);
   void measure(std::vector<MeasuredAtoms>& some);
@@ -94,7 +99,10 @@ class BallsRun : public Run {
   BallsRequest request_;
   AtomFrame texts_ = {};  // every frame is read into it
   bool are_atoms_ = true;
+  bool has_frames_ = false;  // rows have the number of their frame
   std::vector<BallRows> tables_ = {};
+  OutputFile *voids_ = nullptr, *pockets_ = nullptr;  // files that are written
+  std::size_t void_count_ = 0, pocket_count_ = 0;
   std::vector<BallTotals> frames_ = {};
   std::atomic<std::size_t> done_ = 0;  // atoms
   double read_seconds_ = 0, measure_seconds_ = 0, write_seconds_ = 0;
@@ -115,13 +123,15 @@ void BallsRun::require_groups(const AtomFrame& first) const {
 void BallsRun::begin_tables(const AtomFrame& first) {
   require_groups(first);
   are_atoms_ = first.rows.front().line > 0;
-  const FrameChoice& choice = request_.choice.frames;
+  has_frames_ = request_.choice.frames.all || request_.choice.frames.numbers.size() > 1;
   const auto begin = [&](const std::string& path, BallRows::Of of) {
-    tables_.emplace_back(files().add(path), of, request_.groups, request_.choice.group.value_or(""),
-                         choice.all || choice.numbers.size() > 1, texts_, are_atoms_);
+    tables_.emplace_back(files().add(path), of, request_.groups, request_.choice.group.value_or(""), has_frames_,
+                         texts_, are_atoms_);
   };
   for (const Target& target : request_.targets) begin(target.path, BallRows::Of::atoms);
   if (arguments_.contacts) begin(*arguments_.contacts, BallRows::Of::contacts);
+  if (arguments_.voids) begin_voids(*(voids_ = &files().add(*arguments_.voids)), has_frames_, false);
+  if (arguments_.pockets) begin_voids(*(pockets_ = &files().add(*arguments_.pockets)), has_frames_, true);
 }
 
 /// Reads frames until there is work for all threads; returns none at the end.
@@ -159,7 +169,7 @@ void BallsRun::measure(std::vector<MeasuredAtoms>& some) {
   try {
     std::vector<BallMeasures> with = measured(request_.probe, arguments_.contacts.has_value());
     std::vector<BallMeasures> without;
-    if (request_.probe > 0) without = measured(0, false);
+    if (request_.probe > 0 && is_reported()) without = measured(0, false);
     for (std::size_t f = 0; f < some.size(); ++f) {
       const BallMeasures& bare = without.empty() ? with[f] : without[f];
       some[f].volume_without_probe = bare.volume;
@@ -168,6 +178,8 @@ void BallsRun::measure(std::vector<MeasuredAtoms>& some) {
       some[f].area = with[f].area;
       some[f].buried = static_cast<std::size_t>(std::count(with[f].areas.begin(), with[f].areas.end(), 0.0));
       some[f].balls = std::move(with[f]);
+      if (voids_ != nullptr || pockets_ != nullptr)
+        some[f].voids = voids_of(some[f], request_.probe, pockets_ != nullptr, options().threads);
     }
   } catch (const InvalidInput& e) {
     throw BadInput(input() + ": " + e.what());
@@ -187,12 +199,18 @@ std::vector<std::string> BallsRun::process() {
     measure(some);
     for (const MeasuredAtoms& frame : some) {
       for (BallRows& table : tables_) table.write(frame);
+      if (voids_ != nullptr) write_voids(*voids_, has_frames_, false, frame, frame.voids.voids);
+      if (pockets_ != nullptr) write_voids(*pockets_, has_frames_, true, frame, frame.voids.pockets);
+      void_count_ += frame.voids.voids.size();
+      pocket_count_ += frame.voids.pockets.size();
       frames_.push_back(frame);
       done_ += frame.kept;
     }
     write_seconds_ += lap();
   }
   for (BallRows& table : tables_) table.finish();
+  for (OutputFile* of_voids : {voids_, pockets_})
+    if (of_voids != nullptr) of_voids->finish();
   write_seconds_ += lap();
   return file.warnings();
 }
@@ -207,7 +225,10 @@ void BallsRun::run() {
   if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& output) { write_json(output, report, 2); });
   publish();
   std::vector<std::string> lines = text_of(request_.probe, request_.radii, frames_, are_atoms_ ? "atom" : "point");
-  std::vector<std::string> paths = given({arguments_.contacts});
+  if (voids_ != nullptr || pockets_ != nullptr)
+    lines.push_back("with the probe: " + counted(void_count_, "void") +
+                    (pockets_ != nullptr ? ", " + counted(pocket_count_, "pocket") : ""));
+  std::vector<std::string> paths = given({arguments_.contacts, arguments_.voids, arguments_.pockets});
   for (auto target = request_.targets.rbegin(); target != request_.targets.rend(); ++target)
     paths.insert(paths.begin(), target->path);
   lines.back() += list_of(paths);
