@@ -356,7 +356,7 @@ TEST_SUITE("laz") {
     folder.file("p.las", las);
     const std::string laz = laz_of(las, {.compressor = 3, .items = layered_items(6, 0, 3), .chunks = {1000, 1000}});
     for (const std::string name : {"p.laz", "q.copc.laz", "laz.las"}) folder.file(name, laz);
-    const std::string arguments = " --alpha 3 -o -";
+    const std::string arguments = " --alpha 3 -o - --output-format wkt";
     const std::string outline = folder.rbpa("shape p.las" + arguments).out;
     REQUIRE_FALSE(outline.empty());
     for (const std::string name : {"p.laz", "q.copc.laz", "laz.las", "- <p.laz"}) {

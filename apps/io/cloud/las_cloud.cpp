@@ -64,7 +64,7 @@ class LasCloud final : public Cloud {
     if (!system.warning.empty() && !in_space_) facts_.file.warnings.push_back(system.warning);
     if (in_space_ && system.crs) facts_.file.degrees = system.crs->degrees;
     // A point for each record; but LAZ may promise many more points than there are bytes.
-    if (!selection_ && is_settled_ && count_ <= content_.size()) facts_.expected = count_;
+    if (!selection_ && is_settled_ && !content_.is_compressed() && count_ <= content_.size()) facts_.expected = count_;
     content_.skip(header_.begin);
   }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -56,13 +57,8 @@ class SymbolModel {
 
  private:
   friend class ArithmeticDecoder;
-  /// Returns binary digits of the table by which the search for a symbol begins; without a table 0.
-  static constexpr unsigned table_bits() {
-    unsigned bits = 3;
-    while (most > 4U << bits) ++bits;
-    return most > 16 ? bits : 0;
-  }
-  static constexpr unsigned table_shift = shift - table_bits();
+  static constexpr unsigned table_bits = std::max(static_cast<unsigned>(std::bit_width(most - 1)), 4U) - 2,
+                            table_shift = shift - table_bits;
 
   void update() {
     total_ += cycle_;
@@ -76,18 +72,16 @@ class SymbolModel {
     for (unsigned i = 0; i < symbols_; ++i) {
       starts_[i] = static_cast<std::uint16_t>(scale * sum >> (31 - shift));
       sum += counts_[i];
-      if constexpr (table_bits() > 0)
-        for (; filled <= unsigned{starts_[i]} >> table_shift; ++filled)
-          table_[filled] = static_cast<std::uint16_t>(i == 0 ? 0 : i - 1);
+      for (; filled <= unsigned{starts_[i]} >> table_shift; ++filled)
+        table_[filled] = static_cast<std::uint16_t>(i == 0 ? 0 : i - 1);
     }
-    if constexpr (table_bits() > 0)
-      for (; filled < table_.size(); ++filled) table_[filled] = static_cast<std::uint16_t>(symbols_ - 1);
+    for (; filled < table_.size(); ++filled) table_[filled] = static_cast<std::uint16_t>(symbols_ - 1);
     left_ = cycle_ = std::min(5 * cycle_ / 4, (symbols_ + 6) * 8);
   }
 
   std::array<std::uint16_t, most> starts_ = {}, counts_;  // a symbol has the numbers from its start to the next start
   // A number in part t of the range belongs to a symbol from table_[t] to table_[t + 1].
-  std::array<std::uint16_t, table_bits() == 0 ? 0 : (1U << table_bits()) + 2> table_;
+  std::array<std::uint16_t, (1U << table_bits) + 2> table_;
   std::uint32_t symbols_, total_ = 0, cycle_, left_ = 0;
 };
 
@@ -103,12 +97,8 @@ class ArithmeticDecoder {
   template <unsigned most>
   unsigned symbol(SymbolModel<most>& model) {
     const std::uint32_t unit = length_ >> SymbolModel<most>::shift, number = value_ / unit;
-    unsigned low = 0, high = model.symbols_;
-    if constexpr (SymbolModel<most>::table_bits() > 0) {
-      const std::uint32_t part = number >> SymbolModel<most>::table_shift;
-      low = model.table_[part];
-      high = model.table_[part + 1] + 1U;
-    }
+    const std::uint32_t part = number >> SymbolModel<most>::table_shift;
+    unsigned low = model.table_[part], high = model.table_[part + 1] + 1U;
     while (high - low > 1) {
       const unsigned middle = (low + high) / 2;
       (model.starts_[middle] > number ? high : low) = middle;

@@ -34,6 +34,7 @@ LazFormat read_laz_format(std::string_view data, std::size_t length, const std::
                     counted(size, "byte"),
                 "one that compressor " + std::to_string(compressor) + " writes here");
     format.items.push_back({kind, size, version});
+    format.layers += kind->layers.empty() ? size : std::size_t(*std::ranges::max_element(kind->layers) - 'a' + 1);
     sum += size;
   }
   if (sum != length || sum == 0)
@@ -41,21 +42,15 @@ LazFormat read_laz_format(std::string_view data, std::size_t length, const std::
   return format;
 }
 
-std::size_t layered_head_size(const LazFormat& format) {
-  std::size_t layers = 0;
-  for (const LazItem& item : format.items) layers += item.kind->layers(item.size).size();
-  return format.length + 4 + 4 * layers;
-}
-
 LazChunk layered_chunk(const LazFormat& format, std::string_view head) {
-  LazChunk chunk{load_little<std::uint32_t>(&head[format.length]), layered_head_size(format)};
-  for (std::size_t at = format.length + 4; at < layered_head_size(format); at += 4)
+  LazChunk chunk{load_little<std::uint32_t>(&head[format.length]), format.head()};
+  for (std::size_t at = format.length + 4; at < format.head(); at += 4)
     chunk.size += load_little<std::uint32_t>(&head[at]);
   return chunk;
 }
 
 void ChunkDecoder::begin(std::string_view bytes, std::size_t points) {
-  const std::size_t head = format_.is_layered ? layered_head_size(format_) : format_.length;
+  const std::size_t head = format_.head();
   const LazChunk chunk =
       format_.is_layered && head <= bytes.size() ? layered_chunk(format_, bytes) : LazChunk{points, head};
   if (chunk.size > bytes.size())
@@ -70,11 +65,15 @@ void ChunkDecoder::begin(std::string_view bytes, std::size_t points) {
   std::size_t offset = 0, size_at = format_.length + 4, layer_at = head;
   for (const LazItem& item : format_.items) {
     ItemStart start{first_ + offset, item.size, item.version, {}, state_};
-    for (const Layer& layer : format_.is_layered ? item.kind->layers(item.size) : std::vector<Layer>()) {
+    std::vector<bool> layers;  // those that are wanted
+    for (std::size_t i = 0; i < item.size && format_.is_layered; ++i) {
+      const std::size_t layer = item.kind->layers.empty() ? i : std::size_t(item.kind->layers[i] - 'a');
+      layers.resize(std::max(layers.size(), layer + 1));
+      if (wanted_[offset + i]) layers[layer] = true;
+    }
+    for (const bool is_wanted : layers) {
       const auto size = load_little<std::uint32_t>(&bytes[size_at]);
-      const auto begin = wanted_.begin() + static_cast<std::ptrdiff_t>(offset + layer.offset);
-      const auto end = begin + static_cast<std::ptrdiff_t>(layer.size);
-      start.streams.push_back(bytes.substr(layer_at, std::find(begin, end, true) != end ? size : 0));
+      start.streams.push_back(bytes.substr(layer_at, is_wanted ? size : 0));
       size_at += 4;
       layer_at += size;
     }

@@ -24,7 +24,11 @@ struct LazFormat {
   bool has_chunks = false, is_layered = false;
   std::uint32_t chunk_size = varying;  ///< number of points in each chunk but the last
   std::size_t length = 0;              ///< of a record, in bytes
+  std::size_t layers = 0;              ///< number of layers of all items
   std::vector<LazItem> items = {};
+
+  /// Returns the number of bytes before the layers or the stream of a chunk.
+  std::size_t head() const { return length + (is_layered ? 4 + 4 * layers : 0); }
 
   static constexpr std::uint32_t varying = 0xFFFFFFFF;
 };
@@ -38,9 +42,7 @@ struct LazChunk {
   std::uint64_t size;  ///< in bytes
 };
 
-/// Returns the size of the head of a layered chunk: the first record, the number of points, the sizes of the layers.
-std::size_t layered_head_size(const LazFormat& format);
-/// Returns the chunk that begins with `head`.
+/// Returns the layered chunk that begins with `head`: the first record, the number of points, the sizes of the layers.
 LazChunk layered_chunk(const LazFormat& format, std::string_view head);
 
 class ChunkDecoder {

@@ -41,15 +41,10 @@ struct ItemStart {
   ChunkState& chunk;
 };
 
-/// The place of a layer in an item.
-struct Layer {
-  std::size_t offset, size;
-};
-
 struct ItemKind {
   unsigned type, least_version, greatest_version;  ///< LASzip's numbers
   std::size_t size;                                ///< in bytes; 0: any
-  std::vector<Layer> (*layers)(std::size_t size);  ///< returns the layers of an item; null point by point
+  std::string_view layers;  ///< for each byte its layer, from 'a' on; empty: each byte has a layer of its own
   std::unique_ptr<ItemDecoder> (*make)(const ItemStart& start);
 };
 

@@ -31,18 +31,6 @@ namespace layer14 {
 enum Index : std::size_t { place, height, classes, flags, intensity, angle, user, source, time, count };
 }
 
-std::vector<Layer> point_layers(std::size_t) {
-  return {{0, 8},
-          {at14::z, 4},
-          {at14::classification, 1},
-          {at14::flags, 1},
-          {at14::intensity, 2},
-          {at14::scan_angle, 2},
-          {at14::user_data, 1},
-          {at14::source, 2},
-          {at14::time, 8}};
-}
-
 /// Contexts for a return number (second index) of a number of returns (first index) from 0 to 15.
 constexpr char contexts_of_returns14[16][17] = {
     "0123453445555555", "1013333333333333", "2124444444433333", "3345444444444444",
@@ -248,20 +236,12 @@ struct Waves14 final : ItemDecoder {
   void next(char*, ChunkState&) override {}
 };
 
-std::vector<Layer> one_layer(std::size_t size) { return {{0, size}}; }
-std::vector<Layer> color_and_infrared(std::size_t) { return {{0, 6}, {6, 2}}; }
-std::vector<Layer> layer_for_each_byte(std::size_t size) {
-  std::vector<Layer> layers;
-  for (std::size_t i = 0; i < size; ++i) layers.push_back({i, 1});
-  return layers;
-}
-
 // Version 2 is that of a prototype, like version 3.
-constexpr ItemKind layered_kinds[] = {{point14, 2, 4, 30, point_layers, make_item<Point14>},
-                                      {11, 2, 4, 6, one_layer, make_item<Color14>},
-                                      {12, 2, 4, 8, color_and_infrared, make_item<Color14>},
-                                      {13, 3, 4, 29, one_layer, make_item<Waves14>},
-                                      {14, 2, 4, 0, layer_for_each_byte, make_item<Bytes14>}};
+constexpr ItemKind layered_kinds[] = {{point14, 2, 4, 30, "aaaaaaaabbbbeeadcgffhhiiiiiiii", make_item<Point14>},
+                                      {11, 2, 4, 6, "aaaaaa", make_item<Color14>},
+                                      {12, 2, 4, 8, "aaaaaabb", make_item<Color14>},
+                                      {13, 3, 4, 29, "aaaaaaaaaaaaaaaaaaaaaaaaaaaaa", make_item<Waves14>},
+                                      {14, 2, 4, 0, "", make_item<Bytes14>}};
 
 }  // namespace
 

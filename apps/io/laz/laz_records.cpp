@@ -65,12 +65,12 @@ std::optional<std::vector<LazChunk>> read_chunk_table(const Content& content, st
       ArithmeticDecoder decoder(bytes);
       IntegerDecoder<32> numbers(2);
       for (LazChunk last{0, 0}; chunks.size() < count; chunks.push_back(last)) {
-        const auto number = [&](std::uint64_t before, std::size_t context) {
-          return numbers.decode(decoder, static_cast<std::uint32_t>(before), context);
-        };
-        last.points = varies ? number(last.points, 0) : std::min<std::size_t>(format.chunk_size, left);
-        last.size = number(last.size, 1);
-        if (last.points == 0 || last.points > left || last.size < format.length || last.size > left_bytes)
+        last.points = varies ? numbers.decode(decoder, static_cast<std::uint32_t>(last.points), 0)
+                             : std::min<std::size_t>(format.chunk_size, left);
+        last.size = numbers.decode(decoder, static_cast<std::uint32_t>(last.size), 1);
+        const bool is_empty = last.points == 0 && varies;  // some compressors write such chunks
+        if ((!is_empty && (last.points == 0 || last.size < format.length)) || last.points > left ||
+            last.size > left_bytes)
           bad_input(where,
                     "a chunk of " + counted(last.points, "point") + " in " + counted(last.size, "byte") + " after " +
                         counted(chunks.size(), "chunk"),
@@ -179,7 +179,7 @@ void LazRecords::begin_chunks() {
       at += chunk.size;
     }
   } else if (format_.is_layered) {
-    window_ = require_ahead(layered_head_size(format_));
+    window_ = require_ahead(format_.head());
     const LazChunk chunk = layered_chunk(format_, window_);
     if (chunk.points == 0 || chunk.points > left_)
       throw BadStream{window_.data() + format_.length, "a chunk of " + counted(chunk.points, "point"),
@@ -212,7 +212,7 @@ LazRecords::Piece LazRecords::decode(Slot& slot) const {
   piece.records.resize(count * length);
   std::size_t done = 0;
   try {
-    if (slot.left == slot.points) slot.decoder->begin(slot.bytes, slot.points);
+    if (slot.left == slot.points && count > 0) slot.decoder->begin(slot.bytes, slot.points);
     for (; done < count; ++done) slot.decoder->next(piece.records.data() + done * length);
   } catch (const BadStream& fault) {
     piece.fault = fault;

@@ -212,7 +212,7 @@ class WavePacket13 {
 
 template <typename Models>
 constexpr ItemKind kind(unsigned type, unsigned version, std::size_t size) {
-  return {type, version, version, size, nullptr, make_item<PointwiseItem<Models>>};
+  return {type, version, version, size, {}, make_item<PointwiseItem<Models>>};
 }
 constexpr ItemKind pointwise_kinds[] = {
     kind<BytesVersion1<false>>(0, 1, 0), kind<BytesVersion2>(0, 2, 0),   kind<Point10Version1>(6, 1, 20),
