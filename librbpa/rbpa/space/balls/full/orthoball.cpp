@@ -12,9 +12,9 @@ namespace rbpa::space {
 namespace {
 
 using Real = DoubleDouble;
-using Vector = Vector3<Real>;
+using WideVector = Vector3<Real>;
 
-Vector times(const Real& s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
+WideVector times(const Real& s, const WideVector& v) { return {s * v.x, s * v.y, s * v.z}; }
 
 }  // namespace
 
@@ -26,7 +26,7 @@ Orthoball orthoball(std::span<const Ball> balls) {
   std::sort(b.begin(), b.end(), [](const Ball& p, const Ball& q) { return p.center < q.center; });
   const Point3& origin = b[0].center;
   const Real half{0.5, 0}, radius{b[0].radius, 0};
-  std::array<Vector, 3> to{}, dual{};
+  std::array<WideVector, 3> to{}, dual{};
   for (std::size_t k = 0; k + 1 < balls.size(); ++k) {
     const Point3& p = b[k + 1].center;
     to[k] = {Real::difference(p.x, origin.x), Real::difference(p.y, origin.y), Real::difference(p.z, origin.z)};
@@ -34,7 +34,7 @@ Orthoball orthoball(std::span<const Ball> balls) {
   if (balls.size() == 3) to[2] = cross(to[0], to[1]);
   for (std::size_t k = 0; k < 3; ++k) dual[k] = cross(to[(k + 1) % 3], to[(k + 2) % 3]);
   const Real volume = dot(dual[0], to[0]);
-  Vector center{}, slope{};
+  WideVector center{}, slope{};
   for (std::size_t k = 0; k + 1 < balls.size(); ++k) {
     const Real less = Real::difference(b[0].radius, b[k + 1].radius);
     const Real lift = half * (dot(to[k], to[k]) + less * Real::difference(b[0].radius, -b[k + 1].radius));
