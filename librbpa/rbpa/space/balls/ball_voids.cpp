@@ -11,7 +11,6 @@
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/arrays/grouped.h"
 #include "rbpa/base/arrays/sort_unique.h"
-#include "rbpa/base/exact/exact_sum.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/space/balls/full/faces_within.h"
@@ -324,16 +323,13 @@ class Finder {
       return is_before(a.volume_of_tetrahedra, a, b.volume_of_tetrahedra, b);
     });
     BallVoids result;
-    ExactSum volume, area;
     for (BallVoid& of : all) {
       if (of.mouths.empty()) {
-        volume.add(of.volume);
-        area.add(of.area);
+        result.volume += of.volume;
+        result.area += of.area;
       }
       (of.mouths.empty() ? result.voids : result.pockets).push_back(std::move(of));
     }
-    result.volume = volume.rounded();
-    result.area = area.rounded();
     return result;
   }
 

@@ -742,6 +742,45 @@ TEST_CASE("the order of balls, threads and scales do not matter") {
   }
 }
 
+TEST_CASE("balls of every kind have voids and pockets with sizes, which do not depend on their order") {
+  Random random(11);
+  std::size_t regions = 0;
+  for (int set = 0; set < 2 * space_kinds * radius_kinds; ++set) {
+    Balls balls = ball_set(static_cast<SpaceKind>(set % space_kinds),
+                           static_cast<RadiusKind>(set / space_kinds % radius_kinds), 30, random);
+    CAPTURE(text(balls));
+    const RegularTriangulation regular = rbpa::regular_triangulation(balls.centers, balls.radii);
+    const BallVoids found = ball_voids(balls.centers, balls.radii, regular, {.pockets = true});
+    std::vector<std::size_t> order(balls.radii.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    random.shuffle(order);
+    Balls other;
+    for (const std::size_t i : order) {
+      other.centers.push_back(balls.centers[i]);
+      other.radii.push_back(balls.radii[i]);
+    }
+    const RegularTriangulation theirs = rbpa::regular_triangulation(other.centers, other.radii);
+    const BallVoids again = ball_voids(other.centers, other.radii, theirs, {.pockets = true});
+    CHECK(by_coordinates(other, theirs, again.voids) == by_coordinates(balls, regular, found.voids));
+    CHECK(by_coordinates(other, theirs, again.pockets) == by_coordinates(balls, regular, found.pockets));
+    for (const auto* all : {&found.voids, &found.pockets})
+      for (const BallVoid& of : *all) {
+        ++regions;
+        CHECK(!std::isnan(of.volume));  // at 1e150 it is infinite
+        CHECK(!std::isnan(of.area));
+        CHECK(std::isfinite(of.radius));
+        CHECK(of.radius >= 0);
+        for (const BallMouth& mouth : of.mouths) {
+          CHECK(std::isfinite(mouth.area));
+          CHECK(mouth.area <= mouth.area_of_triangles);
+          CHECK(std::isfinite(mouth.perimeter));
+          CHECK(std::isfinite(mouth.radius));
+        }
+      }
+  }
+  CHECK(regions > 40);
+}
+
 TEST_CASE("lysozyme has ten voids for a probe of 1.4") {
   const Balls atoms = lysozyme(1.4);
   const BallVoids found = find(atoms);

@@ -87,6 +87,7 @@ Slice PowerCells::slice(const Triangle& corners) const {
   const Vector u = from<double>(origin, balls[corners[1]].center), v = from<double>(origin, balls[corners[2]].center);
   const Vector up = cross(u, v);
   const double twice_area = std::sqrt(dot(up, up));
+  if (!(twice_area > 0x1p-400)) return {};
   const Polygon whole = {{{0, 0, 0}, none}, {u, none}, {v, none}};
   Slice slice{twice_area / 2, twice_area / 2, 0};
   const Point3 middle = {origin.x + (u.x + v.x) / 3, origin.y + (u.y + v.y) / 3, origin.z + (u.z + v.z) / 3};

@@ -30,7 +30,7 @@ struct PowerCells {
   double power(const Point3& x, std::uint32_t i) const;
   /// Returns a ball of least power at x, up to rounding; `start` is any corner of a tetrahedron.
   std::uint32_t ball_at(const Point3& x, std::uint32_t start) const;
-  /// Measures the triangle of the centers of three corners of a tetrahedron.
+  /// Measures the triangle of the centers of three corners of a tetrahedron: 0 if its area is below 2⁻⁴⁰⁰.
   Slice slice(const Triangle& corners) const;
 };
 
