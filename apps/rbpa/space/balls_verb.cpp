@@ -31,31 +31,25 @@ struct BallsRequest {
   RunOptions run = {};
 };
 
-double parse_length(const std::string& option, const std::string& text) {
-  const ParsedNumber number = parse_whole_number(text);
-  if (number.fault != NumberFault::none || !(number.value >= 0))
-    throw WrongUsage(option + ": found " + in_quotes(text) + ", expected a length, at least 0");
-  return number.value;
-}
-
 /// Parses --group, and notes the column in `choice`.
 AtomGroups parse_groups(const std::string& text, AtomChoice& choice) {
   constexpr std::string_view column = "column:";
   if (text == "residue") return AtomGroups::residue;
   if (text == "chain") return AtomGroups::chain;
   if (!text.starts_with(column) || text.size() == column.size())
-    throw WrongUsage("--group: found " + in_quotes(text) + ", expected residue, chain or column:NAME");
+    bad_usage("--group", in_quotes(text), "residue, chain or column:NAME");
   choice.group = text.substr(column.size());
   return AtomGroups::column;
 }
 
 /// Parses the arguments; reads the file of --radii. Throws WrongUsage that names the option; BadInput, Failure.
 BallsRequest parse(const BallsArguments& arguments) {
+  const std::string length = "a length, at least 0";
   std::optional<double> otherwise;
-  if (arguments.radius_default) otherwise = parse_length("--radius-default", *arguments.radius_default);
+  if (arguments.radius_default) otherwise = parse_real("--radius-default", *arguments.radius_default, {}, length);
   BallsRequest request{.radii = BallRadii(arguments.radii, otherwise)};
   request.format = parse_format(Use::space, arguments.atoms, arguments.format, "ATOMS");
-  request.probe = parse_length("--probe", arguments.probe);
+  request.probe = parse_real("--probe", arguments.probe, {}, length);
   request.run = parse_run(arguments.run);
   request.choice = {.waters = arguments.waters,
                     .ligands = !arguments.no_ligands,
@@ -67,9 +61,7 @@ BallsRequest parse(const BallsArguments& arguments) {
   if (arguments.group) request.groups = parse_groups(*arguments.group, request.choice);
   for (const auto& [option, path] :
        {std::pair("--contacts", &arguments.contacts), {"--voids", &arguments.voids}, {"--pockets", &arguments.pockets}})
-    if (*path && find_format(Use::rows, ending(**path)) != Format::csv)
-      throw WrongUsage(std::string(option) + ": found the ending " + in_quotes(ending(**path)) + ", expected " +
-                       endings(Use::rows));
+    if (*path) target_of(option, **path, Use::rows);
   std::vector<std::string> reports = given({arguments.stats, arguments.contacts, arguments.voids, arguments.pockets});
   if (arguments.json) reports.emplace_back("-");
   // Without any file the summary alone is the result.
