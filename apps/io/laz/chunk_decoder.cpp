@@ -26,7 +26,8 @@ LazFormat read_laz_format(std::string_view data, std::size_t length, const std::
   for (std::size_t at = head; at < head + entry * number(32); at += entry) {
     const unsigned type = number(at), size = number(at + 2), version = number(at + 4);
     const ItemKind* kind = format.is_layered ? find_layered_item(type, version) : find_pointwise_item(type, version);
-    const bool fits = kind != nullptr && size > 0 && (kind->size == 0 || kind->size == size) &&
+    constexpr unsigned most = 8192;  // extra bytes: 341 fields of 24 bytes, as many as a file can describe
+    const bool fits = kind != nullptr && size > 0 && size <= most && (kind->size == 0 || kind->size == size) &&
                       (!format.is_layered || (type == point14) == (at == head));
     if (!fits)
       bad_input(where,

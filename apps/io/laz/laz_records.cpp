@@ -132,7 +132,7 @@ bool LazRecords::make(Batch& batch) {
     if (in_use_ == 0) begin_chunks();
     if (is_windowed()) {
       Slot& slot = slots_.front();
-      const std::size_t count = std::min(slot.left, window_points) + 1;
+      const std::size_t count = std::min(slot.left, most_at_once()) + 1;
       slot.bytes = window_ = content_.ahead(count * format_.length * most_growth);
       if (slot.left < slot.points) slot.decoder->move_to(window_);
     }
@@ -205,9 +205,13 @@ void LazRecords::begin(std::size_t points, std::string_view bytes) {
   left_ -= points;
 }
 
+std::size_t LazRecords::most_at_once() const {
+  const std::size_t most = piece_bytes / format_.length;
+  return is_windowed() ? std::min(most, window_points) : most;
+}
+
 LazRecords::Piece LazRecords::decode(Slot& slot) const {
-  const std::size_t length = format_.length, most = is_windowed() ? window_points : piece_bytes / length;
-  const std::size_t count = std::min(slot.left, most);
+  const std::size_t length = format_.length, count = std::min(slot.left, most_at_once());
   Piece piece;
   piece.records.resize(count * length);
   std::size_t done = 0;

@@ -62,6 +62,8 @@ class LazRecords {
   std::string_view require_ahead(std::uint64_t size);
   /// Gives a chunk to the next slot.
   void begin(std::size_t points, std::string_view bytes);
+  /// Returns the greatest number of records in a piece.
+  std::size_t most_at_once() const;
   Piece decode(Slot& slot) const;
   /// Returns whether the size of a chunk in bytes is known only when the chunk is decoded.
   bool is_windowed() const { return !table_ && !format_.is_layered; }

@@ -24,7 +24,7 @@ def read_points(
     skip_invalid: bool = False,
     vertices: bool = False,
 ) -> PointFile:
-    """Reads points from a file, as the program `rbpa` does: LAS, tables in text, PLY, OFF, .npy, GeoJSON, well-known
+    """Reads points from a file, as the program `rbpa` does: LAS and LAZ, tables in text, PLY, OFF, .npy, GeoJSON, well-known
     text, the foreground of an image; in space also PCD, OBJ and molecules. Files compressed by gzip are decompressed.
 
     Parameters
