@@ -37,8 +37,8 @@ struct Labels {
   Label at(Vertex v) const { return of[static_cast<std::size_t>(v.idx())]; }
   std::array<Label, 2> ends(const Connectivity& mesh, Edge e) const {
     const Halfedge h = mesh.halfedge_handle(e, 0);
-    const auto [a, b] = std::minmax(at(mesh.from_vertex_handle(h)), at(mesh.to_vertex_handle(h)));
-    return {a, b};
+    const Label a = at(mesh.from_vertex_handle(h)), b = at(mesh.to_vertex_handle(h));
+    return {std::min(a, b), std::max(a, b)};
   }
   double cost(const Connectivity& mesh, Edge e) const {
     const auto [a, b] = ends(mesh, e);
