@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "meshops/core/contract.h"
+#include "meshops/core/live.h"
 #include "meshops/core/validate.h"
 #include "meshops/handle/create.h"
 #include "meshops/handle/unglue.h"
