@@ -11,7 +11,7 @@
 namespace rbpa::space {
 namespace {
 
-constexpr double u = 0x1p-53;
+constexpr double roundoff = 0x1p-53;
 
 /// The edge from a first ball to another one. The plane in which both have the same power is 2 x · to = lift, for x
 /// relative to the first center.
@@ -93,7 +93,7 @@ bool are_in_range(const Parts&... parts) {
 struct Length {
   double value, error;
   Length(const Vector3<double>& v, double roundings) : Length(std::sqrt(dot(v, v)), roundings) {}
-  Length(double length, double roundings) : value(length), error(roundings * u + 8 * u * length) {}
+  Length(double length, double roundings) : value(length), error(roundings * roundoff + 8 * roundoff * length) {}
 };
 
 /// Returns the sign of left − 2 radius · right, or that of exact() if it is not certain.
@@ -150,7 +150,9 @@ int least_power_sign(const Ball& a, const Ball& b, const Ball& c, const Ball& d)
 
 bool is_conflict(const Ball& a, const Ball& q) {
   const RoundedEdge e(a, q);
-  return is_negative(e.lift, 8 * u * e.size, are_in_range(a, q, e), [&] { return Exact{&a, &q}.edge(q).lift.sign(); });
+  return is_negative(e.lift, 8 * roundoff * e.size, are_in_range(a, q, e), [&] {
+    return Exact{&a, &q}.edge(q).lift.sign();
+  });
 }
 
 bool is_conflict(const Ball& a, const Ball& b, const Ball& q) {
@@ -159,7 +161,7 @@ bool is_conflict(const Ball& a, const Ball& b, const Ball& q) {
     return Real(d.lift * e.square - e.lift * dot(e.to, d.to));
   };
   const RoundedEdge e(a, b), d(a, q);
-  const double bound = 16 * u * (d.size * e.square + e.size * e.length * d.length);
+  const double bound = 16 * roundoff * (d.size * e.square + e.size * e.length * d.length);
   return is_negative(power(e, d), bound, are_in_range(a, b, q, e, d), [&] {
     const Exact exact{&a, &b, &q};
     return power(exact.edge(b), exact.edge(q)).sign();
@@ -174,7 +176,7 @@ bool is_conflict(const Ball& a, const Ball& b, const Ball& c, const Ball& q) {
   };
   const RoundedEdge e(a, b), f(a, c), d(a, q);
   const double bound =
-      96 * u *
+      96 * roundoff *
       (d.size * e.square * f.square + d.length * e.length * f.length * (e.size * f.length + f.size * e.length));
   return is_negative(power(e, f, d), bound, are_in_range(a, b, c, q, e, f, d), [&] {
     const Exact exact{&a, &b, &c, &q};

@@ -16,9 +16,9 @@ struct Side {
   Real square, offset, rate, ratio;  // square: y²; ratio: offset / square
   bool is_thin;                      // or too rough for another reason
 
-  /// The third ball is at the end of the spoke, `along` times the edge along it, and `square` from it.
-  Side(const BallEdge<Real>& edge, const BallEdge<Real>& spoke, const Real& along, const Real& square)
-      : square(square),
+  /// The third ball is at the end of the spoke, `along` times the edge along it, and `apart` from it, squared.
+  Side(const BallEdge<Real>& edge, const BallEdge<Real>& spoke, const Real& along, const Real& apart)
+      : square(apart),
         offset(spoke.lift - along * edge.lift),
         rate(spoke.shrink - along * edge.shrink),
         ratio(offset / square),

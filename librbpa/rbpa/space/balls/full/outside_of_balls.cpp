@@ -99,9 +99,9 @@ class Terms {
       for (std::size_t at = 0; at < ring.size(); ++at) {
         const auto region_of = [&](const EdgeAt& edge) { return of_.region[edge.tetrahedron]; };
         const std::uint32_t region = region_of(ring[at]);
-        const auto before = ring.first(at);
+        const auto earlier = ring.first(at);
         const auto is_same = [&](const EdgeAt& edge) { return region_of(edge) == region; };
-        if (region != BallRegions::none && std::none_of(before.begin(), before.end(), is_same))
+        if (region != BallRegions::none && std::none_of(earlier.begin(), earlier.end(), is_same))
           add_edge({region, i}, {region, j}, ring, terms);
       }
     });
