@@ -235,12 +235,7 @@ class Finder {
     for (const std::uint32_t t : stars_[i])
       for (const std::uint32_t other : regular_.simplices[t])
         if (other != i && has_edge(i, other)) return true;
-    const Ball own = {centers_[i], radii_[i]};
-    return std::none_of(stars_[i].begin(), stars_[i].end(), [&](std::uint32_t t) {
-      return std::any_of(regular_.simplices[t].begin(), regular_.simplices[t].end(), [&](std::uint32_t other) {
-        return other != i && space::is_conflict(own, {centers_[other], radii_[other]});
-      });
-    });
+    return space::is_center_in_cell(cells_, radii_, i, stars_[i]);
   }
 
   void find_mouths(BallVoid& of, std::span<const std::uint32_t> around) const {

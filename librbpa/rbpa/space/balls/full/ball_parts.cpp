@@ -289,16 +289,10 @@ class BallParts {
     add_both(result_.area_gradient, unscaled(edge.growth, 1));
   }
 
-  /// Returns whether ball i, which is in no edge of the complex, is in it as a vertex: whether its center is in its
-  /// cell.
+  /// Returns whether ball i, which is in no edge of the complex, is in it as a vertex.
   bool has_vertex(std::size_t i) const {
-    if (i >= stars_.bound() || stars_[i].empty()) return false;
-    const Ball own = {cells_.positions[i], radii_[i]};
-    return std::none_of(stars_[i].begin(), stars_[i].end(), [&](std::uint32_t t) {
-      return std::any_of(cells_.simplices[t].begin(), cells_.simplices[t].end(), [&](std::uint32_t k) {
-        return k != i && is_conflict(own, {cells_.positions[k], radii_[k]});
-      });
-    });
+    return i < stars_.bound() && !stars_[i].empty() &&
+           is_center_in_cell(cells_, radii_, static_cast<std::uint32_t>(i), stars_[i]);
   }
 
   const Triangulated& cells_;

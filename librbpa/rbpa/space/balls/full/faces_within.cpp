@@ -6,6 +6,16 @@
 
 namespace rbpa::space {
 
+bool is_center_in_cell(const Triangulated& regular, std::span<const double> ball_radii, std::uint32_t i,
+                       std::span<const std::uint32_t> star) {
+  const Ball own = {regular.positions[i], ball_radii[i]};
+  return std::none_of(star.begin(), star.end(), [&](std::uint32_t t) {
+    return std::any_of(regular.simplices[t].begin(), regular.simplices[t].end(), [&](std::uint32_t other) {
+      return other != i && is_conflict(own, {regular.positions[other], ball_radii[other]});
+    });
+  });
+}
+
 bool is_edge_alone(const Triangulated& delaunay, std::span<const EdgeAt> ring, double alpha) {
   const auto end = [&](const EdgeAt& at, std::size_t k) -> const Point3& {
     return delaunay.position(at.tetrahedron, k);
