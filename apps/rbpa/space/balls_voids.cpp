@@ -6,6 +6,7 @@
 
 #include "io/interrupt.h"
 #include "rbpa/space/balls/regular_triangulation.h"
+#include "space/void_files.h"
 
 namespace rbpa::app {
 
@@ -22,7 +23,7 @@ BallVoids voids_of(const MeasuredAtoms& frame, double probe, bool pockets, MaxTh
 }
 
 void begin_voids(OutputFile& file, bool has_frames, bool of_pockets) {
-  file.write_all(has_frames ? "frame," : "", "number,volume_between_points,volume_outside_balls,area,x,y,z,radius_max,",
+  file.write_all(has_frames ? "frame," : "", volume_columns(ComplexKind::full), ",area,x,y,z,radius_max,",
                  of_pockets ? "mouths,mouth_area,mouth_radius_max," : "", "points\n");
 }
 
@@ -32,8 +33,9 @@ void write_voids(OutputFile& file, bool has_frames, bool of_pockets, const Measu
   for (const BallVoid& hollow : voids) {
     stop_if_interrupted();
     if (has_frames) file.write_all(std::uint64_t{frame.number}, ",");
-    file.write_all(++number, ",", hollow.volume_of_tetrahedra, ",", hollow.volume, ",", hollow.area, ",",
-                   hollow.center.x, ",", hollow.center.y, ",", hollow.center.z, ",", hollow.radius);
+    write_volumes(file, ++number, hollow.volume_of_tetrahedra, hollow.volume);
+    file.write_all(",", hollow.area, ",", hollow.center.x, ",", hollow.center.y, ",", hollow.center.z, ",",
+                   hollow.radius);
     if (of_pockets) {
       double area = 0, radius = 0;
       for (const BallMouth& mouth : hollow.mouths) {
