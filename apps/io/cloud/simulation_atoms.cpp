@@ -155,7 +155,7 @@ class NamedAtoms : public LineAtoms {
     if (const std::size_t known = atom_column(name); known < no_atom_column && has(known)) return known;
     const std::size_t place = place_of(without_quotes(name));
     if (place == names_.size())
-      bad_input(at_line(name_, line_of_names_), "no column " + in_quotes(name), "one of " + listed());
+      bad_input(at_line(name_, line_of_names_), "no column " + in_quotes(name), "one of " + list_of_names());
     return no_atom_column + place;
   }
 
@@ -182,7 +182,7 @@ class NamedAtoms : public LineAtoms {
   /// that is there counts. Other frames must have the same columns.
   void set_names(std::vector<std::string> names,
                  std::initializer_list<std::pair<std::size_t, std::string_view>> of_atoms) {
-    if (frames_ > 0 && names != names_) bad_input(here(), "other columns than in the first frame", listed());
+    if (frames_ > 0 && names != names_) bad_input(here(), "other columns than in the first frame", list_of_names());
     if (frames_ > 0) return;
     names_ = std::move(names);
     line_of_names_ = lines_.number();
@@ -201,11 +201,7 @@ class NamedAtoms : public LineAtoms {
   std::size_t place_of(std::string_view name) const {
     return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
   }
-  std::string listed() const {
-    std::string all;
-    for (const std::string& name : names_) all += (all.empty() ? "" : ", ") + name;
-    return shown(all);
-  }
+  std::string list_of_names() const { return shown(listed(names_, ", ")); }
 
   std::size_t line_of_names_ = 0;
 };
