@@ -84,7 +84,7 @@ struct Range {
 constexpr Range above_0{.least = std::numeric_limits<double>::denorm_min()};
 
 /// Parses the argument of `option`: a number within `allowed`, perhaps inf. Throws WrongUsage that quotes the text and
-/// says what was `expected`.
+/// `expected`, the words for what is right.
 double parse_real(const std::string& option, const std::string& text, Range allowed, const std::string& expected);
 
 struct WholeNumbers {

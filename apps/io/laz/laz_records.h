@@ -56,7 +56,7 @@ class LazRecords {
 
   /// Decodes the next chunks, or a part of one. Returns false at the end.
   bool make(Batch& batch);
-  /// Makes the next chunk, or as many as there are threads, those of slots_.
+  /// Fills slots_: with the next chunk, or with one chunk for each thread.
   void begin_chunks();
   /// Returns the next `size` bytes of the file. Throws BadStream if there are fewer.
   std::string_view require_ahead(std::uint64_t size);
