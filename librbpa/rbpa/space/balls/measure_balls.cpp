@@ -25,10 +25,7 @@ BallMeasures measured(std::span<const Point3> centers, std::span<const double> r
 }
 
 std::vector<double> grown(std::span<const Point3> centers, std::span<const double> radii, double probe) {
-  space::check_points(centers);
-  if (radii.size() != centers.size())
-    throw InvalidInput(std::to_string(radii.size()) + " radii, expected one for each of " +
-                       std::to_string(centers.size()) + " centers");
+  space::check_centers(centers, radii);
   std::vector<double> result(radii.begin(), radii.end());
   for (std::size_t i = 0; i < radii.size(); ++i) {
     result[i] += probe;

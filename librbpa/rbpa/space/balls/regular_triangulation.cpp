@@ -22,10 +22,7 @@ namespace rbpa {
 namespace {
 
 void check_balls(std::span<const Point3> centers, std::span<const double> radii) {
-  space::check_points(centers);
-  if (radii.size() != centers.size())
-    throw InvalidInput(std::to_string(radii.size()) + " radii, expected one for each of " +
-                       std::to_string(centers.size()) + " centers");
+  space::check_centers(centers, radii);
   for (std::size_t i = 0; i < radii.size(); ++i)
     if (!(radii[i] >= 0) || std::isinf(radii[i]))
       throw InvalidInput("radius " + std::to_string(i) + " is " + text(radii[i]) +

@@ -24,6 +24,13 @@ void check_points(std::span<const Point3> points) {
       throw InvalidInput("point " + std::to_string(i) + " is " + at(points[i]) + ", expected finite coordinates");
 }
 
+void check_centers(std::span<const Point3> centers, std::span<const double> radii) {
+  check_points(centers);
+  if (radii.size() != centers.size())
+    throw InvalidInput(std::to_string(radii.size()) + " radii, expected one for each of " +
+                       std::to_string(centers.size()) + " centers");
+}
+
 void check_radius(double radius) {
   if (!(radius > 0) || std::isinf(radius))
     throw InvalidInput("the radius is " + text(radius) + ", expected a finite number above 0");
