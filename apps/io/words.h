@@ -46,6 +46,14 @@ inline std::string in_capitals(std::string_view text) {
   return result;
 }
 
+/// Returns words as a name in JSON: "non_manifold_edge" for "non-manifold edge".
+inline std::string identifier(std::string_view words) {
+  std::string text(words);
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
+  return text;
+}
+
 /// Returns `text` as a field of CSV, in quotes if it needs them.
 inline std::string csv_text(std::string_view text) {
   if (text.find_first_of(",;\"\n\r\t ") == std::string_view::npos) return std::string(text);

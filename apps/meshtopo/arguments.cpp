@@ -64,12 +64,13 @@ Edits parse_edits(const TopologyArguments& arguments) {
 
 /// Returns the first option that changes the mesh. Requires: there is one, other than --repair.
 std::string change_option(const TopologyArguments& arguments) {
-  return arguments.weld           ? "--weld"
-         : arguments.keep_largest ? "--keep-largest"
-         : arguments.drop_small   ? "--drop-small"
-         : arguments.orient       ? "--orient"
-         : arguments.fill_holes   ? "--fill-holes"
-                                  : "--close-tunnels-below";
+  return arguments.weld                  ? "--weld"
+         : arguments.keep_largest        ? "--keep-largest"
+         : arguments.drop_small          ? "--drop-small"
+         : arguments.orient              ? "--orient"
+         : arguments.fill_holes          ? "--fill-holes"
+         : arguments.close_tunnels_below ? "--close-tunnels-below"
+                                         : "--decimate";
 }
 
 /// Returns whether -o names the mesh and not the report: --repair has no OUT, or, without --repair, another option
@@ -77,7 +78,7 @@ std::string change_option(const TopologyArguments& arguments) {
 bool writes_mesh(const TopologyArguments& arguments) {
   if (arguments.repair) return arguments.repaired.empty();
   const bool changes = arguments.weld || arguments.keep_largest || arguments.drop_small || arguments.orient ||
-                       arguments.fill_holes || arguments.close_tunnels_below;
+                       arguments.fill_holes || arguments.close_tunnels_below || arguments.decimate;
   return changes && (arguments.output_format || find_format(Use::mesh, ending(*arguments.output)));
 }
 
@@ -121,6 +122,7 @@ TopologyPlan plan(TopologyArguments arguments) {
   if (arguments.close_tunnels_below)
     plan.tunnels_below =
         parse_real("--close-tunnels-below", *arguments.close_tunnels_below, above_0, "a length, such as 2.5");
+  if (arguments.decimate) plan.decimate = parse_decimation("--decimate", *arguments.decimate);
   for (const std::string& list : arguments.checks)
     for (Check& check : parse_checks(list)) plan.checks.push_back(std::move(check));
   const bool output_is_mesh = arguments.output && writes_mesh(arguments);

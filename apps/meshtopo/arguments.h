@@ -9,6 +9,7 @@
 #include "io/mesh/read_mesh.h"
 #include "meshtopo/edits.h"
 #include "meshtopo/findings.h"
+#include "triangulation/decimation_choice.h"
 #include "triangulation/hole_choice.h"
 
 namespace rbpa::app {
@@ -27,6 +28,7 @@ struct TopologyArguments {
   bool orient = false;
   std::optional<std::string> fill_holes;
   std::optional<std::string> close_tunnels_below;
+  std::optional<std::string> decimate;
   bool repair = false;
   std::string repaired;  ///< path OUT of --repair; empty if -o names it
   std::optional<std::string> generators;
@@ -52,6 +54,7 @@ struct TopologyPlan {
   bool repair = false;
   std::optional<HoleChoice> fill = std::nullopt;
   std::optional<double> tunnels_below = std::nullopt;
+  std::optional<DecimationChoice> decimate = std::nullopt;
   std::optional<TopologyTarget> report = std::nullopt;
   std::optional<TopologyTarget> written = std::nullopt;  ///< the file for the mesh, edited and repaired as requested
   std::optional<Shift> shift = std::nullopt;             ///< what is subtracted from positions for STL
@@ -59,7 +62,7 @@ struct TopologyPlan {
   bool shortest = false;  ///< write shortest generators
 
   /// Returns whether an option other than --repair changes the mesh.
-  bool changes() const { return edits.any() || fill || tunnels_below; }
+  bool changes() const { return edits.any() || fill || tunnels_below || decimate; }
   /// Returns the paths of mesh, generators and report, in this order, as far as they are written.
   std::vector<std::string> outputs() const;
 };

@@ -9,6 +9,7 @@
 #include "meshops/topology/repair.h"
 #include "meshops/topology/report.h"
 #include "meshops/topology/soup_defects.h"
+#include "meshtopo/decimate.h"
 #include "meshtopo/edits.h"
 #include "meshtopo/fill.h"
 #include "meshtopo/geometry.h"
@@ -44,8 +45,9 @@ struct Findings {
   EditReport edits = {};
   std::optional<Filled> fill = std::nullopt;            ///< absent if not requested
   std::optional<ClosedTunnels> tunnels = std::nullopt;  ///< absent if not requested
+  std::optional<Decimation> decimated = std::nullopt;   ///< absent if not requested
 
-  bool has_changes() const { return edits.any() || fill || tunnels; }
+  bool has_changes() const { return edits.any() || fill || tunnels || decimated; }
 
   std::optional<Examined> result = std::nullopt;  ///< facts about the resulting mesh; absent if it is the given mesh
   std::vector<CheckResult> checks = {};

@@ -26,7 +26,8 @@ int main(int argc, char** argv) {
       "Report the topology of a mesh, and list where it is not a manifold\n\n"
       "The report counts vertices, edges, faces, components and boundary curves, gives the genus, and lists each "
       "defect that keeps the faces from being an oriented 2-manifold with boundary. Options change the mesh in this "
-      "order: --weld, --drop-small and --keep-largest, --orient, --repair, --fill-holes, --close-tunnels-below. The "
+      "order: --weld, --drop-small and --keep-largest, --orient, --repair, --fill-holes, --close-tunnels-below, "
+      "--decimate. The "
       "result is reported, checked and written.\n",
       program);
   app.formatter(std::make_shared<NarrowHelp>());
@@ -84,6 +85,10 @@ int main(int argc, char** argv) {
          "Cut handles and close tunnels that have a loop shorter than L around them, in units of the vertices, if the "
          "new faces intersect nothing; after holes are filled")
       ->type_name("L");
+  app.add_option("--decimate", arguments.decimate,
+                 "Collapse edges of a mesh of triangles until N faces are left, or P percent, moving vertices so that "
+                 "the surface changes least. What is closed stays closed, and the topology the same")
+      ->type_name("N|P%");
   app.add_option("--check", arguments.checks,
                  "Check properties of each mesh, such as closed,manifold,oriented,genus=0,components=1; print a line "
                  "on standard error for each that does not hold, and exit with code 4. Check the changed mesh, and a "
@@ -104,7 +109,8 @@ int main(int argc, char** argv) {
       "  meshtopo scan.obj --repair clean.off --generators loops.obj\n"
       "  meshtopo *.stl -q --check closed,manifold,genus=0\n"
       "  meshtopo part.stl --weld 1e-6 --keep-largest 1 --orient -o part.ply\n"
-      "  meshtopo scan.ply --repair whole.ply --fill-holes all --check closed\n\n"
+      "  meshtopo scan.ply --repair whole.ply --fill-holes all --check closed\n"
+      "  meshtopo scan.ply --decimate 10000 -o small.ply --check closed\n\n"
       "Properties for --check: " +
       known_checks() +
       ". A mesh is closed if every edge has two faces.\n"

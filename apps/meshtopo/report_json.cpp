@@ -1,10 +1,10 @@
 #include "meshtopo/report_json.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/words.h"
 #include "meshtopo/places.h"
 
 namespace rbpa::app {
@@ -13,14 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json or_null(const std::optional<long>& value) { return value ? Json(*value) : Json(nullptr); }
-
-/// Returns "non_manifold_edge" for "non-manifold edge".
-std::string identifier(std::string_view words) {
-  std::string text(words);
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == ' ' || c == '-'; }, '_');
-  return text;
-}
 
 /// Returns a defect, or a step of a repair, as JSON.
 template <typename Item>
@@ -98,6 +90,7 @@ Json as_json(const Findings& findings) {
                        {"left", findings.tunnels->left},
                        {"faces_removed", findings.tunnels->removed},
                        {"faces_added", findings.tunnels->added}};
+  if (findings.decimated) json["decimate"] = app::as_json(*findings.decimated);
   return json;
 }
 

@@ -144,6 +144,7 @@ std::string changes(const Findings& findings) {
       text += "  tunnels: " + counted(findings.tunnels->left, "loop", "loops") +
               " shorter than --close-tunnels-below left as they are\n";
   }
+  if (findings.decimated) text += "  " + decimated_text(*findings.decimated) + "\n";
   return text;
 }
 

@@ -41,6 +41,13 @@ void require_surface(const std::string& option, const Findings& findings,
             "a surface, as " + option + " requires (--repair makes one)");
 }
 
+/// Throws BadInput if a face is not a triangle.
+void require_triangles(const MeshFile& mesh, const MeshSource& source) {
+  if (const std::size_t polygons = polygons_in(mesh); polygons > 0)
+    bad_input(name_of(source), counted(polygons, "face") + (polygons == 1 ? " that is" : " that are") + " no triangle",
+              "triangles, as --decimate requires (--repair OUT.stl writes triangles)");
+}
+
 /// The steps of a run, each with a progress line, and the data that the steps share.
 class Run {
  public:
@@ -80,13 +87,14 @@ class Run {
         repaired->positions.push_back(whole.positions[found.stands_on[i]]);
     }
     const MeshFile& surface = repaired ? *repaired : whole;
-    if (!repaired && (plan_.fill || plan_.tunnels_below || plan_.generators)) {
+    if (!repaired && (plan_.fill || plan_.tunnels_below || plan_.decimate || plan_.generators)) {
       std::vector<meshops::SoupDefect> defects =
           edited ? meshops::find_defects(whole.soup, until_interrupted()) : findings.given.defects;
       if (edited)
         for (meshops::SoupDefect& defect : defects) number_as_in_file(defect, *edited);
       require_surface(plan_.fill            ? "--fill-holes"
                       : plan_.tunnels_below ? "--close-tunnels-below"
+                      : plan_.decimate      ? "--decimate"
                                             : "--generators",
                       findings, defects, source);
     }
@@ -101,7 +109,14 @@ class Run {
       simpler = close_tunnels(whole_surface);
       findings.tunnels = simpler->report;
     }
-    const MeshFile& result = simpler ? simpler->mesh : whole_surface;
+    const MeshFile& closed = simpler ? simpler->mesh : whole_surface;
+    std::optional<DecimatedMesh> decimated;
+    if (plan_.decimate) {
+      require_triangles(closed, source);
+      decimated = decimate(closed);
+      findings.decimated = decimated->report;
+    }
+    const MeshFile& result = decimated ? decimated->mesh : closed;
     const bool is_stl = plan_.written && plan_.written->format == Format::stl;
     const bool is_wanted = findings.has_changes() || (repaired && !plan_.checks.empty());
     const bool is_kept = !is_stl || keep_in_stl(result, is_wanted, findings);
@@ -245,6 +260,11 @@ class Run {
   SimplerMesh close_tunnels(const MeshFile& mesh) const {
     const ProgressLine shown = line("closing tunnels");
     return app::close_tunnels(mesh, *plan_.tunnels_below);
+  }
+
+  DecimatedMesh decimate(const MeshFile& mesh) const {
+    const ProgressLine shown = line("decimating");
+    return app::decimate(mesh, *plan_.decimate);
   }
 
   Generators find_loops(const MeshFile& mesh) const {

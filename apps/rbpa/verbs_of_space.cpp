@@ -97,6 +97,11 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
   add_switch(verb, "--refine", arguments.refine,
              "Add points inside the fillings of --fill-holes or --watertight, so that they are as fine and "
              "smooth as the surface around them");
+  verb.add_option("--faces", arguments.faces,
+                  "Decimate the surface, after everything else, until N triangles are left, between points of the "
+                  "input. What is closed stays closed, and the topology the same. Leave out unused vertices (.npy "
+                  "keeps input indices). Boundary curves are reported, and written by --holes, as they were before")
+      ->type_name("N");
   verb.add_option("--holes", arguments.holes,
                   "Write the boundary curves as polylines, .obj, in groups 'rim', 'hole' and 'island'")
       ->type_name("FILE");
@@ -115,6 +120,7 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
       "  rbpa surface body.xyz --radius 2 --normals none --shell outer -o closed.stl\n"
       "  rbpa surface scan.ply --radius auto --keep-largest 1 --watertight -o print.stl\n"
       "  rbpa surface scan.ply --radius auto --keep-largest 1 --watertight --refine -o print.stl\n"
+      "  rbpa surface scan.ply --radius auto --keep-largest 1 --watertight --faces 10000 -o small.stl\n"
       "  rbpa surface scan.ply --radius 0.01 --suggest-repairs -o mesh.ply\n"
       "  rbpa surface noisy.ply --scale-space auto --moved --radius auto -o smooth.ply\n"
       "  rbpa surface scan.xyz --radius 2,5 --normals estimate --json > holes.json\n\n"

@@ -24,6 +24,8 @@
 #include "rbpa/space/repair/refine_filling.h"
 #include "rbpa/space/repair/suggested_repairs.h"
 #include "rbpa/space/repair/watertight.h"
+#include "rbpa/space/simplify/decimate.h"
+#include "rbpa/space/simplify/decimate_mesh.h"
 #include "rbpa/space/simplify/quadric.h"
 #include "rbpa/space/simplify/quadric_policy.h"
 #include "rbpa/space/solid/periodic_solid.h"

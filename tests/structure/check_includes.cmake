@@ -72,7 +72,7 @@ set(allowed
   "rbpa/space/predicate: rbpa/base rbpa/base/exact rbpa/base/lanes"
   "rbpa/space/repair: meshops/core meshops/front meshops/handle meshops/patch meshops/stellar rbpa/base
     rbpa/base/arrays rbpa/base/parallel rbpa/base/run rbpa/space/cells rbpa/space/predicate rbpa/space/repair/closing
-    rbpa/space/repair/refining rbpa/space/surface rbpa/space/surface/levels"
+    rbpa/space/repair/refining rbpa/space/simplify rbpa/space/surface rbpa/space/surface/levels"
   "rbpa/space/repair/closing: meshops/core rbpa/base rbpa/base/arrays rbpa/base/run rbpa/space/cells
     rbpa/space/predicate"
   "rbpa/space/repair/refining: meshops/core meshops/stellar rbpa/base rbpa/space/predicate rbpa/space/surface"
@@ -114,7 +114,7 @@ set(allowed
   "apps/io/text: apps/io apps/io/bytes"
   "apps/javascript: rbpa/base rbpa/plane rbpa/space/surface"
   "apps/meshtopo: apps/io apps/io/bytes apps/io/mesh apps/program apps/triangulation meshops/core meshops/topology
-    rbpa/base rbpa/space/repair rbpa/space/surface"
+    rbpa/base rbpa/space/repair rbpa/space/simplify rbpa/space/surface"
   "apps/picture: apps/io apps/io/bytes apps/io/mesh apps/io/text rbpa/base rbpa/plane rbpa/space/persistence"
   "apps/program: apps/io apps/io/bytes rbpa/base"
   "apps/python: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon meshops/core meshops/front
@@ -131,9 +131,9 @@ set(allowed
   "apps/rbpa/tiles: apps/io apps/io/bytes apps/io/polygon apps/rbpa/shared apps/stream rbpa/plane"
   "apps/report: apps/io apps/io/bytes apps/io/text rbpa/base rbpa/plane rbpa/space/persistence"
   "apps/stream: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon rbpa/base rbpa/plane"
-  "apps/triangulation: apps/io apps/io/bytes apps/io/mesh rbpa/base rbpa/space/repair rbpa/space/surface")
+  "apps/triangulation: apps/io apps/io/bytes apps/io/mesh rbpa/base rbpa/space/repair rbpa/space/simplify rbpa/space/surface")
 # Rooms, from the ground floor up: no folder may include one of a room above its own, and the plane and space are siblings.
-set(floors meshops rbpa/base rbpa/plane rbpa/fill rbpa/paper rbpa/space/predicate rbpa/space/cells rbpa/space/surface rbpa/space/repair rbpa/space/simplify
+set(floors meshops rbpa/base rbpa/plane rbpa/fill rbpa/paper rbpa/space/predicate rbpa/space/cells rbpa/space/surface rbpa/space/simplify rbpa/space/repair
   rbpa/space/solid rbpa/space/persistence rbpa/space/balls rbpa apps)
 function(floor_of folder result)
   if(folder MATCHES "^(meshops|apps|rbpa$)")

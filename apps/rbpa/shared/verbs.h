@@ -112,6 +112,7 @@ struct SurfaceArguments : SpacePointArguments, OutputArguments {
   std::optional<std::string> drop_small;
   std::optional<std::string> fill_holes;
   bool refine = false;
+  std::optional<std::string> faces;
   bool repairs = false;
   std::string width = "1200";
   bool compact = false;

@@ -13,6 +13,7 @@
 #include "rbpa/space/repair/watertight.h"
 #include "shared/stats.h"
 #include "space/surface_repairs.h"
+#include "triangulation/decimation_choice.h"
 #include "triangulation/list_of_causes.h"
 
 namespace rbpa::app {
@@ -120,6 +121,7 @@ Json base(const SurfaceFacts& facts) {
             {"triangle_share", dropped.triangle_share()},
             {"area_share", dropped.area_share()}}},
           {"filled", filled_as_json(facts.filling)},
+          {"decimated", facts.decimated ? as_json(*facts.decimated) : Json(nullptr)},
           {"suggested_repairs", facts.has_repairs ? counts_as_json(facts.repairs) : Json(nullptr)},
           {"manifold", facts.manifold},
           {"watertight", facts.watertight ? Json(true) : Json(nullptr)},
@@ -208,6 +210,7 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
   if (filling.given_up > 0)
     lines.push_back(counted(filling.given_up, "triangle") + " around holes removed, so that these can be filled");
   if (filling.left() > 0) lines.push_back(left_text(filling));
+  if (facts.decimated) lines.push_back(decimated_text(*facts.decimated));
   if (facts.watertight) {
     lines.push_back("watertight: every edge has two triangles, and no two triangles cross" +
                     (facts.counts.touching == 0 ? std::string()

@@ -96,6 +96,7 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   how.manifold = arguments.manifold;
   how.watertight = arguments.watertight;
   how.refine = arguments.refine;
+  if (arguments.faces) how.faces = parse_whole("--faces", *arguments.faces, {.least = 1}, "triangles");
   request.width = parse_width(arguments.width);
   request.run = parse_run(arguments.run);
   if (how.source == NormalSource::none && how.radii.size() > 1)

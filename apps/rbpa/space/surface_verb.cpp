@@ -26,7 +26,7 @@ namespace rbpa::app {
 namespace {
 
 // Texts of the progress line, indexed by ReconstructionStep; null: no line is shown.
-constexpr std::array<const char*, 12> step_texts{"looking for outliers",
+constexpr std::array<const char*, 13> step_texts{"looking for outliers",
                                                  "scale space",
                                                  "estimating normals",
                                                  "choosing radii",
@@ -37,7 +37,8 @@ constexpr std::array<const char*, 12> step_texts{"looking for outliers",
                                                  "looking for a radius",
                                                  nullptr,
                                                  "filling holes",
-                                                 "refining fillings"};
+                                                 "refining fillings",
+                                                 "decimating"};
 constexpr std::array source_names{"file", "estimate", "none"};  // indexed by NormalSource
 
 class SurfaceRun : public Run {
@@ -175,7 +176,7 @@ void SurfaceRun::write(SurfaceFacts& facts, const SplitFans& fans, SpacePoints& 
                            .order = order,
                            .seen = seen,
                            .colors = file.colors,
-                           .compact = arguments_.compact,
+                           .compact = arguments_.compact || arguments_.faces.has_value(),
                            .shift = request_.shift,
                            .index = file.index};
   add(request_.targets,

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "rbpa/base/error.h"
+#include "rbpa/space/repair/crossing_triangles.h"
 #include "rbpa/space/repair/watertight.h"
 #include "rbpa/space/surface/auto_radii.h"
 #include "rbpa/space/surface/outer_shells.h"
@@ -160,6 +161,7 @@ class Reconstructing {
         made_.components = surface_components(cloud_.places(), made_.surface, counting());
     }
     if (options_.repairs) made_.repairs = repairs_.of(made_.holes, made_.kinds);
+    if (options_.faces) decimate();
     return finished();
   }
 
@@ -327,6 +329,28 @@ class Reconstructing {
     made_.holes = std::move(closed.open);
     made_.kinds = curve_kinds(cloud_.places(), made_.components, made_.holes);
     if (made_.is_watertight()) made_.inside = nesting_depths(cloud_.places(), made_.surface, made_.components, go_on);
+  }
+
+  void decimate() {
+    begin(Step::decimating);
+    DecimatedSurface left =
+        rbpa::decimate(cloud_.places(), made_.surface,
+                       {.faces = *options_.faces,
+                        .go_on = go_on_of(run_.progress, cloud_.points.size(), made_.surface.triangles.size())});
+    made_.decimated = std::move(left.counts);
+    if (!made_.filled.empty()) {
+      std::vector<bool> filled;
+      for (const std::uint32_t t : left.given) filled.push_back(made_.filled[t]);
+      made_.filled = std::move(filled);
+    }
+    made_.surface = std::move(left);
+    if (!made_.components.all.empty())
+      made_.components = surface_components(cloud_.places(), made_.surface, counting());
+    if (!options_.watertight || !made_.is_watertight()) return;
+    made_.crossing = crossing_triangles(cloud_.places(), made_.surface.triangles, most_crossing_pairs, run_);
+    made_.inside.clear();
+    if (made_.is_watertight())
+      made_.inside = nesting_depths(cloud_.places(), made_.surface, made_.components, counting());
   }
 
   /// Takes the surface out of `filled`, and the points that refining added.

@@ -1,9 +1,10 @@
 // What: reconstructs a surface from points in space in one call: leaves outliers out, estimates normals, chooses radii,
-//       rolls the ball, keeps components, fills holes or makes the surface watertight, and explains where it ends.
+//       rolls the ball, keeps components, fills holes or makes the surface watertight, decimates it, and explains where
+//       it ends.
 // How:  calls, as far as the options say, outliers(), scale_space(), estimate_normals_and_confidence(), auto_radii(),
 //       surface() or exposed_triangles(), unused_points(), radius_with_triangles(), holes(), suggested_repairs(),
-//       indexable_surface(), choose_components(), fill_holes() or make_watertight(), and refine_filling(), in this
-//       order.
+//       indexable_surface(), choose_components(), fill_holes() or make_watertight(), refine_filling(), and
+//       decimate(), in this order.
 // Law:  a function of the points and options, not of the number of threads.
 // Cost: the sum of the steps; without options, that of the normals, radii and surface.
 #pragma once
@@ -22,6 +23,7 @@
 #include "rbpa/base/progress.h"
 #include "rbpa/space/repair/refine_filling.h"
 #include "rbpa/space/repair/suggested_repairs.h"
+#include "rbpa/space/simplify/decimate.h"
 #include "rbpa/space/surface/curve_kinds.h"
 #include "rbpa/space/surface/estimate_normals.h"
 #include "rbpa/space/surface/outliers.h"
@@ -52,6 +54,7 @@ enum class ReconstructionStep : std::uint8_t {
   counting,
   filling,
   refining,
+  decimating,
 };
 
 struct ReconstructionOptions {
@@ -78,6 +81,9 @@ struct ReconstructionOptions {
   std::optional<HoleChoice> filled = {};  ///< fills these holes; absent: none
   bool watertight = false;                ///< calls make_watertight() for the kept components; then `filled` is ignored
   bool refine = false;                    ///< refines the fillings by refine_filling()
+  /// Decimates the surface to at most so many triangles. `holes`, `kinds`, `repairs` and `fillings` of the result are
+  /// those before, with numbers of triangles of which none is left to refer to.
+  std::optional<std::size_t> faces = {};
   MaxThreads threads = 0;
   /// Called repeatedly by the functions of the steps, with Progress as each says. Returning false cancels the run.
   OnProgress progress = {};
@@ -113,8 +119,9 @@ struct Reconstruction {
   DroppedComponents dropped = {};       ///< all 0, the totals too, if nothing was dropped, except with `watertight`
   std::vector<HoleFill> fillings = {};  ///< the outcome for each hole that was to be filled
   std::vector<bool> filled = {};        ///< for each triangle, whether it fills a hole; empty: none does
-  std::size_t given_up = 0;             ///< number of triangles that `watertight` removed from components that stay
-  AddedPoints added = {};               ///< points that refining added
+  std::optional<Decimation> decimated = {};  ///< the counts, if the surface was decimated
+  std::size_t given_up = 0;  ///< number of triangles that `watertight` removed from components that stay
+  AddedPoints added = {};    ///< points that refining added
   /// With `watertight`, the pairs of triangles that cross, sorted: the first most_crossing_pairs (watertight.h).
   std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing = {};
   /// With `watertight`, for each component, the number of others inside which it lies; empty unless is_watertight().

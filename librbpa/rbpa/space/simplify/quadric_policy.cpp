@@ -182,6 +182,7 @@ bool QuadricPolicy::keeps_directions(const Connectivity& mesh, Vertex moved, Ver
     const Vertex second = mesh.to_vertex_handle(out), third = mesh.to_vertex_handle(mesh.next_halfedge_handle(out));
     if (mesh.is_boundary(out) || second == other || third == other) continue;
     const Point3 &p = places_[index(second)], &q = places_[index(third)];
+    if (place == p || place == q) return false;
     const int sign = space::compare_normals(old, p, q, place, p, q);
     if (sign < 0 || (sign == 0 && space::compare_normals(old, p, q, old, p, q) > 0)) return false;
   }

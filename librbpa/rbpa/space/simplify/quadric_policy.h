@@ -54,13 +54,18 @@ class RBPA_API QuadricPolicy {
   /// `at_ends`.
   double cost(const meshops::Connectivity& mesh, meshops::Edge e) const;
   Point3 place(const meshops::Connectivity& mesh, meshops::Edge e) const;
-  /// Returns whether no triangle at the ends of the edge turns by a right angle or more, or loses its area.
+  /// Returns whether no triangle at the ends of the edge turns by a right angle or more, loses its area, or gets two
+  /// corners at one place.
   bool allows(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const;
   /// Returns the rank of the vertex among all, by the points of the beginning; vertices on one point have one rank.
   std::uint32_t key(const meshops::Connectivity&, meshops::Vertex v) const { return rank_[index(v)]; }
   /// Returns the end of the edge that lies at the place, else the end of the lesser key.
   meshops::Vertex survivor(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const;
   void merge(const meshops::Connectivity& mesh, const meshops::WeldEffect& effect, const Point3& place);
+
+  /// Returns the place of each vertex by index; of vertices that were removed, some former place.
+  const std::vector<Point3>& places() const& { return places_; }
+  std::vector<Point3> places() && { return std::move(places_); }
 
   /// Returns the power of two by which lengths are multiplied in errors, so that the mesh has about the size 1.
   double scale() const { return scale_; }

@@ -1,0 +1,26 @@
+// What:   decimates a halfedge mesh of triangles in place, with the places of its vertices in an array.
+// Law:    that of decimate() for surfaces (decimate.h).
+// Cost:   as there.
+// Source: as there.
+#pragma once
+
+#include <vector>
+
+#include "meshops/core/connectivity.h"
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/simplify/decimate.h"
+#include "rbpa/space/simplify/quadric_policy.h"
+
+namespace rbpa {
+
+/// Decimates a mesh. Deleted elements stay in the mesh, marked deleted, until garbage_collection(); places of deleted
+/// vertices have no meaning.
+/// Requires: simplify_blocker(mesh) is empty; a sound mesh, except that vertices may have several fans; `places` has a
+///           finite position for each vertex, by index.
+/// Throws:   InvalidInput that names a vertex whose place is not finite, with the mesh untouched; Cancelled, with the
+///           mesh as after the last collapse and `places` untouched; ContractViolation as meshops::simplify().
+RBPA_API Decimation decimate(meshops::Connectivity& mesh, std::vector<Point3>& places, const DecimationOptions& options,
+                             const QuadricOptions& quadrics = {});
+
+}  // namespace rbpa

@@ -1,0 +1,181 @@
+// meshtopo --decimate, and --faces of `rbpa surface`.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "support/changed_mesh.h"
+#include "support/mesh_files.h"
+
+using namespace apps_test;
+using nlohmann::json;
+
+namespace {
+
+const std::string data = RBPA_TEST_DATA;
+
+void check_same_topology(const json& report) {
+  for (const char* key : {"genus", "betti", "boundary_curves", "components", "euler", "pinches", "defects"}) {
+    CAPTURE(key);
+    const json& before = report[key];
+    CHECK(report["result"][key] == (before.is_array() && std::string(key) == "defects" ? json(before.size()) : before));
+  }
+}
+
+/// Lines of points of a sphere of radius 1, each with its normal.
+std::string ball(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, r = std::sqrt(1 - z * z);
+    const std::string p =
+        std::to_string(r * std::cos(around)) + " " + std::to_string(r * std::sin(around)) + " " + std::to_string(z);
+    text += p + " " + p + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_SUITE("meshtopo --decimate") {
+  TEST_CASE("a mesh is decimated to a number or a share of its faces, with its topology") {
+    const Folder folder;
+    for (const std::string name : {"m3_spot.off", "m3_torus.off", "m3_plate_holes.off", "m3_cube_no_bottom.off"}) {
+      CAPTURE(name);
+      const json whole = changed(folder, data + "/" + name + " --decimate 10% -o part.ply");
+      const auto faces = whole["faces"].get<std::size_t>();
+      CHECK(whole["result"]["faces"].get<std::size_t>() <= faces / 10);
+      CHECK(whole["result"]["faces"].get<std::size_t>() + 2 > faces / 10);
+      check_same_topology(whole);
+      const json& counts = whole["changes"]["decimate"];
+      CHECK(counts["triangles_before"] == faces);
+      CHECK(counts["triangles"] == whole["result"]["faces"]);
+      CHECK(counts["collapses"].get<std::size_t>() > faces / 3);
+      CHECK(changed(folder, "part.ply")["faces"] == counts["triangles"]);
+
+      const json exact = changed(folder, data + "/" + name + " --decimate " + std::to_string(faces / 10) + " -o n.ply");
+      CHECK(folder.content("n.ply") == folder.content("part.ply"));
+      CHECK(exact["result"] == whole["result"]);
+    }
+  }
+
+  TEST_CASE("the result does not depend on the order of vertices and faces") {
+    const Folder folder;
+    std::mt19937 random(3);
+    Mesh mesh;
+    // A grid of squares over a wave, each cut in two.
+    const auto at = [](int i, int j) { return std::array{i * 1.0, j * 1.0, std::sin(0.3 * i) * std::cos(0.2 * j)}; };
+    for (int i = 0; i <= 20; ++i)
+      for (int j = 0; j <= 20; ++j) mesh.positions.push_back(at(i, j));
+    for (std::uint32_t i = 0; i < 20; ++i)
+      for (std::uint32_t j = 0; j < 20; ++j) {
+        const std::uint32_t a = 21 * i + j;
+        mesh.faces.push_back({a, a + 21, a + 22});
+        mesh.faces.push_back({a, a + 22, a + 1});
+      }
+    folder.file("m.off", mesh.off());
+    changed(folder, "m.off --decimate 90 -o one.off");
+    mesh.shuffle(random);
+    folder.file("m.off", mesh.off());
+    changed(folder, "m.off --decimate 90 -o other.off");
+    CHECK(places_of(folder, "one.off").size() <= 90);
+    CHECK(places_of(folder, "one.off") == places_of(folder, "other.off"));
+  }
+
+  TEST_CASE("a mesh with fewer faces stays as it is, and one that can lose none is reported so") {
+    const Folder folder;
+    Mesh mesh;
+    folder.file("empty.off", mesh.off());
+    CHECK(changed(folder, "empty.off --decimate 1 -o o.off")["changes"]["decimate"]["triangles"] == 0);
+    mesh.add_triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    folder.file("one.off", mesh.off());
+    CHECK(changed(folder, "one.off --decimate 1000000 -o o.off")["changes"]["decimate"]["collapses"] == 0);
+    CHECK(folder.content("o.off") == folder.content("one.off"));
+    const Outcome least = folder.meshtopo(data + "/m3_spot.off --decimate 1 -o o.off");
+    CHECK(least.code == 0);
+    CHECK(least.out.find("\n  decimated from 1654 to 4 triangles, no further: every collapse left would change the "
+                         "topology or turn a triangle over\n") != std::string::npos);
+    CHECK(changed(folder, data + "/m3_spot.off --decimate 0.01% -o o.off")["result"]["faces"] == 4);
+  }
+
+  TEST_CASE("fans that meet in a point get vertices of their own, and isolated points stay") {
+    const Folder folder;
+    folder.file("m.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n7 7 7\n3 0 1 2\n3 0 3 4\n");
+    const json report = changed(folder, "m.off --decimate 1 -o o.off");
+    CHECK(report["pinches"] == 1);
+    CHECK(report["result"]["pinches"] == 0);
+    CHECK(report["result"]["isolated"] == 1);
+    CHECK(report["result"]["vertices"] == 7);
+    CHECK(report["changes"]["decimate"]["triangles"] == 2);
+  }
+
+  TEST_CASE("holes are filled before, and checks are those of the result") {
+    const Folder folder;
+    const Outcome outcome = folder.meshtopo(data + "/m3_cube_no_bottom.off --fill-holes rims --decimate 12 -o o.off " +
+                                            "--check closed,genus=0,faces=12 -q");
+    CHECK(outcome.err == "");
+    CHECK(outcome.code == 0);
+    CHECK(folder.meshtopo("o.off -q --check closed,faces=12").code == 0);
+  }
+
+  TEST_CASE("wrong numbers, polygons, meshes with defects and a missing file to write are refused, nothing written") {
+    const Folder folder;
+    folder.file("p.off", pyramid_off);
+    for (const std::string wrong : {"0", "-5", "x", "10 %", "0%", "101%", "%", "nan%", "1e3", "5.5"}) {
+      CAPTURE(wrong);
+      const Outcome outcome = folder.meshtopo("p.off --decimate='" + wrong + "' -o o.off");
+      CHECK(outcome.code == 2);
+      CHECK(outcome.err == "meshtopo: --decimate: found '" + wrong +
+                               "', expected a number of triangles, such as 10000, or a share, such as 10%\n");
+    }
+    Outcome outcome = folder.meshtopo("p.off --decimate 4 -o o.off");
+    CHECK(outcome.code == 3);
+    CHECK(outcome.err ==
+          "meshtopo: p.off: found 1 face that is no triangle, expected triangles, as --decimate requires "
+          "(--repair OUT.stl writes triangles)\n");
+    CHECK(folder.meshtopo("p.off --repair t.stl -q").code == 0);
+    CHECK(changed(folder, "t.stl --decimate 4 -o t.off")["result"]["faces"] == 4);
+    folder.file("d.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n");
+    outcome = folder.meshtopo("d.off --decimate 1 -o o.off");
+    CHECK(outcome.code == 3);
+    CHECK(outcome.err.find("expected a surface, as --decimate requires (--repair makes one)") != std::string::npos);
+    CHECK(folder.meshtopo("d.off --repair --decimate 1 -o o2.off -q").code == 0);
+    CHECK(folder.meshtopo("p.off --decimate 4").err ==
+          "meshtopo: --decimate changes the mesh, and requires a file for it (-o OUT or --repair OUT), or --check\n");
+    CHECK_FALSE(folder.has("o.off"));
+  }
+}
+
+TEST_SUITE("surface") {
+  TEST_CASE("--faces decimates a surface between its points, closed stays closed, and the summary says so") {
+    const Folder folder;
+    folder.file("s.xyz", ball(900));
+    const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.2 --watertight --faces 300 -o m.ply --json");
+    CHECK(outcome.code == 0);
+    const json report = json::parse(outcome.out);
+    CHECK(report["triangles"] == 300);
+    CHECK(report["decimated"]["triangles_before"] == 1796);
+    CHECK(report["decimated"]["triangles"] == 300);
+    CHECK(report["watertight"] == true);
+    CHECK(report["component_list"][0]["triangles"] == 300);
+    CHECK(outcome.err.find("\nrbpa: decimated from 1796 to 300 triangles\n") != std::string::npos);
+    CHECK(outcome.err.find(": 300 triangles, 1 component, 0 boundary curves, genus 0 -> m.ply\n") != std::string::npos);
+    CHECK(folder.meshtopo("m.ply -q --check closed,oriented,faces=300,vertices=152").code == 0);
+
+    // Without --manifold, too, vertices that no triangle uses are left out; .npy keeps input indices.
+    CHECK(folder.rbpa("surface s.xyz --radius 0.2 --faces 300 -o n.off -o n.npy -q").code == 0);
+    CHECK(folder.content("n.off").substr(0, 11) == "OFF\n152 300");
+    CHECK(json::parse(folder.rbpa("surface s.xyz --radius 0.2 --json -q").out)["decimated"].is_null());
+  }
+
+  TEST_CASE("a wrong number of --faces is refused") {
+    const Folder folder;
+    folder.file("s.xyz", ball(50));
+    for (const std::string wrong : {"0", "-5", "x", "10%", "nan"}) {
+      const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.9 --faces='" + wrong + "' -o o.off");
+      CHECK(outcome.code == 2);
+      CHECK(outcome.err == "rbpa: --faces: found '" + wrong + "', expected a whole number of triangles from 1\n");
+    }
+    CHECK_FALSE(folder.has("o.off"));
+  }
+}
