@@ -50,9 +50,9 @@ class BallPivoting {
     return p && is_candidate(front, {front.from_site(h), front.to_site(h), *p}) ? p : std::nullopt;
   }
 
-  /// Returns whether the triangle with `apex` is the one beyond h; only this is glued to h. Other triangles can have
-  /// the same two points: sheets touch along edges, and a triangle that overhangs an edge separates the triangles on
-  /// both sides of it.
+  /// Returns whether `apex` is the apex of the triangle beyond h; only that triangle is glued to h. Other triangles can
+  /// have the two points of h as well: sheets touch along edges, and a triangle that overhangs an edge can lie between
+  /// the triangles on both sides of the edge.
   bool glues(const meshops::Front& front, meshops::Halfedge h, meshops::Site apex) const {
     return beyond(front, h) == apex;
   }

@@ -55,7 +55,7 @@ enum class Format {
   by_content  // standard input, until its content shows the format
 };
 
-/// The data that are read from a file or written to it.
+/// A kind of data that is read from a file or written to one. The values are bits, and `|` makes a set of them.
 enum class Use : unsigned {
   points = 1U << 0U,     ///< in: points in the plane
   space = 1U << 1U,      ///< in: points in space

@@ -137,7 +137,7 @@ TopologyPlan plan(TopologyArguments arguments) {
     plan.report = parse_report_target("-", arguments.json);
   }
   if (arguments.repair && !has_mesh)
-    throw WrongUsage("--repair requires a file for the repaired mesh: --repair OUT or -o OUT");
+    throw WrongUsage("--repair requires a file for the repaired mesh (--repair OUT or -o OUT)");
   if (has_mesh) {
     const std::string option = output_is_mesh ? "-o" : "--repair";
     const std::string& path = output_is_mesh ? *arguments.output : arguments.repaired;

@@ -16,8 +16,8 @@ namespace rbpa::app {
 struct SpaceView {
   int width;
   int height;
-  std::vector<std::array<double, 3>>
-      at;  ///< position of each point in pixels: x to the right, y down, depth towards the viewer
+  /// Position of each point, in pixels: x to the right, y down, and the depth, which grows toward the viewer.
+  std::vector<std::array<double, 3>> at;
 };
 
 /// Returns the view of `points`. The height follows the points, from a quarter to twice the width. Requires:

@@ -41,7 +41,7 @@ class NearestPlaces {
       for (const std::uint32_t corner : facet)
         if (corner >= points_.size())
           throw py::value_error("facets: found the corner " + std::to_string(static_cast<std::int32_t>(corner)) +
-                                ", expected indices below " + std::to_string(points_.size()));
+                                ", expected indices of points, at least 0 and below " + std::to_string(points_.size()));
     std::iota(order_.begin(), order_.end(), 0U);
     if (!order_.empty()) build(0, order_.size());
   }

@@ -31,7 +31,7 @@ struct SurfaceInput {
     require_shape(given_radii.ndim() == 1, given_radii, "radii", "(k,)");
     if (!given_normals && radii.size() > 1)
       throw py::value_error("radii: found " + std::to_string(radii.size()) +
-                            ", expected one for points without normals");
+                            ", expected one, as the points have no normals (several radii require normals)");
   }
 };
 

@@ -73,8 +73,8 @@ std::tuple<Indices, Indices> vertex_neighbors(const Indices& simplices, std::siz
   return {line<std::int32_t>(std::move(lists.begin)), line<std::int32_t>(std::move(lists.neighbors))};
 }
 
-/// Returns a hash of the bits of the numbers of a contiguous array, with which an object detects that its points were
-/// changed.
+/// Returns a hash of the bits of all coordinates, by which an object detects that its points were changed.
+/// Requires: `points` is contiguous.
 std::uint64_t fingerprint(const Doubles& points) {
   const auto words = static_cast<std::size_t>(points.size());
   const auto* const at = reinterpret_cast<const unsigned char*>(points.data());

@@ -13,9 +13,10 @@
 
 namespace rbpa::app {
 
-/// Computes the tile with the box `region` with at most `threads` threads. Unless `wants_triangles`,
-/// PartialAndItems::owned is empty. Requires: `points` are all points of the file of the tile. Throws Cancelled, and
-/// InvalidInput as partial() does.
+/// Computes the tile whose box is `region`, by at most `threads` threads. PartialAndItems::owned is empty unless
+/// `wants_triangles`.
+/// Requires: `points` are all points of the file of the tile.
+/// Throws:   InvalidInput as partial(); Cancelled.
 PartialAndItems compute_tile(const Region& region, const IndexedPoints& points, double alpha, unsigned threads,
                              bool wants_triangles);
 

@@ -143,8 +143,8 @@ void require_same(const Json& before, const RunKey& run_key, const std::string& 
     if (inputs[i].at(0) != old_inputs[i].at(0))
       refuse("the input " + short_path(inputs[i].at(0)), short_path(old_inputs[i].at(0)));
     if (inputs[i] != old_inputs[i])
-      bad_usage("--resume", short_path(inputs[i].at(0)) + " changed since the run in " + folder + " began",
-                "the same file (or remove " + folder + " to start again)");
+      bad_usage("--resume", short_path(inputs[i].at(0)) + ", which has changed since the run in " + folder + " began",
+                "the file as it was (or remove " + folder + " to start again)");
   }
   for (const auto& [key, value] : now.items())
     if (before.at(key) != value) refuse(as_options(key, value), as_options(key, before.at(key)));
@@ -192,7 +192,8 @@ Manifest load_manifest(const Scratch& scratch, const RunKey& run_key) {
   const std::string text = checked_content(scratch.manifest());
   try {
     const Json json = Json::parse(text);
-    if (json.at("version") != version) throw std::runtime_error("another version");
+    if (json.at("version") != version)
+      throw std::runtime_error("version " + json.at("version").dump() + ", not " + std::to_string(version));
     require_same(json.at("question"), run_key, scratch.folder());
     Manifest manifest;
     manifest.run_key = run_key;
@@ -209,7 +210,7 @@ Manifest load_manifest(const Scratch& scratch, const RunKey& run_key) {
     manifest.next_index = json.at("next_index");
     manifest.tiles = tiles_of(json.at("tiles"));
     require(manifest.files_done <= run_key.inputs.size(), "more files than there are");
-    require(manifest.next_index <= manifest.points, "more points than there are");
+    require(manifest.next_index <= manifest.points, "next_index above the number of points");
     const bool has_tiles = manifest.pass == Manifest::Pass::compute || manifest.files_done > 0;
     require(manifest.tiles.size() == (has_tiles ? manifest.tree.tiles() : 0), "files of other tiles");
     std::uint64_t owned = 0;

@@ -14,10 +14,10 @@
 
 namespace rbpa::app {
 
-/// The limits of a tile.
+/// Limits of the numbers of points of a tile, and the distance up to which points around the tile count.
 struct TileLimits {
-  std::uint64_t points = 0;  ///< the most points, including those around the tile, so that it fits into memory
-  std::uint64_t owned = 0;   ///< the most points in the box of the tile
+  std::uint64_t points = 0;  ///< maximum with the points around the tile, so that the computation fits into memory
+  std::uint64_t owned = 0;   ///< maximum in the box of the tile
   double reach = 0;          ///< distance from the tile up to which points matter for it
 };
 

@@ -85,8 +85,8 @@ bool is_alive(const fs::path& folder) {
 }
 
 /// Removes the folders of dead runs in the folder `beside`.
-///No run loses its folder to another run that starts at the same time. A process uses a folder only after it has locked
-/// the file in it, and has then checked that the locked file is still at its path (Lock::ours). A process removes a
+/// No run loses its folder to another run that starts at the same time. A process uses a folder only after it has
+/// locked the file in it, and then checked that the locked file is still at its path (Lock::ours). A process removes a
 /// folder only under the same condition, and renames the folder first, while the file is locked. If the owner of the
 /// folder locks first, the other process finds the lock held and stops. If the other process locks first, the owner
 /// finds the lock held, or no folder, or another file at the path, and makes a new folder. An empty folder without a
@@ -100,7 +100,7 @@ void clear_dead(const std::string& beside) {
   }
   for (const fs::path& folder : found) {
     const std::string lock = folder.string() + lock_name;
-    if (folder.filename().string().find(dead_name) != std::string::npos) {  // no run uses it
+    if (folder.filename().string().find(dead_name) != std::string::npos) {  // no run uses the folder
       fs::remove_all(folder, error);
       continue;
     }

@@ -177,7 +177,8 @@ std::string file_number(std::uint64_t number) {
 }
 
 void rename_scratch(const std::string& from, const std::string& to) {
-  if (std::rename(from.c_str(), to.c_str()) != 0) throw Failure(to + ": cannot write: " + std::strerror(errno));
+  if (std::rename(from.c_str(), to.c_str()) != 0)
+    throw Failure(from + ": cannot rename to " + to + ": " + std::strerror(errno));
 }
 
 std::uint32_t checksum_of(std::string_view bytes, std::uint32_t before) {

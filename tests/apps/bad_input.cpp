@@ -174,7 +174,7 @@ TEST_SUITE("wrong usage") {
     refuses(folder, "mesh '' --alpha 1 -o m.off", 2, "POINTS: found an empty name, expected a path or -");
     refuses(folder, "mesh p.xy --alpha 1 -o ''", 2, "-o: found an empty name, expected a path or -");
     refuses(folder, "mesh p.xy --alpha 1 -o m.off --stats ''", 2,
-            "found an empty name of a file to write, expected a path");
+            "-o, or another option with a file to write: found an empty name, expected a path");
   }
 
   TEST_CASE("a numeric value with other characters or out of range is refused") {

@@ -192,7 +192,7 @@ TEST_SUITE("links") {
     fs::create_symlink("b.off", folder.path("a.off"));
     fs::create_symlink("a.off", folder.path("b.off"));
     refuses(folder.rbpa("mesh none.xy --alpha 1 -o a.off"), 1,
-            "a.off: found a loop of symbolic links, expected a file to write");
+            "a.off: found a loop or more than 40 symbolic links, expected a file to write");
     CHECK(fs::is_symlink(folder.path("a.off")));
     CHECK(folder.names().size() == 2);
   }

@@ -220,7 +220,7 @@ TEST_SUITE("meshtopo: wrong usage") {
   TEST_CASE("contradicting arguments are refused") {
     const Folder folder;
     folder.file("m.off", pyramid_off);
-    refuses(folder, "m.off --repair", 2, "--repair requires a file for the repaired mesh: --repair OUT or -o OUT");
+    refuses(folder, "m.off --repair", 2, "--repair requires a file for the repaired mesh (--repair OUT or -o OUT)");
     refuses(
         folder, "m.off --repair r.off -o s.off", 2,
         "s.off: found the ending 'off' of a mesh, expected json or txt for a report, or --repair OUT to write a mesh");

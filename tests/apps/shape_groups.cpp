@@ -301,7 +301,9 @@ TEST_SUITE("shape groups") {
                 " (column:NAME applies only to groups, as in rbpa shape --group-by)",
             2);
     refuses(folder, "p.csv --group-by g --alpha column: -o x.csv",
-            "--alpha column: found '', expected the name of a column (in double quotes unless it is a word)", 2);
+            "--alpha column: found '', expected the name of a column (in double quotes unless it is a word other than "
+            "and, or, not, in)",
+            2);
     refuses(folder, "p.csv --group-by g --alpha column:q -o x.csv",
             "p.csv:1: found 'x,y,g,r', expected a header with a column 'q'", 3);
   }

@@ -278,7 +278,7 @@ TEST_SUITE("points of space") {
     says(first + " 1 1 1" + second + " 1\n", Format::obj, "line 2 has none");
     CHECK_THROWS_WITH_AS(
         read(first + " 1 1 x" + second + " 1 1 1\n", Format::obj),
-        "p:1: found 'x' after a vertex, expected at most 5 numbers, a weight and a color, and one vertex a line",
+        "p:1: found 'x' after a vertex, expected at most 5 numbers after z, a weight and a color (one vertex a line)",
         BadInput);
     says(first + " 0 0 0" + second + " 1 256 1\n", Format::obj,
          "line 2 has a channel of '256', and not from 0 to 1 or to 255");

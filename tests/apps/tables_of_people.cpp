@@ -404,7 +404,9 @@ TEST_SUITE("tables of people") {
       }
       return "none";
     };
-    const std::string name = ", expected a number or the name of a column (in double quotes unless it is a word)";
+    const std::string name =
+        ", expected a number or the name of a column (in double quotes unless it is a word other than and, or, not, "
+        "in)";
     CHECK(refused("class == ") == "--where: found the end" + name);
     CHECK(refused("class == and") == "--where: found 'and'" + name);
     CHECK(refused("\"point class == 3") == "--where: found '\"point class == 3'" + name);

@@ -52,7 +52,7 @@ class Content {
   struct File;
 
   std::string name_;
-  std::string_view bytes_;         // the next bytes that are in memory
+  std::string_view bytes_;         // the next bytes, as far as they are in memory
   std::string_view all_ = {};      // the whole content, if it is in memory
   std::vector<char> buffer_ = {};  // holds bytes_ if a file is read
   bool ended_ = true;              // no bytes of the content follow bytes_

@@ -95,7 +95,7 @@ void InputBytes::make_room(std::size_t size) {
 
 /// Reads at least one byte and returns true; returns false at the end.
 bool InputBytes::read_some(int descriptor) {
-  constexpr std::size_t at_once = std::size_t{4} << 20U;  // so that a signal is noticed between two of them
+  constexpr std::size_t at_once = std::size_t{4} << 20U;  // so that a signal is noticed between two reads
   while (true) {
     stop_if_interrupted();
     const ssize_t count = read(descriptor, data_.get() + size_, std::min(room_ - size_, at_once));

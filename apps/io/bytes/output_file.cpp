@@ -38,7 +38,7 @@ void OutputFile::open_beside(const std::string& path) {
     temporary_.emplace(path);
   } catch (const std::system_error& error) {
     errno = error.code().value();
-    fail("cannot create");
+    fail("cannot create a file in this folder");
   }
   if (exists) (void)fchmod(temporary_->descriptor(), status.st_mode & 07777U);  // if possible
 }
@@ -101,7 +101,7 @@ void OutputFile::publish() {
     temporary_->take_place();
   } catch (const std::system_error& error) {
     errno = error.code().value();
-    fail("cannot rename the finished file");
+    fail("cannot rename the finished file to this name");
   }
   temporary_.reset();
 }

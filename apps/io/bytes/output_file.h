@@ -35,8 +35,8 @@ class OutputFile {
     if (bytes.size() > buffer_size - used_) return write_far(bytes);
     used_ += bytes.copy(buffer_.get() + used_, bytes.size());
   }
-  void write_number(double value);         ///< the shortest text that reads back to it
-  void write_number(std::uint64_t value);  ///< decimal text
+  void write_number(double value);         ///< writes the shortest decimal text that reads back to the value
+  void write_number(std::uint64_t value);  ///< writes decimal text
   /// Writes texts unchanged, and numbers as write_number() does.
   template <typename... Parts>
   void write_all(const Parts&... parts) {

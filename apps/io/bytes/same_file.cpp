@@ -19,7 +19,7 @@ std::string behind_links(const std::string& path) {
     if (error) return at.string();
     at = at.parent_path() / target;  // the target alone when it is absolute
   }
-  throw Failure(path + ": found a loop of symbolic links, expected a file to write");
+  throw Failure(path + ": found a loop or more than 40 symbolic links, expected a file to write");
 }
 
 namespace {
@@ -71,7 +71,7 @@ void require_place(const std::string& path) {
 
 void require_different(const std::vector<std::string>& outputs, const std::string& input, const std::string& content) {
   for (const std::string& output : outputs)
-    if (output.empty()) throw WrongUsage("found an empty name of a file to write, expected a path");
+    if (output.empty()) bad_usage("-o, or another option with a file to write", "an empty name", "a path");
   const Place read{input, STDIN_FILENO};
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const Place written{outputs[i], STDOUT_FILENO};

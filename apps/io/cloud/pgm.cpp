@@ -117,7 +117,7 @@ struct Pgm {
   std::string_view data;
 
   std::size_t pixels() const { return width * height; }
-  /// Returns the size of the pixels in bytes; in text a lower bound, as a blank precedes each number.
+  /// Returns the size of the pixels in bytes. For text it is a lower bound: each number has a digit and a blank.
   std::size_t size() const { return (text || white >= 256 ? 2 : 1) * pixels(); }
 };
 

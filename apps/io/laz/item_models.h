@@ -119,7 +119,7 @@ class TimeDecoder {
  private:
   static constexpr unsigned greatest = 500, full = greatest + 11;  // multiples from −10 to 500, and no multiple
 
-  /// Returns false if the sequence has changed, and the time follows.
+  /// Decodes one step. Returns true if times_[now_] is the next time, false if the step has only changed the sequence.
   bool step(ArithmeticDecoder& decoder) {
     const bool moves = differences_[now_] != 0;
     unsigned symbol = moves ? decoder.symbol(multiples_) : decoder.symbol(kinds_);

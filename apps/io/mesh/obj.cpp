@@ -45,7 +45,7 @@ class ObjLines {
     for (std::string_view word = take_word(behind); !word.empty(); word = take_word(behind))
       if (++numbers > most || parse_whole_number(word).fault == NumberFault::not_a_number)
         refuse(line, in_quotes(word) + " after a vertex",
-               "at most " + std::to_string(most) + " numbers, a weight and a color, and one vertex a line");
+               "at most " + std::to_string(most) + " numbers after z, a weight and a color (one vertex a line)");
     return position;
   }
 

@@ -126,7 +126,7 @@ class PolyReader {
       second = static_cast<std::uint32_t>(other);
     else
       refuse("a third segment at vertex " + std::to_string(first_ + v),
-             "two, as segments make rings, without lines inside");
+             "two, as segments make rings (remove segments inside of polygons)");
   }
 
   std::vector<Point> read_hole_points() {

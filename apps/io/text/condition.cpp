@@ -246,7 +246,7 @@ FieldNames names_of_columns() {
     if (word.empty()) return false;
     return is_of_word(word.front()) || (word.size() > 2 && word.front() == '"' && word.back() == '"');
   };
-  return {are, "the name of a column (in double quotes unless it is a word)", true};
+  return {are, "the name of a column (in double quotes unless it is a word other than and, or, not, in)", true};
 }
 
 Condition::Condition(const std::string& text, const FieldNames& names) {

@@ -80,8 +80,8 @@ class Condition {
   struct Instruction {
     Step step;
     double number = 0;  ///< the number of Step::number
-    /// Step::field: an index in fields(). Step::text: an index in texts(). unless_true, unless_false: the index of the
-    /// instruction that is next after the jump.
+    /// The index in fields() for Step::field, and in texts() for Step::text; for unless_true and unless_false, that of
+    /// the instruction to which to jump.
     std::size_t field = 0;
   };
   const std::vector<Instruction>& instructions() const { return instructions_; }

@@ -95,8 +95,8 @@ void caution(const Files& files, const Shape& shape) {
     say("rbpa", output_name(first->path) + ": " + *why);
 }
 
-/// Returns the peak memory of runs with millions of points, as measured (docs/explanation/plane.md), in bytes for each
-/// point beyond the point itself.
+/// Returns the memory of a run at its peak, in bytes for each point, without the memory of the point itself. Measured
+/// on millions of points: docs/explanation/plane.md, section 25.
 double bytes_a_point(const ComplexRequest& request) {
   if (request.alpha.rule != AlphaRule::given) return 500;
   return request.method.by_paper ? 280 : 100;

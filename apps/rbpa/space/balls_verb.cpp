@@ -31,7 +31,7 @@ struct BallsRequest {
   RunOptions run = {};
 };
 
-/// Parses --group, and notes the column in `choice`.
+/// Parses --group, and stores the name of its column, if any, in choice.group. Throws WrongUsage that names the text.
 AtomGroups parse_groups(const std::string& text, AtomChoice& choice) {
   constexpr std::string_view column = "column:";
   if (text == "residue") return AtomGroups::residue;

@@ -129,7 +129,8 @@ FiltrationPlot marked_plot(const SpacePersistence& report) {
 
 void run_space_alpha(const AlphaArguments& arguments) {
   refuse_given({{arguments.complex.has_value(), "--complex"},
-                {arguments.group_by.has_value() || arguments.group_by_file, "--group-by"}},
+                {arguments.group_by.has_value(), "--group-by"},
+                {arguments.group_by_file, "--group-by-file"}},
                "applies only to --dimension 2");
   const SpacePointSource source = parse_space_points(arguments);
   if (arguments.picture) require_plot(*arguments.picture);

@@ -1,4 +1,5 @@
-// What: runs `rbpa alpha --dimension 3`: radii of points in space; births and deaths of components, tunnels, voids.
+// What: runs `rbpa alpha --dimension 3`, which lists radii of points in space, and the births and deaths of components,
+//       tunnels and voids.
 #pragma once
 
 #include "shared/verbs.h"

@@ -22,15 +22,15 @@ namespace rbpa::app {
 /// box, points.
 nlohmann::ordered_json json_of(const SolidVoid& hollow, const PointNames& names);
 
-/// Writes the voids, the largest first.
-/// CSV:  number,volume_between_points,volume_outside_balls (only for the full complex),area,islands,points and the box,
-///       a line for each void; with lives also closes,filled,depth.
-/// JSON: a list of the same values, with the input indices of the points and of the triangles around the void, and in
-///       `atoms` the names that the input gives the points.
-/// OBJ:  a group void_1, void_2 … for each void, with vertices of its own; where a void touches itself there is a
-///       vertex for each side. Triangles face outward from the void, as if it were a body.
+/// Writes the voids in their order.
+/// CSV:  a line for each void: number,volume_between_points,volume_outside_balls (only for the full complex),area,
+///       islands,points (their number) and the box; with `lives` also closes,filled,depth.
+/// JSON: a list of the same values without the number. `points` and `triangles` are input indices; `atoms` are the
+///       names that the input gives the points, if any.
+/// OBJ:  a group void_1, void_2 … for each void, with vertices of its own; where a void touches itself, there is a
+///       vertex for each side. Triangles face outward from the void, as if the void were a body.
 /// Requires: `voids` are those of a solid with this boundary; a life for each void, if `lives` is present; a format of
-/// Use::voids.
+///           Use::voids.
 void write_voids(OutputFile& file, Format format, const PointNames& names, const Surface& boundary,
                  std::span<const SolidVoid> voids, ComplexKind walls,
                  const std::optional<std::vector<VoidLife>>& lives = {});

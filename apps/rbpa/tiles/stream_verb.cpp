@@ -82,12 +82,13 @@ StreamRequest parse_request(const StreamArguments& arguments) {
                         .quiet = run.quiet,
                         .shows_progress = !run.quiet && !written_to_terminal(arguments.outputs),
                         .stats = arguments.stats};
-  refuse_given({{arguments.min_hole_area.has_value(), "--min-hole-area"},
-                {arguments.min_part_area.has_value(), "--min-part-area"}},
-               "cannot be combined with rbpa stream, which writes all holes and parts (use rbpa shape if the points "
-               "fit into memory; qgis_process "
-               "run native:deleteholes --INPUT=OUT --MIN_AREA=A --OUTPUT=FILE fills small holes of the result; "
-               "a larger --alpha has fewer)");
+  refuse_given({{arguments.min_hole_area.has_value(), "--min-hole-area"}},
+               "cannot be combined with rbpa stream, which writes all holes (use rbpa shape if the points fit into "
+               "memory, or fill the holes of the result: "
+               "qgis_process run native:deleteholes --INPUT=OUT --MIN_AREA=A --OUTPUT=FILE)");
+  refuse_given({{arguments.min_part_area.has_value(), "--min-part-area"}},
+               "cannot be combined with rbpa stream, which writes all parts (use rbpa shape if the points fit into "
+               "memory, or a larger --alpha)");
   if (arguments.tile_size)
     request.tile_size = parse_whole("--tile-size", *arguments.tile_size, {.least = least_tile}, "points");
   if (arguments.scratch && arguments.scratch->empty()) bad_usage("--scratch", "an empty name", "a folder");

@@ -15,6 +15,7 @@
 
 namespace meshops {
 
+/// The allocator of FreshVector. Memory of 2 MiB or more is aligned to large pages.
 template <typename T>
 struct FreshAllocator {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -24,6 +25,8 @@ struct FreshAllocator {
   template <typename U>
   FreshAllocator(const FreshAllocator<U>&) {}
 
+  /// Returns memory for `count` elements. Throws std::bad_alloc, or std::bad_array_new_length if their size in bytes is
+  /// out of range.
   T* allocate(std::size_t count) {
     if (count < large_page / sizeof(T)) return std::allocator<T>().allocate(count);
     const std::size_t bytes = whole_pages(count);
@@ -36,6 +39,7 @@ struct FreshAllocator {
     ::operator delete(memory, std::align_val_t(large_page));  // clang 14 has no delete with a size
   }
 
+  /// Leaves the element without a value.
   template <typename U>
   void construct(U*) {}
   template <typename U, typename... Arguments>
@@ -53,6 +57,7 @@ struct FreshAllocator {
   }
 };
 
+/// A std::vector whose new elements have no value until one is written. Reading an element before is undefined.
 template <typename T>
 using FreshVector = std::vector<T, FreshAllocator<T>>;
 

@@ -9,11 +9,12 @@
 
 namespace meshops {
 
+/// Kind of a refusal; the comment names the fields of Refusal that it uses.
 enum class RefusalKind {
   no_boundary_halfedge,  ///< halfedge `index` does not exist, or has a face
   no_such_site,          ///< `site` does not exist
   corner_repeated,       ///< two corners of the triangle are `site`
-  site_closed,           ///< faces close around `site` in each of its fans
+  site_closed,           ///< each fan at `site` is a closed ring of faces, so that no other fan may begin there
   side_taken,            ///< a face already lies on the left of the edge from `site` to `to`
   no_such_face,          ///< face `index` does not exist
   no_triangle,           ///< face `index` is not a triangle
@@ -22,6 +23,7 @@ enum class RefusalKind {
   no_status              ///< the mesh needs status to mark face `index` as deleted
 };
 
+/// The reason of a refusal. Fields that the kind does not use keep their defaults.
 struct Refusal {
   RefusalKind kind;
   Site site = 0;
@@ -30,6 +32,7 @@ struct Refusal {
   friend bool operator==(const Refusal&, const Refusal&) = default;
 };
 
+/// Returns the name of a kind in words: "side taken".
 MESHOPS_API std::string_view name(RefusalKind kind);
 
 /// Returns a text for people: "a face already lies on the left of the edge from site 3 to site 7".

@@ -41,8 +41,8 @@ class Surveyor {
   int across(int side) const { return across_[side]; }
   bool comes_first(int side) const { return side < across(side); }
 
-  /// Returns, if the triangles around the start of `side` close, the greatest of the sides that leave this start and
-  /// are less than the side across. Each side is passed once: a walk that meets a side seen before does not close.
+  /// Walks over the sides that leave the start of `side`, and marks them as seen. If the triangles there close, returns
+  /// the greatest of these sides that come first (comes_first()); otherwise, or if it meets a seen side, nothing.
   std::optional<int> last_inside(int side) {
     int found = -1;
     for (int out = side; out >= 0 && !seen_[static_cast<std::size_t>(out)];) {

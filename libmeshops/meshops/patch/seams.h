@@ -15,12 +15,16 @@ namespace meshops {
 template <typename Side>
 class Seams {
  public:
-  /// Begins a table of sites below `sites`. Requires: the table is new, or end() was called after the last begin().
+  /// Begins a table of the sites below `sites`.
+  /// Requires: the table is new, or end() was called after the last begin().
+  /// Cost:     linear in `sites`.
   void begin(std::size_t sites) { first_.assign(sites, none); }
+  /// Returns whether a table of at least one site was begun, and not ended since.
   bool has_begun() const { return !first_.empty(); }
 
   /// Adds a side that waits at the site `at`, which the caller chooses: an end of the side, for example.
-  /// Requires: at most 2³¹ − 1 sides are added between begin() and end(), taken ones included.
+  /// Requires: `at` is below the number of sites, here and in the functions below; at most 2³¹ − 1 sides are added
+  ///           between begin() and end(), taken ones included. Neither is checked.
   void add(Site at, const Side& side) {
     int& first = first_[at];
     seams_.push_back({side, first});
@@ -45,7 +49,7 @@ class Seams {
     return std::nullopt;
   }
 
-  /// Visits all sides that were ever added, taken ones included, in the order in which they were added.
+  /// Calls visit(side) for all sides that were added since begin(), taken ones included, in the order of adding.
   template <typename Visit>
   void for_each(Visit visit) const {
     for (const Seam& seam : seams_) visit(seam.side);
@@ -65,7 +69,7 @@ class Seams {
     int next;
   };
   std::vector<Seam> seams_;
-  FreshVector<int> first_;  // for each site
+  FreshVector<int> first_;  // for each site, the position in seams_ of the last waiting side, or none
 };
 
 }  // namespace meshops

@@ -35,7 +35,7 @@ struct SimplifyOptions {
 enum class SimplifyEnd { faces, cost, policy, exhausted };
 
 struct SimplifyResult {
-  std::size_t collapses = 0;     ///< number of collapses
+  std::size_t collapses = 0;
   std::size_t faces = 0;         ///< number of faces that are left
   std::optional<double> cost{};  ///< the greatest cost of a collapse; absent without one
   SimplifyEnd end = SimplifyEnd::exhausted;

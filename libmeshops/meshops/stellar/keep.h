@@ -1,16 +1,16 @@
-// What: the choice between simplicial and manifold: the property that a stellar operator must keep.
+// What: the property that a stellar operator must keep: the mesh stays simplicial, or only a manifold.
 // Law:  with either choice, a sound mesh stays sound (core/validate.h).
 #pragma once
 
 namespace meshops {
 
+/// The property that an operator keeps: the operator refuses a change that would break the property.
 enum class Keep {
-  /// A simplicial mesh stays simplicial: refuses a change after which two edges would join the same vertices, or two
-  /// triangles would have the same corners. If the mesh has such edges already, those that an operator touches count as
-  /// if the operator made them.
+  /// A manifold in which no two edges join the same vertices, and no two triangles have the same corners. If the mesh
+  /// has such edges or triangles already, an operator may leave or move some of them without refusing.
   simplicial,
-  /// Refuses only a change that would leave no manifold: a loop edge, an edge without a face, a pinch. Two edges may
-  /// join the same vertices, and two triangles may share two or three edges.
+  /// A manifold: no edge has one vertex at both ends or no face, and the faces at each vertex form one fan. Two edges
+  /// may join the same vertices, and two triangles may share two or three edges.
   manifold
 };
 

@@ -36,8 +36,10 @@ struct HomologySignature {
   }
 };
 
-/// Returns the signature of each edge. Requires: validate(mesh) is empty. Throws: Cancelled. Cost: linear, plus for
-/// every bit the depth of a tree of faces.
+/// Returns the signature of each edge.
+/// Requires: validate(mesh) is empty.
+/// Throws:   Cancelled.
+/// Cost:     linear, and for each bit of a signature the depth of a tree of faces.
 MESHOPS_API HomologySignature homology_signature(const Connectivity& mesh, const GoOn& go_on = {});
 
 /// Returns a basis of shortest loops, by ascending length; loops of equal length are ordered by the vertex and then the

@@ -1,7 +1,7 @@
 // What: processes long numbered items in threads of the standard library and joins the results in order.
-// Law:  join(i) is called once for each i, ascending, one at a time; its result therefore does not depend on the
-//       threads.
-// Cost: a few locks of one mutex for each item; at most as many results wait for their turn as there are threads.
+// Law:  join(i, result) is called once for each i, ascending, one call at a time, in any of the threads. The joined
+//       result therefore does not depend on the threads.
+// Cost: a few locks of one mutex for each item. At most two items for each thread are in work or wait for their turn.
 #pragma once
 
 #include <algorithm>
@@ -40,8 +40,8 @@ class SharedWork {
     ++turn_;
     turned_.notify_all();
   }
-  /// Stores the result of item i in `waiting`; blocks first while `most` results wait there, unless item i has its
-  /// turn. If no other thread is joining, calls join(number, result) for the results whose turn it is, ascending.
+  /// Stores the result of item i in `waiting`; blocks first while `most` or more results wait there, unless item i has
+  /// its turn. If no other thread is joining, calls join(number, result) for the results whose turn it is, ascending.
   /// Returns false when a thread has failed.
   template <typename Result, typename Join>
   bool hand_in(std::size_t i, Result made, std::map<std::size_t, Result>& waiting, std::size_t most, Join& join) {
@@ -92,9 +92,9 @@ class SharedWork {
 };
 
 /// Calls work(i) for each i below `count` in one of `threads` threads, the calling one included, and join(i, result) in
-/// ascending order of i. After work(i), a thread continues with other items if is_small(i) and fewer results wait than
-/// there are threads; otherwise it waits for the turn of item i.
-/// Throws: the first exception of any call; then some calls are never made.
+/// ascending order of i, in any of these threads. After work(i), a thread waits for the turn of item i; if is_small(i),
+/// it waits only until fewer than `threads` results wait.
+/// Throws: the first exception of any call; then some calls are never made. std::system_error if a thread cannot start.
 template <typename Work, typename IsSmall, typename Join>
 void join_in_order(std::size_t threads, std::size_t count, Work work, IsSmall is_small, Join join) {
 #ifdef RBPA_SERIAL

@@ -17,20 +17,21 @@ struct TriangleArrays {
   /// The value for no neighbor in `neighbors`.
   static constexpr std::uint32_t none = no_index;
 
-  std::span<const Triangle> triangles;  ///< counter-clockwise
+  std::span<const Triangle> triangles;  ///< corners as indices of points, counter-clockwise
   /// For each triangle, entry k is the triangle across from its corner k, or none.
   std::span<const Triangle> neighbors;
 };
 
-/// Triangles and their neighbors, which convert to a view.
+/// Triangles and their neighbors. The view to which they convert is valid as long as this object is unchanged.
 struct OwnedTriangles {
   std::vector<Triangle> triangles, neighbors;
   operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
-/// Checks that triangles and neighbors agree: there is a row of neighbors for each triangle, its corners are three
-/// different numbers below `points`, and two neighbors name each other across the side that they share.
-/// Throws: ContractViolation that names the first triangle with an error, or differing numbers of rows; Cancelled.
+/// Checks that triangles and neighbors agree: each triangle has a row of neighbors, its corners are three different
+/// numbers below `points`, and two neighbors name each other across the side that they share. Does not check whether
+/// triangles are counter-clockwise, or whether a neighbor is missing on both sides of an edge.
+/// Throws: ContractViolation that names the first triangle with an error, or the numbers of rows; Cancelled.
 /// Cost:   linear.
 RBPA_API void require_linked(const TriangleArrays& arrays, std::size_t points, const GoOn& go_on = {});
 

@@ -1,6 +1,7 @@
 // What: cuts a polygon along a vertical line, such as the meridian at longitude 180, into its parts on either side.
 // Law:  the parts on each side are valid polygons, whose points are points of the polygon or of the line. Their
 //       topology is decided exactly; a crossing of an edge and the line is rounded, to the same number on both sides.
+//       A part that has fewer than three different points after rounding is left out.
 // Cost: n log n in the vertices.
 #pragma once
 
@@ -20,15 +21,19 @@ struct EdgeCrossing {
   double share;            ///< position of the crossing, as a fraction from 0 at `from` to 1 at `to`
 };
 
+/// The parts of a polygon on both sides of a line, on one list of points.
 struct PolygonCut {
   std::vector<Point> points;            ///< the input points under their indices, then one for each crossing
   std::vector<EdgeCrossing> crossings;  ///< one for each added point, in the order of the points
-  std::vector<Polygon> left, right;     ///< empty if no part of the polygon lies on that side
+  /// The parts on each side, in no particular order: shells counter-clockwise, holes clockwise, each ring from its
+  /// lexicographically least point on. Empty if no part of the polygon lies on that side, or none is left by rounding.
+  std::vector<Polygon> left, right;
 };
 
-/// Cuts `polygon` along the vertical line at `x`.
+/// Cuts `polygon` along the vertical line at `x`, in units of the points.
 /// Requires: a valid polygon (validity.h) on these points, whose shell is counter-clockwise and whose holes are
-///           clockwise, as outline_polygons() returns them; a finite x.
+///           clockwise, as outline_polygons() returns them; finite coordinates and a finite x. Indices of points are
+///           not checked.
 /// Throws:   InvalidInput if the polygon is seen to be invalid, or if rounded crossings would make a part invalid.
 RBPA_API PolygonCut cut_at(std::span<const Point> points, const Polygon& polygon, double x);
 

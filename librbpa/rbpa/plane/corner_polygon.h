@@ -35,7 +35,7 @@ struct CornerPolygon {
   double area = 0;                     ///< of the shell without the holes: the real number rounded once
   double perimeter = 0;                ///< of all rings, with the error bound of Polygon::perimeter
   /// Number of input points in the triangles of the polygon, duplicates included. A point at which several polygons
-  /// touch counts in the first of these polygons.
+  /// touch counts only in the first of them, in the order of comes_before().
   std::uint64_t points = 0;
   /// Number of holes that take_holes() removed before the polygon was finished, and the component names under which
   /// take_holes() returned them, ascending. Area and perimeter take account of these holes.

@@ -130,9 +130,9 @@ struct TakenHoles {
   std::vector<CornerRing> holes;  ///< by first point, then by second
 };
 
-/// Removes the holes of unfinished components from `partial` and returns them by component, as a component that spans
-/// the plane may have more holes than fit into memory. A component keeps holes of fewer than `min_corners` corners
-/// together: the record that would replace them takes the memory of about 100 corners.
+/// Removes the holes of unfinished components from `partial`, and returns them by component. A component that spans the
+/// plane may have more holes than fit into memory. If all holes of a component together have fewer than `min_corners`
+/// corners, the component keeps them: the record that replaces holes takes the memory of about 100 corners.
 RBPA_API std::vector<TakenHoles> take_holes(Partial& partial, std::size_t min_corners = 0);
 
 struct WholeComplex {

@@ -21,7 +21,8 @@ namespace {
 
 void check(const Covering& covering) {
   if (!(covering.share > 0 && covering.share <= 1))
-    throw meshops::ContractViolation("share is " + text(covering.share) + ", expected a number above 0 and at most 1");
+    throw meshops::ContractViolation("smallest_covering: found the share " + text(covering.share) +
+                                     ", expected a number above 0 and at most 1");
 }
 
 /// Adds triangles in ascending order of their radii. Returns the first radius at which is_enough(number of covered

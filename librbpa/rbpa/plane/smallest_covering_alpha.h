@@ -2,8 +2,8 @@
 //         outliers may be left out.
 // Law:    with share 1 the result equals smallest_covering(filtration, max_components). The result never falls when the
 //         share rises or K falls. The result is exact, and a function of the set of points alone.
-// Cost:   linear in the steps if the number of components is unbounded, or if no point may be left out; otherwise it
-//         sorts the triangles and spends the logarithm of their number on each.
+// Cost:   with a filtration, linear in its steps if components are not limited or share is 1. Otherwise n log n in the
+//         triangles; if share is 1, only triangles above the radius that covers all points are sorted.
 // Source: docs/explanation/filtration_and_persistence.md, section 4.
 #pragma once
 
@@ -24,7 +24,7 @@ struct Covering {
 };
 
 /// Returns whether count / all, rounded to double, is at least `share`. A share written in decimals is therefore met
-/// exactly: 7 of 100 is the share 0.07.
+/// exactly: 7 of 100 is the share 0.07. Requires: `all` is above 0.
 constexpr bool is_share(std::size_t count, std::size_t all, double share) {
   return static_cast<double>(count) / static_cast<double>(all) >= share;
 }
@@ -39,12 +39,15 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
 ///           bounds; Cancelled.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const GoOn& go_on = {});
-/// Computes the same without a filtration, from the circumradii of the triangles alone, in about half the time.
+/// Returns the same radius without a filtration, from the circumradii of the triangles alone. This takes about half the
+/// time that filtration() takes.
 /// Throws: ContractViolation when the share is out of its bounds; Cancelled.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Covering& covering,
                                                  const GoOn& go_on = {});
-/// Computes the same from a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
-/// Throws: also ContractViolation as require_linked(), which checks the neighbors if the computation uses them.
+/// Returns the same radius for a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
+/// Requires: `filtration` is the filtration of this triangulation.
+/// Throws:   as the first overload; if the share is below 1 and components are limited, also ContractViolation as
+///           require_linked(), as only then neighbors are read.
 RBPA_API std::optional<double> smallest_covering(const AlphaComplex& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const GoOn& go_on = {});
 

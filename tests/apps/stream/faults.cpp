@@ -225,7 +225,7 @@ TEST_CASE("a run with another request is not resumed") {
         "found --format f64xy, expected no option that says how POINTS are read, as");
   std::string content = folder.content("b.f64xy");
   folder.file("b.f64xy", content.substr(0, content.size() / 2));
-  check("a.f64xy b.f64xy --alpha 3 -o t.npy", "found b.f64xy changed since the run in s began");
+  check("a.f64xy b.f64xy --alpha 3 -o t.npy", "found b.f64xy, which has changed since the run in s began");
   folder.file("s/manifest.json", "{}");
   CHECK(refusal(folder, same + " --resume").find("s/manifest.json: found a file that was truncated or changed") !=
         std::string::npos);

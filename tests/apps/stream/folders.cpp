@@ -1,6 +1,7 @@
 // Folders of points: the files that are read, and are not, are listed.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -80,12 +81,13 @@ TEST_SUITE("stream folders") {
   TEST_CASE("a filter of rbpa shape is refused with a hint at that verb") {
     const Folder folder;
     folder.file("p.xy", corner);
-    for (const std::string option : {"--min-hole-area", "--min-part-area"}) {
-      const Outcome outcome = folder.rbpa("stream p.xy --alpha 2 -o o.wkt " + option + " 1000");
+    for (const auto& [option, what, way_out] : {std::array{"--min-hole-area", "holes", "native:deleteholes"},
+                                                std::array{"--min-part-area", "parts", "a larger --alpha"}}) {
+      const Outcome outcome = folder.rbpa("stream p.xy --alpha 2 -o o.wkt " + std::string(option) + " 1000");
       CHECK(outcome.code == 2);
-      CHECK(outcome.err.starts_with("rbpa: " + option +
-                                    " cannot be combined with rbpa stream, which writes all holes and parts (use"));
-      CHECK(outcome.err.find("native:deleteholes") != std::string::npos);
+      CHECK(outcome.err.starts_with("rbpa: " + std::string(option) +
+                                    " cannot be combined with rbpa stream, which writes all " + what + " (use"));
+      CHECK(outcome.err.find(way_out) != std::string::npos);
       CHECK_FALSE(folder.has("o.wkt"));
     }
     CHECK(folder.rbpa("stream --help").out.find("--min-hole-area") == std::string::npos);

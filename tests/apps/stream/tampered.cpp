@@ -298,11 +298,11 @@ TEST_CASE("a manifest that contradicts itself is refused, though its checksum is
   check("an unknown pass", [](Json& json) { json["pass"] = 9; });
   check("no workers", [](Json& json) { json["workers"] = 0; });
   check("more files", [](Json& json) { json["files_done"] = 3; });
-  check("more points", [](Json& json) { json["next_index"] = 1'000'000; });
+  check("next_index above the number of points", [](Json& json) { json["next_index"] = 1'000'000; });
   check("files of other tiles", [](Json& json) { json["tiles"].erase(0); });
   check("tiles of more points", [](Json& json) { json["points"] = 5'999, json["next_index"] = 0; });
   check("tiles of fewer points", [](Json& json) { json["points"] = 6'001; });
-  check("another version", [](Json& json) { json["version"] = 1; });
+  check("version 1, not ", [](Json& json) { json["version"] = 1; });
   check("[json.exception", [](Json& json) { json["tree"][0][1] = "x"; });
   check("[json.exception", [](Json& json) { json.erase("box"); });
   rbpa::app::replace_checked(path, manifest.dump());

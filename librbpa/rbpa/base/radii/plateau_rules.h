@@ -11,7 +11,7 @@
 
 namespace rbpa::plateau_rules {
 
-inline constexpr double least_ratio = 1.25;      // lower bound of to / from
+inline constexpr double least_ratio = 1.25;      // least to / from of all plateaus but the longest
 inline constexpr std::size_t most_plateaus = 8;  // maximum number of plateaus
 inline constexpr double least_share = 0.5;       // share of the points that must be covered where a plateau begins
 

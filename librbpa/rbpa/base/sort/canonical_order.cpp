@@ -15,7 +15,7 @@
 namespace rbpa {
 namespace {
 
-// up to six triangles a corner: a bucket fits a cache of half a megabyte
+// With up to six triangles for each smallest corner, a bucket fits a cache of half a megabyte.
 constexpr std::size_t corners_per_bucket = 1u << 11;
 // Memory is requested in parts small enough for the allocator to reuse freed parts, which need not be cleared again.
 constexpr std::size_t max_blocks_in_slab = 1u << 12;  // 12 megabytes; 16 with numbers

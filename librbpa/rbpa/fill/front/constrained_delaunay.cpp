@@ -20,6 +20,9 @@ namespace {
 using Site = std::uint32_t;
 using Triangle = std::array<Site, 3>;
 
+constexpr const char* leads_out =
+    "constrained_delaunay: found an edge that leads out of the triangulation, expected rings that do not cross";
+
 /// A directed edge.
 struct Directed {
   Site from, to;
@@ -119,7 +122,7 @@ class Constrained {
         t = across_[t][clockwise ? before(k) : after(k)];
       } while (t != no_index && t != star_[a]);
     }
-    meshops::require(false, "constrained_delaunay: an edge leads out of the triangulation");
+    meshops::require(false, leads_out);
     return {};
   }
 
@@ -134,7 +137,7 @@ class Constrained {
     for (;;) {
       step_();
       side = beyond(side);
-      meshops::require(side.triangle != no_index, "constrained_delaunay: an edge leads out of the triangulation");
+      meshops::require(side.triangle != no_index, leads_out);
       slots_.push_back(side.triangle);
       const Site apex = corners_[side.triangle][side.k];
       // In the triangle beyond, the edge runs from its left end to its right one.

@@ -36,7 +36,7 @@ using RingName = std::function<std::string(std::size_t)>;
 struct RingsMeet {
   enum class How {
     edges_cross,
-    edges_overlap,     ///< the edges have more than a point in common
+    edges_overlap,     ///< the edges have more than one point in common
     vertex_on_edge,    ///< the vertex `first` lies on the edge `second`
     one_place,         ///< a ring passes a place twice, or two points lie at one place
     cross_at_a_point,  ///< the rings cross at a point that is a vertex of both

@@ -1,12 +1,14 @@
-// What:   the edges of the Delaunay triangulation, by dividing the points into halves and merging their triangulations.
+// What:   finds the edges of the Delaunay triangulation: divides the points into halves, and merges the triangulations
+//         of the halves.
 // Law:    cocircular points are decided by the symbolic perturbation (docs/explanation/exact_decisions.md): the edges
 //         are a function of the set of points alone.
 // How:    1. divide the points into halves, across the longer side of their box, until few are left: triangulate();
 //         2. sort these few and triangulate them from left to right: triangulate_sorted();
 //         3. merge halves, from the edge below both hulls up to the one above: merge().
-//         Halves of many points are given to two threads.
+//         Two threads work on two halves that have many points.
 // Cost:   as divide_and_conquer.h; 76 bytes a point.
-// Source: Guibas, Stolfi (1985), figure 23; parts that stay round: Dwyer (1987). docs/explanation/plane.md, section 14.
+// Source: Guibas, Stolfi (1985), figure 23; Dwyer (1987), for halves that are not long and narrow.
+//         docs/explanation/plane.md, section 14.
 #pragma once
 
 #include <cstddef>

@@ -36,7 +36,8 @@ void check_frame(std::span<const std::uint8_t> bytes) {
     refuse("found " + std::to_string(bytes.size()) + " bytes, expected " + std::to_string(size) +
            ", as its header says");
   if (bytes.size() % word != 0 || bytes.size() < header + word)
-    refuse("found " + std::to_string(bytes.size()) + " bytes, expected a multiple of 8");
+    refuse("found " + std::to_string(bytes.size()) + " bytes, expected a multiple of 8, at least " +
+           std::to_string(header + word) + " (compute the result again)");
   const std::size_t end = bytes.size() - word;
   if (crc64(bytes.first(end)) != word_at(bytes, end))
     refuse(

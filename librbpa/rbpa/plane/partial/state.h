@@ -1,6 +1,6 @@
 // What: the data of a Partial.
-// Law:  in canonical form, except for the order of rings and of polygons, which are sorted when bytes are written:
-//       components are numbered by their first shared triangle, groups by their first component.
+// Law:  the data have a canonical form: components are numbered by their first shared triangle, groups by their first
+//       component. Only rings and polygons are in no particular order; both are sorted when bytes are written.
 #pragma once
 
 #include <array>

@@ -30,8 +30,8 @@ std::vector<double> grown(std::span<const Point3> centers, std::span<const doubl
   for (std::size_t i = 0; i < radii.size(); ++i) {
     result[i] += probe;
     if (!(result[i] >= 0) || std::isinf(result[i]))
-      throw InvalidInput("radius " + std::to_string(i) + " is " + text(radii[i]) + " and the probe " + text(probe) +
-                         ", expected a sum that is finite and at least 0");
+      throw InvalidInput("radius " + std::to_string(i) + ": found " + text(radii[i]) + " with the probe " +
+                         text(probe) + ", expected a finite sum of at least 0");
   }
   return result;
 }

@@ -37,7 +37,7 @@ void check_radius(double radius) {
 }
 
 void check_radii(std::span<const double> radii) {
-  if (radii.empty()) throw InvalidInput("no radius, expected at least one");
+  if (radii.empty()) throw InvalidInput("found no radius, expected at least one above 0");
   for (std::size_t i = 0; i < radii.size(); ++i) {
     check_radius(radii[i]);
     if (i > 0 && !(radii[i - 1] < radii[i]))

@@ -8,16 +8,17 @@
 
 namespace rbpa::space {
 
-/// Throws InvalidInput, which names the violated requirement; so do the functions below.
-/// Requires: finite points, fewer than 2^32 − 1.
+// Each function throws InvalidInput that names the first violated requirement.
+
+/// Checks that all points are finite, and fewer than 2^32 − 1.
 void check_points(std::span<const Point3> points);
-/// Requires: as check_points(); one radius for each center. The values of radii are not checked.
+/// Checks the centers by check_points(), and that there is one radius for each. Does not check the values of radii.
 void check_centers(std::span<const Point3> centers, std::span<const double> radii);
-/// Requires: 0 < radius < infinity.
+/// Checks that 0 < radius < infinity.
 void check_radius(double radius);
-/// Requires: at least one radius, 0 < radius < infinity, strictly ascending.
+/// Checks that there is at least one radius, and that radii are strictly ascending, above 0 and finite.
 void check_radii(std::span<const double> radii);
-/// Requires: one normal for each point, finite, of any length but 0.
+/// Checks that there is one normal for each point, and that normals are finite and not 0.
 void check_normals(std::span<const Point3> points, std::span<const Point3> normals);
 
 }  // namespace rbpa::space

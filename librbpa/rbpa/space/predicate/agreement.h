@@ -101,7 +101,7 @@ class Agreement {
   }
 
   std::span<const Point3> places_, normals_;
-  std::vector<Further> further_;  // the other normals, sorted by place
+  std::vector<Further> further_;  // normals of points that repeat the point of a place, sorted by place
   bool fits_double_;
 };
 

@@ -55,6 +55,13 @@ int orientation(const Point3& a, const Point3& b, const Point3& c, const Point3&
   return dot(t.n, scale(d) - t.origin).sign();
 }
 
+int compare_distances(const Point3& o, const Point3& a, const Point3& b) {
+  const Scale scale{o, a, b};
+  const Vector u = scale(a) - scale(o), v = scale(b) - scale(o);
+  const Integer squares = dot(u, u) - dot(v, v);
+  return squares.sign();
+}
+
 int compare_circumradius(const Point3& a, const Point3& b, double radius) {
   const Scale scale({a, b}, radius);
   const Vector u = scale(b) - scale(a);

@@ -12,6 +12,9 @@ namespace rbpa::space::exact {
 /// Returns the sign of (b − a) × (c − a) · (d − a): 1 when a, b, c are counter-clockwise seen from d.
 int orientation(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 
+/// Returns the sign of (distance of o and a) − (distance of o and b).
+int compare_distances(const Point3& o, const Point3& a, const Point3& b);
+
 /// Returns the sign of (half the distance of a and b) − radius.
 int compare_circumradius(const Point3& a, const Point3& b, double radius);
 

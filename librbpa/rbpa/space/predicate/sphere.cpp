@@ -32,7 +32,7 @@ bool pulled_into_sphere(const Point3& a, const Point3& b, const Point3& c, const
   // q = Σ λ corner, Σ λ = 1. The perturbed height of q above the corners is ε(q) − Σ λ ε(corner). The largest ε that
   // does not vanish decides, and λ has the sign of the tetrahedron with q in place of the corner.
   std::array<const Point3*, 4> corners = {&a, &b, &c, &d};
-  std::array<std::size_t, 4> left = {0, 1, 2, 3};  // usually the first one decides, so that a full sort would be waste
+  std::array<std::size_t, 4> left = {0, 1, 2, 3};  // corners not tried yet; not sorted, as usually one corner decides
   for (std::size_t count = 4; count > 0; --count) {
     std::size_t largest = 0;
     for (std::size_t i = 1; i < count; ++i)

@@ -1,10 +1,10 @@
 // What: reconstructs a surface from points in space in one call: leaves outliers out, estimates normals, chooses radii,
 //       rolls the ball, keeps components, fills holes or makes the surface watertight, decimates it, and explains where
 //       it ends.
-// How:  calls, as far as the options say, outliers(), scale_space(), estimate_normals_and_confidence(), auto_radii(),
-//       surface() or exposed_triangles(), unused_points(), radius_with_triangles(), holes(), suggested_repairs(),
-//       indexable_surface(), choose_components(), fill_holes() or make_watertight(), refine_filling(), and
-//       decimate(), in this order.
+// How:  calls in this order, as far as the options require: outliers(), scale_space(),
+//       estimate_normals_and_confidence() or turn_toward(), auto_radii(), surface() or exposed_triangles(),
+//       unused_points(), radius_with_triangles(), holes(), suggested_repairs(), indexable_surface(),
+//       choose_components(), fill_holes() or make_watertight(), refine_filling(), and decimate().
 // Law:  a function of the points and options, not of the number of threads.
 // Cost: the sum of the steps; without options, that of the normals, radii and surface.
 #pragma once
@@ -68,7 +68,8 @@ struct ReconstructionOptions {
   std::size_t neighbors = NormalOptions{}.neighbors;
   std::vector<Point3> viewpoints = {};  ///< toward which normals are turned: none, one, or one for each point
   bool flip = false;                    ///< reverses all normals
-  /// The radii of the balls, ascending; only one without normals. Empty: auto_radii(), only the last without normals.
+  /// The radii of the balls, strictly ascending; with the source `none` a single one. Empty: the auto_radii(); with the
+  /// source `none` the last of them.
   std::vector<double> radii = {};
   /// Upper limit of the radii that auto_radii() chooses, which are cut to it. Given radii are not limited.
   double max_radius = std::numeric_limits<double>::infinity();
@@ -80,7 +81,7 @@ struct ReconstructionOptions {
   bool manifold = false;
   std::optional<HoleChoice> filled = {};  ///< fills these holes; absent: none
   bool watertight = false;                ///< calls make_watertight() for the kept components; then `filled` is ignored
-  bool refine = false;                    ///< refines the fillings by refine_filling()
+  bool refine = false;                    ///< refines the fillings of `filled` or `watertight` by refine_filling()
   /// Decimates the surface to at most so many triangles. `holes`, `kinds`, `repairs` and `fillings` of the result are
   /// those before, with numbers of triangles of which none is left to refer to.
   std::optional<std::size_t> faces = {};
@@ -94,9 +95,10 @@ struct ReconstructionOptions {
 /// A surface, and what was found on the way. Point numbers are input indices; those of added points follow.
 struct Reconstruction {
   Surface surface;
-  std::vector<Point3> points;      ///< position of each point, added points included
-  std::vector<Point3> normals;     ///< one for each point, for outliers the given one or 0; empty: without normals
-  std::vector<double> confidence;  ///< one for each estimated normal, for outliers 0; empty: none was estimated
+  std::vector<Point3> points;  ///< position of each point, added points included
+  /// A normal for each point, for outliers the given one or 0. Empty if normals were neither given nor estimated.
+  std::vector<Point3> normals;
+  std::vector<double> confidence;  ///< one for each normal, for outliers 0; empty: no normal was estimated
   NormalSource source = NormalSource::given;
   std::vector<double> radii;  ///< given or chosen; empty if no radius could be chosen, because no radius has triangles
   std::size_t distinct = 0;   ///< number of distinct points over which the ball rolled
@@ -116,13 +118,15 @@ struct Reconstruction {
   /// With `repairs`, one entry for each of `holes`; absent if its kind is not `hole`. The repair is of kind `none` also
   /// if the curve has changed since it was sought.
   std::vector<std::optional<SuggestedRepair>> repairs = {};
-  DroppedComponents dropped = {};       ///< all 0, the totals too, if nothing was dropped, except with `watertight`
-  std::vector<HoleFill> fillings = {};  ///< the outcome for each hole that was to be filled
-  std::vector<bool> filled = {};        ///< for each triangle, whether it fills a hole; empty: none does
+  /// Counts of dropped components. If none was dropped, the totals are 0 as well, except with `watertight`.
+  DroppedComponents dropped = {};
+  /// The outcome for each hole that was to be filled, in the order of the boundary curves before filling.
+  std::vector<HoleFill> fillings = {};
+  std::vector<bool> filled = {};             ///< for each triangle, whether it fills a hole; empty: none does
   std::optional<Decimation> decimated = {};  ///< the counts, if the surface was decimated
   std::size_t given_up = 0;  ///< number of triangles that `watertight` removed from components that stay
   AddedPoints added = {};    ///< points that refining added
-  /// With `watertight`, the pairs of triangles that cross, sorted: the first most_crossing_pairs (watertight.h).
+  /// With `watertight`, the pairs of triangles that cross, sorted; at most most_crossing_pairs (watertight.h).
   std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing = {};
   /// With `watertight`, for each component, the number of others inside which it lies; empty unless is_watertight().
   std::vector<std::size_t> inside = {};
@@ -133,7 +137,8 @@ struct Reconstruction {
 
 /// Reconstructs a surface.
 /// Requires: finite points, fewer than 2^32 − 1, and what the steps require of their options.
-/// Throws:   InvalidInput that names the violated requirement; Cancelled.
+/// Throws:   InvalidInput that names the violated requirement; ContractViolation when refining leads to 2^31 points or
+///           triangles; Cancelled.
 RBPA_API Reconstruction reconstruct(std::vector<Point3> points, ReconstructionOptions options = {});
 
 /// Replaces each point number i in `made` by number[i]; arrays keep their order.

@@ -22,7 +22,7 @@ SolidComponents solid_components(std::span<const Point3> points, const Solid& so
   const space::Grouped of_triangles(boundary.tetrahedra.size(), of_tetrahedra.size(),
                                     [&](std::uint32_t t) { return of_tetrahedra.number()[boundary.tetrahedra[t]]; });
   meshops::require(of_triangles.size() == of_tetrahedra.size(),
-                   "solid_components: a component has no boundary, expected solid_boundary(solid)");
+                   "solid_components: found a component without boundary triangles, expected solid_boundary(solid)");
   const space::Measures measure(points);
   std::vector<space::ClosedMeasures> measures;
   std::vector<std::uint32_t> component;  // for each of `measures`, its component

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -13,6 +14,7 @@
 #include "rbpa/space/cells/cells.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/predicate/agreement.h"
+#include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/resting_ball.h"
 #include "rbpa/space/surface/levels/neighborhood_subset.h"
 #include "rbpa/space/surface/levels/sub_surface.h"
@@ -54,13 +56,20 @@ void raise_causes(const space::NeighborhoodSubset& near, std::span<const space::
 bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const std::uint32_t> around, double radius) {
   using Real = long double;
   std::uint32_t nearest = v;
-  Real least = std::numeric_limits<Real>::infinity();
+  Real least = 0;
+  // Returns whether p comes before `nearest`. A square is off by less than three epsilons of itself.
+  const auto comes_before = [&](std::uint32_t p, Real square) {
+    if (nearest == v) return true;
+    if (std::abs(square - least) > 8 * std::numeric_limits<Real>::epsilon() * least) return square < least;
+    const int sign = space::exact::compare_distances(points[v], points[p], points[nearest]);
+    return sign < 0 || (sign == 0 && points[p] < points[nearest]);
+  };
   for (const std::uint32_t p : around) {
     const space::Vector3<Real> d = space::from<Real>(points[v], points[p]);
-    const Real distance = space::dot(d, d);
-    if (p == v || !(distance < least || (distance == least && points[p] < points[nearest]))) continue;
+    const Real square = space::dot(d, d);
+    if (p == v || !comes_before(p, square)) continue;
     nearest = p;
-    least = distance;
+    least = square;
   }
   if (nearest == v) return false;
   return std::any_of(around.begin(), around.end(), [&](std::uint32_t p) {

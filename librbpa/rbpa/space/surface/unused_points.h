@@ -1,5 +1,6 @@
 // What: finds the points that are in no triangle of a surface, and the reason for each.
-// Law:  a function of the set of points, their normals and the radii; exact. docs/explanation/surfaces.md, section 6.
+// Law:  a function of the set of points, their normals and the radii; exact. docs/explanation/surfaces.md, sections 6
+//       and 18.
 #pragma once
 
 #include <cstdint>
@@ -31,11 +32,12 @@ struct UnusedPoint {
 /// If radii give several causes, the last one in the list of UnusedCause is returned.
 /// Requires: `surface` is the surface() of these points, normals and radii; or, without normals, the
 ///           exposed_triangles() of one radius.
-/// Throws:   InvalidInput as these functions; ContractViolation when a corner or a neighbor does not exist; Cancelled.
+/// Throws:   InvalidInput as these functions; ContractViolation as require_linked() (triangle_arrays.h); Cancelled.
 /// Cost:     for each radius, that of the exposed triangles of the points near the unused ones.
 RBPA_API std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span<const Point3> normals,
                                                 std::span<const double> radii, const Surface& surface,
                                                 const SurfaceOptions& options = {});
+/// Returns the unused points of a surface of one radius, as above.
 RBPA_API std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span<const Point3> normals,
                                                 double radius, const Surface& surface,
                                                 const SurfaceOptions& options = {});

@@ -69,11 +69,10 @@ TEST_CASE("a message names the frame, counted from 0, if there are several") {
   frames.radii[2][5] = -1;
   const auto views = frames.views();
   CHECK_THROWS_WITH_AS(measure_ball_frames(views),
-                       "frame 2: radius 5 is -1 and the probe 0, expected a sum that is finite and at least 0",
+                       "frame 2: radius 5: found -1 with the probe 0, expected a finite sum of at least 0",
                        rbpa::InvalidInput);
   CHECK_THROWS_WITH_AS(measure_ball_frames(std::span(views).subspan(2)),
-                       "radius 5 is -1 and the probe 0, expected a sum that is finite and at least 0",
-                       rbpa::InvalidInput);
+                       "radius 5: found -1 with the probe 0, expected a finite sum of at least 0", rbpa::InvalidInput);
 }
 
 TEST_CASE("progress counts frames, and ends the run") {

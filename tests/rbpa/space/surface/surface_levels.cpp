@@ -205,7 +205,7 @@ TEST_CASE("radii that do not ascend are refused") {
     }
     return "";
   };
-  CHECK(refusal({}) == "no radius, expected at least one");
+  CHECK(refusal({}) == "found no radius, expected at least one above 0");
   CHECK(refusal({1, 1}) == "radius 1 comes after 1, expected strictly ascending radii");
   CHECK(refusal({2, 1}) == "radius 1 comes after 2, expected strictly ascending radii");
   for (const double bad :

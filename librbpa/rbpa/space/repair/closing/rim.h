@@ -34,7 +34,7 @@ struct Rim {
   std::vector<Vector> places;  ///< the points, scaled to a box of side 1
   /// Unit normal of the triangle at the edge from each corner to the next; 0 if it has no area.
   std::vector<Vector> normals;
-  int exponent = 0;  ///< a unit of places is 2^exponent units of the points
+  int exponent = 0;  ///< one unit of `places` is 2^exponent units of `points`
 
   /// Scales the corners. `across` has, for each edge, the third corner of the triangle at that edge.
   Rim(std::span<const Point3> corners, std::span<const Point3> across) : points(corners.begin(), corners.end()) {

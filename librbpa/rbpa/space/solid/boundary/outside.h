@@ -30,7 +30,7 @@ struct Outside {
 
   // Numbers of points and of edges of the boundary.
   std::size_t points = 0, edges = 0;
-  /// Twice the Euler characteristic of the complex.
+  /// Twice the Euler characteristic of the complex; odd only if the boundary is not that of the solid.
   std::ptrdiff_t twice_euler = 0;
 };
 

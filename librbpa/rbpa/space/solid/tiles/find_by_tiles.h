@@ -26,7 +26,7 @@ struct TiledSolid {
   std::size_t distinct = 0;
 };
 
-/// Limits beyond which find_by_tiles() gives up; tests set others.
+/// The size of a leaf, and the limits beyond which find_by_tiles() returns false. Tests set other values.
 struct TileLimits {
   std::size_t points_in_leaf = 8192;  ///< maximum, roughly
   double most_crowding = 5;           ///< greatest Leaves::crowding(); beyond it, points are spread too unevenly

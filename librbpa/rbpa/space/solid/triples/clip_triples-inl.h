@@ -110,7 +110,7 @@ class Lookup {
   hn::Vec<SingleNumbers> positions_;
 };
 
-/// The triangles of v with a register of pairs: their planes, their lines of centers, and the bounds of errors.
+/// The triangles (v, q, r) of a register of pairs (q, r), with their planes, lines of centers and bounds of errors.
 template <int kRegisters>
 class Triangles {
  public:
