@@ -10,6 +10,7 @@
 #include "rbpa/space/balls/periodic_topology.h"
 #include "rbpa/space/balls/regular_triangulation.h"
 #include "rbpa/space/balls/union_of_balls.h"
+#include "rbpa/space/balls/weighted_filtration.h"
 #include "rbpa/space/persistence/choose_solid_alpha.h"
 #include "rbpa/space/persistence/solid_filtration.h"
 #include "rbpa/space/persistence/solid_persistence.h"

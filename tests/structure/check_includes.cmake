@@ -57,7 +57,8 @@ set(allowed
   "rbpa/plane/shape: rbpa/base rbpa/base/exact rbpa/base/run rbpa/plane rbpa/plane/predicate"
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
   "rbpa/space/balls: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run rbpa/space/balls/full
-    rbpa/space/balls/periodic rbpa/space/cells rbpa/space/persistence rbpa/space/predicate rbpa/space/solid
+    rbpa/space/balls/periodic rbpa/space/cells rbpa/space/persistence rbpa/space/persistence/pairing
+    rbpa/space/predicate rbpa/space/solid
     rbpa/space/solid/boundary rbpa/space/solid/insertion rbpa/space/solid/rows rbpa/space/surface"
   "rbpa/space/balls/full: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run
     rbpa/space/balls rbpa/space/predicate rbpa/space/solid"
@@ -68,7 +69,7 @@ set(allowed
     rbpa/space/cells rbpa/space/persistence/pairing rbpa/space/predicate rbpa/space/solid rbpa/space/solid/boundary
     rbpa/space/solid/insertion rbpa/space/surface"
   "rbpa/space/persistence/pairing: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/run
-    rbpa/space/persistence rbpa/space/predicate rbpa/space/solid"
+    rbpa/space/persistence rbpa/space/predicate rbpa/space/solid rbpa/space/solid/insertion"
   "rbpa/space/predicate: rbpa/base rbpa/base/exact rbpa/base/lanes"
   "rbpa/space/repair: meshops/core meshops/front meshops/handle meshops/patch meshops/stellar rbpa/base
     rbpa/base/arrays rbpa/base/parallel rbpa/base/run rbpa/space/cells rbpa/space/predicate rbpa/space/repair/closing

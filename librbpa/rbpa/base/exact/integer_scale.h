@@ -31,6 +31,9 @@ class IntegerScale {
     return mantissa << static_cast<unsigned>(exponent - 53 - unit_);
   }
 
+  /// Returns the exponent of that power of two. Requires: a value other than 0 was included.
+  int exponent() const { return unit_; }
+
  private:
   static constexpr int none = 1 << 20;  // beyond all exponents
   int unit_ = none;

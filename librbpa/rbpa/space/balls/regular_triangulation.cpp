@@ -1,9 +1,7 @@
 #include "rbpa/space/balls/regular_triangulation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <string>
 #include <tuple>
 #include <utility>
 
@@ -20,14 +18,6 @@
 
 namespace rbpa {
 namespace {
-
-void check_balls(std::span<const Point3> centers, std::span<const double> radii) {
-  space::check_centers(centers, radii);
-  for (std::size_t i = 0; i < radii.size(); ++i)
-    if (!(radii[i] >= 0) || std::isinf(radii[i]))
-      throw InvalidInput("radius " + std::to_string(i) + " is " + text(radii[i]) +
-                         ", expected a finite number of at least 0");
-}
 
 /// Puts the largest ball of each center into `order`, which has the ball of lowest index there. Balls with a center of
 /// lower index, ascending by that center, are given by `same_center`. Lists the duplicates and counts distinct balls.
@@ -152,7 +142,7 @@ void list_hidden(std::size_t balls, RegularTriangulation& result) {
 
 RegularTriangulation regular_triangulation(std::span<const Point3> centers, std::span<const double> radii,
                                            const SolidOptions& options) {
-  check_balls(centers, radii);
+  space::check_balls(centers, radii);
   RegularTriangulation result;
   Solid solid;
   if (std::equal(radii.begin() + (radii.empty() ? 0 : 1), radii.end(), radii.begin()))

@@ -31,6 +31,14 @@ void check_centers(std::span<const Point3> centers, std::span<const double> radi
                        std::to_string(centers.size()) + " centers");
 }
 
+void check_balls(std::span<const Point3> centers, std::span<const double> radii) {
+  check_centers(centers, radii);
+  for (std::size_t i = 0; i < radii.size(); ++i)
+    if (!(radii[i] >= 0) || std::isinf(radii[i]))
+      throw InvalidInput("radius " + std::to_string(i) + " is " + text(radii[i]) +
+                         ", expected a finite number of at least 0");
+}
+
 void check_radius(double radius) {
   if (!(radius > 0) || std::isinf(radius))
     throw InvalidInput("the radius is " + text(radius) + ", expected a finite number above 0");

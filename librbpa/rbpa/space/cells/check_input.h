@@ -14,6 +14,8 @@ namespace rbpa::space {
 void check_points(std::span<const Point3> points);
 /// Checks the centers by check_points(), and that there is one radius for each. Does not check the values of radii.
 void check_centers(std::span<const Point3> centers, std::span<const double> radii);
+/// Checks as check_centers() does, and that radii are finite and at least 0.
+void check_balls(std::span<const Point3> centers, std::span<const double> radii);
 /// Checks that 0 < radius < infinity.
 void check_radius(double radius);
 /// Checks that there is at least one radius, and that radii are strictly ascending, above 0 and finite.

@@ -32,11 +32,15 @@ struct SolidFiltration {
   std::vector<Triangle> triangles;                  ///< corners ascending; in the order of their first tetrahedra
   std::vector<double> triangle_alpha;               ///< the radius of each triangle
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< corners ascending; in the order of their first triangles
-  std::vector<double> edge_alpha;                   ///< the radius of each edge; points have radius 0
+  std::vector<double> edge_alpha;                   ///< the radius of each edge
 
   /// For each corner of each tetrahedron, the triangle across from it.
   std::vector<std::array<std::uint32_t, 4>> triangles_of;
   std::vector<std::array<std::uint32_t, 3>> edges_of;  ///< for each corner of each triangle, the edge across from it
+
+  /// The radius of each point, infinity for one that is no simplex; empty where all have radius 0, as in the result of
+  /// solid_filtration().
+  std::vector<double> point_alpha;
 };
 
 /// Computes the filtration. `options` are those of solid(), but neighbors are always computed. After the triangulation,

@@ -41,9 +41,15 @@ std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, cons
   const auto add = [&](int dimension, double birth, double death, std::uint32_t born_by, std::uint32_t ended_by) {
     if (birth != death) pairs.push_back({dimension, birth, death, born_by, ended_by});
   };
-  for (const auto& [point, edge] : pairing.components.all) add(0, 0, filtration.edge_alpha[edge], point, edge);
-  if (filtration.delaunay.distinct > 0)
-    pairs.push_back({.dimension = 0, .birth = 0, .death = {}, .born_by = 0});  // the component of point 0 never ends
+  const auto birth_of = [&](std::uint32_t point) {
+    return filtration.point_alpha.empty() ? 0 : filtration.point_alpha[point];
+  };
+  for (const auto& [point, edge] : pairing.components.all)
+    add(0, birth_of(point), filtration.edge_alpha[edge], point, edge);
+  if (const std::uint32_t first = pairing.components.first; filtration.delaunay.distinct > 0)
+    pairs.push_back({.dimension = 0, .birth = birth_of(first), .death = {}, .born_by = first});
+  if (!filtration.point_alpha.empty())
+    sort(pairs, step, [](const SolidPair& a, const SolidPair& b) { return a.birth < b.birth; });
   sort_equal_births(pairs, 0, step);
 
   const std::size_t first_tunnel = pairs.size();

@@ -1,10 +1,16 @@
 #include "rbpa/space/predicate/orthosphere.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <initializer_list>
+#include <limits>
+#include <optional>
 #include <type_traits>
+#include <vector>
 
+#include "rbpa/base/exact/double_double.h"
 #include "rbpa/base/exact/integer_scale.h"
 #include "rbpa/space/predicate/vector3.h"
 
@@ -33,31 +39,6 @@ struct RoundedEdge : Edge<double> {
   double length, size;  // size: of all terms of the lift
 };
 
-/// Converts balls to integers.
-class Exact {
- public:
-  Exact(std::initializer_list<const Ball*> balls) : first_(**balls.begin()) {
-    for (const Ball* ball : balls)
-      for (const double value : {ball->center.x, ball->center.y, ball->center.z, ball->radius}) scale_.include(value);
-  }
-  Edge<Integer> edge(const Ball& b) const {
-    const Point3 &p = first_.center, &q = b.center;
-    const Vector3<Integer> to = {scale_(q.x) - scale_(p.x), scale_(q.y) - scale_(p.y), scale_(q.z) - scale_(p.z)};
-    const Integer square = dot(to, to), ra = radius(), rb = scale_(b.radius);
-    return {to, square, square + ra * ra - rb * rb};
-  }
-  Integer radius() const { return scale_(first_.radius); }
-  /// Returns the sign of |left| − 2 radius |right|.
-  int compare(const Vector3<Integer>& left, const Integer& right_square) const {
-    const Integer diameter = 2 * radius(), difference = dot(left, left) - diameter * diameter * right_square;
-    return difference.sign();
-  }
-
- private:
-  IntegerScale scale_;
-  const Ball& first_;
-};
-
 template <typename Real>
 Vector3<Real> scaled(const Real& s, const Vector3<Real>& v) {
   return {s * v.x, s * v.y, s * v.z};
@@ -77,6 +58,92 @@ Vector3<Real> twice_center(const Edge<Real>& u, const Edge<Real>& v, const Edge<
   return plus(plus(scaled(u.lift, cross(v.to, w.to)), scaled(v.lift, cross(w.to, u.to))),
               scaled(w.lift, cross(u.to, v.to)));
 }
+
+/// The power at the orthocenter of two to four balls, as left² / (4 square) − radius² for the radius of the first.
+template <typename Real>
+struct LeastPower {
+  Vector3<Real> left;
+  Real square;
+};
+template <typename Edges>
+auto least_power(std::size_t balls, const Edges& edge) {
+  const auto u = edge(1);
+  using Real = std::remove_cvref_t<decltype(u.lift)>;
+  if (balls == 2) return LeastPower<Real>{{u.lift, {}, {}}, u.square};
+  const auto v = edge(2);
+  const Vector3<Real> normal = cross(u.to, v.to);
+  if (balls == 3) return LeastPower<Real>{twice_distance(u, v), dot(normal, normal)};
+  const auto w = edge(3);
+  const Real six_volumes = dot(normal, w.to);
+  return LeastPower<Real>{twice_center(u, v, w), six_volumes * six_volumes};
+}
+
+/// Converts balls to integers.
+class Exact {
+ public:
+  Exact(std::initializer_list<const Ball*> balls) : balls_(balls) { include_all(); }
+  explicit Exact(std::span<const Ball> balls) {
+    for (const Ball& ball : balls) balls_.push_back(&ball);
+    include_all();
+  }
+  Edge<Integer> edge(const Ball& b) const {
+    const Point3 &p = balls_[0]->center, &q = b.center;
+    const Vector3<Integer> to = {scale_(q.x) - scale_(p.x), scale_(q.y) - scale_(p.y), scale_(q.z) - scale_(p.z)};
+    const Integer square = dot(to, to), ra = scale_(balls_[0]->radius), rb = scale_(b.radius);
+    return {to, square, square + ra * ra - rb * rb};
+  }
+  int least_power_sign() const { return ratio().above.sign(); }
+  double least_power_rounded_up(bool is_root) const {
+    auto [above, below] = ratio();
+    return above == 0 ? 0 : rounded_up(std::move(above), std::move(below), 2 * scale_.exponent(), is_root);
+  }
+
+ private:
+  /// The least power is above / below, in the square of the scale's unit.
+  struct Ratio {
+    Integer above, below;
+  };
+
+  void include_all() {
+    for (const Ball* ball : balls_)
+      for (const double value : {ball->center.x, ball->center.y, ball->center.z, ball->radius}) scale_.include(value);
+  }
+  Ratio ratio() const {
+    const Integer radius = scale_(balls_[0]->radius);
+    if (balls_.size() == 1) return {-radius * radius, 1};
+    const auto [left, square] = least_power(balls_.size(), [&](std::size_t k) { return edge(*balls_[k]); });
+    const Integer below = 4 * square;
+    return {dot(left, left) - radius * radius * below, below};
+  }
+  /// Returns the least double that is not below above / below · 2^exponent, or its signed root. Requires: above ≠ 0.
+  static double rounded_up(Integer above, Integer below, int exponent, bool is_root) {
+    constexpr int enough = 110, digits = std::numeric_limits<double>::digits;  // the root of 2¹⁰⁹ has 55 bits
+    const bool is_negative = above < 0;
+    above = abs(above);
+    int shift = enough - static_cast<int>(msb(above)) + static_cast<int>(msb(below));
+    if ((exponent - shift) % 2 != 0) ++shift;
+    (shift > 0 ? above : below) <<= static_cast<unsigned>(std::abs(shift));
+    exponent -= shift;
+    Integer quotient, rest;
+    divide_qr(above, below, quotient, rest);
+    bool is_rounded = rest != 0;
+    if (is_root) {
+      quotient = sqrt(Integer(quotient), rest);
+      is_rounded |= rest != 0;
+      exponent /= 2;
+    }
+    const int bits = static_cast<int>(msb(quotient)) + 1;
+    const int dropped = std::max(bits - digits, std::numeric_limits<double>::min_exponent - digits - exponent);
+    Integer kept = quotient >> static_cast<unsigned>(dropped);
+    is_rounded |= kept << static_cast<unsigned>(dropped) != quotient;
+    if (is_rounded && !is_negative) ++kept;
+    const double size = std::ldexp(kept.convert_to<double>(), exponent + dropped);
+    return is_negative ? 0 - std::min(size, std::numeric_limits<double>::max()) : size;
+  }
+
+  IntegerScale scale_;
+  std::vector<const Ball*> balls_;
+};
 
 /// The range in which filters are valid, so that what underflows is far below their bounds: lengths are at most
 /// `greatest`, and bounds at least `least_bound`, or `least_length` where lengths are compared.
@@ -112,14 +179,65 @@ bool is_negative(double value, double bound, bool is_in_range, Exactly exactly) 
   return exactly() < 0;
 }
 
+struct WideEdge : Edge<DoubleDouble> {
+  WideEdge(const Ball& a, const Ball& b) {
+    to = {DoubleDouble::difference(b.center.x, a.center.x), DoubleDouble::difference(b.center.y, a.center.y),
+          DoubleDouble::difference(b.center.z, a.center.z)};
+    square = dot(to, to);
+    const DoubleDouble weights =
+        DoubleDouble::difference(a.radius, b.radius) * DoubleDouble::difference(a.radius, -b.radius);
+    lift = square + weights;
+    length = std::sqrt(square.high);
+    size = square.high + std::abs(weights.high);
+  }
+  double length, size;
+};
+
+/// Returns least_power_rounded_up() by double-double, or nothing where it is not certain. Requires: at least two balls.
+/// The errors: docs/explanation/exact_decisions.md, section 8.
+std::optional<double> try_least_power(std::span<const Ball> balls, bool is_root) {
+  constexpr double square_of_roundoff = roundoff * roundoff, least_square = 0x1p-500;
+  std::vector<WideEdge> edges;
+  for (std::size_t k = 1; k < balls.size(); ++k) edges.emplace_back(balls[0], balls[k]);
+  if (!std::all_of(balls.begin(), balls.end(), [](const Ball& ball) { return is_in_range(ball); }) ||
+      !std::all_of(edges.begin(), edges.end(), [](const WideEdge& edge) { return edge.length <= greatest; }))
+    return {};
+  const auto [left, square] = least_power(balls.size(), [&](std::size_t k) -> const WideEdge& { return edges[k - 1]; });
+  if (!(square.high > least_square)) return {};
+  double terms = edges[0].size, lengths = edges[0].length;  // of left, and of the root of `square`
+  for (std::size_t k = 1; k < edges.size(); ++k) {
+    terms = terms * edges[k].length + edges[k].size * lengths;
+    lengths *= edges[k].length;
+  }
+  const double left_error = 160 * square_of_roundoff * terms;
+  const double right_error = balls.size() == 2 ? 0 : 96 * square_of_roundoff * lengths;
+  const DoubleDouble radius{balls[0].radius, 0}, weight = radius * radius, four{4, 0};
+  const DoubleDouble squares = dot(left, left), denominator = four * square;
+  const double size = std::sqrt(squares.high), right = std::sqrt(square.high);
+  // Returns the sign of the power less that of `value`, 0 if it is not certain.
+  const auto compare = [&](double value) {
+    const DoubleDouble power =
+        is_root ? DoubleDouble{value, 0} * DoubleDouble{std::abs(value), 0} : DoubleDouble{value, 0};
+    const double difference = (squares - denominator * (weight + power)).high, sum = weight.high + std::abs(power.high);
+    const double error = 1.01 * (2 * (size + left_error) * left_error + 8 * sum * (right + right_error) * right_error) +
+                         96 * square_of_roundoff * (squares.high + denominator.high * sum);
+    return !(error > least_bound) ? 0 : difference > error ? 1 : difference < -error ? -1 : 0;
+  };
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double power = (squares / denominator - weight).high;
+  const double value = is_root ? std::copysign(std::sqrt(std::abs(power)), power) : power;
+  const int sign = compare(value);
+  const double next = std::nextafter(value, sign > 0 ? infinity : -infinity);
+  if (sign == 0 || compare(next) != -sign) return {};
+  return sign > 0 ? next : value;
+}
+
 }  // namespace
 
 int least_power_sign(const Ball& a, const Ball& b) {
   const RoundedEdge e(a, b);
   return compare({std::abs(e.lift), 8 * e.size}, a.radius, {e.length, 4 * e.length}, are_in_range(a, b, e), [&] {
-    const Exact exact{&a, &b};
-    const Edge<Integer> edge = exact.edge(b);
-    return exact.compare({edge.lift, 0, 0}, edge.square);
+    return Exact{&a, &b}.least_power_sign();
   });
 }
 
@@ -128,10 +246,7 @@ int least_power_sign(const Ball& a, const Ball& b, const Ball& c) {
   const Vector3<double> normal = cross(e.to, f.to);
   return compare({twice_distance(e, f), 10 * (e.size * f.length + f.size * e.length)}, a.radius,
                  {normal, 10 * e.length * f.length}, are_in_range(a, b, c, e, f), [&] {
-                   const Exact exact{&a, &b, &c};
-                   const Edge<Integer> u = exact.edge(b), v = exact.edge(c);
-                   const Vector3<Integer> n = cross(u.to, v.to);
-                   return exact.compare(twice_distance(u, v), dot(n, n));
+                   return Exact{&a, &b, &c}.least_power_sign();
                  });
 }
 
@@ -141,11 +256,14 @@ int least_power_sign(const Ball& a, const Ball& b, const Ball& c, const Ball& d)
   const double terms = g.length * (e.size * f.length + f.size * e.length) + g.size * ef;
   return compare({twice_center(e, f, g), 28 * terms}, a.radius, {std::abs(volume), 12 * ef * g.length},
                  are_in_range(a, b, c, d, e, f, g), [&] {
-                   const Exact exact{&a, &b, &c, &d};
-                   const Edge<Integer> u = exact.edge(b), v = exact.edge(c), w = exact.edge(d);
-                   const Integer six_volumes = dot(cross(u.to, v.to), w.to);
-                   return exact.compare(twice_center(u, v, w), six_volumes * six_volumes);
+                   return Exact{&a, &b, &c, &d}.least_power_sign();
                  });
+}
+
+double least_power_rounded_up(std::span<const Ball> balls, bool is_root) {
+  if (balls.size() == 1 && is_root) return 0 - balls[0].radius;
+  const std::optional<double> value = balls.size() == 1 ? std::nullopt : try_least_power(balls, is_root);
+  return value ? *value : Exact(balls).least_power_rounded_up(is_root);
 }
 
 bool is_conflict(const Ball& a, const Ball& q) {

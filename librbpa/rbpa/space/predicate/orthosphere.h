@@ -1,11 +1,13 @@
-// What: balls with different radii: the sign of the least power of a simplex, and whether a ball conflicts with it.
+// What: balls with different radii: the least power of a simplex, its sign, and whether a ball conflicts with it.
 //       The power of a point x to a ball is |x − center|² − radius². The orthocenter of a simplex is the point of least
 //       power among those with the same power to all its balls. A ball conflicts if its power at the orthocenter is
 //       lower.
 // Law:  exact for all finite balls; a power of 0 is 0, and a ball with the same power does not conflict.
-// How:  a filter (docs/explanation/exact_decisions.md, section 7), then integers of any length.
+// How:  a filter (docs/explanation/exact_decisions.md, sections 7 and 8), then integers of any length.
 // Cost: some ten nanoseconds; microseconds where the filter fails.
 #pragma once
+
+#include <span>
 
 #include "rbpa/base/point3.h"
 
@@ -21,6 +23,11 @@ struct Ball {
 int least_power_sign(const Ball& a, const Ball& b);
 int least_power_sign(const Ball& a, const Ball& b, const Ball& c);
 int least_power_sign(const Ball& a, const Ball& b, const Ball& c, const Ball& d);
+
+/// Returns the least double that is not below the power p at the orthocenter of one to four balls; with `is_root`, not
+/// below its signed root: √p, or −√−p for a negative p. Returns infinity above all doubles.
+/// Requires: centers that are affinely independent.
+double least_power_rounded_up(std::span<const Ball> balls, bool is_root);
 
 /// Returns whether q conflicts with one to three balls. Requires: centers that are affinely independent.
 bool is_conflict(const Ball& a, const Ball& q);

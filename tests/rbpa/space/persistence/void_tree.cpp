@@ -258,7 +258,8 @@ TEST_CASE("points of another filtration are refused, and a run can be cancelled"
   const Points3 points = uniform_cube(2000, 5300);
   const SolidFiltration filtration = rbpa::solid_filtration(points);
   CHECK_THROWS_AS(tree_of(Points3(points.begin(), points.end() - 1), filtration), meshops::ContractViolation);
-  const auto& [delaunay, radii, triangles, triangle_alpha, edges, edge_alpha, triangles_of, edges_of] = filtration;
+  const auto& [delaunay, radii, triangles, triangle_alpha, edges, edge_alpha, triangles_of, edges_of, point_alpha] =
+      filtration;
   const auto stop = [] { return false; };
   CHECK_THROWS_AS(rbpa::void_tree(points, delaunay, radii, ComplexKind::full, 1, stop), rbpa::Cancelled);
   Solid broken = delaunay;

@@ -5,6 +5,7 @@
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 
 using rbpa::space::Ball;
 using rbpa::space::is_conflict;
+using rbpa::space::least_power_rounded_up;
 using rbpa::space::least_power_sign;
 using rbpa_test::Random;
 
@@ -59,6 +61,17 @@ bool orthocenter(std::span<const Ball> balls, Vector& center) {
   return true;
 }
 
+/// Checks that the value is the least double that is not below the power, or whose signed square is not below it.
+void check_rounded_up(const Rational& power, double value, bool is_root) {
+  constexpr double greatest = std::numeric_limits<double>::max();
+  const auto is_reached = [&](double v) {
+    return power <= (is_root ? Rational(v) * Rational(std::abs(v)) : Rational(v));
+  };
+  CHECK(!std::signbit(value) == (power > 0 || value == 0));
+  CHECK((std::isinf(value) || is_reached(value)));
+  CHECK((value == -greatest || !is_reached(std::nextafter(value, -greatest))));
+}
+
 void check(const std::array<Ball, 5>& balls) {
   const auto& [a, b, c, d, q] = balls;
   Vector x;
@@ -76,16 +89,26 @@ void check(const std::array<Ball, 5>& balls) {
     CHECK(is_conflict(a, b, c, q) == expected_conflict());
   }
   if (orthocenter(all.first(4), x)) CHECK(least_power_sign(a, b, c, d) == expected_power());
+  for (std::size_t count = 1; count <= 4; ++count)
+    if (orthocenter(all.first(count), x))
+      for (const bool is_root : {false, true})
+        check_rounded_up(power(x, a), least_power_rounded_up(all.first(count), is_root), is_root);
 }
 
 }  // namespace
 
 TEST_CASE("least powers and conflicts of balls are those of the definition in rational numbers") {
   Random random(1);
-  for (int set = 0; set < 1200; ++set) {
-    // Integers have ties; tenths have near ties; powers of ten have lost digits, overflow and underflow.
-    const int kind = set % 6;
-    const double unit = kind == 1 ? 0.1 : kind == 4 ? 1e-70 : kind == 5 ? 1e150 : 1;
+  for (int set = 0; set < 1600; ++set) {
+    // Integers have ties; tenths have near ties; powers of ten have lost digits, overflow and
+    // underflow.
+    const int kind = set % 8;
+    const double unit = kind == 1   ? 0.1
+                        : kind == 4 ? 1e-70
+                        : kind == 5 ? 1e150
+                        : kind == 6 ? 1e-162
+                        : kind == 7 ? 1e155
+                                    : 1;
     std::array<Ball, 5> balls;
     for (Ball& ball : balls) {
       const auto number = [&] {

@@ -1,6 +1,6 @@
 // What: finds for each component the edge that ends it and the point that began it.
-// How:  at the beginning each point is a component. Edges join components in the order of the filtration; where two
-//       meet, the component of the greater point ends.
+// How:  each point begins a component. Edges join components in the order of the filtration; where two meet, the
+//       component of the later point ends: that of greater alpha, or of equal ones the greater point.
 // Cost: union–find over the edges.
 // Source: Kruskal (1956).
 #pragma once
@@ -20,6 +20,7 @@ struct EndedComponent {
 
 struct PersistentComponents {
   std::vector<EndedComponent> all;  ///< the ended components, in the order of the filtration
+  std::uint32_t first = 0;          ///< the first point, whose component never ends
   std::vector<bool> joins;          ///< for each edge: whether it ends a component; the others make a tunnel
 };
 

@@ -23,6 +23,7 @@ void check_filtration(const char* function, const SolidFiltration& filtration) {
               (neighbors[t][k] == Solid::none || neighbors[t][k] < simplices.size()));
   for (const auto& of : filtration.edges_of)
     for (const std::uint32_t edge : of) require(edge < edges);
+  require(filtration.point_alpha.empty() || corner_bound<2>(filtration.edges) <= filtration.point_alpha.size());
 }
 
 void check_filtration(const char* function, std::span<const Point3> points, const SolidFiltration& filtration) {

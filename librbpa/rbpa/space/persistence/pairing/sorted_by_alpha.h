@@ -1,6 +1,6 @@
 // What: sorts simplices of one dimension in the order of a filtration: by alpha, then by number or volume.
-// How:  radii are at least 0, so that they sort like their bits. Three passes of radix sort use the first bits that
-//       differ; comparisons sort the rest where these bits are equal.
+// How:  non-negative doubles sort like their bits, negative ones in reverse. Three passes of radix sort use the first
+//       bits that differ; comparisons sort the rest where these bits are equal.
 // Cost: linear where few radii are nearly but not exactly equal; else a sort.
 #pragma once
 
@@ -17,14 +17,18 @@
 
 namespace rbpa::space {
 
-/// Returns the numbers of the simplices, sorted by alpha, then by number. Requires: each alpha is +0 or above.
+/// Returns the numbers of the simplices, sorted by alpha, then by number. Requires: no alpha is
+/// −0 or not a number.
 inline meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const double> alpha, Steps& step) {
   constexpr int digit_bits = 11, digits = 3, key_bits = 32;
   constexpr std::uint32_t mask = (1u << digit_bits) - 1;
   struct Keyed {
     std::uint32_t key, number;
   };
-  const auto bits = [&](std::size_t i) { return std::bit_cast<std::uint64_t>(alpha[i]); };
+  const auto bits = [&](std::size_t i) {
+    const auto own = std::bit_cast<std::uint64_t>(alpha[i]);
+    return own >> 63U != 0 ? ~own : own | std::uint64_t{1} << 63U;
+  };
   std::uint64_t least = ~std::uint64_t{0}, greatest = 0;
   for (std::size_t i = 0; i < alpha.size(); ++i) {
     least = std::min(least, bits(i));

@@ -1,0 +1,35 @@
+// What:   computes the dual complex of balls at every growth: all simplices of the regular triangulation, and the power
+//         at which each appears. At power p, the ball of radius R has the squared radius R² + p.
+// Law:    a simplex is in the dual complex of the balls grown by p exactly if its power is at most p, for every double
+//         p: the power is rounded up from the exact one, by less than one unit in the last place. No face of a simplex
+//         has a greater power than the simplex. A function of the set of balls, and of their numbering. With radii 0,
+//         signed roots are the radii of solid_filtration().
+// Cost:   that of regular_triangulation(), and about as much again; powers are shared among threads.
+// Source: Edelsbrunner, The union of balls and its dual shape (1995); docs/explanation/filtration_and_persistence.md,
+//         section 9.
+#pragma once
+
+#include <span>
+
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/base/progress.h"
+#include "rbpa/space/persistence/solid_filtration.h"
+
+namespace rbpa {
+
+struct WeightedFiltrationOptions {
+  /// Whether values are signed roots of powers: √p, or −√−p for a negative p; a ball of radius R then begins at −R.
+  bool roots = false;
+  MaxThreads threads = 0;
+  OnProgress progress = {};  ///< Progress::triangles is the number of finished balls
+};
+
+/// Computes the filtration, for solid_persistence(): all its values are powers or roots, those of balls in point_alpha,
+/// infinity for a ball without a cell or equal to one of lower index. SolidFiltration::delaunay has the regular
+/// triangulation; `isolated` are the balls without a cell.
+/// Requires: as regular_triangulation(). Throws: as regular_triangulation().
+RBPA_API SolidFiltration weighted_filtration(std::span<const Point3> centers, std::span<const double> radii,
+                                             const WeightedFiltrationOptions& options = {});
+
+}  // namespace rbpa
