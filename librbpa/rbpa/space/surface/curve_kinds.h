@@ -1,7 +1,7 @@
 // What: classifies boundary curves of a surface as holes, outer rims, or rims of small islands; finds the islands.
-// Law:  the result depends on the points and the triangles only, not on any order. The area that a curve encloses is
-//       that of a flat cap over it: its vector area.
-// Cost: linear in the edges of the curves.
+// Law:  the result depends on the points and the triangles only, not on any order. The area that a curve encloses, seen
+//       along a direction, is the component of its vector area in that direction.
+// Cost: linear in the edges of the curves and the components, and a sort of the curves.
 #pragma once
 
 #include <cstddef>
@@ -17,16 +17,18 @@
 
 namespace rbpa {
 
+/// The kind of a boundary curve.
 enum class CurveKind : std::uint8_t {
   /// The outer end of a sheet: seen along the component's mean normal, the curve encloses at least a quarter of the
-  /// component's area. The boundaries of a square and of half a sphere are rims; that of a cube without its bottom is a
-  /// hole.
+  /// component's area, and all curves together do too. The boundaries of a square and of half a sphere are rims; the
+  /// boundary of a cube without its bottom is a hole, and so are the two ends of a tube.
   rim,
   hole,    ///< any other curve of a component that is not an island
   island,  ///< any boundary curve of an island
 };
 
 /// Returns for each component whether it is an island: open, with less than 1 % of the area of the largest component.
+/// Requires: `components` are in the order of surface_components(); not checked.
 RBPA_API std::vector<bool> islands(const SurfaceComponents& components);
 
 /// A choice of boundary curves; by default all of kind `hole`.
@@ -35,12 +37,13 @@ struct HoleChoice {
   double most_length = std::numeric_limits<double>::infinity();      ///< maximum length, in units of the points
   bool rims = false;  ///< whether curves of every kind are chosen, not only holes
 
+  /// Returns whether the choice includes a curve of this kind.
   bool has(const Hole& curve, CurveKind kind) const {
     return (rims || kind == CurveKind::hole) && curve.edges.size() <= most_edges && curve.length <= most_length;
   }
 };
 
-/// Returns the curves that `choice` chooses, in their order.
+/// Returns the curves that `choice` chooses, in the order of `curves`.
 /// Requires: `kinds` are the curve_kinds() of `curves`.
 /// Throws:   ContractViolation when there are fewer or more kinds than curves.
 RBPA_API std::vector<Hole> chosen_curves(std::span<const Hole> curves, std::span<const CurveKind> kinds,
@@ -48,7 +51,8 @@ RBPA_API std::vector<Hole> chosen_curves(std::span<const Hole> curves, std::span
 
 /// Returns the kind of each curve.
 /// Requires: `curves` are all holes() or surface_curves() of a surface of `points`, and `components` its components.
-/// Throws:   ContractViolation when a curve has no edge, or an edge has a point or a triangle that does not exist.
+/// Throws:   ContractViolation when a curve has no edge, or an edge has a point, triangle or component that does not
+///           exist. Missing curves are not noticed; then others may get the wrong kind.
 RBPA_API std::vector<CurveKind> curve_kinds(std::span<const Point3> points, const SurfaceComponents& components,
                                             std::span<const Hole> curves);
 

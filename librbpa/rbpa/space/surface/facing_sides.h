@@ -1,7 +1,7 @@
 // What: pairs the sides of triangles that face each other around an edge of several triangles, for gluing.
-// Law:  exact, on any finite input. Let the triangles at an edge be sorted counter-clockwise around it: sides of two
+// Law:  exact, on any finite input. Let the triangles at an edge be sorted by angle around the edge: the sides of two
 //       consecutive triangles face each other if the wedge between the triangles is on the positive side of both. Each
-//       side faces at most one other, and that one faces it. The result is a function of the set of sides.
+//       side faces at most one other. The result is a function of the set of sides.
 // Cost: a sort; an exact orientation test for each comparison at edges of more than two sides.
 #pragma once
 
@@ -20,12 +20,13 @@ namespace rbpa {
 struct EdgeSide {
   std::uint32_t from, to, apex;
   std::uint32_t triangle;  ///< number of the triangle; any that the caller chooses
-  std::uint32_t across;    ///< the position of apex among the corners of that triangle
+  std::uint32_t across;    ///< position of apex among the corners of the triangle, for the caller; not read
 };
 
-/// Sorts `sides` by edge, and around each edge. Returns the pairs of positions in `sides` that then face each other.
-/// Requires: the corners of a triangle are distinct points, and no two triangles lie in the same direction from an
-///           edge; triangles of a Delaunay triangulation never do.
+/// Sorts `sides` by edge, and around each edge by angle. Returns the pairs of positions in the sorted `sides` that face
+/// each other, ascending. The first side of a pair leads to the end of higher index, the second one back.
+/// Requires: corners are indices of points, those of a triangle not on one line; no two triangles lie in the same
+///           direction from an edge, as in a Delaunay triangulation. Not checked.
 RBPA_API std::vector<std::pair<std::size_t, std::size_t>> facing_sides(std::span<const Point3> points,
                                                                        std::vector<EdgeSide>& sides);
 

@@ -1,7 +1,7 @@
 // What: finds the boundary curves of a surface of points in space, and for each edge why the surface ends there.
 // Law:  a function of the points, their normals and the radii. The exposed triangles form a closed surface, so the ball
-//       rolls over every side to an exposed triangle. A side is boundary if that triangle is not in the surface.
-//       docs/explanation/surfaces.md, section 5.
+//       rolls over every side to an exposed triangle; over a boundary side, to one that is not in the surface.
+//       docs/explanation/surfaces.md, sections 5 and 18.
 #pragma once
 
 #include <array>
@@ -17,19 +17,22 @@ namespace rbpa {
 
 /// The reason why the surface ends at a boundary edge, by the triangle to which the ball rolls over the edge.
 enum class RimCause : std::uint8_t {
-  /// The ball rolls to the back: to the same three points, or to a triangle with which no normal agrees.
+  /// The ball rolls to the back: to the same three points, or to a triangle with which normals at all corners disagree.
   nothing_within_reach,
-  normals_disagree,  ///< the ball rolls to a triangle with which normals at some corners disagree, and at others agree
-  blocked,  ///< the ball rolls to a triangle that agrees, and touches the interior of the surface of smaller radii
+  normals_disagree,  ///< the ball rolls to a triangle with which normals at one or two corners disagree
+  /// The ball rolls to a triangle that agrees with all normals, but touches an interior point or edge of the surface of
+  /// the smaller radii (surface_levels.h).
+  blocked,
 };
 
-/// A boundary side of a triangle, and the triangle to which the ball rolls over it.
+/// A boundary side of a triangle, and the triangle to which the ball rolls over the side. surface_curves() sets only
+/// `from`, `to` and `triangle`.
 struct RimEdge {
   std::uint32_t from = 0, to = 0;  ///< input indices, with the triangle to the right
   std::uint32_t triangle = 0;      ///< number of the triangle in the surface
-  std::uint32_t level = 0;         ///< number of the largest radius whose ball rests on the triangle
+  std::uint32_t level = 0;         ///< number, from 0, of the largest radius whose ball rests on the triangle
   RimCause cause = RimCause::nothing_within_reach;
-  std::array<std::uint32_t, 3> next = {};  ///< the exposed triangle to which that ball rolls, least index first
+  std::array<std::uint32_t, 3> next = {};  ///< the exposed triangle to which this ball rolls, least index first
   /// For each corner of `next`: whether a normal there disagrees; or, when blocked, whether it is an interior point of
   /// the smaller radii.
   std::array<bool, 3> corners = {};
@@ -46,7 +49,8 @@ struct Hole {
   friend bool operator==(const Hole&, const Hole&) = default;
 };
 
-/// Returns all boundary curves, sorted by their first edges. At a point with several fans, a curve stays at its fan.
+/// Returns all boundary curves, sorted by (from, to, triangle) of their first edges. At a point with several fans, a
+/// curve stays at its fan.
 /// Requires: `surface` is the surface() of these points, normals and radii.
 /// Throws:   InvalidInput as surface(); ContractViolation when `surface` is visibly of other points, normals or radii;
 ///           Cancelled.
@@ -54,11 +58,13 @@ struct Hole {
 RBPA_API std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> normals,
                                  std::span<const double> radii, const Surface& surface,
                                  const SurfaceOptions& options = {});
+/// Returns the boundary curves of a surface of one radius, as above.
 RBPA_API std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> normals, double radius,
                                  const Surface& surface, const SurfaceOptions& options = {});
 
-/// Returns the boundary curves of any surface, in the order of holes(), without causes.
-/// Throws: as surface_components(). Cost: linear, and a sort of the curves.
+/// Returns the boundary curves of any surface of `points`, in the order of holes(), without causes.
+/// Throws: ContractViolation as require_linked() (triangle_arrays.h); Cancelled.
+/// Cost:   linear, and a sort of the curves, and of the edges of each.
 RBPA_API std::vector<Hole> surface_curves(std::span<const Point3> points, const Surface& surface,
                                           const GoOn& go_on = {});
 

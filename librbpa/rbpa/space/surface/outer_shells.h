@@ -4,7 +4,7 @@
 //       is at least the radius away from all points. Winding numbers are exact; the center is rounded. If the radius is
 //       above 10⁻⁹ of the coordinates, rounding can matter only at triangles whose circumcircle is nearly a great
 //       circle of the ball. docs/explanation/surfaces.md, section 21.
-// Cost: a sort of the shells, and for each triangle a search among them.
+// Cost: a sort of the triangles, and for each triangle a test of the shells whose centers are in its range of y.
 #pragma once
 
 #include <array>
@@ -20,11 +20,11 @@
 
 namespace rbpa {
 
-/// Returns for each component whether it is outer: neither another component nor it itself encloses the ball that rolls
-/// on it. A scan of a closed object has an outer shell, and an inner one, on which the ball rolls inside.
-/// Requires: `shells` are the exposed_triangles() of `points` and `radius`, and `components` its components.
+/// Returns for each component whether it is outer: no component, itself included, encloses the ball that rolls on it. A
+/// scan of a closed object has an outer shell, and an inner one, on which the ball rolls inside.
+/// Requires: `shells` are the exposed_triangles() of `points` and `radius`, and `components` their components.
 /// Throws:   InvalidInput when the radius is not finite and above 0; ContractViolation when a component is open, an
-///           index does not exist, or the components are not those of `shells`; Cancelled.
+///           index does not exist, or the components are visibly not those of `shells`; Cancelled.
 RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double radius, const Surface& shells,
                                         const SurfaceComponents& components, const GoOn& go_on = {});
 
@@ -32,15 +32,16 @@ RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double r
 /// wall of a cavity, or for a body within a body. The decision is made by a ray from the lexicographically least corner
 /// that is on no other surface. A surface without a triangle lies in none. A surface with every corner on another one
 /// does not lie in that one.
-/// Requires: each surface is closed; its triangles are in any order.
+/// Requires: finite points; each surface is closed, with its triangles in any order and orientation; not checked.
 /// Throws:   ContractViolation when a corner is not an index of a point; Cancelled.
 /// Cost:     for each triangle, a test of the rays in its range of y, z; n log n if few surfaces overlap there.
 RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points,
                                                  std::span<const std::vector<std::array<std::uint32_t, 3>>> surfaces,
                                                  const GoOn& go_on = {});
-/// Returns for each closed component of a surface in how many others it lies; 0 for components that are not closed.
+/// Returns for each closed component of a surface in how many other closed components it lies; 0 for open components.
 /// Requires: `surface` is a surface of `points`, and `components` are its components.
-/// Throws:   ContractViolation when an index does not exist or the components are not those of `surface`; Cancelled.
+/// Throws:   ContractViolation when an index does not exist or the components are visibly not those of `surface`;
+///           Cancelled.
 RBPA_API std::vector<std::size_t> nesting_depths(std::span<const Point3> points, const Surface& surface,
                                                  const SurfaceComponents& components, const GoOn& go_on = {});
 

@@ -1,8 +1,6 @@
 // What:   finds outliers in space: points that are much farther from their nearest neighbors than most points are.
-// Law:    a function of the set of points, not of any order or thread. Equal points count as one, and are outliers
-//         together. Multiplying all points by a power of two changes nothing but the distance.
-// Note:   one distance applies to the whole set: if parts of a scan differ in density by more than the factor, the
-//         sparse parts are outliers as well.
+// Law:    a function of the set of points, not of any order or thread; distances are rounded. Equal points count as
+//         one, and are outliers together. Multiplying all points by a power of two multiplies the median distance only.
 // Cost:   a search for the nearest points of each, about a third of the cost of estimate_normals().
 // Source: Rusu, Marton, Blodow, Dolha, Beetz, Towards 3D point cloud based object maps (2008), with the median in place
 //         of mean and deviation, which outliers move.
@@ -19,17 +17,20 @@
 
 namespace rbpa {
 
+/// Options of outliers().
 struct OutlierOptions {
   /// A point is an outlier if its distance to the neighbor of rank `neighbors` is more than `factor` times the median
-  /// of these distances.
+  /// of these distances at distinct points. If parts of a scan differ in density by more than `factor`, the sparse parts
+  /// are outliers too.
   double factor = 4;
-  /// Rank of the neighbor to which the distance is measured; 1 is the nearest other point. Groups of up to this many
-  /// outliers that lie close together are found.
+  /// Rank of the neighbor to which the distance is measured; 1 is the nearest other point. If there are fewer other
+  /// points, the distance to the farthest counts. Groups of up to `neighbors` outliers close together are found.
   std::size_t neighbors = 8;
   MaxThreads threads = 0;
   OnProgress progress = {};  ///< Progress::triangles is 0
 };
 
+/// The outliers among points.
 struct Outliers {
   std::vector<std::uint32_t> points;  ///< input indices, ascending
   /// The median distance, rounded, in units of the points; 0, and no outliers, for fewer than two distinct points.

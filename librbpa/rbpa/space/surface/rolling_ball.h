@@ -1,8 +1,8 @@
 // What:   a ball that rests on three points and rolls from there, one step at a time: ball pivoting for code that
 //         traverses the exposed triangles in its own order, as an advancing front does.
-// Law:    exact, on any finite input. Each result is a function of the set of points and the radius, not of earlier
-//         queries. Rolling back returns to the same triangle. docs/explanation/surfaces.md, section 12.
-// Cost:   each query reads the points within two radii; surface() answers all queries together, which is faster.
+// Law:    exact, on any finite input. Each result is a function of the points, their normals and the radius, not of
+//         earlier queries. Rolling back returns to the same triangle. docs/explanation/surfaces.md, section 12.
+// Cost:   each roll reads the points within about two radii; surface() rolls over all sides at once, which is faster.
 // Source: Bernardini et al., The ball-pivoting algorithm for surface reconstruction (1999).
 #pragma once
 
@@ -19,15 +19,16 @@
 namespace rbpa {
 
 /// A ball of fixed radius on fixed points. Points are input indices; of equal points only the lowest is in triangles.
-/// Queries may be made from several threads.
+/// Several threads may call const functions at once. A moved-from ball may only be destroyed or assigned to.
 class RBPA_API RollingBall {
  public:
   using Triangle = std::array<std::uint32_t, 3>;  ///< counter-clockwise as the ball sees it
 
-  /// Copies the points.
-  /// Requires: what surface() requires; without normals, what exposed_triangles() requires.
-  /// Throws:   what these functions throw.
+  /// Copies points and normals.
+  /// Requires: what surface() requires.
+  /// Throws:   InvalidInput that names the violated requirement.
   RollingBall(std::span<const Point3> points, std::span<const Point3> normals, double radius);
+  /// Makes a ball on points without normals, as above. Requires: what exposed_triangles() requires.
   RollingBall(std::span<const Point3> points, double radius);
   RollingBall(RollingBall&&) noexcept;
   RollingBall& operator=(RollingBall&&) noexcept;
@@ -37,8 +38,8 @@ class RBPA_API RollingBall {
   std::span<const Point3> points() const;
 
   /// Rolls the ball that rests on the exposed triangle (a, b, c) over the side from a to b until it touches a point p.
-  /// Returns: p, which may be c again; the ball then rests on (b, a, p), and roll(b, a, p) is c. The result is empty
-  ///          when the ball does not rest on (a, b, c), or an index is that of no point or of a duplicate.
+  /// Returns p, which may be c again; the ball then rests on (b, a, p), and roll(b, a, p) is c. The result is empty if
+  /// the ball does not rest on (a, b, c), as if an index is that of no point or of a duplicate.
   std::optional<std::uint32_t> roll(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
 
   /// A roll from the exposed triangle (a, b, from) to (b, a, to).
@@ -51,14 +52,15 @@ class RBPA_API RollingBall {
   /// duplicate.
   std::vector<Roll> rolls(std::uint32_t a, std::uint32_t b) const;
 
-  /// Returns the exposed triangles with the lowest corner `first`, in lexicographic order. Over all points, each
-  /// triangle is returned once.
+  /// Returns the exposed triangles whose corner of lowest index is `first`, in lexicographic order; none for a
+  /// duplicate. Over all points, each triangle is returned once.
   /// Throws: ContractViolation when `first` is not the index of a point.
   std::vector<Triangle> triangles_from(std::uint32_t first) const;
 
   /// Returns whether the triangle's own normal has a positive scalar product with the normals of all points at its
   /// corners; true without normals.
-  /// Throws: ContractViolation when a corner is not the index of a point.
+  /// Requires: no corner is a duplicate; not checked.
+  /// Throws:   ContractViolation when a corner is not the index of a point.
   bool agrees(const Triangle& triangle) const;
 
  private:

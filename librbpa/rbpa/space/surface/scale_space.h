@@ -17,22 +17,25 @@
 
 namespace rbpa {
 
+/// Options of scale_space().
 struct ScaleSpaceOptions {
-  /// Number of steps. 0 = until a step moves the median point, relative to its neighbors, by less than a tenth of the
-  /// distance between neighbors, but at most 8. A curved surface shrinks a little in each step.
+  /// Number of steps. 0: until a step moves the median point, relative to its neighbors, by less than a tenth of the
+  /// distance between neighbors, at least 1 and at most 8. A curved surface shrinks a little in each step.
   std::size_t steps = 0;
-  /// Number of nearest other points to which, with the point itself, the plane is fitted. More points smooth more.
+  /// Number of nearest other points to which, with the point itself, the plane is fitted; all if there are fewer. More
+  /// points smooth more.
   std::size_t neighbors = 30;
   MaxThreads threads = 0;
   OnProgress progress = {};  ///< Progress::triangles is 0
 };
 
+/// The result of scale_space().
 struct ScaleSpace {
   std::vector<Point3> points;  ///< the moved points, in the order of the input
-  std::size_t steps = 0;       ///< number of steps that were made
+  std::size_t steps = 0;       ///< number of steps that were made; 0 if there is no point
 };
 
-/// Moves the points.
+/// Returns the points, moved by the steps.
 /// Requires: finite points, fewer than 2^32 − 1; at least 2 neighbors.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API ScaleSpace scale_space(std::span<const Point3> points, const ScaleSpaceOptions& options = {});

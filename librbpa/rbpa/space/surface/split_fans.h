@@ -12,24 +12,27 @@
 
 namespace rbpa {
 
+/// The triangles of a surface, with a vertex for each fan.
 struct SplitFans {
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< in the order of the surface; corners are vertices
-  /// The input index of each vertex, ascending; vertices of one point are sorted by their first corners.
+  /// The triangles, and the corners of each, in the order of the surface. Corners are vertices.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  /// The input index of each vertex, ascending; vertices of one point are sorted by their first triangles.
   std::vector<std::uint32_t> point;
 };
 
 /// Returns the triangles with a vertex for each fan: triangles at a point share a vertex if glued sides lead from one
 /// to the other around the point.
-/// Requires: fewer than 2^32 corners.
-/// Throws:   ContractViolation when a triangle is not a neighbor of its neighbor; Cancelled.
+/// Requires: fewer than 2^32 corners; not checked.
+/// Throws:   ContractViolation as require_linked() (triangle_arrays.h), for any indices of points; Cancelled.
 RBPA_API SplitFans split_fans(const Surface& surface, const GoOn& go_on = {});
 
-/// Returns the triangles of a surface, glued so that vertex indices determine the gluing: in split_fans() of the
-/// result, every pair of vertices is an edge of one triangle, or of two that are neighbors. A fan that contains an edge
-/// twice, for example where bodies touch along the edge or on both sides of a sheet, is cut there. A part is closed if
-/// its two ends meet at both vertices; otherwise the edge becomes boundary.
-/// Requires: as split_fans().
-/// Throws:   as split_fans().
+/// Returns the surface, glued so that vertex indices determine the gluing: in split_fans() of the result, every edge
+/// between two vertices has one triangle, or two that are neighbors. All members but `neighbors` are as given. Where an
+/// edge between two vertices has more triangles, for example where bodies touch along the edge or on both sides of a
+/// sheet, all its sides are unglued, which cuts the fans at its ends. After that, two open sides between the same two
+/// vertices are glued, also if they were open before.
+/// Requires: what split_fans() requires.
+/// Throws:   what split_fans() throws.
 /// Cost:     that of split_fans(), and a sort of the sides.
 RBPA_API Surface indexable_surface(const Surface& surface, const GoOn& go_on = {});
 

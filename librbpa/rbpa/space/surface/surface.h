@@ -20,6 +20,7 @@
 
 namespace rbpa {
 
+/// Options of a computation on points or on a surface.
 struct SurfaceOptions {
   MaxThreads threads = 0;
   /// Progress::triangles is the number of exposed triangles so far; for functions of a given surface the number of its
@@ -39,22 +40,22 @@ struct Surface {
   /// Neighbor k of a triangle is the triangle to which the ball rolls over the side across from corner k, or none.
   /// Rolling back returns to the same triangle.
   std::vector<std::array<std::uint32_t, 3>> neighbors;
-  /// For each triangle, the number of the radius that created it (surface_levels.h). Empty for a single radius.
+  /// For each triangle, the number, from 0, of the radius that created it. Empty unless surface_levels.h made it.
   std::vector<std::uint32_t> levels;
   std::vector<Duplicate> duplicates;  ///< points equal to one of lower index; ascending by index
   std::size_t distinct = 0;           ///< number of distinct points
 };
 
-/// Computes the exposed triangles E_r: a triangle is exposed if a ball of the radius, with no point inside, rests on
-/// its positive side. The exposed triangles form a closed surface: no neighbor is `none`.
+/// Computes the exposed triangles E_r: a triangle is exposed if a ball of the radius, with no point inside, touches its
+/// three corners from its positive side. The exposed triangles form a closed surface: no neighbor is `none`.
 /// Requires: 0 < radius < infinity; finite points, fewer than 2^32 − 1.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API Surface exposed_triangles(std::span<const Point3> points, double radius, const SurfaceOptions& options = {});
 
 /// Computes the surface A_r: the exposed triangles whose own normal has a positive scalar product with the normals of
-/// all points at their corners. Two sides are glued if each pivots to the other.
-/// Requires: as exposed_triangles(); a normal for each point, finite, of any length but 0.
-/// Throws:   as exposed_triangles().
+/// all points at their corners. Two sides are glued if the ball rolls over each of them to the other triangle.
+/// Requires: what exposed_triangles() requires; a normal for each point, finite, of any length but 0.
+/// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API Surface surface(std::span<const Point3> points, std::span<const Point3> normals, double radius,
                          const SurfaceOptions& options = {});
 

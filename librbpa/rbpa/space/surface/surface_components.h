@@ -1,5 +1,5 @@
 // What: finds the components of a surface with their sizes and genus, chooses some, and removes the others.
-// Law:  a component is connected through glued sides; pieces that only touch are two components. All numbers are
+// Law:  a component is connected through glued sides; pieces that only touch are two components. All measures are
 //       functions of the oriented triangles and their gluing: the same bits in any order of points and triangles.
 // Cost: linear, and a sort of the components.
 #pragma once
@@ -16,44 +16,45 @@
 
 namespace rbpa {
 
+/// A component with its measures.
 struct SurfaceComponent {
-  std::size_t triangles = 0;
-  std::size_t boundary_sides = 0;  ///< number of sides without a neighbor; 0 if the component is closed
-  std::size_t boundary_curves = 0;
-  double area = 0;    ///< in squared units of the points
+  std::size_t triangles = 0;        ///< number of triangles
+  std::size_t boundary_sides = 0;   ///< number of sides without a neighbor; 0 if the component is closed
+  std::size_t boundary_curves = 0;  ///< number of surface_curves() (holes.h)
+  double area = 0;                  ///< in squared units of the points
   double volume = 0;  ///< in cubed units; negative if the component is turned inside out; 0 if it is not closed
-  Point3 low, high;   ///< opposite corners of its bounding box
+  Point3 low, high;   ///< corners of the bounding box: the least and the greatest coordinates
 
-  bool is_closed() const { return boundary_sides == 0; }
+  bool is_closed() const { return boundary_sides == 0; }  ///< whether each side has a neighbor
 };
 
+/// The components of a surface.
 struct SurfaceComponents {
   /// The components, the largest area first; of equal ones the largest volume first, then the one with the
   /// lexicographically least triangle.
   std::vector<SurfaceComponent> all;
-  std::vector<std::uint32_t> number;  ///< for each triangle, its component in `all`
+  std::vector<std::uint32_t> number;  ///< for each triangle, the position of its component in `all`
 };
 
 /// Computes the components of a surface.
 /// Requires: `surface` is a surface of `points`.
-/// Throws:   ContractViolation when a corner does not exist, or a triangle is not a neighbor of its neighbor;
-///           Cancelled.
+/// Throws:   ContractViolation as require_linked() (triangle_arrays.h); Cancelled.
 RBPA_API SurfaceComponents surface_components(std::span<const Point3> points, const Surface& surface,
                                               const GoOn& go_on = {});
 
 /// Returns the genus of each component, its number of handles. Each fan of triangles counts as one vertex.
 /// Requires: `components` are those of `surface`.
-/// Throws:   ContractViolation when components and surface differ in size, or a triangle is not a neighbor of its
-///           neighbor; Cancelled.
+/// Throws:   ContractViolation when the components are visibly not those of `surface`, or as require_linked() for any
+///           indices of points; Cancelled.
 /// Cost:     linear.
 RBPA_API std::vector<std::size_t> genus_of(const Surface& surface, const SurfaceComponents& components,
                                            const GoOn& go_on = {});
 
 /// A choice of the components of exposed_triangles(), which are closed shells.
 enum class ShellChoice : std::uint8_t {
-  all,
+  all,      ///< all components
   outer,    ///< the shells that outer_shells() calls outer
-  largest,  ///< the outer shell of largest area, unless it is too small
+  largest,  ///< of the outer shells that have at least `min_triangles` and `min_area`, the one of largest area
 };
 
 /// A choice of components; by default all.
@@ -64,36 +65,38 @@ struct ComponentChoice {
   std::size_t min_triangles = 0;  ///< minimum number of triangles of a component
   double min_area = 0;            ///< minimum area of a component, in squared units of the points
 
+  /// Returns whether every component of any surface is kept.
   bool keeps_all() const {
     return shell == ShellChoice::all && !max_components && min_triangles == 0 && !(min_area > 0);
   }
 };
 
-/// Returns for each component whether it is kept. A component is kept if it is a chosen shell, is not too small, and is
-/// among the `max_components` of largest area of this kind.
-/// Requires: `outer` has for each component whether it is outer, as outer_shells() returns it; it is not read if the
-///           choice is all shells.
-/// Throws:   ContractViolation when `outer` is needed and of another size.
+/// Returns for each component whether it is kept. Of the components that are chosen shells with at least
+/// `min_triangles` and `min_area`, the `max_components` of largest area are kept.
+/// Requires: `components` are in the order of surface_components(). `outer` has for each component whether it is outer,
+///           as outer_shells() returns; `outer` is not read if all shells are chosen.
+/// Throws:   ContractViolation when `outer` is read and does not have one value for each component.
 RBPA_API std::vector<bool> choose_components(const SurfaceComponents& components, const std::vector<bool>& outer,
                                              const ComponentChoice& choice);
 
 /// Counts of the components that are dropped from a surface. Members `of_…` are totals of the surface before.
 struct DroppedComponents {
   std::size_t components = 0, triangles = 0, genus = 0;
-  std::size_t points = 0;  ///< number of points that are left without a triangle
+  std::size_t points = 0;  ///< number of points that are in dropped triangles only
   double area = 0;         ///< in squared units of the points
   std::size_t of_components = 0, of_triangles = 0, of_genus = 0;
   double of_area = 0;
 
+  /// Return the dropped fraction of all triangles, of the whole area, and of any whole; 0 if the whole is 0.
   double triangle_share() const { return share(static_cast<double>(triangles), static_cast<double>(of_triangles)); }
   double area_share() const { return share(area, of_area); }
   static double share(double part, double whole) { return whole > 0 ? part / whole : 0; }
 };
 
-/// Counts the components that are not kept, their triangles, and the points that are in no kept triangle.
-/// Requires: `surface` is a surface of `points`, `components` are its components, and `kept` says for each whether it
-///           is kept.
-/// Throws:   ContractViolation when sizes differ, or a triangle is not a neighbor of its neighbor; Cancelled.
+/// Counts the components that are not kept, their triangles, and the points that are in no other triangle.
+/// Requires: `surface` is a surface of `points`, which is not checked; `components` are its components, and `kept` says
+///           for each whether it is kept.
+/// Throws:   ContractViolation when `kept` does not have one value for each component, or as genus_of(); Cancelled.
 /// Cost:     linear.
 RBPA_API DroppedComponents dropped_components(std::span<const Point3> points, const std::vector<bool>& kept,
                                               const Surface& surface, const SurfaceComponents& components,
@@ -101,12 +104,14 @@ RBPA_API DroppedComponents dropped_components(std::span<const Point3> points, co
 
 /// Returns the triangles of the components that are kept, with the same gluing and in the same order.
 /// Requires: `components` are those of `surface`, and `kept` says for each whether it is kept.
-/// Throws:   ContractViolation when sizes differ.
+/// Throws:   ContractViolation when sizes differ, or a triangle has a component that does not exist.
 RBPA_API Surface keep_components(const Surface& surface, const SurfaceComponents& components,
                                  const std::vector<bool>& kept);
 
-/// Returns the triangles that are kept, in the same order; their sides at other triangles become boundary.
-/// Throws: ContractViolation when `kept` does not have one value for each triangle.
+/// Returns the triangles that are kept, in the same order; their sides at other triangles become boundary. `levels` are
+/// those of the kept triangles; `duplicates` and `distinct` stay.
+/// Requires: each triangle has three neighbors that exist or are `none`; not checked.
+/// Throws:   ContractViolation when `kept` does not have one value for each triangle.
 RBPA_API Surface keep_triangles(const Surface& surface, const std::vector<bool>& kept);
 
 }  // namespace rbpa

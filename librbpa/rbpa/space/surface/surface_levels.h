@@ -16,10 +16,11 @@
 namespace rbpa {
 
 /// Computes the surface() of the first radius; then adds, for each further radius, those triangles of its surface that
-/// touch no interior point and no interior edge of the surface so far. Surface::levels holds the number of the radius
-/// that created each triangle.
-/// Requires: as surface(); at least one radius, ascending.
-/// Throws:   as surface().
+/// touch no interior point and no interior edge of the surface so far: no point around which a fan is closed, and no
+/// edge at which two sides are glued. Surface::levels has for each triangle the number of its radius, from 0; it is
+/// filled in also for a single radius.
+/// Requires: as surface(); at least one radius, strictly ascending.
+/// Throws:   InvalidInput that names the violated requirement; Cancelled.
 /// Cost:     that of surface() for the first radius; for each further radius, that of surface() for the points near
 ///           points that are not interior.
 RBPA_API Surface surface(std::span<const Point3> points, std::span<const Point3> normals, std::span<const double> radii,

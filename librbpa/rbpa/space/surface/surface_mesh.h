@@ -1,6 +1,7 @@
 // What: converts a surface of points in space to a halfedge mesh, and a halfedge mesh to a surface.
-// Law:  an oriented 2-manifold with boundary, glued as the surface is. Every fan of triangles at a point has a vertex
-//       of its own. The surface of a mesh is glued as the mesh is: its surface_mesh() is the mesh again, up to handles.
+// Law:  the mesh is an oriented 2-manifold with boundary, glued as the surface is. Every fan of triangles at a point
+//       has a vertex of its own. The surface of a mesh is glued as the mesh is: its surface_mesh() is the mesh again,
+//       up to handles and isolated vertices.
 // Cost: linear, and a sort of the vertices.
 #pragma once
 
@@ -19,6 +20,7 @@
 
 namespace rbpa {
 
+/// The halfedge mesh of a surface.
 struct SurfaceMesh {
   Mesh mesh;                               ///< face i is triangle i of the surface, with the same orientation
   std::vector<std::uint32_t> input_index;  ///< input index of the point of each vertex; ascending
@@ -26,11 +28,10 @@ struct SurfaceMesh {
 
 /// Builds the halfedge mesh of a surface.
 /// Requires: `surface` is a surface of `points`.
-/// Throws:   InvalidInput when it has more than 357,913,941 triangles, whose halfedges OpenMesh can number;
-///           ContractViolation when a corner is not an index of a point, or a triangle is not a neighbor of its
-///           neighbor.
+/// Throws:   InvalidInput when it has more than 357,913,941 triangles, as OpenMesh could not number the halfedges;
+///           ContractViolation as require_linked() (triangle_arrays.h).
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface& surface);
-/// Builds the same mesh, and empties `surface` on the way to free its memory.
+/// Builds the same mesh, and empties `surface` as soon as it is not needed, to free its memory.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface);
 
 /// Returns the position of each vertex of an OpenMesh mesh, by index; the origin for vertices marked deleted.
@@ -46,12 +47,13 @@ std::vector<Point3> places_of(const AnyMesh& mesh) {
 }
 
 /// Returns the triangles of a mesh as a surface. Corners are indices of vertices, and `given` has the index of the face
-/// of each triangle. Of vertices at one place, the lowest stands for all, glued or not.
-/// Requires: validate(mesh) is empty; triangles only; a finite place of each vertex; different places of a face's
-///           corners.
+/// of each triangle. Of vertices at one place, deleted ones included, the lowest stands for all, glued or not.
+/// Requires: validate(mesh) is empty; triangles only; a finite place of each vertex, deleted ones included; different
+///           places of a face's corners.
 /// Throws:   ContractViolation when a face is no triangle or there are fewer places than vertices; InvalidInput as
 ///           surface_of() of triangles.
 RBPA_API SurfaceOfTriangles surface_of(const meshops::Connectivity& mesh, std::span<const Point3> places);
+/// Returns the triangles of a mesh with positions, as above, at places_of(mesh).
 template <meshops::HasPoints AnyMesh>
 SurfaceOfTriangles surface_of(const AnyMesh& mesh) {
   return surface_of(mesh, places_of(mesh));

@@ -1,9 +1,10 @@
 // What: makes a Surface of triangles from any source, for the functions on surfaces: surface_components(),
 //       fill_holes(), close_surface(), refine_filling() and so on. For halfedge meshes see surface_mesh.h.
-// Law:  a function of the points and the set of triangles. Two triangles are glued along an edge if they run along the
+// Law:  exact; a function of the points and the triangles. Two triangles are glued along an edge if they run along the
 //       edge in opposite directions and no other triangle has the edge. At an edge of more triangles, sides that face
-//       each other are glued, as a ball rolls over them (facing_sides.h); indexable_surface() separates bodies that
-//       touch along an edge. Sides of triangles that lie on each other, or have no area, stay open. Exact.
+//       each other are glued, as a ball rolls over them (facing_sides.h), except sides of triangles without area, and
+//       of triangles that lie on each other with the same orientation. indexable_surface() separates bodies that touch
+//       along an edge.
 // Cost: a sort of the points, the sides and the triangles.
 #pragma once
 
@@ -24,8 +25,8 @@ struct SurfaceOfTriangles : Surface {
 };
 
 /// Glues triangles to a surface. Of equal points, the one of lowest index becomes the corner. Triangles are neither
-/// reversed nor dropped: two that run along an edge in the same direction are not glued there. meshops::repair() makes
-/// a manifold of any triangles.
+/// reversed nor dropped; those that run along an edge in the same direction are not glued. meshops::repair() makes a
+/// manifold of any triangles.
 /// Requires: finite points, fewer than 2^32 − 1; the corners of each triangle are three of the points, at different
 ///           places; fewer than 2^32 corners.
 /// Throws:   InvalidInput that names the violated requirement.

@@ -15,13 +15,15 @@ namespace rbpa {
 
 /// The reason why a point is in no triangle.
 enum class UnusedCause : std::uint8_t {
-  /// Empty balls touch the point, but none touches two other points too: these are too far, or on a line.
+  /// Balls without a point inside touch the point, but none touches two other points too: other points are too far, or
+  /// on a line with it.
   no_ball_rests,
   hidden,            ///< every ball of the largest radius that touches the point contains another point
-  normals_disagree,  ///< the point is on exposed triangles, but none agrees with the normals at all its corners
-  blocked,           ///< an exposed triangle agrees, but touches the interior of the surface of smaller radii
+  normals_disagree,  ///< the point is on exposed triangles, but none agrees with the normals at its three corners
+  blocked,  ///< an exposed triangle at the point agrees, but touches the interior of the surface of smaller radii
 };
 
+/// A distinct point in no triangle.
 struct UnusedPoint {
   std::uint32_t index;  ///< input index; of equal points the lowest
   UnusedCause cause;
@@ -30,9 +32,9 @@ struct UnusedPoint {
 
 /// Returns the distinct points that are in no triangle, ascending; Surface::duplicates lists the points equal to them.
 /// If radii give several causes, the last one in the list of UnusedCause is returned.
-/// Requires: `surface` is the surface() of these points, normals and radii; or, without normals, the
-///           exposed_triangles() of one radius.
-/// Throws:   InvalidInput as these functions; ContractViolation as require_linked() (triangle_arrays.h); Cancelled.
+/// Requires: `surface` is the surface() of these points, normals and radii; or, if `normals` is empty, the
+///           exposed_triangles() of one radius. Only sizes, indices and gluing are checked.
+/// Throws:   InvalidInput as surface(); ContractViolation as require_linked() (triangle_arrays.h); Cancelled.
 /// Cost:     for each radius, that of the exposed triangles of the points near the unused ones.
 RBPA_API std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span<const Point3> normals,
                                                 std::span<const double> radii, const Surface& surface,
