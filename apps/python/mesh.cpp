@@ -1,5 +1,7 @@
 #include "python/mesh.h"
 
+#include <map>
+#include <string>
 #include <tuple>
 
 #include "meshops/core/live.h"
@@ -12,6 +14,7 @@
 #include "meshops/topology/report.h"
 #include "python/module.h"
 #include "python/soup.h"
+#include "rbpa/space/simplify/decimate_mesh.h"
 
 namespace rbpa::python {
 namespace {
@@ -231,6 +234,27 @@ meshops::TopologyReport report(Mesh& mesh, const std::optional<std::vector<std::
                  [&](Watch& watch) { return meshops::report(mesh.seen(), points, watch.until_stopped()); });
 }
 
+/// Decimates a copy of the mesh, which then takes its place, so that a run that ends early changes nothing. Returns the
+/// places of the vertices, and counts.
+std::tuple<Doubles, std::size_t, std::size_t, std::size_t, std::map<std::string, std::size_t>> decimated(
+    Mesh& mesh, const Doubles& points, std::size_t faces, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  std::vector<Point3> places(input.begin(), input.end());
+  MeshKernel copy = mesh.kernel();
+  mesh.changed();
+  const Decimation counts = [&] {
+    const Mesh::Look look(mesh);
+    const std::size_t given = copy.n_faces();
+    return watched(given, progress, [&](Watch& watch) {
+      const OnProgress report = watch.progress();
+      return decimate(copy, places, {.faces = faces, .go_on = go_on_of(report, places.size(), given)});
+    });
+  }();
+  mesh.changed();
+  mesh.kernel() = std::move(copy);
+  return {rows<double>(std::move(places)), counts.given, counts.left, counts.collapses, counts.refused};
+}
+
 void bind_topology(py::class_<Mesh>& mesh) {
   using py::arg;
   mesh.def(
@@ -289,6 +313,7 @@ void bind_mesh(py::module_& module) {
   bind_navigation(mesh);
   bind_topology(mesh);
   bind_mesh_operators(module, mesh);
+  mesh.def("_decimate", &decimated, as_is("points"), arg("faces"), arg("progress"));
   mesh.def(py::pickle(&state_of, [](const py::tuple& state) {
     return mesh_of(state[0].cast<Indices>(), state[1].cast<Indices>(), state[2].cast<Indices>(),
                    state[3].cast<Indices>());

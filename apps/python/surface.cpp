@@ -16,6 +16,7 @@
 #include "rbpa/space/repair/fill_holes.h"
 #include "rbpa/space/repair/reconstruct.h"
 #include "rbpa/space/repair/watertight.h"
+#include "rbpa/space/simplify/decimate.h"
 #include "rbpa/space/surface/curve_kinds.h"
 #include "rbpa/space/surface/outer_shells.h"
 #include "rbpa/space/surface/split_fans.h"
@@ -246,6 +247,22 @@ void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& nor
   });
 }
 
+/// Decimates the surface to at most so many triangles. Returns its arrays; `given` has the number of each triangle
+/// before.
+py::dict decimated(const Doubles& points, const Indices& triangles, const Indices& neighbors, std::size_t faces,
+                   const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  const Links links(triangles, neighbors);
+  DecimatedSurface made = watched(links.triangles.size(), progress, [&](Watch& watch) {
+    const OnProgress report = watch.progress();
+    return decimate(input, of_links(links),
+                    {.faces = faces, .go_on = go_on_of(report, input.size(), links.triangles.size())});
+  });
+  py::dict result = as_dict(made);
+  result["given"] = line<std::int32_t>(std::move(made.given));
+  return result;
+}
+
 /// Fills `mesh`, which is empty: face i is triangle i, and is glued to the neighbors of this triangle.
 void mesh_of(Mesh& mesh, const Doubles& points, const Indices& triangles, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
@@ -273,6 +290,8 @@ void bind_surface(py::module_& module) {
   module.def("make_watertight", &watertight, as_is("points"), as_is("triangles"), as_is("neighbors"), arg("threads"));
   module.def("refine_filling", &refined, as_is("points"), as_is("normals"), as_is("triangles"), as_is("neighbors"),
              as_is("is_new"), arg("threads"), arg("progress"));
+  module.def("decimate_surface", &decimated, as_is("points"), as_is("triangles"), as_is("neighbors"), arg("faces"),
+             arg("progress"));
   module.def("save_surface", &saved, arg("path"), as_is("points"), as_is("normals"), as_is("triangles"),
              as_is("neighbors"), arg("manifold"), arg("shift"));
   module.def("surface_mesh", &mesh_of, arg("mesh"), as_is("points"), as_is("triangles"), as_is("neighbors"));

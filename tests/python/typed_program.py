@@ -28,6 +28,10 @@ reason: str | None = mesh.flip_blocker(0, keep="manifold")
 genus: int | None = mesh.report().genus
 steps_of_repair: list[rbpa.meshops.RepairStep] = rbpa.meshops.repair(shape.simplices).steps
 scanned: rbpa.Surface = rbpa.surface(np.zeros((5, 3)), "estimate", [0.5, 1.0], progress=lambda t, p: None)
+smaller: rbpa.Surface = scanned.decimated(faces=100)
+fewer: rbpa.meshops.Decimation = mesh.decimate(np.zeros((3, 3)), 1, progress=lambda t, p: None)
+moved: npt.NDArray[np.float64] = fewer.points
+refusals: dict[str, int] = fewer.refused
 normals: npt.NDArray[np.float64] = rbpa.estimate_normals([[0, 0, 0]], 8)
 triangles: npt.NDArray[np.int32] = scanned.triangles
 lengths: float = sum(hole.length for hole in scanned.holes)
@@ -52,4 +56,5 @@ wrong_radius = rbpa.surface(np.zeros((5, 3)), radius=None)  # type: ignore[arg-t
 wrong_member = shape.triangles  # type: ignore[attr-defined]
 wrong_face: int = mesh.face(1)  # type: ignore[assignment]
 wrong_weight = mesh.triangulate_face(0, lambda a: 1.0)  # type: ignore[arg-type,misc]
+wrong_faces = scanned.decimated(faces="10%")  # type: ignore[arg-type]
 wrong_handle = mesh.glue("1", 3)  # type: ignore[arg-type]

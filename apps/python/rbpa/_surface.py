@@ -181,7 +181,7 @@ class Surface(Result):
         The given or chosen radii; empty if none could be chosen, as the points are on a line or fewer than three, and
         for `surface_of`.
     given : int32 array of shape (m,), or None
-        For `surface_of`, the given number of each triangle.
+        For `surface_of`, the given number of each triangle; for `decimated`, its number before.
     triangles : int32 array of shape (m, 3)
         The corners of each triangle, counter-clockwise seen from outside, the smallest index first; triangles are in
         lexicographic order.
@@ -235,7 +235,7 @@ class Surface(Result):
             of = _core.surface_holes(self.points, self.normals, *self._made(), as_threads(None))
         else:
             made = self._made()[1:]
-            of = _core.surface_holes(self.points, None, self.radii, *made, as_threads(None))
+            of = _core.surface_holes(self.points, None, np.zeros(0), *made, as_threads(None))
             of.update(cause=[], level=of["level"][:0], next=of["next"][:0], corners=of["corners"][:0])
         begin = of["begin"].tolist()
         return [SurfaceHole(of, *part) for part in zip(begin, begin[1:], of["length"].tolist(), of["kind"].tolist())]
@@ -458,6 +458,31 @@ class Surface(Result):
         normals = None if self.normals is None else np.vstack((self.normals, of["normals"]))
         freeze(points, *([] if normals is None else [normals]))
         return self._with_filled(of, ~new, points, normals)
+
+    def decimated(self, faces: int, *, progress: Progress = None) -> Surface:
+        """Returns the surface with at most `faces` triangles, between some of the same points: edges collapse, the least
+        quadric error first.
+
+        The topology stays: what is closed stays closed, boundary curves, handles and components stay; if that needs
+        more triangles, more are left. No triangle turns over in one collapse. Triangles may cross where sheets are
+        closer to each other than the error. `rbpa.meshops.Mesh.decimate` moves vertices, which is more accurate.
+
+        Parameters
+        ----------
+        faces : int
+            The number of triangles to leave, at least 1.
+        progress
+            As for `surface`; called with the triangles before.
+
+        Returns
+        -------
+        Surface
+            A surface of given triangles: ``given[t]`` is the number of triangle t before. Its holes have no causes.
+        """
+        self._require_unchanged()
+        of = _core.decimate_surface(self.points, self.triangles, self.neighbors, as_count(faces, "faces", 1), progress)
+        of["levels"] = self.levels[of["given"]]
+        return Surface(self.points, self.normals, self.radii, {**of, "duplicates": self.duplicates})
 
     @cached_property
     def _unused(self) -> tuple[Indices, npt.NDArray[np.uint8]]:

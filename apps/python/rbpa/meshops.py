@@ -31,10 +31,10 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import ComponentReport, Defect, Delta, InvalidInput, RepairStep, Report
-from rbpa._input import Indices, Integers, as_count
+from rbpa._input import Floats, Indices, Integers, Progress, as_count, as_points
 from rbpa._result import short_repr
 
-__all__ = ["ComponentReport", "Defect", "Delta", "Mesh", "Repair", "RepairStep", "Report", "find_defects", "repair", "report"]
+__all__ = ["ComponentReport", "Decimation", "Defect", "Delta", "Mesh", "Repair", "RepairStep", "Report", "find_defects", "repair", "report"]
 
 Faces = Union[npt.NDArray[Any], Iterable[Sequence[int]]]
 
@@ -70,6 +70,62 @@ class Mesh(_core.Mesh):
         if (np.diff(begin) != 3).any():
             raise InvalidInput(f"face {self.faces()[np.diff(begin) != 3][0]} is not a triangle; polygons() has them all")
         return corners.reshape(-1, 3)
+
+
+    def decimate(self, points: npt.ArrayLike, faces: int, *, progress: Progress = None) -> Decimation:
+        """Decimates the mesh in place: collapses edges, the least quadric error first, until `faces` triangles are left.
+
+        The topology stays: what is closed stays closed, boundary curves, handles and components stay. No triangle turns
+        over. Deleted elements keep their numbers until `compact`.
+
+        Parameters
+        ----------
+        points : array_like of shape (vertex_bound, 3)
+            The position of each vertex; finite for those that are not deleted.
+        faces : int
+            The number of triangles to leave, at least 1.
+        progress
+            As for `alpha_shape`.
+
+        Returns
+        -------
+        Decimation
+            With the new position of each vertex.
+
+        Raises
+        ------
+        ContractViolation
+            A face is not a triangle.
+        Cancelled
+            `progress` returned False. The mesh is then unchanged, as after every exception.
+
+        Examples
+        --------
+        >>> corners = np.array([[x, y, z] for x in (0.0, 1) for y in (0, 1) for z in (0, 1)])
+        >>> cube = rbpa.surface(corners, "none", radius=2).mesh()
+        >>> made = cube.decimate(corners[cube.point_of_vertex], 8)
+        >>> cube.n_faces, made.faces_before, made.faces, cube.report().betti
+        (8, 12, 8, (1, 0, 1))
+        """
+        array = as_points(points, columns=3)
+        return Decimation(*self._decimate(array, as_count(faces, "faces", 1), progress))
+
+
+class Decimation(NamedTuple):
+    """The result of `Mesh.decimate`."""
+
+    points: Floats
+    """The position of each vertex, of shape (vertex_bound, 3); that of a deleted vertex has no meaning."""
+    faces_before: int
+    faces: int
+    """The number of triangles left: more than was wanted if every further collapse was refused."""
+    collapses: int
+    refused: dict[str, int]
+    """The number of refused collapses by reason: 'double edge', 'turned triangle', ... An edge may be refused several
+    times."""
+
+    def __repr__(self) -> str:
+        return short_repr(self)
 
 
 class Repair(NamedTuple):

@@ -1,0 +1,93 @@
+"""Surface.decimated() and meshops.Mesh.decimate(): fewer triangles, the same topology."""
+
+import numpy as np
+import pytest
+
+import rbpa
+import rbpa.meshops
+
+
+def ball(count=900, top=2.0):
+    i = np.arange(count)
+    z = 1 - (2 * i + 1) / count
+    r = np.sqrt(1 - z * z)
+    turn = 2.399963229728653 * i
+    return np.column_stack((r * np.cos(turn), r * np.sin(turn), z))[z < top]
+
+
+def topology(mesh):
+    report = mesh.report()
+    return report.betti, report.boundary_curves, report.genus, report.components
+
+
+def test_a_decimated_surface_has_the_same_topology_between_the_same_points():
+    for points in (ball(), ball(top=0.8)):
+        whole = rbpa.surface(points, points, 0.2)
+        part = whole.decimated(200)
+        assert 198 <= len(part.triangles) <= 200 and part.points is whole.points
+        assert topology(part.mesh()) == topology(whole.mesh())
+        assert np.array_equal(part.levels, whole.levels[part.given])
+        assert len(np.unique(part.given)) == len(part.given)
+        assert len(part.holes) == len(whole.holes) and len(part.unused) > 600
+        assert part.watertight().mesh().report().boundary_curves == 0
+        same = whole.decimated(10**9)
+        assert np.array_equal(same.triangles, whole.triangles) and np.array_equal(same.neighbors, whole.neighbors)
+        least = whole.decimated(1)
+        assert 1 <= len(least.triangles) <= 4 and topology(least.mesh()) == topology(whole.mesh())
+        assert np.array_equal(part.decimated(50).decimated(50).triangles, part.decimated(50).triangles)
+
+
+def test_a_mesh_is_decimated_in_place_and_vertices_move():
+    points = ball()
+    mesh = rbpa.surface(points, points, 0.2).mesh()
+    before = topology(mesh)
+    made = mesh.decimate(points[mesh.point_of_vertex], 300)
+    assert (made.faces_before, made.faces, mesh.n_faces) == (1796, 300, 300)
+    assert made.collapses == (1796 - 300) // 2 and all(count > 0 for count in made.refused.values())
+    assert topology(mesh) == before and mesh.validate() == []
+    assert made.points.shape == (mesh.vertex_bound, 3)
+    places = made.points[mesh.vertices()]
+    assert np.all(np.abs(np.linalg.norm(places, axis=1) - 1) < 0.03)
+    assert not np.isin(places[:, 0], points[:, 0]).all()
+    # The mesh can be changed further, and arrays follow compact().
+    again = mesh.decimate(made.points, 100)
+    kept = mesh.vertices()
+    mesh.compact()
+    small = rbpa.meshops.Mesh(mesh.triangles())
+    assert small.n_faces == 100 and topology(small) == before and len(again.points[kept]) == small.n_vertices
+    assert small.split_face(0).delta.faces == 2
+
+
+def test_what_cannot_be_decimated_is_refused_and_the_mesh_stays():
+    points = ball()
+    mesh = rbpa.surface(points, points, 0.2).mesh()
+    wrong = points.copy()
+    wrong[5] = np.nan
+    for given, faces, error, message in (
+        (wrong, 10, rbpa.InvalidInput, "decimate: found coordinates of vertex 5 that are not finite, expected numbers"),
+        (points[:50], 10, rbpa.ContractViolation, "decimate"),
+        (points, 0, rbpa.InvalidInput, "faces"),
+        (points, 2.5, rbpa.InvalidInput, "faces"),
+        (points[:, :2], 10, rbpa.InvalidInput, "shape"),
+    ):
+        with pytest.raises(error, match=message):
+            mesh.decimate(given, faces)
+    with pytest.raises(rbpa.ContractViolation, match="face 0 is not a triangle"):
+        rbpa.meshops.Mesh([[0, 1, 2, 3]]).decimate(np.zeros((4, 3)), 1)
+    assert mesh.n_faces == 1796
+    with pytest.raises(rbpa.InvalidInput, match="faces"):
+        rbpa.surface(points, points, 0.2).decimated(0)
+    empty = rbpa.meshops.Mesh()
+    assert empty.decimate(np.zeros((0, 3)), 1).faces == 0
+
+
+def test_a_cancelled_run_leaves_the_mesh_unchanged():
+    points = ball(60000)
+    surface = rbpa.surface(points, points, 0.03)
+    mesh = surface.mesh()
+    faces = mesh.n_faces
+    with pytest.raises(rbpa.Cancelled):
+        mesh.decimate(points[mesh.point_of_vertex], 10, progress=lambda triangles, points: False)
+    assert mesh.n_faces == faces and mesh.validate() == []
+    with pytest.raises(rbpa.Cancelled):
+        surface.decimated(10, progress=lambda triangles, points: False)
