@@ -15,12 +15,15 @@ using Halfedge = OpenMesh::HalfedgeHandle;
 using Edge = OpenMesh::EdgeHandle;
 using Face = OpenMesh::FaceHandle;
 
+/// Kind of the elements of a mesh.
 enum class ElementKind : std::uint8_t { vertex, halfedge, edge, face };
 
+/// Returns "vertex", "halfedge", "edge" or "face".
 constexpr std::string_view name(ElementKind kind) {
   constexpr std::string_view names[] = {"vertex", "halfedge", "edge", "face"};
   return names[static_cast<int>(kind)];
 }
+/// Returns the kind of the elements that handles of the argument's type name.
 inline ElementKind kind_of(Vertex) { return ElementKind::vertex; }
 inline ElementKind kind_of(Halfedge) { return ElementKind::halfedge; }
 inline ElementKind kind_of(Edge) { return ElementKind::edge; }

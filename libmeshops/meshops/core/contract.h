@@ -1,4 +1,4 @@
-// What: the exception for a broken requirement, and the check that throws it. An expected refusal is a value instead:
+// What: the exception for a broken requirement, and the checks that throw it. An expected refusal is a value instead:
 //       see core/blocker.h.
 #pragma once
 
@@ -11,7 +11,8 @@
 
 namespace meshops {
 
-/// Exception for a requirement that the caller of a function did not meet, thrown before anything is changed.
+/// Exception for a requirement that the caller of a function did not meet. It is thrown before anything is changed,
+/// unless the function's comment says otherwise.
 class MESHOPS_API ContractViolation : public std::logic_error {
  public:
   using std::logic_error::logic_error;
@@ -35,14 +36,15 @@ inline void require(bool holds, const char* what) {
   if (!holds) [[unlikely]]
     detail::violate(what);
 }
-/// Throws ContractViolation with a message that names a number, unless `holds`: "level: face 7 does not exist".
+/// Throws ContractViolation, unless `holds`. The message is `before`, `number` and `after`, without spaces between:
+/// "level: face 7 does not exist".
 inline void require(bool holds, const char* before, long long number, const char* after) {
   if (!holds) [[unlikely]]
     detail::violate(before, number, after);
 }
 
-/// Throws ContractViolation unless there are as many values as items: "report: found 3 points for 5 vertices, expected
-/// one for each".
+/// Throws ContractViolation unless `found`, the number of values, equals `expected`, the number of items. A message,
+/// with the name "report": "report: found 3 points for 5 vertices, expected one for each".
 inline void require_one_each(std::string_view name, std::size_t found, std::string_view values, std::size_t expected,
                              std::string_view items) {
   if (found != expected) [[unlikely]]

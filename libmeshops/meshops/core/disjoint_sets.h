@@ -11,9 +11,10 @@
 namespace meshops {
 
 /// Disjoint sets of at most 2³¹ numbers. In a set, each number is on one of two sides, even or odd; the least number is
-/// on the even side.
+/// on the even side. Requires: arguments are below size(); not checked.
 class DisjointSets {
  public:
+  /// Makes `size` numbers, each in a set of its own.
   explicit DisjointSets(std::size_t size = 0) : link_(size) {
     for (std::size_t i = 0; i < size; ++i) link_[i] = static_cast<std::uint32_t>(2 * i);
   }
@@ -36,14 +37,15 @@ class DisjointSets {
   /// Requires: find(i) was called after the last change.
   bool is_odd(std::uint32_t i) const { return (link_[i] & 1U) != 0; }
 
-  /// Merges the sets whose least numbers are `a` and `b`; these are then on the same side. Returns: the lesser of them.
+  /// Merges the sets whose least numbers are `a` and `b`; both are then on the same side. Returns: the lesser number.
+  /// Requires: `a` and `b` are the least numbers of their sets; not checked.
   std::uint32_t link(std::uint32_t a, std::uint32_t b) {
     const auto [low, high] = std::minmax(a, b);
     link_[high] = 2 * low;
     return low;
   }
-  /// Merges the sets of `a` and `b`, so that the least numbers of the two sets are on the same side. Returns: false
-  /// when `a` and `b` were in one set already.
+  /// Merges the sets of `a` and `b`, so that the least numbers of the two sets are on the same side. Returns:
+  /// whether the sets were different.
   bool join(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
@@ -52,7 +54,7 @@ class DisjointSets {
     return true;
   }
   /// Merges the sets of `a` and `b`, so that `a` and `b` are on different sides exactly when `differ` is true.
-  /// Returns: false when they were in one set already and `differ` contradicts their sides there.
+  /// Returns: false if that is impossible, because both were in one set already, with other sides; otherwise true.
   bool unite(std::uint32_t a, std::uint32_t b, bool differ = false) {
     const std::uint32_t root_a = find(a), root_b = find(b);
     const bool differ_now = is_odd(a) != is_odd(b);

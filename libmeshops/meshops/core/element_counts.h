@@ -1,5 +1,6 @@
 // What: the numbers of elements of a mesh, including those marked deleted.
-// Why:  code that keeps handles of a mesh detects with three comparisons that other code added or removed elements.
+// Why:  code that keeps handles of a mesh detects with three comparisons that other code added elements or collected
+//       garbage. Elements that were only marked deleted are not detected.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +13,7 @@ namespace meshops {
 struct ElementCounts {
   std::size_t vertices = 0, edges = 0, faces = 0;
 
+  /// Returns the counts of the mesh. Cost: constant.
   // The qualified names avoid calls of virtual functions, which no mesh type overrides.
   static ElementCounts of(const Connectivity& mesh) {
     return {mesh.Connectivity::n_vertices(), mesh.Connectivity::n_edges(), mesh.Connectivity::n_faces()};

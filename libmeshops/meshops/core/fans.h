@@ -29,7 +29,8 @@ inline bool has_other_fans(const Connectivity& mesh, Halfedge out) {
 
 /// Returns whether the vertex has several fans: more than one boundary halfedge leaves it. An isolated vertex has
 /// none.
-/// Requires: the vertex is live; its fans form one ring of links; its halfedge is boundary if the vertex is.
+/// Requires: the vertex is live; its fans form one ring of links; the vertex's halfedge is a boundary halfedge if
+///           any that leaves the vertex is. Not checked.
 /// Cost:     linear in the degree of a boundary vertex; constant for a vertex that is inner or isolated.
 inline bool has_several_fans(const Connectivity& mesh, Vertex v) {
   return !mesh.is_isolated(v) && mesh.is_boundary(v) && detail::has_other_fans(mesh, mesh.halfedge_handle(v));

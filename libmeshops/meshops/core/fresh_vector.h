@@ -1,6 +1,7 @@
 // What: a vector for large arrays of trivially copyable elements that are written before they are read.
-// Law:  elements that resize() adds have no value until one is written: no time is spent on zeros, and threads can
-//       share the first touch of the memory. Arrays of 2 MiB or more request large pages.
+// Law:  elements that resize(n) or the constructor from a size adds have no value until one is written: no time is
+//       spent on zeros, and threads can share the first touch of the memory. Arrays of 2 MiB or more request large
+//       pages.
 #pragma once
 
 #include <cstddef>
@@ -34,6 +35,7 @@ struct FreshAllocator {
     prefer_large_pages(memory, bytes);
     return static_cast<T*>(memory);
   }
+  /// Frees memory that allocate(count) returned.
   void deallocate(T* memory, std::size_t count) {
     if (count < large_page / sizeof(T)) return std::allocator<T>().deallocate(memory, count);
     ::operator delete(memory, std::align_val_t(large_page));  // clang 14 has no delete with a size
@@ -42,6 +44,7 @@ struct FreshAllocator {
   /// Leaves the element without a value.
   template <typename U>
   void construct(U*) {}
+  /// Makes the element from the arguments.
   template <typename U, typename... Arguments>
   void construct(U* at, Arguments&&... arguments) {
     std::construct_at(at, std::forward<Arguments>(arguments)...);
@@ -57,7 +60,7 @@ struct FreshAllocator {
   }
 };
 
-/// A std::vector whose new elements have no value until one is written. Reading an element before is undefined.
+/// A std::vector whose new elements have no value until one is written; to read an element earlier is undefined.
 template <typename T>
 using FreshVector = std::vector<T, FreshAllocator<T>>;
 

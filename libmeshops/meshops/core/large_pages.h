@@ -8,10 +8,11 @@
 
 namespace meshops {
 
-inline constexpr std::size_t large_page = std::size_t{1} << 21;  ///< in bytes, on systems that have large pages
+inline constexpr std::size_t large_page = std::size_t{1} << 21;  ///< size of a large page in bytes
 
-/// Advises the system to use large pages for the `bytes` bytes from `begin` on, which have not been touched yet. A hint
-/// only: it has no effect where the system has no large pages to give, or where the range holds no whole one.
+/// Advises the system to use large pages for the whole large pages among the `bytes` bytes from `begin` on. Call it
+/// before the memory is touched. It is a hint: without effect on systems other than Linux, where no large pages are
+/// available, and where the range holds no whole large page.
 MESHOPS_API void prefer_large_pages(const void* begin, std::size_t bytes);
 
 }  // namespace meshops

@@ -10,7 +10,8 @@
 
 namespace meshops {
 
-/// Returns whether the handle is in range and its element is not marked deleted. Cost: constant.
+/// Returns whether the handle is in range and the element is not marked deleted; for a halfedge, its edge is not. In
+/// a mesh without status, no element is marked deleted. Cost: constant.
 inline bool is_live(const Connectivity& mesh, Vertex v) {
   // The qualified names of counts avoid calls of virtual functions, which no mesh type overrides.
   return v.idx() >= 0 && static_cast<std::size_t>(v.idx()) < mesh.Connectivity::n_vertices() &&
@@ -54,10 +55,10 @@ inline void require_status(const Connectivity& mesh, const char* operation) {
 
 }  // namespace detail
 
-/// Calls visit(element) for every live element, in ascending order. Elements that visit() adds are not visited, nor
-/// elements that it deletes before their turn.
-/// Requires: visit() does not collect garbage.
-/// Cost:     linear in the elements, those marked deleted included.
+/// Calls visit(element) for every live element of the kind, in ascending order of handles. Elements that visit() adds
+/// are not visited, nor elements that visit() marks deleted before their turn.
+/// Requires: visit() does not collect garbage; not checked.
+/// Cost:     linear in the elements of the kind, those marked deleted included.
 template <typename Visit>
 void for_each_vertex(const Connectivity& mesh, Visit visit) {
   for (int i = 0, n = static_cast<int>(mesh.n_vertices()); i < n; ++i)

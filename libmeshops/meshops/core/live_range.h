@@ -1,6 +1,7 @@
 // What: the live elements of a mesh as ranges: for (const Face f : live_faces(mesh)).
 // Law:  a range has the elements that the function for_each_…() of the same kind visits, in the same order. A loop may
-//       mark elements as deleted, also the current one, and may add elements, which are not visited.
+//       mark elements deleted, also the current one, and may add elements, which are not visited. A loop must not
+//       collect garbage.
 // Cost: constant for each element, live or not.
 #pragma once
 
@@ -12,9 +13,11 @@
 
 namespace meshops {
 
+/// Range of the live elements of a kind, by their handles. `Element` is the type of the handles.
 template <typename Element>
 class LiveRange {
  public:
+  /// Forward iterator. One that is default-constructed belongs to no range.
   class Iterator {
    public:
     using value_type = Element;
@@ -25,6 +28,7 @@ class LiveRange {
     using iterator_concept = std::forward_iterator_tag;
 
     Iterator() = default;
+    /// Begins at the first live element from number `at` on; at `end` when there is none below `end`.
     Iterator(const Connectivity& mesh, int at, int end) : mesh_(&mesh), at_(at), end_(end) { skip_deleted(); }
     Element operator*() const { return Element(at_); }
     Iterator& operator++() {
@@ -47,6 +51,7 @@ class LiveRange {
     int at_ = 0, end_ = 0;
   };
 
+  /// Keeps a reference to the mesh. The range ends before the element with number `count`.
   LiveRange(const Connectivity& mesh, std::size_t count) : mesh_(&mesh), count_(static_cast<int>(count)) {}
   Iterator begin() const { return {*mesh_, 0, count_}; }
   Iterator end() const { return {*mesh_, count_, count_}; }
@@ -57,7 +62,7 @@ class LiveRange {
   int count_;
 };
 
-/// Returns the live elements in ascending order. The range keeps a reference to the mesh.
+/// Returns the live elements of the kind, in ascending order of handles. The range keeps a reference to the mesh.
 inline LiveRange<Vertex> live_vertices(const Connectivity& mesh) { return {mesh, mesh.n_vertices()}; }
 inline LiveRange<Halfedge> live_halfedges(const Connectivity& mesh) { return {mesh, mesh.n_halfedges()}; }
 inline LiveRange<Edge> live_edges(const Connectivity& mesh) { return {mesh, mesh.n_edges()}; }
