@@ -9,15 +9,16 @@
 namespace meshops {
 
 struct CreateTriangleEffect {
-  Face face{};
+  Face face{};          ///< the new triangle
   Halfedge inner{};     ///< the side inside the triangle from the first to the second new vertex
   Halfedge boundary{};  ///< the opposite of `inner`, on the new boundary curve
   Delta delta() const { return delta_of_create(); }
 };
 
-/// Adds a triangle with three new vertices and three new edges. All properties, points included, have default values.
+/// Adds a triangle with three new vertices and three new edges, the start of a new component. All properties have
+/// default values. A default point is unspecified, because OpenMesh's vectors have no default.
 /// Δ:        V +3, E +3, F +1, χ +1, curves +1, components +1, genus 0.
-/// Inverse:  destroy_triangle().
+/// Inverse:  destroy_triangle() of the face.
 /// Cost:     constant.
 MESHOPS_API CreateTriangleEffect create_triangle(Connectivity& mesh);
 

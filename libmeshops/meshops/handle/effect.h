@@ -1,5 +1,6 @@
 // What:   the cases of gluing, and the change of the counts of a mesh by each handle operator.
-// Law:    delta_of(case) is exact for every glue() of that case, on every mesh; each delta_of_…() for its operator.
+// Law:    delta_of(case) is exact for every glue() of that case, on every sound mesh, and each delta_of_…() for the
+//         operator of its name.
 // Source: Lewiner, Lopes, Medeiros, Tavares, Velho, Topological mesh operators (CAGD 27, 2010).
 #pragma once
 
@@ -11,24 +12,27 @@ namespace meshops {
 
 /// The five cases of gluing two boundary edges.
 enum class GlueCase {
-  join,         ///< edges on two components, which become one
+  join,         ///< edges on two components, which become one, as do their two curves
   split_curve,  ///< edges on one curve, not adjacent: the curve becomes two
   handle,       ///< edges on two curves of one component: a handle is made
   zip,          ///< adjacent edges of one curve: the vertex between them becomes inner
   close         ///< the last two edges of a curve: the curve vanishes
 };
 
+/// Returns the name of a case in words: "split curve".
 constexpr std::string_view name(GlueCase c) {
   constexpr std::string_view names[] = {"join", "split curve", "handle", "zip", "close"};
   return names[static_cast<int>(c)];
 }
 
+/// Returns the delta of create_triangle(); the functions below, those of the other operators.
 constexpr Delta delta_of_create() { return {.vertices = 3, .edges = 3, .faces = 1, .curves = 1, .components = 1}; }
 
 constexpr Delta delta_of_destroy() { return -delta_of_create(); }
 constexpr Delta delta_of_close_curve() { return {.faces = 1, .curves = -1}; }
 constexpr Delta delta_of_open_curve() { return -delta_of_close_curve(); }
 
+/// Returns the delta of a glue() of case `c`.
 constexpr Delta delta_of(GlueCase c) {
   switch (c) {
     case GlueCase::join:

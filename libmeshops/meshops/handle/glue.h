@@ -25,28 +25,30 @@ struct GlueEffect {
 };
 
 /// Returns why `first` and `second` cannot be glued, or nothing when they can. The reasons: the mesh lacks status of
-/// some kind, one of the two does not exist or is not a boundary halfedge, both are of one edge, an edge joins two
-/// vertices that would become one (that edge would become a loop), or an end has several fans (core/fans.h).
+/// some kind, a halfedge does not exist or is not on the boundary, both belong to one edge, an edge joins two vertices
+/// that would become one (that edge would become a loop), or an end has several fans (core/fans.h).
 /// Cost:     the degrees of the ends.
 MESHOPS_API std::optional<Blocker> glue_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// Returns the case of glue() for these boundary halfedges.
 /// Requires: glue_blocker() is empty, except that the mesh needs no status. Throws ContractViolation.
-/// Cost:     the degrees of the ends; the shorter of two ways along a curve; the smaller of two components when the
-///           edges are on two curves.
+/// Cost:     the degrees of the ends; unless the edges are adjacent, the shorter way between them along the curve, or
+///           the shorter of two curves; if there are two curves, also in_same_component() (core/reach.h).
 MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedge second);
 
 /// Glues two boundary halfedges head to tail: the start of `first` meets the end of `second`.
-/// Effect:      the edge of `second` and up to two vertices are marked deleted; of two vertices the lower handle stays.
+/// Effect:      `first` becomes inner, a side of the face beyond `second`. The edge of `second` is marked deleted, and
+///              where two vertices meet, the one of the higher handle; the other stays, with its properties.
 /// Requires:    glue_blocker() is empty; the mesh has status of every kind (deletion needs it).
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: `second`, its edge, and the vertices that were merged into others.
 /// Inverse:     unglue().
-/// Cost:        as glue_case().
+/// Cost:        the cost of glue_case().
 MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second);
 
-/// Glues for a caller that has determined the case `what` already, for example a tracker (topology/tracker.h).
-/// Requires: as glue() without `what`; `what` is the result of glue_case(), which is not checked.
+/// Glues as glue() without `what`, for a caller that knows the case, for example a tracker (topology/tracker.h).
+/// Requires: also that `what` is the result of glue_case(). That is not checked: `what` only goes into the effect.
+/// Throws:   ContractViolation; the mesh is then unchanged.
 /// Cost:     the degrees of the ends.
 MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what);
 

@@ -1,6 +1,6 @@
 // What:   adds a triangle and glues up to three of its sides to boundary edges, in one step.
-// Law:    leaves the same mesh as create_triangle() followed by a glue() for each given side (tested), without making
-//         and deleting the elements that the glues would merge. A front attaches every triangle in this way.
+// Law:    insert_triangle() leaves the same live mesh as create_triangle() followed by a glue() for each given side, up
+//         to handles, without the elements that these glues delete. A front attaches every triangle in this way.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003), attach cases.
 #pragma once
 
@@ -22,14 +22,15 @@ struct TriangleSides {
 
 struct InsertedTriangle {
   Face face{};
-  std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};  ///< the halfedges of the face
+  /// The halfedges of the face, numbered as in TriangleSides; side 0 is the halfedge of the face.
+  std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};
   int merged = 0;  ///< number of vertices that were merged into others
-  /// The vertices that were merged into others with a lower handle; isolated now, but not marked deleted.
+  /// First `merged` vertices: those merged into vertices of a lower handle, now isolated but not marked deleted.
   std::array<Vertex, 3> left_over = {Vertex(), Vertex(), Vertex()};
 };
 
-/// Source of new edges and faces for insert_triangle(), which adds them to the mesh one by one. A caller may pass
-/// another type with these two functions.
+/// Source of new edges and faces for insert_triangle(), which adds each to the mesh when it is taken. A caller may pass
+/// another type with these two functions; edge() returns the halfedge `from` → `to`.
 struct NewElements {
   Connectivity& mesh;
   Halfedge edge(Vertex from, Vertex to) { return mesh.new_edge(from, to); }
@@ -112,9 +113,11 @@ InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sid
 
 }  // namespace detail
 
-/// Inserts a triangle at `sides`. `elements` supplies the new edges and the face, as NewElements does.
-/// Requires: given sides are distinct boundary halfedges; corners between two new sides are isolated vertices; no two
-///           corners become the same vertex. Not checked: this is the inner loop of every advancing front.
+/// Inserts a triangle at `sides`. `elements` supplies the new edges and the face, as NewElements does. Where two given
+/// sides meet at a corner but end at two vertices, the vertex of the higher handle is merged into the lower one.
+/// Requires: the mesh is sound; given sides are distinct boundary halfedges; corners between two new sides are isolated
+///           vertices; no two corners become the same vertex; no edge joins two vertices that are merged. Not checked:
+///           this is the inner loop of every advancing front.
 /// Cost:     constant, plus the degree of each vertex that is merged into another.
 template <typename Elements>
 InsertedTriangle insert_triangle(Connectivity& mesh, const TriangleSides& sides, Elements&& elements) {
@@ -141,6 +144,7 @@ InsertedTriangle insert_triangle(Connectivity& mesh, const TriangleSides& sides,
   }
 }
 
+/// Inserts a triangle at `sides`, with new edges and a new face from NewElements.
 inline InsertedTriangle insert_triangle(Connectivity& mesh, const TriangleSides& sides) {
   return insert_triangle(mesh, sides, NewElements{mesh});
 }

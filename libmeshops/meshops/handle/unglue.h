@@ -1,8 +1,8 @@
 // What:   the handle operator that makes two boundary edges of one inner edge; each end of the edge that lies on the
 //         boundary becomes two vertices.
 // Law:    the exact inverse of glue(), case by case: a glue() followed by the unglue() of its effect restores every
-//         live record, and so does an unglue() followed by the glue() of its two halfedges (except that an inner vertex
-//         may refer to another of its halfedges).
+//         live record. An unglue() followed by the glue() of its two halfedges does so, too, except that an inner
+//         vertex may refer to another of its halfedges.
 // Source: Lewiner et al., Topological mesh operators, section on handle operators.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace meshops {
 struct UnglueEffect {
   GlueCase what;       ///< the case of glue() of which this is the inverse
   Halfedge first{};    ///< the halfedge `h`, now on the boundary; its opposite keeps its face
-  Halfedge second{};   ///< the other boundary halfedge, of a new edge: glue(first, second) is the inverse
+  Halfedge second{};   ///< boundary halfedge of the new or restored edge: glue(first, second) is the inverse
   Vertex new_start{};  ///< second vertex, new or restored, at the start of `h`; invalid when the start was inner
   Vertex new_end{};    ///< second vertex, new or restored, at the end of `h`; invalid when the end was inner
   Delta delta() const { return -delta_of(what); }
@@ -32,8 +32,8 @@ MESHOPS_API std::optional<Blocker> unglue_blocker(const Connectivity& mesh, Half
 
 /// Returns the case of glue() of which unglue() would be the inverse.
 /// Requires: unglue_blocker() is empty. Throws ContractViolation.
-/// Cost:     as unglue_blocker() when an end of the edge is inner; otherwise also the shorter way along the curve, and,
-///           when both ends are on one curve, the smaller of the two components that the split would make.
+/// Cost:     the degrees of the ends that are on the boundary. If both are, also the shorter way between them along the
+///           curve, or the shorter of two curves; if both are on one curve, also in_same_component() (core/reach.h).
 MESHOPS_API GlueCase unglue_case(const Connectivity& mesh, Halfedge h);
 
 /// Splits an inner edge into two boundary edges. `h` is then on the boundary, and a new edge replaces it in its face.
@@ -41,15 +41,16 @@ MESHOPS_API GlueCase unglue_case(const Connectivity& mesh, Halfedge h);
 ///           on the side of the opposite of `h`; new ones get the fan with the former face of `h`.
 /// Requires: unglue_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
 /// Inverse:  glue(first, second).
-/// Cost:     as unglue_case().
+/// Cost:     the cost of unglue_case().
 MESHOPS_API UnglueEffect unglue(Connectivity& mesh, Halfedge h);
 
-/// Undoes a glue(): the edge and the vertices that it marked deleted are live again, with their own properties.
-/// Requires: the glued edge is inner and ends at the vertices at which glue() left it; the elements that glue() marked
-///           deleted are still marked; the mesh has status of every kind. All of this is checked: a sound mesh stays
-///           sound whatever the effect contains.
+/// Undoes a glue(): the edge and the vertices that glue() marked deleted are live again, with their own properties.
+/// Requires: unglue_blocker() of the glued edge is empty; the edge ends at the vertices at which glue() left it, which
+///           are on the boundary exactly where glue() merged two vertices; the elements that glue() marked deleted are
+///           still marked; the mesh has status of every kind. All of this is checked: a sound mesh stays sound whatever
+///           the effect contains.
 /// Throws:   ContractViolation; the mesh is then unchanged.
-/// Cost:     as unglue_case().
+/// Cost:     the cost of unglue_case().
 MESHOPS_API UnglueEffect unglue(Connectivity& mesh, const GlueEffect& effect);
 
 }  // namespace meshops
