@@ -1,7 +1,7 @@
 // What: closes a surface of points in space by filling every boundary curve, as 3D printing and volumes require.
 // How:  fill_holes() fills all curves. If some stay open, the triangles around them are removed and the resulting holes
-//       are filled; this is repeated at most four times. Once no curve is open, triangles around points at which the
-//       surface touches itself are removed likewise.
+//       are filled. Once no curve is open, triangles around points at which the surface touches itself are removed and
+//       filled likewise. There are at most four rounds in all.
 // Law:  the result depends on the points and the triangles only, not on any order. No point is added.
 // Cost: up to five times that of fill_holes().
 #pragma once
@@ -17,7 +17,7 @@
 
 namespace rbpa {
 
-/// The result of close_surface(): closed if every hole is filled. Its old triangles are the kept ones, in their order.
+/// The result of close_surface(): closed if every hole is filled. Old triangles are the kept ones, in the given order.
 struct ClosedSurface : FilledSurface {
   std::vector<bool> kept = {};  ///< for each triangle of the given surface, whether it is kept
   std::size_t given_up = 0;     ///< number of triangles removed; 0 unless the surface is closed
@@ -25,14 +25,14 @@ struct ClosedSurface : FilledSurface {
 
 /// Fills all boundary curves. Triangles are removed only if their removal closes the surface; if the filled surface is
 /// closed anyway, only if it touches itself at fewer points without them. At most a twentieth of the triangles are
-/// removed; none if the surface would have more components, or a curve of more than 256 edges stays open. Components
-/// that become islands() are removed too.
-/// Requires: `surface` is an indexable_surface() of `points`.
-/// Throws:   as fill_holes().
+/// removed, with the components that are islands() then. A round is dropped, and is the last one, if the surface would
+/// have more components than the given one; no round begins while a curve of more than 256 edges is open.
+/// Requires: `surface` is an indexable_surface() (split_fans.h) of `points`.
+/// Throws:   as fill_holes() of curves.
 RBPA_API ClosedSurface close_surface(std::span<const Point3> points, const Surface& surface,
                                      const SurfaceOptions& options = {});
 
-/// Returns for each point whether several fans of triangles meet there, so that the surface touches itself.
+/// Returns for each point, by index, whether several fans of triangles meet there, so that the surface touches itself.
 /// Throws: as split_fans(); ContractViolation when a corner is not an index of a point.
 RBPA_API std::vector<bool> touching_points(std::span<const Point3> points, const Surface& surface,
                                            const GoOn& go_on = {});

@@ -18,8 +18,8 @@
 namespace rbpa {
 
 /// Returns the pairs of triangles that cross: they overlap, one pierces the other, or they touch elsewhere than in a
-/// common corner or along a common side; corners are common if they are equal as points. Pairs are indices i < j,
-/// sorted; only the first `most` are returned. Triangles of no area cross nothing.
+/// common corner or along a common side; corners are common if they are equal as points. Pairs are indices i < j in
+/// lexicographic order; only the first `most` are returned. Triangles of no area cross nothing.
 /// Requires: finite points, fewer than 2^32 − 1.
 /// Throws:   InvalidInput that names the violated requirement; ContractViolation when a corner is not an index of a
 ///           point; Cancelled.

@@ -30,7 +30,7 @@ namespace rbpa {
 
 /// The outcome for a hole: filled, or the reason why it stays open.
 enum class HoleOutcome : std::uint8_t {
-  filled,
+  filled,   ///< the hole is closed
   crosses,  ///< each triangulation that was tried crosses the mesh or itself
   /// Each triangulation has an edge that exists already, which would get a third triangle.
   edge_taken,
@@ -38,15 +38,17 @@ enum class HoleOutcome : std::uint8_t {
   too_much_work,  ///< not all triangulations were tried, because too many triangles are near each other
 };
 
+/// The outcome for a hole, and the size of its filling.
 struct HoleFill {
   HoleOutcome outcome = HoleOutcome::filled;
-  /// Number of new triangles. A loop that touches itself may be filled in part. If loops are closed together, the
-  /// longest loop counts all triangles.
+  /// Number of new triangles; may be above 0 if the outcome is another, as a loop that touches itself may be filled in
+  /// part. If loops are closed together, one of them counts all triangles, the others 0.
   std::size_t triangles = 0;
   double area = 0;  ///< area of the new triangles, in squared units of the points
   friend bool operator==(const HoleFill&, const HoleFill&) = default;
 };
 
+/// The result of fill_holes() of loops.
 struct HoleFilling {
   /// The given triangles in their order, then new ones, loop by loop; last, those that close several loops together.
   std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -55,23 +57,26 @@ struct HoleFilling {
 
 /// Returns the boundary loops of triangles as lists of vertices, with the triangles to the right and a hole to the
 /// left. Each loop begins with its least vertex; the loops are sorted.
-/// Requires: `triangles` are an oriented manifold: each directed side has one triangle, and the triangles at a vertex
-///           form one fan.
+/// Requires: `triangles` are an oriented manifold: each has three different corners, no directed side has two
+///           triangles, and the triangles at a vertex form one fan.
 /// Throws:   ContractViolation when triangles have a side in the same direction, or several boundary curves pass a
-///           vertex.
+///           vertex. The rest is not checked.
+/// Cost:     a sort of the sides; memory for each vertex up to the greatest.
 RBPA_API std::vector<std::vector<std::uint32_t>> boundary_loops(
     std::span<const std::array<std::uint32_t, 3>> triangles);
 
 /// Closes the given boundary loops. A loop that passes a point several times is cut there, and the parts are closed one
 /// by one. If a closed part has different vertices at a point, the lowest replaces the others in all triangles.
-/// Requires: finite points; `loops` of `triangles`, in the form of boundary_loops().
-/// Throws:   InvalidInput when a point is not finite; ContractViolation when a corner is not an index of a point, a
-///           loop is empty or has an edge that is not a boundary side, or loops pass an edge twice; Cancelled.
+/// Requires: finite points, fewer than 2^32 − 1; `loops` of `triangles`, in the form of boundary_loops(), in any order.
+/// Throws:   InvalidInput that names the violated requirement on points; ContractViolation when a corner is not an
+///           index of a point, a loop is empty or has an edge that is not a boundary side, or loops pass an edge twice;
+///           Cancelled.
 RBPA_API HoleFilling fill_holes(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
                                 std::span<const std::vector<std::uint32_t>> loops, const SurfaceOptions& options = {});
 
+/// The result of fill_holes() of a surface.
 struct FilledSurface {
-  Surface surface;              ///< the surface with the new triangles; without levels
+  Surface surface;              ///< the surface with the new triangles, in canonical order; without levels
   std::vector<bool> is_new;     ///< for each triangle, whether it is new; the others keep their order
   std::vector<HoleFill> holes;  ///< the outcome for each given curve
 
@@ -87,8 +92,9 @@ struct FilledSurface {
 RBPA_API FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface, std::span<const Hole> curves,
                                   const SurfaceOptions& options = {});
 
-/// Closes the boundary curves that `choice` chooses, of the indexable_surface() of any surface of `points`.
-/// Throws: as fill_holes() of loops.
+/// Closes the boundary curves that `choice` chooses, of the indexable_surface() of any surface of `points`. `holes` has
+/// the chosen ones in the order of surface_curves() of that surface.
+/// Throws: as fill_holes() of loops; ContractViolation as require_linked() (triangle_arrays.h).
 RBPA_API FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface, const HoleChoice& choice,
                                   const SurfaceOptions& options = {});
 

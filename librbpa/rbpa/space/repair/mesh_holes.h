@@ -23,13 +23,14 @@ struct FilledMesh {
 };
 
 /// Fills the given boundary curves of a mesh; boundary_curves(mesh) returns all, including the outer rim of a sheet.
-/// Requires: a sound mesh of triangles, with status of every kind (meshops::request_status()), in which no two
-///           edges join the same vertices; `places` has a finite position for each vertex, by index; `curves` are of
-///           this mesh, none twice.
+/// Requires: a sound mesh of triangles, with status of every kind (meshops::request_status()), in which no two edges
+///           join the same vertices; `places` has a finite position for each vertex, by index, deleted ones included;
+///           `curves` are of this mesh, none twice.
 /// Throws:   as fill_holes() of loops; ContractViolation when a face is not a triangle, places or status are missing,
 ///           or a curve is not of this mesh or given twice. The mesh is then unchanged.
 RBPA_API FilledMesh fill_holes(meshops::Connectivity& mesh, std::span<const Point3> places,
                                std::span<const meshops::BoundaryCurve> curves, const SurfaceOptions& options = {});
+/// Fills the given boundary curves of a mesh with positions, as above, at places_of(mesh).
 template <meshops::HasPoints AnyMesh>
 FilledMesh fill_holes(AnyMesh& mesh, std::span<const meshops::BoundaryCurve> curves,
                       const SurfaceOptions& options = {}) {

@@ -34,13 +34,14 @@ namespace rbpa {
 
 /// The normals that decide on which side the ball rolls.
 enum class NormalSource : std::uint8_t {
-  given,
-  estimate,
-  none,  ///< the ball rolls on all sides that it can reach: exposed_triangles(), of one radius
+  given,     ///< the normals of the options
+  estimate,  ///< estimated normals, also if the options have normals
+  none,      ///< no normals: the ball rolls on all sides that it can reach: exposed_triangles(), of one radius
 };
 
-/// The steps of reconstruct(), each announced when it begins. `counting` stands for all other work, and is announced
-/// several times. With the option `watertight`, `filling` includes refining.
+/// The steps of reconstruct(), each announced when it begins. `larger_ball` looks for a radius that has triangles.
+/// `counting` stands for all other work, and is announced several times. With the option `watertight`, `filling`
+/// includes refining.
 enum class ReconstructionStep : std::uint8_t {
   outliers,
   scale_space,
@@ -67,23 +68,24 @@ struct ReconstructionOptions {
   /// Number of nearest other points from which a normal is estimated.
   std::size_t neighbors = NormalOptions{}.neighbors;
   std::vector<Point3> viewpoints = {};  ///< toward which normals are turned: none, one, or one for each point
-  bool flip = false;                    ///< reverses all normals
+  bool flip = false;                    ///< reverses all normals, unless the source is `none`
   /// The radii of the balls, strictly ascending; with the source `none` a single one. Empty: the auto_radii(); with the
   /// source `none` the last of them.
   std::vector<double> radii = {};
-  /// Upper limit of the radii that auto_radii() chooses, which are cut to it. Given radii are not limited.
+  /// Upper limit, above 0, to which radii of auto_radii() are cut. Given radii are not limited.
   double max_radius = std::numeric_limits<double>::infinity();
   /// Finds the unused points and the causes of boundary curves; if there is no triangle, also a radius that has some.
   bool explain = false;
-  bool repairs = false;             ///< suggests repairs of holes; implies `explain`
+  bool repairs = false;             ///< suggests repairs of curves of kind `hole`; implies `explain`
   ComponentChoice components = {};  ///< a choice of shells requires the source `none`
   /// Replaces the surface by its indexable_surface(); `filled` and `watertight` imply this.
   bool manifold = false;
   std::optional<HoleChoice> filled = {};  ///< fills these holes; absent: none
   bool watertight = false;                ///< calls make_watertight() for the kept components; then `filled` is ignored
   bool refine = false;                    ///< refines the fillings of `filled` or `watertight` by refine_filling()
-  /// Decimates the surface to at most so many triangles. `holes`, `kinds`, `repairs` and `fillings` of the result are
-  /// those before, with numbers of triangles of which none is left to refer to.
+  /// Decimates the surface to at most this many triangles, as far as edges can collapse. `holes`, `kinds`, `repairs`
+  /// and `fillings` of the result are those before, and so is `crossing`, unless the surface was watertight; triangle
+  /// numbers in them are those before.
   std::optional<std::size_t> faces = {};
   MaxThreads threads = 0;
   /// Called repeatedly by the functions of the steps, with Progress as each says. Returning false cancels the run.
@@ -100,10 +102,10 @@ struct Reconstruction {
   std::vector<Point3> normals;
   std::vector<double> confidence;  ///< one for each normal, for outliers 0; empty: no normal was estimated
   NormalSource source = NormalSource::given;
-  std::vector<double> radii;  ///< given or chosen; empty if no radius could be chosen, because no radius has triangles
-  std::size_t distinct = 0;   ///< number of distinct points over which the ball rolled
-  std::size_t scale_space = 0;           ///< number of steps that moved the points
-  Outliers outliers = {};                ///< points that were left out
+  std::vector<double> radii;    ///< given or chosen; empty if auto_radii() finds none: then the ball has radius 1
+  std::size_t distinct = 0;     ///< number of distinct points over which the ball rolled
+  std::size_t scale_space = 0;  ///< number of steps of scale_space()
+  Outliers outliers = {};       ///< the points that were left out
   std::vector<UnusedPoint> unused = {};  ///< with `explain` or `repairs`; computed before components are dropped
   /// A radius that has triangles, if the radii used have none. Absent: no such radius was found, or it was not sought.
   std::optional<double> larger_ball = {};
@@ -122,8 +124,8 @@ struct Reconstruction {
   DroppedComponents dropped = {};
   /// The outcome for each hole that was to be filled, in the order of the boundary curves before filling.
   std::vector<HoleFill> fillings = {};
-  std::vector<bool> filled = {};             ///< for each triangle, whether it fills a hole; empty: none does
-  std::optional<Decimation> decimated = {};  ///< the counts, if the surface was decimated
+  std::vector<bool> filled = {};  ///< for each triangle, whether it fills a hole; empty: no hole was to be filled
+  std::optional<Decimation> decimated = {};  ///< counts of the decimation, if `faces` is set
   std::size_t given_up = 0;  ///< number of triangles that `watertight` removed from components that stay
   AddedPoints added = {};    ///< points that refining added
   /// With `watertight`, the pairs of triangles that cross, sorted; at most most_crossing_pairs (watertight.h).

@@ -2,9 +2,9 @@
 // How:    splits triangles that are large for the edges at their corners, and flips edges until they are Delaunay
 //         (Liepa 2003). Then moves the new points only, so that the mean curvature along the rim is that of the two
 //         rings of points outside, and harmonic inside: up to twenty rounds of least squares, each a sparse system.
-// Law:    a function of the points and triangles, not of any order or number of threads. No new triangle crosses
-//         another, which is tested exactly: if one would, the new points of its filling are not moved; if a crossing
-//         remains, the filling gets no new points.
+// Law:    a function of the points and triangles, not of any order or number of threads. No triangle of a filling with
+//         added points crosses another, which is tested exactly: if one would, the added points of its filling are not
+//         moved; if a crossing remains, the filling stays as it is.
 // Cost:   that of crossing_triangles(), one to three times; for a filling of n points about n^1.5.
 // Source: Liepa, Filling holes in meshes (2003); Schneider and Kobbelt, Geometric fairing of irregular meshes for
 //         free-form surface design (2001).
@@ -38,7 +38,8 @@ struct RefinedSurface : AddedPoints {
   std::size_t coarse = 0;    ///< number of fillings without added points
 };
 
-/// Refines each filling: each connected set of triangles t with is_new[t].
+/// Refines each filling: each connected set of triangles t with is_new[t]. A filling with two vertices at one place
+/// stays as it is; refining a filling ends at 2^20 added points.
 /// Requires: `surface` is an indexable_surface() of `points`, which are finite; one flag for each triangle; fewer than
 ///           2^31 points and triangles, the added ones included.
 /// Throws:   InvalidInput when a point is not finite; ContractViolation when another requirement is visibly not met;
@@ -46,16 +47,17 @@ struct RefinedSurface : AddedPoints {
 RBPA_API RefinedSurface refine_filling(std::span<const Point3> points, const Surface& surface,
                                        const std::vector<bool>& is_new, const SurfaceOptions& options = {});
 
-/// Refines the fillings of `filled` in place, except `holes`. Returns the added points.
-/// Requires and throws: as above; after an exception `filled` is unchanged.
+/// Refines the fillings of `filled`: replaces its `surface` and `is_new`; `holes` stays. Returns the added points.
+/// Requires: as above, of filled.surface and filled.is_new.
+/// Throws:   as above; `filled` is then unchanged.
 RBPA_API AddedPoints refine_filling(std::span<const Point3> points, FilledSurface& filled,
                                     const SurfaceOptions& options = {});
 
 /// Returns a unit normal for each added point: the mean direction of the normals at the three points in its row of
 /// `between`, or the first of the three if they cancel each other.
-/// Requires: `normals` has the normals of the points that were not added, none of length 0; points lie between points
-///           of lower numbers.
-/// Throws:   ContractViolation when a point lies between others that follow it.
+/// Requires: `normals` has the normals of the points that were not added, none of length 0, which is not checked; each
+///           added point lies between points of lower numbers.
+/// Throws:   ContractViolation when an added point lies between itself or points that follow it.
 RBPA_API std::vector<Point3> normals_between(std::span<const Point3> normals,
                                              std::span<const std::array<std::uint32_t, 3>> between);
 

@@ -31,10 +31,11 @@ enum class SuggestedRepairKind : std::uint8_t {
   filling,  ///< fills the hole by fill_holes()
 };
 
+/// A repair of a hole. Members that do not belong to the kind keep their defaults, except `filled`.
 struct SuggestedRepair {
   SuggestedRepairKind kind = SuggestedRepairKind::none;
   double radius = 0;                       ///< of the larger ball, in units of the points
-  std::vector<std::uint32_t> points = {};  ///< points whose normals are to be reversed; ascending
+  std::vector<std::uint32_t> points = {};  ///< points whose normals are to be reversed, equal ones included; ascending
   /// The outcome of fill_holes(), if nothing else closes the hole; absent if indexable_surface() changes the curve.
   std::optional<HoleOutcome> filled = std::nullopt;
   friend bool operator==(const SuggestedRepair&, const SuggestedRepair&) = default;
@@ -43,8 +44,8 @@ struct SuggestedRepair {
 /// Returns a suggested repair for each of `holes`. Larger balls have at most 14.6 times the last radius, and at most
 /// the diagonal of the hole's bounding box, or 1.25 times the last radius if that is more. The radius of a larger ball
 /// is the least at which it rests on all triangles that close the hole, if only their circumradii decide; otherwise it
-/// is at most a thousandth larger. A ball that closes the hole may be missed if its radius is between one that fails
-/// and 1.25 times that radius.
+/// is at most a thousandth larger than a radius that fails. A ball that closes the hole may be missed if its radius is
+/// between one that fails and 1.25 times that radius, or if more than 4096 points decide.
 /// Requires: `surface` is the surface() of these points, normals and radii, and `holes` are some of its holes().
 /// Throws:   InvalidInput as surface(); ContractViolation when the holes are visibly of another surface; Cancelled.
 RBPA_API std::vector<SuggestedRepair> suggested_repairs(std::span<const Point3> points, std::span<const Point3> normals,

@@ -1,7 +1,8 @@
-// What: makes a surface of points in space watertight, and proves it: each side has a neighbor, and no triangles cross.
+// What: makes a surface of points in space watertight as far as possible, and tests exactly whether each side has a
+//       neighbor and no triangles cross.
 // How:  drops the islands, fills all boundary curves as close_surface() does, refines the fillings on request, and
 //       lists the curves that stay open and the crossing_triangles().
-// Law:  a function of the points and the triangles, not of any order or number of threads. The check is exact.
+// Law:  a function of the points and the triangles, not of any order or number of threads.
 // Cost: that of close_surface(), of refine_filling() on request, and of crossing_triangles().
 #pragma once
 
@@ -28,8 +29,8 @@ struct WatertightOptions {
   const SurfaceComponents* components = nullptr;  ///< the surface_components(), if they are known
   /// For each component of the surface, whether it may stay; empty: all may.
   std::vector<bool> kept = {};
-  /// The final position of each point, by which fillings are refined and checked; empty: the given points, by which
-  /// holes are filled. The two differ if scale_space() moved the points.
+  /// The final position of each point, by which fillings are refined and crossings found; empty: the given position, by
+  /// which holes are filled. The two differ if scale_space() moved the points.
   std::span<const Point3> places = {};
   bool refine = false;  ///< refines the fillings
 };
@@ -38,8 +39,8 @@ struct WatertightOptions {
 struct WatertightSurface : ClosedSurface {
   std::vector<bool> components = {};  ///< for each component of the given surface, whether it stays
   AddedPoints added = {};             ///< points inside refined fillings; none without `refine`
-  /// Boundary curves that stay open; `holes` has the reasons. Lengths are between the given points, or between `places`
-  /// if fillings are refined.
+  /// Boundary curves that stay open; `holes` has the reasons, in the order of the curves before filling. Lengths are
+  /// between the given points, or between `places` if fillings are refined.
   std::vector<Hole> open = {};
   /// Pairs of triangles that cross, sorted: the first most_crossing_pairs.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing = {};
@@ -50,7 +51,8 @@ struct WatertightSurface : ClosedSurface {
 
 /// Drops islands and the components that may not stay, and closes the surface as far as possible. The result lists what
 /// was dropped, what stays open and what crosses.
-/// Requires: `surface` is a surface of `points`; sizes in `options` match it.
+/// Requires: `surface` is a surface of `points`; options.components, if given, are its components; `kept` and `places`
+///           have one value for each component and point, or none.
 /// Throws:   as close_surface(), refine_filling() and crossing_triangles(); ContractViolation when sizes do not match.
 RBPA_API WatertightSurface make_watertight(std::span<const Point3> points, const Surface& surface,
                                            const WatertightOptions& options = {}, const SurfaceOptions& run = {});

@@ -1,8 +1,8 @@
 // What:   decimates a surface: collapses edges, the least quadric error first, until few triangles are left; for
 //         halfedge meshes see decimate_mesh.h.
 // Law:    components, genus, orientation and Betti numbers stay, and each boundary curve stays one curve; what is
-//         closed stays closed. No triangle turns by a right angle or more in one collapse. Exact; a function of the
-//         points and the surface.
+//         closed stays closed. No triangle turns by a right angle or more in one collapse. Both are decided exactly;
+//         errors are rounded. A function of the points and the surface.
 // Cost:   n log n for n triangles; microseconds for each collapse.
 // Source: Garland and Heckbert, Surface simplification using quadric error metrics (1997).
 #pragma once
@@ -31,15 +31,16 @@ struct Decimation {
   std::size_t given = 0;      ///< number of triangles before
   std::size_t left = 0;       ///< number of triangles after
   std::size_t collapses = 0;  ///< number of collapsed edges
-  bool is_exhausted = false;  ///< whether it ended because no edge was left that could collapse
+  bool is_exhausted = false;  ///< whether the run ended because no edge was left that could collapse
   /// The number of refused collapses by reason: the names of meshops::BlockerKind, if the topology would change, and
   /// `turned`. An edge may be refused several times, as it is tried again after a change near it.
   std::map<std::string, std::size_t> refused = {};
 
-  /// The reason that a triangle would turn over, or lose its area.
+  /// The key in `refused` for: a triangle would turn by a right angle or more, or lose its area.
   static constexpr const char* turned = "turned triangle";
 };
 
+/// The result of decimate(), with the duplicates of the given surface.
 struct DecimatedSurface : Surface {
   std::vector<std::uint32_t> given;  ///< for each triangle, its number among the triangles of the given surface
   Decimation counts;
@@ -47,8 +48,8 @@ struct DecimatedSurface : Surface {
 
 /// Decimates a surface. Corners are points of the given surface: of each collapsed edge the end with the less error
 /// stays where it is. Triangles keep their levels.
-/// Requires: `surface` is a surface of `points`.
-/// Throws:   as surface_mesh(); Cancelled.
+/// Requires: `surface` is a surface of `points`; its corners are finite.
+/// Throws:   as surface_mesh(); InvalidInput when a corner is not finite; Cancelled.
 RBPA_API DecimatedSurface decimate(std::span<const Point3> points, const Surface& surface,
                                    const DecimationOptions& options);
 

@@ -1,7 +1,5 @@
 // What:   decimates a halfedge mesh of triangles in place, with the places of its vertices in an array.
-// Law:    that of decimate() for surfaces (decimate.h).
-// Cost:   as there.
-// Source: as there.
+// Law:    that of decimate() for surfaces (decimate.h), whose cost and source apply too.
 #pragma once
 
 #include <vector>
@@ -14,12 +12,13 @@
 
 namespace rbpa {
 
-/// Decimates a mesh. Deleted elements stay in the mesh, marked deleted, until garbage_collection(); places of deleted
-/// vertices have no meaning.
+/// Decimates a mesh, and moves the places of its vertices. Deleted elements stay in the mesh, marked deleted, until
+/// garbage_collection(); places of deleted vertices have no meaning.
 /// Requires: simplify_blocker(mesh) is empty; a sound mesh, except that vertices may have several fans; `places` has a
-///           finite position for each vertex, by index.
-/// Throws:   InvalidInput that names a vertex whose place is not finite, with the mesh untouched; Cancelled, with the
-///           mesh as after the last collapse and `places` untouched; ContractViolation as meshops::simplify().
+///           position for each vertex by index, finite if the vertex is not deleted.
+/// Throws:   InvalidInput that names a vertex whose place is not finite, and ContractViolation unless there is one
+///           place for each vertex, with the mesh untouched; Cancelled, with the mesh as after the last collapse and
+///           `places` untouched; ContractViolation as meshops::simplify().
 RBPA_API Decimation decimate(meshops::Connectivity& mesh, std::vector<Point3>& places, const DecimationOptions& options,
                              const QuadricOptions& quadrics = {});
 

@@ -16,7 +16,8 @@ class Quadric {
  public:
   Quadric() = default;
   /// Returns `weight` times the squared distance to the plane through p with the unit normal n, plus `weight` times
-  /// `noise` times the squared distance to p: the mean of the first, if the normal is uncertain by that variance.
+  /// `noise` times the squared distance to p. The sum is the mean of the first term if each coordinate of the normal
+  /// has the variance `noise`.
   static Quadric plane(const Point3& n, const Point3& p, double weight, double noise = 0) {
     const double at = n.x * p.x + n.y * p.y + n.z * p.z;
     Quadric q;
@@ -46,8 +47,8 @@ class Quadric {
     return p.x * x + p.y * y + p.z * (zz_ * p.z + 2 * z_) + one_;
   }
 
-  /// Returns the point with the least value; nothing where the planes leave it open: a pivot of the solution is below
-  /// `least` times the trace of A.
+  /// Returns the point with the least value; nothing where the planes leave it open: a pivot of the solution is at most
+  /// `least` times the trace of A, or a coordinate is not finite.
   std::optional<Point3> minimum(double least = 1e-12) const {
     const double limit = least * (xx_ + yy_ + zz_);
     if (!(xx_ > limit)) return std::nullopt;

@@ -45,14 +45,15 @@ class RBPA_API QuadricPolicy {
  public:
   /// Computes the quadrics of a mesh of triangles.
   /// Requires: a sound mesh; `places` has a finite position for each vertex, by index; no option is negative.
-  /// Throws:   ContractViolation when there are fewer places than vertices. A place that is not finite makes a cost
+  /// Throws:   ContractViolation unless there is one place for each vertex. A place that is not finite makes a cost
   ///           that simplify() refuses. Cost: n log n.
   QuadricPolicy(const meshops::Connectivity& mesh, std::vector<Point3> places, const QuadricOptions& options = {});
 
   /// Returns the error at the place of the edge: the sum over the triangles that went into its ends, up to three times
-  /// each, of area · distance², where lengths are multiplied by scale(). It never falls when ends are merged, unless
-  /// `at_ends`.
+  /// each, of area · distance², and the terms of boundary and sharp edges and of `normal_deviation`. Lengths are
+  /// multiplied by scale(). The error never falls when ends are merged, unless `at_ends`.
   double cost(const meshops::Connectivity& mesh, meshops::Edge e) const;
+  /// Returns the place to which the edge collapses, as `at_ends` says.
   Point3 place(const meshops::Connectivity& mesh, meshops::Edge e) const;
   /// Returns whether no triangle at the ends of the edge turns by a right angle or more, loses its area, or gets two
   /// corners at one place.
@@ -61,6 +62,7 @@ class RBPA_API QuadricPolicy {
   std::uint32_t key(const meshops::Connectivity&, meshops::Vertex v) const { return rank_[index(v)]; }
   /// Returns the end of the edge that lies at the place, else the end of the lesser key.
   meshops::Vertex survivor(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const;
+  /// Moves the surviving vertex to the place, and adds the quadric of the removed one to its own.
   void merge(const meshops::Connectivity& mesh, const meshops::WeldEffect& effect, const Point3& place);
 
   /// Returns the place of each vertex by index; of vertices that were removed, some former place.
@@ -70,7 +72,7 @@ class RBPA_API QuadricPolicy {
   /// Returns the power of two by which lengths are multiplied in errors, so that the mesh has about the size 1.
   double scale() const { return scale_; }
 
-  const bool costs_grow;
+  const bool costs_grow;  ///< whether a merge never lowers a cost; for meshops::simplify()
 
  private:
   struct Target {

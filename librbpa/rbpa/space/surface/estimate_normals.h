@@ -19,7 +19,6 @@
 
 namespace rbpa {
 
-/// Options of estimate_normals().
 struct NormalOptions {
   /// Number of nearest other points to which, with the point itself, the plane is fitted; all of them if there are
   /// fewer. The two rings around a point have 18 others in a triangular grid, 24 in a square one. Fewer points follow

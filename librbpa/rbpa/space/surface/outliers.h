@@ -17,11 +17,10 @@
 
 namespace rbpa {
 
-/// Options of outliers().
 struct OutlierOptions {
   /// A point is an outlier if its distance to the neighbor of rank `neighbors` is more than `factor` times the median
-  /// of these distances at distinct points. If parts of a scan differ in density by more than `factor`, the sparse parts
-  /// are outliers too.
+  /// of these distances at distinct points. If parts of a scan differ in density by more than `factor`, the sparse
+  /// parts are outliers too.
   double factor = 4;
   /// Rank of the neighbor to which the distance is measured; 1 is the nearest other point. If there are fewer other
   /// points, the distance to the farthest counts. Groups of up to `neighbors` outliers close together are found.
@@ -30,7 +29,6 @@ struct OutlierOptions {
   OnProgress progress = {};  ///< Progress::triangles is 0
 };
 
-/// The outliers among points.
 struct Outliers {
   std::vector<std::uint32_t> points;  ///< input indices, ascending
   /// The median distance, rounded, in units of the points; 0, and no outliers, for fewer than two distinct points.

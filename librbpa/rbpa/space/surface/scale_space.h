@@ -17,7 +17,6 @@
 
 namespace rbpa {
 
-/// Options of scale_space().
 struct ScaleSpaceOptions {
   /// Number of steps. 0: until a step moves the median point, relative to its neighbors, by less than a tenth of the
   /// distance between neighbors, at least 1 and at most 8. A curved surface shrinks a little in each step.
@@ -29,7 +28,6 @@ struct ScaleSpaceOptions {
   OnProgress progress = {};  ///< Progress::triangles is 0
 };
 
-/// The result of scale_space().
 struct ScaleSpace {
   std::vector<Point3> points;  ///< the moved points, in the order of the input
   std::size_t steps = 0;       ///< number of steps that were made; 0 if there is no point

@@ -16,7 +16,6 @@
 
 namespace rbpa {
 
-/// A component with its measures.
 struct SurfaceComponent {
   std::size_t triangles = 0;        ///< number of triangles
   std::size_t boundary_sides = 0;   ///< number of sides without a neighbor; 0 if the component is closed
@@ -28,7 +27,6 @@ struct SurfaceComponent {
   bool is_closed() const { return boundary_sides == 0; }  ///< whether each side has a neighbor
 };
 
-/// The components of a surface.
 struct SurfaceComponents {
   /// The components, the largest area first; of equal ones the largest volume first, then the one with the
   /// lexicographically least triangle.

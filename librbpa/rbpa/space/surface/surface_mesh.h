@@ -20,7 +20,6 @@
 
 namespace rbpa {
 
-/// The halfedge mesh of a surface.
 struct SurfaceMesh {
   Mesh mesh;                               ///< face i is triangle i of the surface, with the same orientation
   std::vector<std::uint32_t> input_index;  ///< input index of the point of each vertex; ascending
