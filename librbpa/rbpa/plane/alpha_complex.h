@@ -1,6 +1,5 @@
-// What: the alpha complex of points in the plane as plain arrays of indices, in canonical order.
-// Law:  the triangles are those of rbpa() (rbpa.h), to the index; nothing depends on the order of the run, on threads,
-//       or on the compiler.
+// What: computes the alpha complex of points in the plane as plain arrays of indices, in canonical order.
+// Law:  the triangles are those of rbpa() (rbpa.h), to the index; the result does not depend on threads or compiler.
 // Cost: less than that of rbpa(), as no mesh is made: docs/reference/performance.md.
 // Note: independent of OpenMesh.
 #pragma once
@@ -22,10 +21,10 @@ namespace rbpa {
 
 struct AlphaComplexOptions {
   ComplexKind complex = ComplexKind::solid;
-  bool neighbors = false;  ///< whether AlphaComplex::neighbors is filled in
-  bool boundary = false;   ///< whether AlphaComplex::boundary is filled in
-  MaxThreads threads = 0;  ///< maximum number; 0: all processors
-  OnProgress progress = {};
+  bool neighbors = false;    ///< whether AlphaComplex::neighbors is filled in
+  bool boundary = false;     ///< whether AlphaComplex::boundary is filled in
+  MaxThreads threads = 0;    ///< maximum number; 0: all processors
+  OnProgress progress = {};  ///< callback for progress and cancellation
 };
 
 /// An alpha complex as arrays. Points are input indices from 0; of equal points only the lowest index occurs, except in
@@ -38,7 +37,7 @@ struct AlphaComplex {
   std::vector<Triangle> triangles;
   /// Only on request: for each triangle, entry k is the number of the triangle across from its corner k, or none.
   std::vector<Triangle> neighbors;
-  /// Only on request, the boundary: the sides at which no other triangle lies, each directed as in its triangle, in
+  /// Only on request: the boundary, that is the sides of one triangle only, each with the triangle on its left, in
   /// lexicographic order.
   std::vector<std::array<std::uint32_t, 2>> boundary;
   std::vector<std::uint32_t> isolated;  ///< distinct points in no triangle, ascending
@@ -46,18 +45,19 @@ struct AlphaComplex {
   std::size_t distinct = 0;             ///< number of distinct points
 
   // In a full complex only:
-  /// Edges in no triangle, the smaller index first, in lexicographic order: Delaunay edges of length ≤ 2 alpha whose
-  /// diametral circle is empty. For points on one line, the edges between neighbors.
+  /// Edges in no triangle, the smaller index first, in lexicographic order: Delaunay edges of length ≤ 2 alpha with no
+  /// point inside their diametral circle. Delaunay edges of points on one line join neighbors on the line.
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<std::uint32_t> points;  ///< distinct points in neither a triangle nor an edge, ascending
 
-  /// Converts to a view. Requires: neighbors were computed, if the called function uses them.
+  /// Converts to a view, valid as long as this object is unchanged; its neighbors are empty if they were not computed.
   operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
 /// Computes the alpha complex of `points`, solid or full as in the options.
 /// Requires: 0 < alpha ≤ infinity; finite points, at most 357,913,941 of them.
-/// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled.
+/// Throws:   InvalidInput that names alpha, the number of points or the first point that is not finite, before anything
+///           is computed; Cancelled.
 /// Cost:     about linear. Memory beyond the input, including that of the result: about 75 bytes a point, with
 ///           neighbors or boundary 120 (docs/reference/performance.md); the full complex needs as much as the Delaunay
 ///           triangulation with neighbors.

@@ -1,6 +1,6 @@
-// What: the boundary curves of a complex whose triangles and neighbors are given as arrays.
+// What: finds the boundary curves of a complex whose triangles and neighbors are given as arrays.
 // Law:  the curves are those of the mesh of the same triangles: at a point where the complex touches itself (a pinch),
-//       a curve continues along the same fan of triangles.
+//       a curve continues along the same fan of triangles, and so may pass the point more than once.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,10 @@
 
 namespace rbpa {
 
-/// Returns for each boundary curve the indices of its points in order, the triangles on its right. A curve is closed,
-/// and its first point is not repeated at the end. Which point is first and the order of the curves are unspecified.
-/// Requires: as require_linked(), which is not checked.
+/// Returns for each boundary curve the indices of its points in order, with the triangles on its right. A curve is
+/// closed, and its first point is not repeated at the end. The order of the curves and their first points are
+/// unspecified.
+/// Requires: counter-clockwise triangles with neighbors that require_linked() accepts; not checked.
 /// Throws:   Cancelled.
 /// Cost:     linear.
 RBPA_API std::vector<std::vector<std::uint32_t>> boundary_curves(const TriangleArrays& of, const GoOn& go_on = {});

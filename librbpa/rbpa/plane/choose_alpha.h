@@ -1,5 +1,5 @@
 // What: chooses the radius of points in the plane by a rule.
-// Law:  the radius is a function of the set of points and the choice, not of the order of the points.
+// Law:  the radius is a function of the set of points and the choice.
 // Cost: that of smallest_covering() or of filtration() and plateaus(); a given radius costs nothing.
 #pragma once
 
@@ -14,18 +14,19 @@
 
 namespace rbpa {
 
+/// The chosen radius, in units of the points.
 struct ChosenAlpha {
-  std::optional<double> alpha = std::nullopt;  ///< absent: the rule finds no radius, as on a line
-  std::vector<Plateau> plateaus = {};          ///< all of them, the best first, if the rule is `plateau`
+  std::optional<double> alpha = std::nullopt;  ///< absent: the rule finds no radius, as for points on one line
+  std::vector<Plateau> plateaus = {};          ///< the result of plateaus() if the rule is `plateau`; otherwise empty
 };
 
-/// Returns the share of the points, and the maximum number of solid components that must hold this share, as the rule
-/// `automatic` or `least` requires.
+/// Returns what the rule `automatic` or `least` requires: the share choice.cover of the points, for `automatic` in at
+/// most choice.max_components solid components, for `least` in any number.
 RBPA_API Covering covering_of(const AlphaChoice& choice);
 
-/// Returns the given radius, or the radius that the rule chooses.
-/// Throws: InvalidInput when the rank is 0 or above the number of plateaus, unless there is none; ContractViolation
-///         when the cover is not above 0 and at most 1; Cancelled.
+/// Returns choice.radius, unchecked, if the rule is `given`; otherwise the radius that the rule chooses.
+/// Throws: with `plateau`, InvalidInput when there are plateaus, but none of the rank; with `automatic` or `least`,
+///         ContractViolation when the cover is not above 0 and at most 1; Cancelled.
 RBPA_API ChosenAlpha choose_alpha(const AlphaChoice& choice, const Delaunay& delaunay, const GoOn& go_on = {});
 
 }  // namespace rbpa

@@ -1,4 +1,4 @@
-// What: tests whether points lie on one line, where every complex is empty; and says why a complex has no triangle.
+// What: tests whether points lie on one line, where no complex has a triangle; and says why a complex has no triangle.
 #pragma once
 
 #include <cstddef>
@@ -11,12 +11,13 @@
 namespace rbpa {
 
 /// Returns whether all points lie on one line, exactly; true for fewer than three distinct points.
-/// Requires: finite points.
+/// Requires: finite points; not checked.
 /// Cost:     linear; stops at the first point off the line.
 RBPA_API bool are_collinear(std::span<const Point> points);
 
-/// Returns why a complex has no triangle: "fewer than three distinct points (2)", "all points are collinear" or "no
-/// triangle has circumradius <= 0.5".
+/// Returns why the complex of radius `alpha` has no triangle: "fewer than three distinct points (2)", "all points are
+/// collinear" or "no triangle has circumradius <= 0.5". `distinct` is the number of distinct points, `collinear` the
+/// result of are_collinear().
 RBPA_API std::string why_no_triangle(std::size_t distinct, bool collinear, double alpha);
 
 }  // namespace rbpa

@@ -1,4 +1,4 @@
-// What: a solid alpha complex as a halfedge mesh, with the input point of each vertex.
+// What: holds a solid alpha complex as a halfedge mesh, with the input point of each vertex.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,6 @@
-// What: a Delaunay triangulation together with its points, which is computed here, or given and checked once.
+// What: holds a Delaunay triangulation with its points: computed by the constructor, or given and checked once.
 // Why:  functions of a triangulation (filtration.h, persistence.h, plateaus.h, smallest_covering_alpha.h) do not check
-//       a Delaunay object again. A run checks a given triangulation at most once, and one that it computes itself
-//       never.
+//       a Delaunay object again.
 #pragma once
 
 #include <memory>
@@ -17,18 +16,20 @@ namespace rbpa {
 /// the triangulation.
 class RBPA_API Delaunay {
  public:
-  /// Triangulates the points. The options `complex`, `neighbors` and `boundary` are ignored.
-  /// Throws: as alpha_complex(points, infinity, options).
+  /// Triangulates the points. Of the options, only `threads` and `progress` are used.
+  /// Throws: InvalidInput as alpha_complex(); Cancelled.
   /// Cost:   that of alpha_complex().
   explicit Delaunay(std::span<const Point> points, const AlphaComplexOptions& options = {});
 
-  /// Takes and checks the result of alpha_complex(points, infinity, {.neighbors = true}). A triangulation that is given
-  /// as an lvalue is not copied: it must outlive this object and stay unchanged.
-  /// Throws: ContractViolation, whose message begins with `function`, when the triangulation is visibly of other
-  ///         points, omits some, or has clockwise triangles, and as require_linked(); Cancelled.
+  /// Checks and keeps a reference to the result of alpha_complex(points, infinity, {.neighbors = true}), which must
+  /// outlive this object and its copies, and stay unchanged. Whether the triangles are Delaunay is not checked.
+  /// Throws: ContractViolation, whose message begins with `function`, when the number of points differs, a triangle is
+  ///         not counter-clockwise, or there are triangles and isolated points; ContractViolation as require_linked(),
+  ///         also if neighbors were not computed; Cancelled.
   /// Cost:   linear: about a tenth of the cost of the triangulation.
   Delaunay(const AlphaComplex& triangulation, std::span<const Point> points, const GoOn& go_on = {},
            const char* function = "Delaunay");
+  /// Checks a triangulation in the same way, and takes it over.
   Delaunay(AlphaComplex&& triangulation, std::span<const Point> points, const GoOn& go_on = {},
            const char* function = "Delaunay");
 

@@ -12,9 +12,9 @@ namespace rbpa {
 
 struct Hierarchy;  // rbpa/hrbpa.h
 
-/// Returns the counts after each level.
-/// Requires: `hierarchy` is the result of hrbpa().
-/// Throws:   ContractViolation when `hierarchy` visibly is not.
+/// Returns the counts of the complex after each level, in the order of hierarchy.levels.
+/// Requires: `hierarchy` is the result of hrbpa(), of which only the number of triangles is checked.
+/// Throws:   ContractViolation when the mesh does not have as many faces as the last level says.
 RBPA_API std::vector<ComplexCounts> level_topology(const Hierarchy& hierarchy);
 
 }  // namespace rbpa

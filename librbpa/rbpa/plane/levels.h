@@ -1,4 +1,4 @@
-// What: the options and the result of hrbpa(): the levels of a hierarchy of radii.
+// What: holds the options and the result of hrbpa(): the levels of a hierarchy of radii.
 #pragma once
 
 #include <cstddef>
@@ -18,21 +18,22 @@ namespace rbpa {
 struct Level {
   double alpha = 0;  ///< the radius: 2^number α₀, or on the last level the alpha of the whole run
   int number = 0;    ///< exponent of the radius; levels without a triangle between the first and the last are left out
-  std::size_t transferred = 0;  ///< number of points transferred from the level before: isolated or on the boundary
-  /// Number of points with a triangle of this level; in rbpa::paper, all transferred points.
+  /// Number of points transferred from the level before, that is isolated or on its boundary; on the first, all.
+  std::size_t transferred = 0;
+  /// Number of points with a triangle of this level; in results of rbpa::paper::hrbpa(), all transferred points.
   std::size_t taking_part = 0;
   std::size_t advancing = 0;  ///< number of halfedges on the front when the level began
-  /// Number of triangles of the mesh when the level ended; the triangles of this level have the last numbers.
+  /// Number of triangles of the mesh when the level ended; those of this level have the last numbers.
   std::size_t triangles = 0;
   /// Time in seconds, including the work before the level: the computation of α₀ or the transfer, and levels left out.
-  /// Without HierarchyOptions::level_ended all levels are computed at once: the first level then has the time of all
-  /// levels, and the others have 0.
+  /// Without HierarchyOptions::level_ended, all levels are computed at once: the first level has the time of all,
+  /// other levels have 0.
   double seconds = 0;
 };
 
 /// A level that has just ended, and the mesh so far: exactly the complex of `level.alpha`, an oriented 2-manifold. All
-/// boundary halfedges are frozen: no triangle of this level can be attached (meshops/front/front.h). Valid during the
-/// call only.
+/// boundary halfedges are frozen: no triangle of this level can be attached (meshops/front/front.h). The references are
+/// valid during the callback only.
 struct EndedLevel {
   const Level& level;
   /// The front with its mesh. Faces 0 … front.faces() − 1 of the mesh are the triangles of the complex, with their
@@ -54,11 +55,12 @@ struct HierarchyOptions {
   std::function<void(const EndedLevel&)> level_ended = {};
 };
 
+/// A solid alpha complex and the levels on which it grew.
 struct Hierarchy {
-  SolidAlphaComplex complex;       ///< faces are in the order of the levels: level_of() in hrbpa.h
+  SolidAlphaComplex complex;       ///< the complex of the last level; faces are in the order of levels (level_of())
   double least_radius = 0;         ///< α₀; 0 if there can be no triangle
-  std::vector<Level> levels;       ///< ascending in alpha
-  std::size_t looked_in_vain = 0;  ///< in rbpa::paper, number of points that took part on levels left out; else 0
+  std::vector<Level> levels;       ///< strictly ascending in alpha; empty if there can be no triangle
+  std::size_t looked_in_vain = 0;  ///< number of points that took part on levels left out; 0 except in rbpa::paper
 };
 
 }  // namespace rbpa

@@ -1,7 +1,7 @@
-// What: computes the neighbors of each triangle from the triangles in canonical order alone.
+// What: computes the neighbors of each triangle from nothing but the triangles in canonical order.
 // Law:  the neighbors equal those that alpha_complex() finds.
-// Why:  takes less memory than AlphaComplexOptions::neighbors: only the result and four bytes a point, at a time when
-//       alpha_complex() has freed its own memory.
+// Why:  takes less memory than AlphaComplexOptions::neighbors: the result and four bytes a point, after alpha_complex()
+//       has freed its own memory.
 // Cost: linear if few triangles meet at each point, n log n if many do.
 #pragma once
 
@@ -18,7 +18,7 @@ namespace rbpa {
 /// Returns for each triangle its neighbors: entry k is the number of the triangle across from corner k, or
 /// TriangleArrays::none.
 /// Requires: triangles in the order of AlphaComplex::triangles, of which at most two share an edge, on opposite sides
-///           of the edge; corners below `points`, the number of input points. Nothing of this is checked.
+///           of the edge; corners below `points`, the number of input points. None of these is checked.
 /// Throws:   Cancelled.
 RBPA_API std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::size_t points,
                                               const GoOn& go_on = {});

@@ -1,6 +1,6 @@
 // What:   finds the triangle of a Delaunay triangulation that contains a point, and interpolates values between points.
-// Law:    exact, and a function of the point and the triangulation: of several triangles that share the side or corner
-//         on which the point lies, the first is found.
+// Law:    the triangle is found exactly, as a function of the point and the triangulation: of several triangles that
+//         share the side or corner on which the point lies, the one of lowest index is found.
 // How:    a walk from triangle to triangle toward the point, from a triangle near the grid cell that contains the
 //         point. Such a walk ends in every Delaunay triangulation.
 // Cost:   constructing a Locator takes linear time and some 30 bytes for each point; a query takes a few steps of the
@@ -23,7 +23,7 @@ namespace rbpa {
 
 struct LocateOptions {
   MaxThreads threads = 0;  ///< maximum number; 0: all processors
-  GoOn go_on = {};
+  GoOn go_on = {};         ///< callback for cancellation, called by find() and interpolate() after each 4,096 queries
 };
 
 /// The method of interpolation between points. Both methods reproduce linear functions, and are continuous.
@@ -36,7 +36,7 @@ enum class Interpolation {
 struct InterpolateOptions {
   Interpolation method = Interpolation::linear;
   MaxThreads threads = 0;  ///< maximum number; 0: all processors
-  GoOn go_on = {};
+  GoOn go_on = {};         ///< as in LocateOptions
 };
 
 /// A Delaunay triangulation that is prepared for queries. Several threads may query it at the same time.
@@ -45,33 +45,34 @@ class RBPA_API Locator {
   /// Prepares queries in a triangulation. Keeps the spans: points and triangulation must outlive the object and stay
   /// unchanged.
   /// Requires: finite points and all triangles of their Delaunay triangulation, as alpha_complex() returns them for an
-  ///           infinite alpha with neighbors.
-  /// Throws:   InvalidInput when a point is not finite, or when there are too many points (alpha_complex.h);
-  ///           ContractViolation as require_linked(), or when there are triangles, but not as many as a triangulation
-  ///           of all points has; Cancelled.
+  ///           infinite alpha with neighbors. Whether the triangles are Delaunay is not checked.
+  /// Throws:   InvalidInput when a point is not finite, or there are more than 357,913,941 points; ContractViolation as
+  ///           require_linked(), or when there are triangles, but not as many as a triangulation of all points has;
+  ///           Cancelled.
   Locator(std::span<const Point> points, const TriangleArrays& delaunay, const LocateOptions& options = {});
   Locator(Locator&&) noexcept;
   Locator& operator=(Locator&&) noexcept;
   ~Locator();
 
   /// Returns for each query the index of the triangle that contains it, sides and corners included, or
-  /// TriangleArrays::none if no triangle does or the query is not finite.
+  /// TriangleArrays::none if the query is in no triangle or not finite.
   /// Throws: Cancelled; ContractViolation when a walk shows that the triangulation is not Delaunay.
   std::vector<std::uint32_t> find(std::span<const Point> queries, const LocateOptions& options = {}) const;
 
   /// Interpolates at each query. `values` is n × columns: a row for each of the n points, in the order of the points.
   /// The result has a row of `columns` numbers for each query, NaNs where find() finds no triangle. Of equal points,
-  /// the row of the first counts.
+  /// the row of the lowest index counts.
   ///
   /// Natural neighbors: if the query were inserted as a point, its Voronoi cell would take area from the cells of some
-  /// points. The value is the mean over these points, weighted by these areas; on the convex hull it is linear.
+  /// points. The value is the mean over these points, weighted by these areas; on a side of the convex hull, the value
+  /// is linear between the ends of the side.
   ///
   /// Error:  the value is a convex combination of the values at the corners or neighbors, except for a few roundings;
-  ///         at a point it is the point's own value, to the last bit. Natural neighbors are exact, and their areas are
-  ///         right to about 1e-9 of their sum.
+  ///         at a point it is exactly the value of the point. The set of natural neighbors is exact; their areas are
+  ///         right to about 1e-9 of the sum of the areas.
   /// Cost:   for a query, that of find(); by natural neighbors also some ten comparisons with circles and as many
   ///         centers; milliseconds where coordinates are a hundred decades apart.
-  /// Throws: InvalidInput when `values` does not have `columns` > 0 numbers for each point; as find().
+  /// Throws: InvalidInput when `columns` is 0, or `values` does not have n × `columns` numbers; as find().
   std::vector<double> interpolate(std::span<const double> values, std::size_t columns, std::span<const Point> queries,
                                   const InterpolateOptions& options = {}) const;
 
