@@ -1,4 +1,4 @@
-// What:   births and deaths of components and holes while alpha grows from 0 to infinity.
+// What:   computes the births and deaths of components and holes while alpha grows from 0 to infinity.
 // Law:    the complex at alpha has as many components as there are pairs of dimension 0 with birth ≤ alpha < death, and
 //         as many holes as there are such pairs of dimension 1. For the solid complex, the steps of filtration() have
 //         the same numbers. No pair has birth = death.
@@ -21,7 +21,7 @@
 namespace rbpa {
 
 /// A component (dimension 0) or a hole (dimension 1) that exists for birth ≤ alpha < death. When two components meet,
-/// the younger one dies. Birth and death are double radii, rounded up from the exact ones.
+/// the younger one dies. Birth and death are radii, rounded up to doubles; a radius above all doubles is infinity.
 struct PersistencePair {
   int dimension = 0;
   double birth = 0;
@@ -31,11 +31,11 @@ struct PersistencePair {
 
 /// Returns the pairs sorted by dimension, then birth, then death, pairs without a death last. The result is a function
 /// of the set of points alone.
-/// Requires: `filtration` is filtration(delaunay).
-/// Throws:   ContractViolation when `filtration` is visibly of another triangulation; Cancelled.
+/// Requires: `filtration` is filtration(delaunay), of which only the numbers of triangles and points are checked.
+/// Throws:   ContractViolation when one of these numbers differs; Cancelled.
 RBPA_API std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtration& filtration,
                                                   ComplexKind kind = ComplexKind::solid, const GoOn& go_on = {});
-/// Computes the same from a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
+/// Returns the pairs of a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
 /// Throws: also ContractViolation as the constructor of Delaunay, which checks the triangulation.
 inline std::vector<PersistencePair> persistence(const AlphaComplex& delaunay, std::span<const Point> points,
                                                 const Filtration& filtration, ComplexKind kind = ComplexKind::solid,

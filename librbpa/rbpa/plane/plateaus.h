@@ -1,7 +1,7 @@
 // What:   finds plateaus: ranges of alpha, long as a ratio of their ends, over which the parts and holes of the solid
 //         alpha complex hardly change; and recommends an alpha in each.
-// Law:    a function of the set of points alone; scaled points have the same plateaus, scaled. A few outliers, or dust,
-//         change the plateaus in proportion to the share of these points.
+// Law:    plateaus are a function of the set of points alone; scaled points have the same plateaus, scaled. A few
+//         outliers or specks change the plateaus in proportion to their share of the points.
 // Cost:   a sort of the triangles; the rest is near-linear. About the time of the filtration.
 // Source: docs/explanation/filtration_and_persistence.md, sections 6 and 7. Longest is most persistent: Edelsbrunner,
 //         Letscher, Zomorodian (2002); Betti curves that stand still mark the scale of a sample: Robins, Meiss, Bradley
@@ -29,9 +29,9 @@ enum class PlateauKind {
 /// A plateau: the radii alpha with from ≤ alpha < to, in units of the points.
 struct Plateau {
   double from = 0;
-  std::optional<double> to = std::nullopt;  ///< absent for the last plateau, which has no end
-  /// Length of the plateau as a ratio: to / from; for the last plateau, half the diagonal of the points' box divided by
-  /// `from`, but at least 1.
+  std::optional<double> to = std::nullopt;  ///< absent: the plateau of the largest radii, which has no end
+  /// Length of the plateau: its end divided by `from`, but at least 1. The end is `to`, or half the diagonal of the box
+  /// of the points if that is less or the plateau has no end.
   double ratio = 1;
   double alpha = 0;            ///< the recommended alpha: from · √ratio, but at most plateau_settles · from
   FiltrationStep step = {};    ///< the complex at `alpha`
@@ -46,20 +46,20 @@ struct Plateau {
 inline constexpr double plateau_settles = 2;
 
 /// Returns at most eight plateaus, the best first. Let F be the long plateau of kind one_piece with the least `from`.
-/// First come the long structured plateaus below F; then F and the long structured ones above it; then all others. Each
-/// group is sorted by (ratio − 1) · share of points covered, descending; but plateaus that are not long and cover less
-/// than nine tenths of the points are last. A plateau begins where at least half of the points are covered. The result
-/// is empty if there is no triangle.
+/// First come the long structured plateaus below F, or all if there is no F; then F and the long structured ones above
+/// F; then all others. Each group is sorted by (ratio − 1) · share of points covered, descending; but plateaus that are
+/// not long and cover less than nine tenths of the points are last. At the beginning of a plateau, at least half of the
+/// points are covered. The result is empty if there is no triangle.
 ///
 /// The *change* of the shape grows by at most a tenth within a plateau. Ranges with a ratio below 1.25 are left out,
 /// unless there is no other. The change at alpha is the product P · H · ⁸√E of
 ///   P  Σ nᵢ², the greatest so far: the probability, up to a factor, that two points are in one part;
 ///   H  the product over all steps so far of the factor ≥ 1 by which 1 − hole_share rises or falls;
 ///   E  the area of complex and holes; because of the eighth root, E may grow in a plateau by a factor of up to 2.1.
-/// Requires: `filtration` is filtration(delaunay).
-/// Throws:   ContractViolation when the filtration is visibly that of another triangulation; Cancelled.
+/// Requires: `filtration` is filtration(delaunay), of which only the numbers of triangles and points are checked.
+/// Throws:   ContractViolation when one of these numbers differs; Cancelled.
 RBPA_API std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtration, const GoOn& go_on = {});
-/// Computes the same from a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
+/// Returns the plateaus of a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
 /// Throws: also ContractViolation as the constructor of Delaunay, which checks the triangulation.
 inline std::vector<Plateau> plateaus(const AlphaComplex& delaunay, std::span<const Point> points,
                                      const Filtration& filtration, const GoOn& go_on = {}) {

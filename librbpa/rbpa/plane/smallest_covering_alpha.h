@@ -1,7 +1,7 @@
 // What:   finds the least alpha at which at most K solid components contain a given share of the points, so that a few
 //         outliers may be left out.
 // Law:    with share 1 the result equals smallest_covering(filtration, max_components). The result never falls when the
-//         share rises or K falls. The result is exact, and a function of the set of points alone.
+//         share rises or K falls. It is exact, and a function of the set of points, the share and K.
 // Cost:   with a filtration, linear in its steps if components are not limited or share is 1. Otherwise n log n in the
 //         triangles; if share is 1, only triangles above the radius that covers all points are sorted.
 // Source: docs/explanation/filtration_and_persistence.md, section 4.
@@ -17,6 +17,7 @@
 
 namespace rbpa {
 
+/// A share of the points, and the number of components that may hold this share.
 struct Covering {
   double share = 1;  ///< share of the distinct points, 0 < share ≤ 1
   /// Maximum number of solid components that together have this share; absent: any number.
@@ -24,7 +25,7 @@ struct Covering {
 };
 
 /// Returns whether count / all, rounded to double, is at least `share`. A share written in decimals is therefore met
-/// exactly: 7 of 100 is the share 0.07. Requires: `all` is above 0.
+/// exactly: 7 of 100 is the share 0.07. Requires: `all` is above 0; not checked.
 constexpr bool is_share(std::size_t count, std::size_t all, double share) {
   return static_cast<double>(count) / static_cast<double>(all) >= share;
 }
@@ -32,11 +33,9 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
 /// Returns the least alpha at which the share of the distinct points is in triangles. With `max_components` K, the
 /// share must also remain when all solid components but the K largest are removed with all their points. The size of a
 /// component is its number of vertices in rbpa()'s mesh, where a point at which several fans meet counts once for each
-/// fan. Returns nothing if there is no such alpha: there are fewer than three distinct points, all points are on a
-/// line, or K is 0.
-/// Requires: `filtration` is filtration(delaunay).
-/// Throws:   ContractViolation when the filtration is visibly of another triangulation, or the share is out of its
-///           bounds; Cancelled.
+/// fan. Returns nothing if there is no such alpha: all points are on a line, as fewer than three always are, or K is 0.
+/// Requires: `filtration` is filtration(delaunay), of which only the numbers of triangles and points are checked.
+/// Throws:   ContractViolation when one of these numbers differs, or the share is out of its bounds; Cancelled.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const GoOn& go_on = {});
 /// Returns the same radius without a filtration, from the circumradii of the triangles alone. This takes about half the
@@ -47,7 +46,7 @@ RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const
 /// Returns the same radius for a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
 /// Requires: `filtration` is the filtration of this triangulation.
 /// Throws:   as the first overload; if the share is below 1 and components are limited, also ContractViolation as
-///           require_linked(), as only then neighbors are read.
+///           require_linked(), as neighbors are read only then. Nothing else of the triangulation is checked.
 RBPA_API std::optional<double> smallest_covering(const AlphaComplex& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const GoOn& go_on = {});
 
