@@ -1,5 +1,6 @@
-// What: polygons whose corners carry coordinates and 64-bit indices, for an input that is not in memory.
-// Law:  the polygons equal those of outline_polygons() (rbpa/plane/outline_polygons.h), to the last bit.
+// What: holds polygons whose corners carry coordinates and 64-bit indices, for an input that is not in memory.
+// Law:  the polygons of a whole complex equal those of outline_polygons() (rbpa/plane/outline_polygons.h), to the last
+//       bit, except for holes that take_holes() removed.
 #pragma once
 
 #include <array>
@@ -27,24 +28,24 @@ using CornerRing = std::vector<Corner>;
 /// ever has this triangle.
 using ComponentName = std::array<std::uint64_t, 3>;
 
-/// A Polygon (rbpa/plane/outline_polygons.h) whose corners carry coordinates. Area and perimeter are those of the
-/// Polygon, to the last bit.
+/// A solid component as a polygon whose corners carry coordinates.
 struct CornerPolygon {
   CornerRing shell = {};               ///< counter-clockwise
-  std::vector<CornerRing> holes = {};  ///< clockwise; sorted by first point, then by second
-  double area = 0;                     ///< of the shell without the holes: the real number rounded once
-  double perimeter = 0;                ///< of all rings, with the error bound of Polygon::perimeter
+  std::vector<CornerRing> holes = {};  ///< clockwise; sorted by first point, then by second, both lexicographically
+  double area = 0;                     ///< area of the shell minus that of all holes: the real number rounded once
+  double perimeter = 0;                ///< length of all rings, with a relative error of at most 4 · 2⁻⁵³
   /// Number of input points in the triangles of the polygon, duplicates included. A point at which several polygons
   /// touch counts only in the first of them, in the order of comes_before().
   std::uint64_t points = 0;
-  /// Number of holes that take_holes() removed before the polygon was finished, and the component names under which
-  /// take_holes() returned them, ascending. Area and perimeter take account of these holes.
+  /// Number of holes that take_holes() removed before the polygon was finished. Area and perimeter are those with these
+  /// holes.
   std::uint64_t taken_holes = 0;
-  std::vector<ComponentName> names = {};
+  std::vector<ComponentName> names = {};  ///< names under which take_holes() returned these holes, ascending
   friend bool operator==(const CornerPolygon&, const CornerPolygon&) = default;
 };
 
-/// Returns whether `a` comes before `b` in the order of polygons: by the first point of the shell, then by the second.
+/// Returns whether `a` comes before `b` in the order of polygons: by the first point of the shell, then by the second,
+/// both lexicographically. Requires: shells of at least two points; not checked.
 RBPA_API bool comes_before(const CornerPolygon& a, const CornerPolygon& b);
 
 }  // namespace rbpa

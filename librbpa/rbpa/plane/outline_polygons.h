@@ -1,7 +1,7 @@
-// What:   the solid alpha complex as polygons with holes, one for each solid component.
-// Law:    each polygon is valid under OGC Simple Features, and so are all together as a multipolygon; their areas add
-//         up to that of the triangles. A function of the set of points and alpha: triangles and vertices in any order
-//         give the same polygons in the same order.
+// What:   computes the solid alpha complex as polygons with holes, one for each solid component.
+// Law:    each polygon is valid under OGC Simple Features, and so are all together as a multipolygon. Without a filter,
+//         the polygons cover exactly the triangles. Polygons and their order are a function of the set of points, alpha
+//         and the filter, not of the order of triangles and vertices.
 // Cost:   linear in the complex, n log n in the boundary.
 // Source: docs/explanation/plane.md, sections 23 to 25.
 #pragma once
@@ -26,49 +26,52 @@ struct Ring {
   friend bool operator==(const Ring&, const Ring&) = default;
 };
 
-/// A polygon: a solid component. Its interior is connected; rings touch each other at single points, if at all.
+/// A polygon: a solid component, of which a filter may have filled holes. The interior is connected; rings touch each
+/// other at single points, if at all.
 struct Polygon {
   Ring shell = {};  ///< counter-clockwise
   /// The holes: clockwise, inside the shell; sorted by first point, then by second, both lexicographically.
   std::vector<Ring> holes = {};
-  double area = 0;  ///< of the shell without the holes: the real number rounded once
-  /// Perimeter of all rings, with a relative error of at most 4 · 2⁻⁵³. Area and perimeter are infinite beyond the
-  /// range of double.
+  double area = 0;  ///< area of the shell minus that of the holes: the real number rounded once
+  /// Length of all rings, with a relative error of at most 4 · 2⁻⁵³. Area and perimeter are infinite beyond the range
+  /// of double.
   double perimeter = 0;
   friend bool operator==(const Polygon&, const Polygon&) = default;
 };
 
-/// Lower bounds for the area of holes and parts, in squared units of the points. Areas are compared as rounded.
+/// Lower bounds for the areas of holes and polygons, in squared units of the points. Areas are compared as rounded. The
+/// bounds 0 change nothing.
 struct PolygonFilter {
-  /// Least area of a hole: holes whose ring encloses less are filled, and polygons in them are dropped.
+  /// Least area of a hole: holes whose ring encloses less are filled, and polygons in filled holes are dropped.
   double min_hole_area = 0;
   /// Least area of a polygon: polygons of less area, after holes are filled, are dropped.
   double min_part_area = 0;
 };
 
 /// Returns the solid components as polygons, sorted by the first point of the shell, then by the second,
-/// lexicographically. Where a component touches itself at a point, its boundary is split there into rings. A boundary
-/// edge is on exactly one ring, and no other edge is on any.
+/// lexicographically. Where a component touches itself at a point, its boundary is split there into rings. Without a
+/// filter, each boundary edge is on exactly one ring, and no other edge is on any.
 /// Throws: InvalidInput when a bound of the filter is negative or not a number; Cancelled.
 /// Cost:   linear in the complex, n log n in the boundary; with a bound on holes also a plane sweep, n log n in the
 ///         boundary.
 RBPA_API std::vector<Polygon> outline_polygons(const SolidAlphaComplex& complex, const PolygonFilter& filter = {},
                                                const GoOn& go_on = {});
 
-/// Returns the outline polygons of a solid complex in arrays.
-/// Requires: neighbors were computed; corners are indices into `points`.
+/// Returns the outline polygons of a solid complex in arrays, in the same order and at the same cost.
+/// Requires: neighbors were computed; triangles are counter-clockwise, and corners are indices of `points`.
 /// Throws:   InvalidInput when a bound of the filter is negative or not a number; ContractViolation as
-///           require_linked(), or when the points are visibly not those of the complex; Cancelled.
+///           require_linked(), or when no ring of a component is counter-clockwise; Cancelled.
 RBPA_API std::vector<Polygon> outline_polygons(std::span<const Point> points, const TriangleArrays& complex,
                                                const PolygonFilter& filter = {}, const GoOn& go_on = {});
 
+/// The number of holes of polygons, and the sums of their areas and perimeters.
 struct PolygonTotals {
   std::size_t holes = 0;
-  double area = 0;       ///< exact sum of the areas of the polygons, rounded once; infinite if one area is
-  double perimeter = 0;  ///< exact sum of the perimeters of the polygons, likewise
+  double area = 0;       ///< exact sum of Polygon::area, rounded once; infinite if one area is
+  double perimeter = 0;  ///< exact sum of Polygon::perimeter, rounded once; infinite if one perimeter is
 };
 
-/// Returns the number of holes of all polygons, and the sums of their areas and perimeters.
+/// Returns the totals of the polygons, 0 if there are none. Cost: linear in the polygons, not in their corners.
 RBPA_API PolygonTotals total(std::span<const Polygon> polygons);
 
 /// A running sum of PolygonTotals over polygons that are not in memory at the same time.
@@ -79,10 +82,10 @@ class RBPA_API RunningTotals {
   RunningTotals(const RunningTotals&) = delete;
   RunningTotals& operator=(const RunningTotals&) = delete;
 
-  /// Adds a polygon with this number of holes.
+  /// Adds a polygon with this number of holes, area and perimeter.
   /// Requires: an area and a perimeter that are not negative; they may be infinite.
   void add(std::size_t holes, double area, double perimeter);
-  PolygonTotals totals() const;
+  PolygonTotals totals() const;  ///< totals of the polygons added so far
 
  private:
   struct Sums;

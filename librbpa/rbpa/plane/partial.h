@@ -1,8 +1,9 @@
-// What:   the contribution of a region of the plane to a solid alpha complex: counts, finished polygons, and the rim,
-//         which depends on regions not merged yet. The contributions of all regions are merged to the whole.
+// What:   computes the contribution of a region of the plane to a solid alpha complex: counts, finished polygons, and
+//         the rim, which depends on regions not merged yet; and merges the contributions of all regions to the whole.
 // Law:    partial() is a function of the points of the region and its halo, and of alpha. merge() is associative and
-//         commutative: bytes (partial_bytes.h) depend on which regions were merged, not on the order. When the whole
-//         plane is merged, finish() returns what rbpa(), count() and outline_polygons() compute for all points.
+//         commutative: unless polygons or holes were removed, bytes (partial_bytes.h) depend on which regions were
+//         merged, not on the order. When the whole plane is merged, finish() returns the numbers of rbpa() and count()
+//         and the polygons of outline_polygons() for all points.
 // Cost:   that of alpha_complex(); merging is n log n in the rims. Only the rims and the polygons not yet removed are
 //         kept in memory.
 // Source: docs/explanation/plane.md, sections 18 to 22.
@@ -28,14 +29,14 @@ struct PartialCounts {
   std::uint64_t duplicates = 0;  ///< points equal to one of a lower index
   std::uint64_t isolated = 0;    ///< distinct points in no triangle
   std::uint64_t vertices = 0;    ///< distinct points in triangles
-  std::uint64_t edges = 0;
+  std::uint64_t edges = 0;       ///< edges of triangles
   std::uint64_t triangles = 0;
-  std::uint64_t solid_components = 0;
-  std::uint64_t components = 0;  ///< components connected through points: pinches connect
+  std::uint64_t solid_components = 0;  ///< components connected through edges
+  std::uint64_t components = 0;        ///< components connected through points: pinches connect
   std::uint64_t boundary_curves = 0;
   friend bool operator==(const PartialCounts&, const PartialCounts&) = default;
 
-  /// Returns the number of holes. Requires: counts of the whole plane.
+  /// Returns the number of holes. Requires: counts of the whole plane; not checked.
   std::uint64_t holes() const { return components + edges - vertices - triangles; }
 };
 
@@ -51,7 +52,8 @@ struct RimSize {
 
 struct PartialState;
 
-/// The contribution of a set of disjoint regions to a solid alpha complex.
+/// The contribution of a set of disjoint regions to a solid alpha complex. An object that was moved from may only be
+/// assigned to or destroyed.
 class RBPA_API Partial {
  public:
   /// Constructs the contribution of no region: the neutral element of merge().
@@ -79,13 +81,13 @@ class RBPA_API Partial {
 };
 
 struct PartialOptions {
-  MaxThreads threads = 0;  ///< maximum number; 0: all processors
-  OnProgress progress = {};
+  MaxThreads threads = 0;    ///< maximum number; 0: all processors
+  OnProgress progress = {};  ///< callback for progress and cancellation
 };
 
-/// Computes the contribution of a region.
-/// Requires: `points` has every input point in the region and in halo(region, alpha); missing points are noticed only
-///           by merge() or finish(), and only where they lead to a contradiction.
+/// Computes the contribution of a region. If the region is empty, all counts are 0.
+/// Requires: `points` has every input point in halo(region, alpha); missing points are noticed only by merge() or
+///           finish(), and only where they lead to a contradiction.
 /// Throws:   InvalidInput when alpha is not a finite radius above 0, when the region's bounds are not in ascending
 ///           order, when a point is not finite or there are too many (alpha_complex.h), when the number of indices
 ///           differs from that of points or an index is given twice; Cancelled.
@@ -101,6 +103,7 @@ struct OwnedItems {
   std::vector<std::uint64_t> isolated;  ///< distinct points in no triangle, ascending
 };
 
+/// The contribution of a region, and the items that the region owns.
 struct PartialAndItems {
   Partial partial;
   OwnedItems owned;
@@ -114,34 +117,37 @@ RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoi
                                            const PartialOptions& options = {});
 
 /// Merges two sets of regions into one.
-/// Throws: InvalidInput when alphas differ, when a part of the plane is in both arguments, or when the arguments
-///         contradict each other about a common triangle or boundary edge, because a halo was not complete or points
-///         differed. After an exception neither argument may be used.
+/// Throws: InvalidInput when both have regions and their alphas differ, when a part of the plane is in both, or when
+///         they contradict each other about a common triangle or boundary edge, because a halo was not complete or
+///         points differed. After an exception, neither argument may be used.
 /// Cost:   n log n in the rims; an amortized constant for polygons.
 RBPA_API Partial merge(Partial&& a, Partial&& b);
 
-/// Removes the finished polygons from `partial` and returns them, sorted as by comes_before(); counts do not change. A
-/// polygon that touches an unfinished component stays until it is certain in which of the two the common points count.
+/// Removes the finished polygons from `partial` and returns them, sorted by comes_before(); counts do not change. A
+/// polygon that touches an unfinished component at a point stays until it is certain whether the point counts in it.
 RBPA_API std::vector<CornerPolygon> take_settled(Partial& partial);
 
+/// Holes that were removed from one component.
 struct TakenHoles {
   /// The name of the component. Holes of one polygon may come under several names, and under one name several times.
   ComponentName component;
-  std::vector<CornerRing> holes;  ///< by first point, then by second
+  std::vector<CornerRing> holes;  ///< clockwise; sorted by first point, then by second, both lexicographically
 };
 
-/// Removes the holes of unfinished components from `partial`, and returns them by component. A component that spans the
-/// plane may have more holes than fit into memory. If all holes of a component together have fewer than `min_corners`
-/// corners, the component keeps them: the record that replaces holes takes the memory of about 100 corners.
+/// Removes the complete holes of unfinished components from `partial`, and returns them, sorted by component. A
+/// component that spans the plane may have more holes than fit into memory. If the complete holes of a component have
+/// fewer than `min_corners` corners together, the component keeps them: the record that replaces holes takes the memory
+/// of about 100 corners. CornerPolygon::names tells which holes belong to a polygon.
 RBPA_API std::vector<TakenHoles> take_holes(Partial& partial, std::size_t min_corners = 0);
 
+/// The counts and polygons of the complex of the whole plane.
 struct WholeComplex {
   PartialCounts counts;
-  std::vector<CornerPolygon> polygons;  ///< sorted as by comes_before(); without those already removed
+  std::vector<CornerPolygon> polygons;  ///< sorted by comes_before(); without those that take_settled() removed
 };
 
 /// Returns the complex of the whole plane.
-/// Throws: InvalidInput that names the missing part, unless all of the plane is merged and nothing is unfinished.
+/// Throws: InvalidInput that names a missing part of the plane, or a triangle that not all regions of its corners have.
 RBPA_API WholeComplex finish(Partial&& partial);
 
 }  // namespace rbpa

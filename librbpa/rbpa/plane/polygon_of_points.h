@@ -1,7 +1,8 @@
 // What: assigns each input point to the polygon that contains it.
-// Law:  the result depends on the set of points, alpha and the filter only. A vertex of the solid is in the polygon of
+// Law:  the result depends on the set of points, alpha and the filter only. A corner of a triangle is in the polygon of
 //       its component; an exact plane sweep decides which other points lie in filled holes.
-// Cost: linear in the complex; if holes were filled, n log n in the boundary and the points outside the solid.
+// Cost: linear in the complex; if the filter has a bound on holes, n log n in the boundary and the points in no
+//       triangle.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,8 @@ namespace rbpa {
 /// Returns for each input point the index of the polygon that contains it, inside or on a ring: the least index if
 /// several polygons touch at the point, nothing if no polygon contains it. A duplicate has the index of the point that
 /// it repeats.
-/// Requires: `points` are those of the complex, and `polygons` is the result of outline_polygons(complex, filter).
+/// Requires: `points` are those of the complex, and `polygons` is the result of outline_polygons(complex, filter); not
+///           checked.
 /// Throws:   Cancelled.
 RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(const SolidAlphaComplex& complex,
                                                                      std::span<const Polygon> polygons,
@@ -28,9 +30,9 @@ RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(const Solid
                                                                      std::span<const Point> points,
                                                                      const GoOn& go_on = {});
 
-/// Returns the same for a solid complex in arrays.
-/// Requires: neighbors were computed; `duplicates` are those of the complex, ascending by index; `polygons` is the
-///           result of outline_polygons(points, complex, filter).
+/// Returns the polygon of each input point, as above, for a solid complex in arrays.
+/// Requires: neighbors were computed; `duplicates` are those of the complex; `polygons` is the result of
+///           outline_polygons(points, complex, filter). None of these is checked.
 /// Throws:   Cancelled.
 RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(
     std::span<const Point> points, const TriangleArrays& complex, std::span<const Duplicate> duplicates,
