@@ -2,8 +2,9 @@
 //         and the radius at which each appears. For points in a plane or on a line, the triangles and edges are those
 //         of the Delaunay triangulation there.
 // Law:    a simplex is in the full alpha complex of alpha exactly if its radius is at most alpha, for every double
-//         alpha: the radius is rounded up from the exact one. No face of a simplex has a greater radius than the
-//         simplex. A function of the set of points, and of their numbering.
+//         alpha > 0: the radius is rounded up from the exact one. No face of a simplex has a greater radius than the
+//         simplex. A function of the set of points; only the indices of corners, and the order of corners in a row,
+//         depend on the numbering of the points.
 // Cost:   that of solid(), and about as much again (docs/explanation/filtration_and_persistence.md, sections 9 to 12);
 //         radii are shared among threads.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4;
@@ -22,7 +23,8 @@
 
 namespace rbpa {
 
-/// Simplices with the radius of each, in units of the points. Corners are input indices.
+/// Simplices with the radius of each, in units of the points; infinity stands for a radius above all doubles. Corners
+/// are input indices; of equal points, the lowest index stands for all.
 struct SolidFiltration {
   /// The tetrahedra of solid() at infinity, with neighbors, along a space-filling curve in place of lexicographic
   /// order, so that nearby tetrahedra and their faces are near in memory. Rows are positively oriented and begin with
@@ -34,18 +36,21 @@ struct SolidFiltration {
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< corners ascending; in the order of their first triangles
   std::vector<double> edge_alpha;                   ///< the radius of each edge
 
-  /// For each corner of each tetrahedron, the triangle across from it.
+  /// For each corner of each tetrahedron, the number of the triangle across from the corner.
   std::vector<std::array<std::uint32_t, 4>> triangles_of;
-  std::vector<std::array<std::uint32_t, 3>> edges_of;  ///< for each corner of each triangle, the edge across from it
+  /// For each corner of each triangle, the number of the edge across from the corner.
+  std::vector<std::array<std::uint32_t, 3>> edges_of;
 
-  /// The radius of each point, infinity for one that is no simplex; empty where all have radius 0, as in the result of
+  /// The radius of each point, infinity for a point that is no simplex; empty if all radii are 0, as in the result of
   /// solid_filtration().
   std::vector<double> point_alpha;
 };
 
-/// Computes the filtration. `options` are those of solid(), but neighbors are always computed. After the triangulation,
+/// Computes the filtration. Neighbors are computed whatever options.neighbors is. After the triangulation,
 /// options.progress is called with the number of distinct points as the number of finished ones.
-/// Requires: as solid(). Throws: as solid().
+/// Requires: finite points, fewer than 2^32 − 1; at most 2^30 Delaunay tetrahedra.
+/// Throws:   InvalidInput that names the violated requirement: before anything is computed, except for too many
+///           tetrahedra; Cancelled.
 RBPA_API SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOptions& options = {});
 
 }  // namespace rbpa

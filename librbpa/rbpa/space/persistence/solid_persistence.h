@@ -20,19 +20,22 @@
 
 namespace rbpa {
 
-/// A component, tunnel or void that exists for birth ≤ alpha < death. In dimension 0 a point creates it and an edge
-/// destroys it; in dimension 1 an edge and a triangle; in dimension 2 a triangle and a tetrahedron.
+/// A component, tunnel or void that exists for birth ≤ alpha < death. A point creates a component, and an edge destroys
+/// it; for a tunnel these are an edge and a triangle, for a void a triangle and a tetrahedron.
 struct SolidPair {
-  int dimension = 0;
-  double birth = 0;                      ///< alpha, in units of the points
-  std::optional<double> death;           ///< alpha; absent: never
-  std::uint32_t born_by = 0;             ///< number of the simplex that creates it
-  std::uint32_t ended_by = Solid::none;  ///< number of the simplex that destroys it; none if it never dies
+  int dimension = 0;            ///< 0: component, 1: tunnel, 2: void
+  double birth = 0;             ///< alpha, in units of the points
+  std::optional<double> death;  ///< alpha; absent: never, as for one component
+  std::uint32_t born_by = 0;    ///< the simplex that creates: an input index, or a number in edges or triangles
+  /// The simplex that destroys: a number in edges, triangles or delaunay.simplices; none if there is no death.
+  std::uint32_t ended_by = Solid::none;
   friend bool operator==(const SolidPair&, const SolidPair&) = default;
 };
 
 /// Returns the pairs, sorted by dimension, birth, death (without a death last), and by the simplex that creates them.
-/// Throws: ContractViolation when arrays of the filtration do not fit together; Cancelled.
+/// Requires: `filtration` is the result of solid_filtration(); or of weighted_filtration(), whose values then take the
+///           place of alpha.
+/// Throws:   ContractViolation when sizes or numbers in the arrays of the filtration do not fit together; Cancelled.
 RBPA_API std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const GoOn& go_on = {});
 
 }  // namespace rbpa
