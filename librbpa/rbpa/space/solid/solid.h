@@ -1,8 +1,8 @@
 // What:   computes the solid alpha complex of points in space: their Delaunay tetrahedra of circumradius at most alpha,
 //         as arrays of indices in canonical order. At infinity, the Delaunay triangulation.
-// Law:    a function of the set of points and alpha, not of any order or thread. Every decision is exact, on any finite
-//         input. Ties are decided by the symbolic perturbation that CGAL uses, so its Delaunay_triangulation_3 has the
-//         same tetrahedra. docs/explanation/space.md.
+// Law:    the tetrahedra are a function of the set of points and alpha. Every decision is exact, on any finite input.
+//         Ties are decided by the symbolic perturbation of CGAL, whose Delaunay_triangulation_3 has the same
+//         tetrahedra. docs/explanation/space.md.
 // Cost:   about 7 tetrahedra and 2.5 microseconds a point in one thread, for points that fill a volume (measured in
 //         docs/explanation/space.md, section 16). Time and number of tetrahedra are quadratic in the worst case: points
 //         on the moment curve.
@@ -24,9 +24,9 @@
 namespace rbpa {
 
 struct SolidOptions {
-  /// Whether Solid::neighbors are filled in.
-  bool neighbors = true;
-  /// Tiles, triples and sorting use all threads; one thread inserts points (docs/explanation/space.md).
+  bool neighbors = true;  ///< whether Solid::neighbors is filled in
+  /// Maximum number of threads; 0: all processors. Where points are inserted one by one, one thread inserts them
+  /// (docs/explanation/space.md).
   MaxThreads threads = 0;
   OnProgress progress = {};  ///< Progress::triangles is the number of finished points
 };

@@ -1,5 +1,5 @@
 // What: finds the components of a solid, with their sizes, volumes and areas.
-// Law:  all numbers are functions of the set of points: the same to the last bit in any order of them.
+// Law:  all measures are functions of the set of points and alpha, to the last bit.
 // Cost: union–find over the tetrahedra, and the measures of their boundary.
 #pragma once
 
@@ -25,18 +25,20 @@ enum class Connection {
 struct SolidComponent {
   std::size_t tetrahedra = 0;
   std::size_t boundary_triangles = 0;
-  double volume = 0, area = 0;  ///< as accurate as measure() of a boundary
-  Point3 low, high;             ///< opposite corners of its box
+  double volume = 0, area = 0;  ///< volume, and area of the boundary triangles; as accurate as BoundaryMeasures
+  Point3 low, high;             ///< least and greatest coordinates
 };
 
+/// The components of a solid, and the component of each tetrahedron.
 struct SolidComponents {
-  /// The components, the largest volume first; of equal ones the one with the lexicographically least triangle first.
+  /// The components, the largest volume first; of equal volumes, the component with the lexicographically least
+  /// boundary triangle, by coordinates, first.
   std::vector<SolidComponent> all;
   std::vector<std::uint32_t> number;  ///< for each tetrahedron, its component in `all`
 };
 
-/// Computes the components of a solid.
-/// Requires: `solid` is a solid of `points` with neighbors, and `boundary` is its boundary.
+/// Computes the components of a solid; none of an empty solid.
+/// Requires: `solid` is a solid of `points` with neighbors, and `boundary` is solid_boundary(solid).
 /// Throws:   ContractViolation when neighbors are missing, an index does not exist, the boundary is open, or a
 ///           component has no boundary triangle.
 RBPA_API SolidComponents solid_components(std::span<const Point3> points, const Solid& solid,

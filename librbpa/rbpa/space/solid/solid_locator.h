@@ -1,6 +1,6 @@
 // What:   finds the tetrahedron of a Delaunay triangulation that contains a point.
-// Law:    exact, and a function of the point and the triangulation: of several tetrahedra that share the face, edge or
-//         corner on which the point lies, the one of lowest index is found.
+// Law:    the tetrahedron is found exactly, as a function of the point and the triangulation: of several tetrahedra
+//         that share the face, edge or corner on which the point lies, the one of lowest index is found.
 // How:    a walk from tetrahedron to tetrahedron toward the point, from one at an input point in the same cell of a
 //         grid. Such a walk ends in every Delaunay triangulation.
 // Cost:   construction is linear in the tetrahedra; a query takes a few steps of the walk where the points are dense.
@@ -20,20 +20,22 @@
 namespace rbpa {
 
 struct SolidLocateOptions {
-  MaxThreads threads = 0;
-  GoOn go_on = {};
+  MaxThreads threads = 0;  ///< maximum number; 0: all processors
+  GoOn go_on = {};         ///< callback for cancellation, called after each 1,024 queries
 };
 
+/// A Delaunay triangulation that is prepared for queries. Several threads may query it at the same time.
 class RBPA_API SolidLocator {
  public:
-  /// Prepares queries in a triangulation. Keeps the spans, whose arrays must outlive this object.
+  /// Prepares queries in a triangulation. Keeps the spans, whose arrays must outlive this object and stay unchanged.
   /// Requires: finite `points`; `simplices` and `neighbors` are those of solid() of `points` at infinity.
-  /// Throws:   ContractViolation when a corner or a neighbor does not exist.
+  /// Throws:   ContractViolation when the numbers of rows differ, or a corner or a neighbor does not exist; no other
+  ///           requirement is checked.
   SolidLocator(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 4>> simplices,
                std::span<const std::array<std::uint32_t, 4>> neighbors);
 
-  /// Returns for each query the lowest index of a tetrahedron that contains the point, boundary included; Solid::none
-  /// if the point is outside of the triangulation or not finite.
+  /// Returns for each query the lowest index of a tetrahedron that contains the query, boundary included; Solid::none
+  /// if the query is outside of the triangulation or not finite.
   /// Throws: Cancelled; ContractViolation when a walk shows that the triangulation is not Delaunay.
   std::vector<std::uint32_t> find(std::span<const Point3> queries, const SolidLocateOptions& options = {}) const;
 

@@ -1,7 +1,8 @@
-// What:   computes the radius at which each tetrahedron enters the solid alpha complex. From these radii alone follow
-//         the complex of any alpha, and the least alpha at which it has all points, or has all in one component.
-// Law:    a tetrahedron is in the complex of alpha exactly if its radius is at most alpha, for every double alpha.
-// Cost:   some 70 nanoseconds a tetrahedron for circumradii(), shared among threads; about linear for the others.
+// What:   computes the radius at which each tetrahedron enters the solid alpha complex; and from these radii the
+//         complex of any alpha, and the least alpha at which the complex, or one component, has a share of the points.
+// Law:    a tetrahedron is in the complex of alpha exactly if its radius is at most alpha, for every double alpha > 0.
+// Cost:   some 70 nanoseconds a tetrahedron for circumradii(), shared among threads; n log n for auto_alpha(), linear
+//         for the other functions.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994); docs/explanation/space.md, section 20.
 #pragma once
 
@@ -17,17 +18,18 @@
 namespace rbpa {
 
 /// Returns the circumradius of each tetrahedron, rounded up to a double; infinity if it is above all doubles.
-/// Requires: finite points; the four points of a simplex are not in one plane.
-/// Throws:   InvalidInput that names the first point that is not finite, or the first simplex with a corner that is not
-///           a point; Cancelled.
+/// Requires: finite points, fewer than 2^32 − 1; the four points of a simplex are not in one plane (not checked).
+/// Throws:   InvalidInput that names the number of points, the first point that is not finite, or the first simplex
+///           with a corner that is not a point; Cancelled.
 RBPA_API std::vector<double> circumradii(std::span<const Point3> points,
                                          std::span<const std::array<std::uint32_t, 4>> simplices,
                                          MaxThreads threads = 0, const GoOn& go_on = {});
 
 /// Returns the least alpha at which at least the fraction `share` of the distinct points are corners of tetrahedra. A
-/// share below 1 ignores outliers. The result is infinity if there is no tetrahedron.
+/// share below 1 ignores outliers. The share is count / all in double, so that 7 of 100 points are the share 0.07. The
+/// result is infinity if there is no tetrahedron.
 /// Requires: `delaunay` is solid() at infinity, and `radii` are its circumradii(); 0 < share ≤ 1.
-/// Throws:   ContractViolation if the number of radii is wrong or the share is out of range; Cancelled.
+/// Throws:   ContractViolation if the number of radii differs or the share is out of its bounds; Cancelled.
 RBPA_API double min_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1,
                           const GoOn& go_on = {});
 
@@ -40,8 +42,8 @@ RBPA_API double auto_alpha(const Solid& delaunay, std::span<const double> radii,
 
 /// Returns the tetrahedra of a solid whose radius is at most alpha, with neighbors if `solid` has neighbors. Of the
 /// Delaunay triangulation, the result is solid() with this alpha.
-/// Requires: `radii` has the radius of each tetrahedron, in the order of `solid`.
-/// Throws:   ContractViolation if the number of radii is wrong; InvalidInput when alpha is not above 0.
+/// Requires: `radii` has the radius of each tetrahedron, in the order of `solid`; only their number is checked.
+/// Throws:   ContractViolation if the number of radii differs; InvalidInput when alpha is not above 0.
 RBPA_API Solid within(const Solid& solid, std::span<const double> radii, double alpha);
 
 }  // namespace rbpa

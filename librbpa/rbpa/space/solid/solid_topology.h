@@ -1,6 +1,6 @@
 // What: counts the simplices, components, tunnels and voids of a solid.
-// Law:  components − tunnels + voids = points − edges + triangles − tetrahedra, the Euler characteristic. Exact; a
-//       function of the set of points and alpha. docs/explanation/space.md, section 18.
+// Law:  components − tunnels + voids = points − edges + triangles − tetrahedra, the Euler characteristic. Counts are
+//       exact, and a function of the set of points and alpha. docs/explanation/space.md, section 18.
 // Cost: union–find over the tetrahedra; the rest is linear in the boundary triangles, and in the tetrahedra around
 //       points where the boundary touches itself.
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace rbpa {
 
-/// Counts of the union of the tetrahedra. Points in no tetrahedron are not part of it.
+/// Counts of the union of the tetrahedra, of which points in no tetrahedron are no part.
 struct SolidCounts {
   std::size_t points = 0;  ///< distinct points that are corners
   std::size_t edges = 0;
@@ -30,9 +30,9 @@ struct SolidCounts {
 };
 
 /// Counts the simplices and the Betti numbers of a solid.
-/// Requires: `solid` is a solid of `points` with neighbors, and `boundary` is its boundary.
-/// Throws:   ContractViolation when neighbors are missing, an index does not exist, the boundary is open, or it visibly
-///           bounds another solid.
+/// Requires: `solid` is a solid of `points` with neighbors, and `boundary` is solid_boundary(solid).
+/// Throws:   ContractViolation when neighbors are missing, an index does not exist, the boundary is open, or the counts
+///           are impossible, as for the boundary of another solid.
 RBPA_API SolidCounts count(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary);
 
 }  // namespace rbpa

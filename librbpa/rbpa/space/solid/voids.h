@@ -1,7 +1,7 @@
 // What: finds the voids of a solid: the bounded components of its complement, each with its volume and its walls.
-// Law:  which regions are voids, and their boundary, are exact; a function of the set of points and alpha, down to the
-//       last bit of the measures. The volume of a void is that within its boundary, minus the islands in it;
-//       no tetrahedra of a larger radius are needed. docs/explanation/space.md, section 18.
+// Law:  voids and their boundaries are exact; they and their measures, to the last bit, are a function of the set of
+//       points and alpha. The volume of a void is the volume within its boundary, minus that of the islands in it. No
+//       tetrahedra of a larger radius are needed. docs/explanation/space.md, section 18.
 // Cost: that of count(), and of measure() for the triangles around voids; for each triangle of a void with islands,
 //       also a search among the components of the solid.
 #pragma once
@@ -26,19 +26,21 @@ struct SolidVoid {
   std::vector<std::uint32_t> triangles;  ///< numbers of the boundary triangles that face the void; ascending
   std::vector<std::uint32_t> points;     ///< corners of these triangles; ascending
   std::size_t islands = 0;               ///< components of the solid that lie in the void
-  double volume = 0;  ///< volume within its triangles, islands excluded; as accurate as measure() of a boundary
+  double volume = 0;  ///< volume within its triangles, islands excluded; as accurate as BoundaryMeasures::volume
   /// Volume of the part of the void that is at least alpha from every input point: the possible centers of a ball of
   /// radius alpha. Absent except for voids of the full complex.
   std::optional<double> outside_balls = {};
-  double area = 0;   ///< area of its triangles
-  Point3 low, high;  ///< opposite corners of its box
+  double area = 0;   ///< area of its triangles, those of islands included
+  Point3 low, high;  ///< least and greatest coordinates of its points
 };
 
+/// The voids of a solid, and the void at each boundary triangle.
 struct Voids {
   /// The value in `number` for triangles that face the outside.
   static constexpr std::uint32_t none = 0xffffffff;
 
-  /// The voids, the largest volume first; of equal ones the one with the lexicographically least triangle first.
+  /// The voids, the largest volume first; of equal volumes, the void with the lexicographically least triangle, by
+  /// coordinates, first.
   std::vector<SolidVoid> all;
   /// For each boundary triangle, the position in `all` of the void that it faces; none: the outside.
   std::vector<std::uint32_t> number;
@@ -46,8 +48,8 @@ struct Voids {
 };
 
 /// Finds the voids of a solid.
-/// Requires: `solid` is a solid of `points` with neighbors, and `boundary` is its boundary.
-/// Throws:   as count() of solid_topology.h.
+/// Requires: `solid` is a solid of `points` with neighbors, and `boundary` is solid_boundary(solid).
+/// Throws:   ContractViolation as count() of these arguments (solid_topology.h).
 RBPA_API Voids voids(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary);
 
 }  // namespace rbpa
