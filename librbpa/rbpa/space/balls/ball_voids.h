@@ -34,17 +34,17 @@ struct LiningBall {
   double area;
 };
 
-/// Triangles between a pocket and the outside, connected through edges outside of the dual complex.
+/// A mouth of a pocket: triangles to the outside, connected through edges that are not in the dual complex.
 struct BallMouth {
   std::vector<Triangle> triangles;   ///< corners counter-clockwise seen from outside; the lowest first; ascending
   std::vector<std::uint32_t> balls;  ///< corners of these triangles that are in the dual complex; ascending
   double area_of_triangles = 0;
-  double area = 0;       ///< of these triangles, outside of the balls
-  double perimeter = 0;  ///< length of the border between this area and the balls, also of balls within
+  double area = 0;       ///< area of the triangles outside of the balls
+  double perimeter = 0;  ///< length of the border of `area` at balls, also at balls that it surrounds
   /// The mouth is closed in the union of balls with the squared radii R² + power. With equal radii these balls are the
   /// least ones that separate the pocket from the outside here.
   double power = 0;
-  /// The largest ball around this center that meets none of the balls at corners of the pocket. The center is that of
+  /// The largest ball around `center` that meets none of the balls at corners of the pocket. `center` is the center of
   /// the circle that touches the three balls of the triangle that closes last.
   Point3 center;
   double radius = 0;
@@ -52,30 +52,31 @@ struct BallMouth {
 
 /// A void or pocket of a union of balls.
 struct BallVoid {
-  std::vector<std::uint32_t> tetrahedra;  ///< indices, ascending
+  std::vector<std::uint32_t> tetrahedra;  ///< positions in RegularTriangulation::simplices, ascending
   double volume_of_tetrahedra = 0;
   /// Volume outside of the balls, and area of their spheres there. The part of a ball that reaches through a mouth is
   /// counted with the tetrahedra at its center.
   double volume = 0, area = 0;
   std::vector<LiningBall> balls;  ///< corners that are in the dual complex; ascending
   /// The largest ball that meets none of the balls at corners of the tetrahedra. In a void it is the largest one of all
-  /// that fit in. In a pocket its center is where no small move makes it larger, or an orthocenter.
+  /// that fit in. In a pocket, no small move of its center makes it larger, or the center is an orthocenter.
   Point3 center;
-  double radius = 0;
-  double power = 0;  ///< the union of balls with the squared radii R² + power fills it: the greatest power
+  double radius = 0;  ///< 0, with the center at the origin, if rounding leaves no room
+  double power = 0;   ///< the least power p such that balls with the squared radii R² + p fill the void or pocket
   std::vector<BallMouth> mouths;  ///< none for a void; by descending power, then by coordinates
 };
 
-/// The voids, and the pockets that have mouths. By descending volume_of_tetrahedra, then by coordinates.
+/// The voids, and the pockets that have mouths, each by descending volume_of_tetrahedra, then by coordinates.
 struct BallVoids {
   std::vector<BallVoid> voids, pockets;
-  double volume = 0, area = 0;  ///< of all voids: outside of the balls, and of their spheres
+  double volume = 0, area = 0;  ///< sums over the voids, without pockets
 };
 
-/// Finds the voids of balls whose triangulation is already computed. There are none if all centers are in a plane.
-/// Radii include a probe: grown by it, the balls leave what the center of the probe can reach.
+/// Finds the voids of balls whose triangulation is already computed. There are none if all centers are in a plane. The
+/// voids for the center of a probe are those of balls whose radii include the radius of the probe.
 /// Requires: `regular` is regular_triangulation() of these balls, with neighbors.
-/// Throws:   ContractViolation where radii or neighbors are missing, or a corner does not exist; Cancelled.
+/// Throws:   ContractViolation unless there is one radius for each center, if neighbors are missing, or a corner does
+///           not exist; Cancelled.
 RBPA_API BallVoids ball_voids(std::span<const Point3> centers, std::span<const double> radii,
                               const RegularTriangulation& regular, const BallVoidsOptions& options = {});
 

@@ -1,7 +1,7 @@
 // What:   finds the dangling simplices of the full alpha complex: triangles in no tetrahedron, edges in no triangle,
 //         points in no edge.
-// Law:    a simplex is in the full alpha complex if a ball of radius at most alpha has its corners on its sphere and no
-//         point inside. Exact, for any finite input.
+// Law:    a simplex is in the full alpha complex exactly if some ball of radius at most alpha has all its corners on
+//         the sphere and no point inside. Exact, for any finite input.
 // Cost:   about linear in the Delaunay triangulation; microseconds a simplex where points are cospherical.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994); docs/explanation/space.md, section 21.
 #pragma once
@@ -25,12 +25,12 @@ struct DanglingFaces {
   std::vector<std::uint32_t> points;                ///< in no edge of the complex
 };
 
-/// Computes the dangling simplices at `alpha`. If there is no tetrahedron, as for points in a plane, the simplices are
-/// those of solid_filtration().
+/// Computes the dangling simplices at `alpha`. If there is no tetrahedron, as for points in a plane, the simplices of
+/// the complex are those of solid_filtration() of radius at most alpha.
 /// Requires: `delaunay` is solid() of these points at infinity, with neighbors; `radii` are its circumradii(); 0 <
 ///           alpha ≤ infinity.
 /// Throws:   ContractViolation if radii, neighbors or a corner's point are missing; InvalidInput if alpha is not above
-///           0.
+///           0. The rest is not checked.
 RBPA_API DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaunay,
                                       std::span<const double> radii, double alpha, MaxThreads threads = 0);
 

@@ -20,7 +20,7 @@
 
 namespace rbpa {
 
-/// Counts of the full alpha complex.
+/// Counts of the full alpha complex. Each distinct point is in the complex.
 struct FullCounts {
   std::size_t points = 0, edges = 0, triangles = 0, tetrahedra = 0;  ///< numbers of simplices in the complex
   std::size_t components = 0, tunnels = 0, voids = 0;                ///< Betti numbers 0 to 2
@@ -29,19 +29,20 @@ struct FullCounts {
 /// Counts the simplices and the Betti numbers of the full alpha complex.
 /// Requires: `delaunay` is solid() of these points at infinity, with neighbors; `radii` are its circumradii(); 0 <
 ///           alpha ≤ infinity.
-/// Throws:   as dangling_faces(); Cancelled, unless the points lie in a plane.
+/// Throws:   as dangling_faces(); Cancelled, but never for points in a plane.
 RBPA_API FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                                double alpha, MaxThreads threads = 0, const GoOn& go_on = {});
 
 /// Returns the voids as a solid: the tetrahedra of the triangulation that are not in the complex and are not connected
 /// to the outside through triangles that are not in the complex. Its solid_components() through triangles are the
-/// voids; its solid_boundary() has the walls, counter-clockwise seen from outside of the voids. A triangle between
-/// two voids, or inside of one, is there twice. Points of no void are isolated.
+/// voids; its solid_boundary() has the walls, counter-clockwise seen from outside of the voids. A triangle of the
+/// complex between two voids, or inside of one, is there twice. Solid::isolated has the distinct points at no void.
 /// Requires: as count_full().
 /// Throws:   as count_full().
 RBPA_API Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                           double alpha, MaxThreads threads = 0, const GoOn& go_on = {});
 
+/// The voids of the full alpha complex, and the walls of all.
 struct FullVoids {
   /// The walls, counter-clockwise seen from within a void. A triangle between two voids, or inside of one, is there
   /// twice.
@@ -51,8 +52,8 @@ struct FullVoids {
 
 /// Returns the measures and the walls of each void, with SolidVoid::outside_balls. SolidVoid::islands is the number of
 /// pieces of the walls, connected through points, without the piece that surrounds the void.
-/// Requires: void_space() of these points at this alpha.
-/// Throws:   ContractViolation when points and space visibly do not belong together; Cancelled.
+/// Requires: `space` is the void_space() of these points at this alpha.
+/// Throws:   ContractViolation when `space` is visibly of other points; Cancelled.
 RBPA_API FullVoids full_voids(std::span<const Point3> points, const Solid& space, double alpha, MaxThreads threads = 0,
                               const GoOn& go_on = {});
 

@@ -19,11 +19,11 @@ struct BallFrame {
   std::span<const double> radii;  ///< one for each center
 };
 
-/// Measures the balls of each frame. `options` are as for measure_balls(); of several frames Progress::triangles is the
-/// number of those that are done, and Progress::points that of all.
+/// Returns the measures of the balls of each frame, in the order of the frames. `options` are as for measure_balls(),
+/// but if there are several frames, Progress::triangles is the number of finished frames, Progress::points that of all.
 /// Requires: of each frame what measure_balls() requires.
-/// Throws:   as measure_balls(); the message of InvalidInput begins with "frame 3: ", counted from 0, if there are
-///           several.
+/// Throws:   as measure_balls(); if there are several frames, the message of InvalidInput begins with the number of the
+///           frame, from 0, as in "frame 3: ".
 RBPA_API std::vector<BallMeasures> measure_ball_frames(std::span<const BallFrame> frames,
                                                        const MeasureBallsOptions& options = {});
 

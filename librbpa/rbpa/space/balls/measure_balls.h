@@ -24,7 +24,7 @@
 namespace rbpa {
 
 struct MeasureBallsOptions {
-  double probe = 0;          ///< added to each radius, once rounded
+  double probe = 0;          ///< added to each radius; the sums are rounded
   bool contacts = false;     ///< whether BallMeasures::contacts are filled in
   bool derivatives = false;  ///< whether BallMeasures has gradients
   MaxThreads threads = 0;
@@ -52,8 +52,8 @@ struct BallMeasures {
   /// The balls that have no part of the union: without a power cell, equal to a ball of lower index, or with a cell
   /// that does not meet the ball. Ascending.
   std::vector<std::uint32_t> hidden;
-  std::vector<BallContact> contacts;  ///< ascending by balls: all edges of the dual complex
-  /// Derivatives of the union's volume and area by each center.
+  std::vector<BallContact> contacts;  ///< all edges of the dual complex, ascending by balls; empty unless requested
+  /// Derivatives of the union's volume and area by each center; empty unless requested.
   std::vector<Point3> volume_gradient, area_gradient;
 };
 
@@ -64,9 +64,9 @@ struct BallMeasures {
 RBPA_API BallMeasures measure_balls(std::span<const Point3> centers, std::span<const double> radii,
                                     const MeasureBallsOptions& options = {});
 
-/// Measures balls whose triangulation is already computed. Ignores the probe, which the radii include.
+/// Measures balls whose triangulation is already computed. The radii must include the probe: options.probe is ignored.
 /// Requires: `regular` is regular_triangulation() of these balls, with neighbors, and has tetrahedra.
-/// Throws:   ContractViolation where radii, tetrahedra or neighbors are missing; Cancelled.
+/// Throws:   ContractViolation where radii, tetrahedra or neighbors are missing; Cancelled. The rest is not checked.
 RBPA_API BallMeasures measure_balls(std::span<const Point3> centers, std::span<const double> radii,
                                     const RegularTriangulation& regular, const MeasureBallsOptions& options = {});
 

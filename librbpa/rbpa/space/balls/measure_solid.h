@@ -55,16 +55,16 @@ struct MeasuredSolid {
   std::vector<SolidPlateau> plateaus = {};  ///< all plateaus, the best first, if the rule is `plateau`
   Solid triangulation = {};                 ///< all tetrahedra of the points, if they were needed
   std::vector<double> radii = {};           ///< circumradii of the tetrahedra of `triangulation`
-  SolidBoundary boundary = {};
-  BoundaryMeasures measures = {};       ///< with `counts`: volume and area of the solid
-  SolidCounts counts = {};              ///< with `counts`: simplices and Betti numbers of the solid
-  std::optional<FullCounts> full = {};  ///< with `full`: simplices and Betti numbers of the full complex
+  SolidBoundary boundary = {};              ///< with `boundary`, `counts` or `components`
+  BoundaryMeasures measures = {};           ///< with `counts`: volume and area of the solid
+  SolidCounts counts = {};                  ///< with `counts`: simplices and Betti numbers of the solid
+  std::optional<FullCounts> full = {};      ///< with `full`: simplices and Betti numbers of the full complex
   /// The voids, the largest volume first: with `full` those of the full complex, else with `counts` those of the solid.
   /// Their triangles are numbered in around_voids().
   std::vector<SolidVoid> voids = {};
-  Surface full_void_boundary = {};  ///< the walls of the voids of the full complex
-  std::optional<BallUnion> balls = {};
-  std::vector<SolidComponent> components = {};
+  Surface full_void_boundary = {};              ///< the walls of the voids of the full complex
+  std::optional<BallUnion> balls = {};          ///< with `balls`; absent if alpha is infinite
+  std::vector<SolidComponent> components = {};  ///< with `components`; the largest volume first
 
   /// Returns the surface whose triangles are numbered by the voids.
   const Surface& around_voids() const { return full ? full_void_boundary : boundary.surface; }
@@ -73,7 +73,8 @@ struct MeasuredSolid {
 /// Computes the solid and the results that the options request.
 /// Requires: as solid(); for rules that take a cover, 0 < cover ≤ 1; for the rule `plateau`, a rank from 1 to the
 ///           number of plateaus if there are any; for `balls`, as union_of_balls().
-/// Throws:   InvalidInput that names the violated requirement; ContractViolation unless 0 < cover ≤ 1; Cancelled.
+/// Throws:   InvalidInput that names the violated requirement; ContractViolation if a rule takes a cover that is not
+///           above 0 and at most 1; Cancelled.
 RBPA_API MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOptions& options = {});
 
 }  // namespace rbpa

@@ -35,6 +35,7 @@ struct PeriodicPart {
   unsigned dimension = 0;
 };
 
+/// The topology of a complex. The full one has all points, the solid one the corners of its tetrahedra.
 struct PeriodicTopology {
   std::size_t points = 0, edges = 0, triangles = 0, tetrahedra = 0;  ///< simplices of the complex in one box
   std::size_t boundary_triangles = 0;                                ///< triangles of exactly one tetrahedron
@@ -44,9 +45,10 @@ struct PeriodicTopology {
 };
 
 /// Computes the topology of the solid complex or of the full one, whose voids no ball of radius alpha can leave.
-/// Requires: periodic_solid() at infinity, with neighbors, and its circumradii; 0 < alpha ≤ infinity.
+/// Requires: `delaunay` is periodic_solid() at infinity, with neighbors; `radii` are the circumradii() of its positions
+///           and simplices; 0 < alpha ≤ infinity.
 /// Throws:   ContractViolation when sizes differ or a tetrahedron lacks a neighbor; InvalidInput when alpha is not
-///           above 0; Cancelled.
+///           above 0; Cancelled. The rest is not checked.
 RBPA_API PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<const double> radii, double alpha,
                                             ComplexKind walls = ComplexKind::full, MaxThreads threads = 0,
                                             const GoOn& go_on = {});

@@ -21,15 +21,13 @@ struct BallUnion {
   double volume = 0, area = 0;
 };
 
-/// Computes volume and area of the union. Points may have any position; equal points count once.
-/// Ignores options.neighbors.
+/// Computes volume and area of the union; 0 if there is no point. Equal points count once. Ignores options.neighbors.
 /// Requires: finite points; 0 < radius < infinity. If all points are in one plane, points farther away than all balls
 ///           must still fit double.
 /// Throws:   InvalidInput that names the violated requirement; as solid().
 RBPA_API BallUnion union_of_balls(std::span<const Point3> points, double radius, const SolidOptions& options = {});
 
-/// Computes volume and area of the union from a triangulation that is already computed. `threads` is as in
-/// SolidOptions: 0 = all processors.
+/// Computes volume and area of the union from a triangulation that is already computed.
 /// Requires: 0 < radius < infinity; `delaunay` is the result of solid(points, infinity), with neighbors, and has
 ///           tetrahedra; `radii` are its circumradii() of solid_radii.h.
 /// Throws:   InvalidInput when the radius is out of range; ContractViolation when there are no tetrahedra or no
