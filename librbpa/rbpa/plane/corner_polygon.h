@@ -20,8 +20,8 @@ struct Corner {
   friend bool operator==(const Corner&, const Corner&) = default;
 };
 
-/// A Ring (rbpa/plane/outline_polygons.h) with coordinates. It begins with its lexicographically least point, passes no
-/// point twice, and does not repeat the first point at the end.
+/// A closed polyline of corners, which begins with its lexicographically least point, passes no point twice, and does
+/// not repeat the first point at the end.
 using CornerRing = std::vector<Corner>;
 
 /// The name of an unfinished component: the input indices of the corners of one of its triangles. No other component

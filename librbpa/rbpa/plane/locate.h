@@ -1,8 +1,8 @@
 // What:   finds the triangle of a Delaunay triangulation that contains a point, and interpolates values between points.
 // Law:    the triangle is found exactly, as a function of the point and the triangulation: of several triangles that
 //         share the side or corner on which the point lies, the one of lowest index is found.
-// How:    a walk from triangle to triangle toward the point, from a triangle near the grid cell that contains the
-//         point. Such a walk ends in every Delaunay triangulation.
+// How:    a walk from triangle to triangle toward the point, from the triangle of the query before, or one near the
+//         grid cell of the point. Such a walk ends in every Delaunay triangulation.
 // Cost:   constructing a Locator takes linear time and some 30 bytes for each point; a query takes a few steps of the
 //         walk where points are dense.
 // Source: Devillers, Pion, Teillaud, Walking in a triangulation (2002); R. Sibson, A vector identity for the Dirichlet

@@ -124,7 +124,8 @@ RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoi
 RBPA_API Partial merge(Partial&& a, Partial&& b);
 
 /// Removes the finished polygons from `partial` and returns them, sorted by comes_before(); counts do not change. A
-/// polygon that touches an unfinished component at a point stays until it is certain whether the point counts in it.
+/// polygon that touches an unfinished component at a point stays until it is certain whether this point counts in the
+/// polygon.
 RBPA_API std::vector<CornerPolygon> take_settled(Partial& partial);
 
 /// Holes that were removed from one component.

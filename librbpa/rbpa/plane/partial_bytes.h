@@ -18,7 +18,7 @@ namespace rbpa {
 RBPA_API std::vector<std::uint8_t> to_bytes(const Partial& partial);
 
 /// Returns the Partial that to_bytes() wrote.
-/// Throws: InvalidInput that says what was found and expected, if the bytes are of another kind or version, do not have
+/// Throws: InvalidInput with what was found and expected, if the bytes are of another kind or version, do not have
 ///         their size or checksum, or break a rule that to_bytes() keeps.
 /// Cost:   linear; n log n in the corners of the merged regions.
 RBPA_API Partial partial_from_bytes(std::span<const std::uint8_t> bytes);

@@ -38,12 +38,12 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
 /// Throws:   ContractViolation when one of these numbers differs, or the share is out of its bounds; Cancelled.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const GoOn& go_on = {});
-/// Returns the same radius without a filtration, from the circumradii of the triangles alone. This takes about half the
-/// time that filtration() takes.
+/// Returns the radius of the first overload without a filtration, from the circumradii of the triangles alone, in about
+/// half the time that filtration() takes.
 /// Throws: ContractViolation when the share is out of its bounds; Cancelled.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Covering& covering,
                                                  const GoOn& go_on = {});
-/// Returns the same radius for a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
+/// Returns the radius of the first overload for the result of alpha_complex(points, infinity, {.neighbors = true}).
 /// Requires: `filtration` is the filtration of this triangulation.
 /// Throws:   as the first overload; if the share is below 1 and components are limited, also ContractViolation as
 ///           require_linked(), as neighbors are read only then. Nothing else of the triangulation is checked.

@@ -53,8 +53,8 @@ struct VoidTree {
 
 /// Builds the tree of the voids of the solid or the full complex. `threads` is the maximum number of threads that share
 /// the radii of triangles; 0: all processors. Without tetrahedra, the tree is empty.
-/// Requires: `delaunay` is solid() of `points` at infinity, with neighbors, and `radii` are its circumradii(); or both
-///           are those of solid_filtration(), which is faster.
+/// Requires: `delaunay` is solid() of `points` at infinity, with neighbors, and `radii` are its circumradii(); or they
+///           are `delaunay` and `tetrahedron_alpha` of solid_filtration(), which is faster.
 /// Throws:   ContractViolation when the numbers of tetrahedra, rows of neighbors and radii differ, a corner is not a
 ///           point, or a neighbor does not share the face; Cancelled.
 RBPA_API VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,

@@ -2,7 +2,7 @@
 // Law:    the tetrahedron is found exactly, as a function of the point and the triangulation: of several tetrahedra
 //         that share the face, edge or corner on which the point lies, the one of lowest index is found.
 // How:    a walk from tetrahedron to tetrahedron toward the point, from one at an input point in the same cell of a
-//         grid. Such a walk ends in every Delaunay triangulation.
+//         grid or, if that has none, in a cell before. Such a walk ends in every Delaunay triangulation.
 // Cost:   construction is linear in the tetrahedra; a query takes a few steps of the walk where the points are dense.
 // Source: Devillers, Pion, Teillaud, Walking in a triangulation (2002).
 #pragma once
