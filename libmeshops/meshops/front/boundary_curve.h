@@ -57,13 +57,14 @@ class MESHOPS_API BoundaryCurve {
     bool end_ = true;
   };
 
-  /// Requires: `through` is a boundary halfedge of a sound mesh. Throws ContractViolation.
+  /// Views the curve through the halfedge `through`, with which the range begins.
+  /// Requires: `through` is a live boundary halfedge; throws ContractViolation. The mesh is sound; not checked.
   BoundaryCurve(const Connectivity& mesh, Halfedge through);
 
   Iterator begin() const { return {*mesh_, through_, false}; }
   Iterator end() const { return {*mesh_, through_, true}; }
   Halfedge front() const { return through_; }
-  /// Returns whether `h` is on this curve. Throws ContractViolation when `h` is not a boundary halfedge.
+  /// Returns whether `h` is on this curve. Throws ContractViolation when `h` is not a live boundary halfedge.
   /// Cost: the shorter way along the curve to `h`; the length of the shorter curve when `h` is on another.
   bool contains(Halfedge h) const;
 
@@ -75,13 +76,14 @@ class MESHOPS_API BoundaryCurve {
   Halfedge through_;
 };
 
-/// Returns the boundary curve that leaves the vertex `v`, starting there; nothing when `v` is inner or isolated.
-/// Requires: `v` is live. Throws ContractViolation.
+/// Returns the boundary curve that passes the vertex `v`, beginning with the halfedge that leaves `v`; nothing when `v`
+/// is inner or isolated.
+/// Requires: `v` is live; throws ContractViolation. The mesh is sound; not checked.
 /// Cost:     constant.
 MESHOPS_API std::optional<BoundaryCurve> boundary_curve_at(const Connectivity& mesh, Vertex v);
 
-/// Returns every boundary curve once, each starting at its least halfedge, in ascending order of these halfedges.
-/// Cost: linear in the number of halfedges.
+/// Returns every boundary curve once, each beginning with its least halfedge, in ascending order of these halfedges.
+/// Requires: the mesh is sound; not checked. Cost: linear in the number of halfedges.
 MESHOPS_API std::vector<BoundaryCurve> boundary_curves(const Connectivity& mesh);
 
 }  // namespace meshops

@@ -1,10 +1,10 @@
 // What:   the advancing-front engine: calls a policy edge by edge until nothing is left to do.
-// Law:    when advance() returns, every boundary halfedge is frozen, unless pop() had taken it: the policy proposed
-//         nothing for it, or triangles that were refused or left it there, or deferred it; or visitor or caller froze
-//         it. The mesh is sound, whatever the policy returns. With a fixed number of sites, the engine terminates
-//         unless the policy detaches triangles forever or returns ever new seeds that are refused.
-// Cost:   one proposal per active halfedge that is still on the boundary when its turn comes, one more each time that
-//         it was deferred, and the cost of the order.
+// Law:    when advance() returns, every boundary halfedge is frozen, except those that pop() had taken and those that
+//         the visitor activated in seed_refused() when no seed was inserted afterwards. The mesh is sound, whatever the
+//         policy returns. With a fixed number of sites, the engine terminates unless the policy detaches triangles
+//         forever or returns refused seeds forever, never one twice in a row, or the visitor activates edges forever.
+// Cost:   one proposal each time that the turn of an active boundary halfedge comes; with a key(), also the logarithm
+//         of the number of active halfedges each time.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003); Restricted BPA, section 3.1,
 //         "Algorithm outline".
 #pragma once
@@ -18,10 +18,11 @@
 
 namespace meshops {
 
-/// Advances the active front until no active halfedge is left, then inserts a seed and continues, until there is no
-/// further seed or the same seed is refused twice in a row. After Front::next_level() the engine begins with the
-/// halfedges that were frozen. Deferred edges get their turn whenever no other edge is active and a triangle was
-/// inserted or detached since, before the next seed; without a seed they are frozen, and seed() is called once more.
+/// Advances the active front until no active halfedge is left, then inserts a seed and continues, until seed() returns
+/// nothing or the seed that was just refused. Deferred edges get their turn again before the next seed, when no other
+/// edge is active and a triangle was inserted or detached since they were deferred; without a seed they are frozen, and
+/// seed() is called once more. An edge is frozen when the policy proposes nothing for it, when its proposal is refused,
+/// or when its proposal leaves it on the boundary.
 /// Throws: whatever the policy or the visitor throws, including the comparisons and moves of keys. The mesh is then
 ///         sound, the edges that were active or being processed are active, and another advance() continues with them
 ///         in the same order. ContractViolation when the mesh or the front is changed during a call: by the policy in

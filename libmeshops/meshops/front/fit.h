@@ -14,15 +14,16 @@ namespace meshops {
 class Front;
 
 /// Place of a triangle: its corners and the sides to which it will be glued, or the reason why it cannot be inserted.
-/// The result of Front::fit() is valid until a triangle is attached or detached. A caller that has determined corners
-/// and sides itself can construct a Fit, and must then ensure that no triangle is inserted twice and that the right
-/// sides are glued.
+/// The result of Front::fit() is valid until a triangle is inserted or detached. A caller that has determined corners
+/// and sides can construct a Fit, and must then ensure that no triangle is inserted twice and that the right sides are
+/// glued.
 struct Fit {
+  /// Makes the place of a triangle on these corners, glued to nothing.
   explicit Fit(const std::array<Site, 3>& sites) : corners(sites) {}
 
-  std::array<Site, 3> corners;
-  TriangleSides sides;  ///< the sides that are boundary halfedges already; `corner` is not read
-  std::optional<Refusal> refusal;
+  std::array<Site, 3> corners;     ///< counter-clockwise; the numbers that follow the last site stand for new sites
+  TriangleSides sides;             ///< the sides that are boundary halfedges already; `corner` is not read
+  std::optional<Refusal> refusal;  ///< why the triangle cannot be inserted; nothing when it can
 
  private:
   friend class Front;

@@ -34,7 +34,7 @@ class EngineSide;
 
 /// A triangle that was detached: its corners, and the halfedges of its sides.
 struct DetachedTriangle {
-  std::array<Site, 3> corners;
+  std::array<Site, 3> corners;  ///< counter-clockwise
   /// Side i ran from corner i to corner i + 1. It is a boundary halfedge now, or invalid if no face lay beyond it.
   std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};
 };
@@ -42,13 +42,13 @@ struct DetachedTriangle {
 /// Front on a mesh.
 ///
 /// A *site* is the number of a point. A *fan* is a sequence of faces around a site, each adjacent to the next; each fan
-/// has a vertex of its own, which stands on the site. A *deferred* halfedge is active, but its turn comes only
-/// when no other one is active. A *frozen* one waits for the next *level*, which next_level() begins.
+/// has a vertex of its own, which stands on the site. A *deferred* halfedge is active, but its turn comes only when no
+/// other halfedge is active. A *frozen* halfedge waits for the next *level*, which next_level() begins.
 ///
-/// A mesh has at most one front, and a front is not copied. While it is in use, no other code may add elements to the
-/// mesh or remove some (garbage_collection(), add_face()). After finish(), only mesh(), edges(), faces(), sites(),
-/// frozen() and level() may be called. Every other member throws ContractViolation, which names the cause, when one of
-/// these two rules is broken.
+/// A mesh has at most one front. While the front is in use, no other code may add elements to the mesh or remove some
+/// (garbage_collection(), add_face()). After finish(), only mesh(), edges(), faces(), sites(), frozen() and level() may
+/// be called. Every other member throws ContractViolation, which names the cause, after finish() or when the numbers of
+/// elements of the mesh are not those that the front left.
 class MESHOPS_API Front {
  public:
   /// Begins with an empty mesh: adds `sites` isolated vertices, vertex i on site i.
@@ -60,12 +60,14 @@ class MESHOPS_API Front {
   /// Begins with an existing mesh: its boundary curves become the front, active, in the order of their handles.
   /// Vertex v stands on site v, or on site_of_vertex[v] (for a complex with pinches). The elements keep their handles
   /// and properties. If vertices on one site become one, all but one are marked deleted.
-  /// Requires: the mesh is sound and has status of every kind; no edge joins two vertices on one site, and no two edges
-  ///           join the same sites. All of this but the last is checked. Throws ContractViolation.
-  /// Cost:     linear.
+  /// Requires: the mesh is sound and has status of every kind; `site_of_vertex` is empty or has a site for each vertex,
+  ///           below 2³¹ − 1; no edge joins two vertices on one site; no two edges join the same sites. All of this but
+  ///           the last is checked. Throws ContractViolation.
+  /// Cost:     linear in the mesh and the greatest site.
   explicit Front(Connectivity& mesh, std::span<const Site> site_of_vertex = {});
 
-  /// Continues an assembled mesh: sides beyond which a further patch could lie are active, the others frozen.
+  /// Continues an assembled mesh: open sides to which no patch was glued are active, sides marked Patch::nothing
+  /// frozen. `supply` is as for an empty mesh. Leaves `assembled` empty.
   /// Requires: `assembled` is not empty, and its mesh is unchanged; supply > 0. Throws ContractViolation.
   explicit Front(AssembledPatches&& assembled, std::size_t supply = 1);
 
@@ -73,10 +75,11 @@ class MESHOPS_API Front {
   Front& operator=(const Front&) = delete;
 
   const Connectivity& mesh() const { return mesh_; }
-  /// Returns the number of edges or faces of the mesh.
+  /// Returns the number of live edges or faces, without unused ones.
   std::size_t edges() const { return edges_ - dead_edges_; }
   std::size_t faces() const { return faces_ - dead_faces_; }
-  /// Returns the number of sites. They are 0 to sites() − 1, except vertices that were deleted before the front began.
+  /// Returns one more than the greatest site; 0 after finish(). All numbers below are sites, except, in a front without
+  /// `site_of_vertex`, those of vertices that were deleted before the front began.
   std::size_t sites() const { return vertices_.sites(); }
 
   /// Adds a site, for methods that place points while they run. Returns: its number, the old value of sites().
@@ -86,8 +89,8 @@ class MESHOPS_API Front {
     return vertices_.add_site();
   }
 
-  /// Returns the site of a vertex, or of the start or the end of a halfedge. Throws ContractViolation when there is no
-  /// such vertex, halfedge or site; so do the members below.
+  /// Returns the site of a vertex, or of the start or the end of a halfedge. Throws ContractViolation when the vertex
+  /// or the halfedge does not exist.
   Site site(Vertex v) const {
     guard_.require_intact();
     return vertices_.site(v);
@@ -95,12 +98,14 @@ class MESHOPS_API Front {
   Site from_site(Halfedge h) const { return by_sites().start(checked(h)); }
   Site to_site(Halfedge h) const { return by_sites().end(checked(h)); }
 
+  // The members from is_free() to boundary_between() throw ContractViolation unless a given site is below sites().
+
   /// Returns whether no triangle has a corner on this site.
   bool is_free(Site s) const {
     guard_.require_intact();
     return vertices_.is_free(s);
   }
-  /// Returns whether a fan on this site is on the boundary.
+  /// Returns whether a fan on this site is on the boundary; false when the site is free.
   bool is_on_boundary(Site s) const {
     bool found = false;
     for_each_fan(s, [&](Vertex v) { found = found || mesh_.is_boundary(v); });
@@ -122,11 +127,11 @@ class MESHOPS_API Front {
   /// Returns all halfedges from site `from` to site `to`, in any order. There are several only where the caller decides
   /// what is glued. Cost: as edge_between().
   std::vector<Halfedge> edges_between(Site from, Site to) const { return by_sites().edges_between(from, to); }
-  /// Returns the boundary halfedge from site `from` to site `to`; an invalid handle when there is none.
+  /// Returns a boundary halfedge from site `from` to site `to`; an invalid handle when there is none.
   /// Cost: the lesser of the numbers of fans at both sites.
   Halfedge boundary_between(Site from, Site to) const { return by_sites().boundary_between(from, to); }
   /// Returns the triangle with these corners in this cyclic order; an invalid handle when there is none.
-  /// Cost: the number of edges at the first corner.
+  /// Throws: ContractViolation when site `a` does not exist. Cost: the number of edges at `a`.
   Face triangle_on(Site a, Site b, Site c) const { return by_sites().triangle_on(a, b, c); }
 
   /// Returns the number of transfers to a next level so far.
@@ -137,8 +142,9 @@ class MESHOPS_API Front {
   std::size_t level(Face f) const;
 
   /// Returns why create() or attach() would refuse, or nothing when it would not. A triangle needs three distinct
-  /// sites, which exist or are the next new ones; faces must not close around any of these; and between two of its
-  /// sites there must be no face yet on the side of the edge where the triangle would lie.
+  /// sites, which exist or are the next new ones; each of these is free or has a fan on the boundary; and where an edge
+  /// joins two of them already, no face lies yet on the side of the triangle. attach() needs a boundary halfedge, which
+  /// may be frozen.
   std::optional<Refusal> create_blocker(Site a, Site b, Site c) const { return fit(a, b, c).refusal; }
   std::optional<Refusal> attach_blocker(Halfedge h, Site apex) const { return fit(h, apex).refusal; }
 
@@ -149,20 +155,21 @@ class MESHOPS_API Front {
   /// Cost:     as edge_between() for each of the three sides, plus the degree of vertices that become one.
   InsertedTriangle create(Site a, Site b, Site c) { return insert_checked(fit(a, b, c), "create"); }
 
-  /// Attaches a triangle to the boundary halfedge `h`, on the left of `h`, with its third corner on the site `apex`.
-  /// The same as create() with the two sites of `h` and `apex`.
+  /// Attaches a triangle to the boundary halfedge `h`, on the left of `h`, with its third corner on the site `apex`, as
+  /// create() does on the two sites of `h` and `apex`. Side 0 of the triangle is `h`.
   /// Requires: attach_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
   InsertedTriangle attach(Halfedge h, Site apex) { return insert_checked(fit(h, apex), "attach"); }
 
-  /// Returns the place of a triangle, or the reason why it is refused; insert() then adds the triangle. The two calls
-  /// do what create() or attach() does; a blocker and create() would check the triangle twice.
+  /// Returns the place of a triangle, or the reason why it is refused; insert() then adds the triangle. fit() and
+  /// insert() do what create() or attach() does; a blocker and create() would check the triangle twice.
   Fit fit(Site a, Site b, Site c) const;
   Fit fit(Halfedge h, Site apex) const;
   /// Returns the place of a triangle for a caller that decides which sides are glued, where sites alone do not:
-  /// surfaces in space touch along edges, and have slits. A side is glued to the first boundary halfedge between its
-  /// sites for which glues(halfedge, apex) returns true; apex is the third corner. Without such a halfedge, the side is
-  /// a new edge. glues() must not change the front (ContractViolation). The triangle is refused only if it exists
-  /// already, if two corners are equal, or if a corner neither exists nor is the next new site.
+  /// surfaces in space touch along edges, and have slits. Side 0 is glued to `h`, if `h` is given. Another side is
+  /// glued to the first boundary halfedge between its sites for which glues(halfedge, apex) returns true; apex is the
+  /// third corner. Without such a halfedge, the side is a new edge. glues() must not change the front
+  /// (ContractViolation). The triangle is refused only if it exists already, if two corners are equal, if a corner
+  /// neither exists nor is the next new site, or if `h` is not a boundary halfedge.
   /// Cost: the numbers of fans at the corners, and of the edges at one of them.
   template <typename Glues>
   Fit fit(Site a, Site b, Site c, Glues glues) const {
@@ -172,25 +179,23 @@ class MESHOPS_API Front {
   Fit fit(Halfedge h, Site apex, Glues glues) const {
     return find_glued(at(h, apex), glues);
   }
-  /// Inserts the triangle of a fit.
-  /// Requires: `fit` has no refusal; nothing was attached or detached since this front made it; its corners are
-  ///           distinct, and exist or are the next new ones; its sides are boundary halfedges between them. Throws
-  ///           ContractViolation; the mesh is then unchanged.
+  /// Inserts the triangle of a fit, as create() does.
+  /// Requires: `fit` has no refusal; it was made by this front, and nothing was inserted or detached since, or by the
+  ///           caller; its corners are distinct, and exist or are the next new ones; its sides are boundary halfedges
+  ///           between these corners. Throws ContractViolation; the mesh is then unchanged.
   InsertedTriangle insert(const Fit& fit);
 
-  /// Returns why detach() would refuse, or nothing when it would not. The reasons: the face does not exist, it is not a
-  /// triangle, none of its sides is on the boundary, or the mesh has no status.
+  /// Returns why detach() would refuse, or nothing when it would not. The reasons: the face does not exist or is
+  /// deleted, it is not a triangle, none of its sides is on the boundary, or the mesh lacks status of a kind.
   std::optional<Refusal> detach_blocker(Face f) const;
   /// Detaches a triangle at the front. The triangle is marked deleted, and so are its edges without another face; its
   /// other sides become boundary halfedges, and active. The inverse of attach() and create(), up to handles.
-  /// Requires: detach_blocker() is empty; the mesh has status of every kind. Throws ContractViolation; the mesh is then
-  ///           unchanged.
-  /// Cost:     constant, plus the degree of each corner at which a fan becomes two.
+  /// Requires: detach_blocker() is empty. Throws ContractViolation; the mesh is then unchanged.
+  /// Cost:     the number of fans at the corners, plus the degree of each corner at which a fan becomes two.
   DetachedTriangle detach(Face f);
 
   /// Removes and returns the next active halfedge: first in, first out, and deferred ones last; an invalid handle when
-  /// none is active. The halfedge is inactive afterwards, until it is activated, frozen, or a triangle is attached to
-  /// it.
+  /// none is active. The halfedge is then neither active nor frozen, until activate() or freeze() is called for it.
   Halfedge pop() {
     guard_.require_changeable();
     Halfedge h = waiting_.next();
@@ -205,6 +210,7 @@ class MESHOPS_API Front {
     guard_.require_intact();
     return waiting_.is_active(h);
   }
+  /// Returns whether `h` waits for the next level.
   bool is_frozen(Halfedge h) const {
     guard_.require_intact();
     return waiting_.is_frozen(h);
@@ -213,29 +219,34 @@ class MESHOPS_API Front {
   /// Queues a boundary halfedge that was popped, frozen or deferred. Does nothing when it is queued already.
   /// Requires: `h` is a boundary halfedge of the mesh. Throws ContractViolation.
   void activate(Halfedge h);
-  /// Freezes a boundary halfedge: nothing can be attached to it at this level. Does nothing when it is frozen.
+  /// Freezes a boundary halfedge: its turn does not come at this level. A triangle can still be glued to it. Does
+  /// nothing when it is frozen.
   /// Requires: `h` is a boundary halfedge of the mesh. Throws ContractViolation.
   void freeze(Halfedge h);
-  /// Returns the halfedges that were frozen at this level, in the order in which they were frozen. Some may have been
-  /// activated or glued since.
+  /// Returns the halfedges that were frozen at this level, in the order in which they were frozen; empty after
+  /// finish(). Some may have been activated or glued since; one that was frozen again is listed again.
   const std::vector<Halfedge>& frozen() const { return waiting_.frozen(); }
 
-  /// Returns the boundary curves, each starting at its least halfedge. Cost: linear in the edges.
+  /// Returns the boundary curves, each beginning with its least halfedge, in ascending order of these halfedges.
+  /// Cost: linear in the edges.
   std::vector<BoundaryCurve> curves() const;
-  /// Returns the boundary curves through a site, one for each boundary fan on it, each starting where it leaves the
-  /// site. A curve that passes the site several times is listed as often. Cost: the number of fans.
+  /// Returns the boundary curves through a site, one for each boundary fan on it, each beginning where it leaves the
+  /// site. A curve that passes the site several times is listed as often. Throws ContractViolation unless s < sites().
+  /// Cost: the number of fans.
   std::vector<BoundaryCurve> curves_at(Site s) const;
 
-  /// Moves to the next level: frozen halfedges become active again. The mesh and its curves stay as they are, and sites
-  /// that earlier transfers left behind are not read.
-  /// Cost:   linear in the sites that the previous transfer carried (all, the first time) or that were added since, n
-  ///         log n for n such sites if detach() reopened one; and m log m for m halfedges that are frozen or active.
-  /// Source: Restricted BPA, section 6; it is an operation on the mesh alone.
+  /// Moves to the next level: frozen halfedges become active again, in the order in which they were frozen. The mesh
+  /// and its curves stay as they are, and sites that earlier transfers left behind are not read.
+  /// Requires: every boundary halfedge is active or frozen: those that were popped have been activated, frozen or
+  ///           glued. Not checked.
+  /// Cost:     linear in the sites that the previous transfer carried (all, the first time) or that were added since, n
+  ///           log n for n such sites if detach() reopened one; and m log m for m halfedges that are frozen or active.
+  /// Source:   Restricted BPA, section 6; it is an operation on the mesh alone.
   LevelTransfer next_level();
 
   /// Completes the mesh and frees the memory of the front. A front that began with an empty or an assembled mesh
-  /// removes the vertices without triangles and renumbers the others, keeping their order. A front that began with a
-  /// mesh of the user leaves every handle as it is. Detached elements stay marked deleted.
+  /// removes the vertices without triangles and renumbers the others, which keep their order and properties. A front
+  /// that began with a mesh of the user leaves every handle as it is. Detached faces and edges stay marked deleted.
   /// Returns:     the site of each vertex of the mesh.
   /// Invalidates: this front, which has no sites then; vertex handles, unless the front began with a mesh of the user.
   std::vector<Site> finish();

@@ -1,6 +1,5 @@
-// What:   the levels of a front, each of which ends with a transfer (Front::next_level()): the sites that a transfer
-//         carries to the next level, and the level at which each face was inserted. A site is the number of a point.
-// Law:    a transfer reads only the sites that the previous one carried, and those added or reopened since.
+// What:   the result of Front::next_level(), the transfer that ends one level of a front and begins the next.
+// Law:    a transfer reads only the sites that the previous transfer carried, and those added or reopened since.
 // Source: Restricted BPA, section 6; it is an operation on the mesh alone.
 #pragma once
 
@@ -16,7 +15,7 @@ namespace meshops {
 /// Result of a transfer from one level to the next.
 struct LevelTransfer {
   std::vector<Site> carried;    ///< sites that are free or on the boundary, ascending
-  std::size_t left_behind = 0;  ///< number of sites that became inner since the previous transfer
+  std::size_t left_behind = 0;  ///< number of sites that became inner since the last transfer; at the first, all inner
   std::size_t reactivated = 0;  ///< number of frozen halfedges that became active again
 };
 

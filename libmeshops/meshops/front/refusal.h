@@ -9,25 +9,25 @@
 
 namespace meshops {
 
-/// Kind of a refusal; the comment names the fields of Refusal that it uses.
+/// Kind of a refusal. The comment of each kind names the fields of Refusal that it uses.
 enum class RefusalKind {
-  no_boundary_halfedge,  ///< halfedge `index` does not exist, or has a face
-  no_such_site,          ///< `site` does not exist
+  no_boundary_halfedge,  ///< halfedge `index` does not exist, is deleted, or has a face
+  no_such_site,          ///< `site` neither exists nor is the next new one
   corner_repeated,       ///< two corners of the triangle are `site`
   site_closed,           ///< each fan at `site` is a closed ring of faces, so that no other fan may begin there
   side_taken,            ///< a face already lies on the left of the edge from `site` to `to`
-  no_such_face,          ///< face `index` does not exist
+  no_such_face,          ///< face `index` does not exist or is deleted
   no_triangle,           ///< face `index` is not a triangle
   not_at_front,          ///< no side of face `index` is on the boundary
   triangle_there,        ///< face `index` has the same corners in this order; `site` and `to` are two of them
-  no_status              ///< the mesh needs status to mark face `index` as deleted
+  no_status              ///< the mesh needs status of every kind, so that face `index` can be marked deleted
 };
 
 /// The reason of a refusal. Fields that the kind does not use keep their defaults.
 struct Refusal {
   RefusalKind kind;
-  Site site = 0;
-  Site to = 0;
+  Site site = 0;   ///< a corner of the triangle
+  Site to = 0;     ///< the corner after `site`
   int index = -1;  ///< index of the halfedge or the face
   friend bool operator==(const Refusal&, const Refusal&) = default;
 };

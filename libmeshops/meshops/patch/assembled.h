@@ -13,21 +13,26 @@
 
 namespace meshops {
 
-/// Mesh that was assembled of patches, which is sound. finish() completes the mesh, or a Front continues it; both leave
-/// this object empty, and throw ContractViolation when it is empty already or when elements were added to the mesh or
-/// removed from it since (marking them deleted is not noticed). The object can be moved, not copied.
+/// Sound mesh that PatchAssembler made of patches. It still has a vertex for each site without triangles. finish()
+/// completes the mesh, or a Front continues it; both leave this object empty, without sites. Both throw
+/// ContractViolation when the object has been emptied before (unless it never had a site), or when elements were added
+/// to the mesh or removed from it since (marking them deleted is not noticed). The object can be moved, not copied or
+/// assigned, and refers to the mesh, which must outlive it.
 class MESHOPS_API AssembledPatches {
  public:
   const Connectivity& mesh() const { return mesh_; }
+  /// Returns the number of triangles.
   std::size_t faces() const { return mesh_.n_faces(); }
+  /// Returns the number of sites: that of the PatchAssembler, or 0 when this object is empty.
   std::size_t sites() const { return vertices_.sites(); }
   /// Returns whether no triangle has a corner on this site. Throws ContractViolation when the site does not exist.
   bool is_free(Site s) const { return vertices_.is_free(s); }
   /// Returns the site on which a vertex stands. Throws ContractViolation when the vertex does not exist.
   Site site(Vertex v) const { return vertices_.site(v); }
 
-  /// Removes the vertices without triangles and renumbers the others, keeping their order.
+  /// Removes the vertices without triangles and renumbers the others, which keep their order and properties.
   /// Returns: the site of each vertex of the mesh.
+  /// Cost:    linear; small if only the last vertices are removed.
   std::vector<Site> finish() &&;
 
  private:

@@ -22,13 +22,14 @@
 
 namespace meshops {
 
-/// Builds a mesh of patches. Patches are laid next to each other, in any order; an open side is glued to the side of
-/// another patch on the same sites.
-/// Requires: the triangles of all patches form a complex; a site around which triangles close has no other fan, as is
-///           always the case in the plane. Not checked.
+/// Builds a mesh of patches, which are laid in any order. An open side of a patch is glued to the open side of another
+/// patch that runs between the same sites in the opposite direction.
+/// Requires: the triangles of all patches form an oriented complex, and their corners are below the number of sites;
+///           a side is marked `nothing` only if no patch has a triangle across; a site around which triangles close has
+///           no other fan, as is always the case in the plane; nobody else changes the mesh until join(). Not checked.
 class MESHOPS_API PatchAssembler {
  public:
-  /// Adds `sites` isolated vertices to an empty mesh, vertex i on site i.
+  /// Adds `sites` isolated vertices to an empty mesh, vertex i on site i. Keeps a reference to the mesh.
   /// Requires: the mesh has no vertices. Throws ContractViolation.
   PatchAssembler(Connectivity& mesh, std::size_t sites);
 
@@ -37,22 +38,28 @@ class MESHOPS_API PatchAssembler {
 
   /// Lays a patch. Throws ContractViolation when survey() does; the mesh is then unchanged. Cost: linear in the patch.
   void lay(const Patch& patch);
-  /// Lays a patch whose outline is known. Requires and throws as place().
+  /// Lays a patch whose outline is known. Requires and throws as place(). Cost: linear in the patch.
   void lay(const Patch& patch, const Outline& outline);
 
-  /// The work of lay() in three steps, for threads to share: survey() computes the outline, unless it is given; place()
-  /// is called for one patch after another, in the order in which elements are to be numbered; fill() may run in
-  /// parallel with other fills, surveys and place(), provided that reserve() made room for all patches.
-  /// Requires: survey() of `patch` gives `outline`; fill() gets the same arguments as place() before it.
-  /// Throws:   ContractViolation, by place(), when `outline` and `patch` differ in the numbers of their sides; the mesh
-  ///           is then unchanged.
-  /// Cost:     place() is linear in the sides at the rim and at the holes of the patch, fill() in the patch.
+  // Threads can share the work of lay(): survey() computes the outline of a patch, unless the caller knows it; place()
+  // gives the patch its place; fill() writes its triangles. place() is called for one patch after another, in the order
+  // in which elements are to be numbered. Surveys and fills may run in parallel with each other and with place(),
+  // provided that reserve() made room for all patches.
+
+  /// Reserves memory for a mesh of `edges` edges and `faces` faces, which counts the patches laid already.
   void reserve(std::size_t edges, std::size_t faces);
+  /// Decides the place of a patch, and writes it to `placement`.
+  /// Requires: `outline` is what survey() computes of `patch`. Of this, only the numbers of sides are checked: throws
+  ///           ContractViolation when they differ; the mesh is then unchanged.
+  /// Cost:     linear in the sides at the rim and at the holes of the patch.
   void place(const Patch& patch, const Outline& outline, Placement& placement);
+  /// Writes the triangles of a patch; `placement` can then serve another patch.
+  /// Requires: place() was called with the same arguments. Not checked. Cost: linear in the patch.
   void fill(const Patch& patch, const Outline& outline, Placement& placement);
 
   /// Ends the laying of patches: every fan gets a vertex of its own, and sides to which nothing was glued become
   /// boundary halfedges. The mesh is sound afterwards.
+  /// Requires: every patch that was placed has been filled. Not checked.
   /// Cost: linear in the open sides of all patches, the fans at them, and all further fans beyond the first at each
   ///       site.
   AssembledPatches join() &&;

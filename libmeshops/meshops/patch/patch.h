@@ -12,10 +12,11 @@ namespace meshops {
 /// the number 3 · triangle + i.
 struct Patch {
   static constexpr int open = -1;     ///< a triangle of another patch may lie across
-  static constexpr int nothing = -2;  ///< nothing lies across at this level: the side is frozen
+  static constexpr int nothing = -2;  ///< no patch has a triangle across; a Front freezes the side
 
-  std::vector<std::array<Site, 3>> triangles;
-  std::vector<std::array<int, 3>> across;  ///< for each side, the side across the edge, or `open` or `nothing`
+  std::vector<std::array<Site, 3>> triangles;  ///< the corners of each triangle, counter-clockwise
+  /// For each triangle and each of its sides: the number of the side across the edge, or `open` or `nothing`.
+  std::vector<std::array<int, 3>> across;
 
   void clear() {
     triangles.clear();

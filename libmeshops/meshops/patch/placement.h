@@ -11,7 +11,7 @@
 
 namespace meshops {
 
-/// Place of one patch. The entry of a side is the halfedge that the side gets, as far as it is known.
+/// Place of one patch, from its place() until its fill(). Only PatchAssembler reads it.
 class Placement {
   friend class PatchAssembler;
 
@@ -19,8 +19,9 @@ class Placement {
     sides += static_cast<std::size_t>(-Patch::nothing);
     if (of_side_.size() < sides) of_side_.resize(sides);
   }
-  /// Returns the entry of a side, or of `open` or `nothing`, which receive values that nobody reads. place() sets the
-  /// entries of sides at the rim; fill() sets the entries of holes, and of the side across each side that it fills.
+  /// Returns the entry of a side, the halfedge that the side gets, or of `open` or `nothing`, which receive values that
+  /// nobody reads. place() sets the entries of sides at the rim; fill() sets the entries of holes, and of the side
+  /// across each side that it fills.
   Halfedge& at(int side) { return *(of_side_.data() - Patch::nothing + side); }
 
   int first_face_ = 0, first_edge_ = 0, first_hole_ = 0;

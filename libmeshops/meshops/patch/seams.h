@@ -1,4 +1,4 @@
-// What: finds sides of triangles that wait for the side of another triangle on the same edge, by their sites.
+// What: a table of triangle sides that wait, each at a site, for the side of another triangle on the same edge.
 // Cost: a search takes time linear in the number of sides that wait at the site.
 #pragma once
 
@@ -16,7 +16,7 @@ template <typename Side>
 class Seams {
  public:
   /// Begins a table of the sites below `sites`.
-  /// Requires: the table is new, or end() was called after the last begin().
+  /// Requires: the table is new, or end() was called after the last begin(). Not checked.
   /// Cost:     linear in `sites`.
   void begin(std::size_t sites) { first_.assign(sites, none); }
   /// Returns whether a table of at least one site was begun, and not ended since.
@@ -49,7 +49,7 @@ class Seams {
     return std::nullopt;
   }
 
-  /// Calls visit(side) for all sides that were added since begin(), taken ones included, in the order of adding.
+  /// Calls visit(side) for every side that was added since begin(), taken ones included, in the order of adding.
   template <typename Visit>
   void for_each(Visit visit) const {
     for (const Seam& seam : seams_) visit(seam.side);

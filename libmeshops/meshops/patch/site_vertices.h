@@ -1,5 +1,5 @@
 // What: the map from sites to the vertices of a mesh: none on a site, or one for each fan of faces there.
-// Law:  a vertex with faces is listed at its site, and at no other; a vertex without faces belongs to no fan.
+// Law:  for_each(s) visits each vertex that stands on s and has faces, once, and no vertex without faces.
 #pragma once
 
 #include <cstddef>
@@ -15,16 +15,19 @@
 
 namespace meshops {
 
-/// Map between sites and vertices. Each of the first vertices of a mesh stands on the site of the same number and needs
-/// no list; every further vertex is listed at its site.
+/// Map between sites and vertices. Each *first* vertex of a mesh stands on the site of the same number and needs no
+/// list; every *further* vertex is listed at its site while it has faces.
 class MESHOPS_API SiteVertices {
  public:
-  /// Maps vertex i to site i. Keeps a reference to the mesh, which has these vertices at the first lookup.
+  /// Maps vertex i to site i, for i < `sites`: these are the first vertices. Keeps a reference to the mesh, which may
+  /// get these vertices later, but before the first lookup; not checked. Cost: linear in the vertices of the mesh.
   SiteVertices(Connectivity& mesh, std::size_t sites);
-  /// Maps vertex v to site_of[v]; the sites are 0 to the greatest that a live vertex has.
-  /// Throws: ContractViolation unless `site_of` has one site, less than 2³¹ − 1, for each vertex.
+  /// Maps vertex v to site_of[v]; all vertices are further ones. The sites are 0 to the greatest that a live vertex
+  /// has.
+  /// Throws: ContractViolation unless `site_of` has a site for each vertex, less than 2³¹ − 1 if the vertex is live.
+  /// Cost:   linear in the vertices and the greatest site.
   SiteVertices(Connectivity& mesh, std::span<const Site> site_of);
-  /// Moves the map, which then has no sites any more. It cannot be copied: a mesh has one map.
+  /// Moves the map; `other` has no sites afterwards. A map cannot be copied: a mesh has one.
   SiteVertices(SiteVertices&& other) noexcept
       : mesh_(other.mesh_),
         first_(std::exchange(other.first_, 0)),
@@ -35,9 +38,10 @@ class MESHOPS_API SiteVertices {
         spare_(std::exchange(other.spare_, {})) {}
   SiteVertices(const SiteVertices&) = delete;
 
-  /// Returns the number of sites. They are 0 to sites() − 1; a number whose vertex was marked deleted before it had a
-  /// fan is no site.
+  /// Returns one more than the greatest site. The sites are the numbers below, except those of first vertices that are
+  /// marked deleted.
   std::size_t sites() const { return first_ + listed_.size(); }
+  /// Returns whether `s` is a site.
   bool exists(Site s) const { return is_first(s) ? is_live(mesh_, Vertex(static_cast<int>(s))) : s < sites(); }
   /// Adds a site. Returns: its number, the old value of sites(). Throws ContractViolation beyond 2³¹ − 1 sites.
   Site add_site();
@@ -52,48 +56,52 @@ class MESHOPS_API SiteVertices {
     return further_[i - first_].site;
   }
 
-  /// Returns whether no fan is on this site. Throws ContractViolation when the site does not exist.
+  /// Returns whether no fan is on this site; true for the number of a deleted first vertex. Throws ContractViolation
+  /// unless s < sites(); so do for_each() and first(), which find no vertex on the number of a deleted one.
   bool is_free(Site s) const {
     if (is_first(s)) return !has_own_fan(s) && first_listed(s) < 0;
     require(s < sites(), "Front: site ", s, " does not exist");
     return first_listed(s) < 0;
   }
 
-  /// Calls visit(Vertex) for each fan on the site. Throws ContractViolation when the site does not exist.
+  /// Calls visit(Vertex) for each fan on the site, in the order of first() and next().
   template <typename Visit>
   void for_each(Site s, Visit visit) const {
     for (Vertex v = first(s); v.is_valid(); v = next(v)) visit(v);
   }
-  /// Returns the first vertex with faces on the site; next() returns the vertex on the site after `v`. Both return an
-  /// invalid handle after the last; for_each() visits the same vertices. Both throw ContractViolation also when a
-  /// listed vertex has lost its faces to a change by other code.
+  /// Returns a vertex with faces on the site, or an invalid handle when the site is free. Throws ContractViolation also
+  /// when a listed vertex has lost its faces to a change by other code; so does next().
   Vertex first(Site s) const {
     require(s < sites(), "Front: site ", s, " does not exist");
     return is_first(s) && has_own_fan(s) ? Vertex(static_cast<int>(s)) : listed(first_listed(s));
   }
+  /// Returns the vertex with faces after `v` on the same site, or an invalid handle when `v` is the last.
+  /// Requires: first() or next() returned `v`. Not checked.
   Vertex next(Vertex v) const {
     const auto i = static_cast<std::size_t>(v.idx());
     return listed(i < first_ ? first_listed(static_cast<Site>(i)) : further_[i - first_].next);
   }
 
-  /// Returns an isolated vertex for a further fan on the site, listed there, with the properties of the first vertex
-  /// that has faces there, if any. Requires: the site exists; not checked. Throws ContractViolation if other code
-  /// marked the returned vertex deleted, or took the faces of the first.
+  /// Returns an isolated vertex for another fan on the site, and lists it there. A vertex that waits at the site keeps
+  /// its properties; any other, new or released elsewhere, gets those of first(s), if that is valid.
+  /// Requires: the site exists; not checked. Throws ContractViolation if other code marked the returned vertex deleted,
+  ///           or took the faces of first(s).
   Vertex take(Site s);
-  /// Releases a vertex that is isolated again. The last vertex on its site waits for the next triangle there; others
-  /// can serve any site, and are marked deleted meanwhile if the mesh has status. Throws ContractViolation if other
-  /// code changed the mesh so that the vertex is not listed at its site.
+  /// Releases a vertex that is isolated again. A first vertex waits at its site for the next fan; so does the last
+  /// vertex of a site without a first vertex. Others can serve any site, and are marked deleted meanwhile if the mesh
+  /// has status. Throws ContractViolation if other code changed the mesh so that the vertex is not listed at its site.
   void release(Vertex v);
 
   // announce(), vertices() and list_announced() are for callers that lay many triangles and list their fans at the end.
-  /// Returns the handle of a further vertex on a site. The caller makes the vertex; list_announced() lists it.
-  /// Requires: take() has made no further vertex yet.
+  /// Returns the handle of a new further vertex on a site. The caller makes the vertex, before list_announced().
+  /// Requires: take() has made no further vertex yet, and is not called before list_announced(). Not checked.
   Vertex announce(Site s) {
     further_.push_back({s, none});
     return vertex(static_cast<int>(further_.size()) - 1);
   }
   /// Returns the number of vertices, including the announced ones.
   std::size_t vertices() const { return first_ + further_.size(); }
+  /// Lists every announced vertex at its site. To be called once.
   void list_announced() {
     for (std::size_t i = 0; i < further_.size(); ++i) list(static_cast<int>(i));
   }
