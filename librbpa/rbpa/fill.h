@@ -20,8 +20,9 @@ namespace rbpa {
 
 /// Fills polygons with triangles of about the size `options.size`. The rings of `polygons` are indices into `points`. A
 /// ring may begin anywhere, have either orientation, and repeat a point in a row; rings may touch at single points, and
-/// polygons may lie in holes of others. Of equal points the first is used. A point at which a ring touches an edge
-/// becomes a vertex of that edge's ring. A point at which an edge is cut is rounded to the nearest double.
+/// polygons may lie in holes of others. A polygon without points has no triangle. Of equal points the first is used. A
+/// point at which a ring touches an edge becomes a vertex of that edge's ring. A point that is added on an edge is
+/// rounded to doubles, so that it may lie beside the edge.
 /// Requires: each group (FillOptions::groups) is a valid multipolygon.
 /// Throws:   InvalidInput that names the place: coordinates that are not finite; the text of why_invalid() for a group
 ///           (validity.h); groups that do not ascend from 0; a size or grade that is not a number above 0; an infinite

@@ -1,7 +1,7 @@
 // What: interpolates values such as heights at all points of a filling from the values at the points given to fill().
 // Law:  a given point keeps its value, to the last bit. A point inserted on an edge gets the value between those at the
 //       ends of the edge, linear in the distance. A point inside gets the value that is linear in the triangle that
-//       contains it, in the constrained Delaunay triangulation of its group's boundary; an exact test chooses that
+//       contains the point, in the constrained Delaunay triangulation of its group's boundary; an exact test finds that
 //       triangle.
 // Cost: n log n in all points.
 #pragma once
@@ -17,7 +17,7 @@ namespace rbpa {
 
 /// Returns a value for each point of the filling.
 /// Requires: `filling` is the result of fill() with `groups` as FillOptions::groups; `values` has a value for each
-///           point that was given to fill(). Fewer values are not noticed; results may then be NaN.
+///           point that was given to fill(). Not checked: with fewer values, results may be NaN.
 /// Throws:   InvalidInput when there are more values than filling.boundary_points; Cancelled.
 RBPA_API std::vector<double> values_on_filling(const Filling& filling, std::span<const double> values,
                                                std::span<const std::size_t> groups = {}, const GoOn& go_on = {});

@@ -15,12 +15,13 @@ namespace rbpa {
 
 /// Computes the solid alpha complex of `points` by hierarchical restricted ball pivoting.
 /// Requires: 0 < alpha ≤ infinity; the points are finite, at most 357,913,941 (OpenMesh numbers halfedges in int).
-/// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; ContractViolation when
-///           the leaf capacity is 0; Cancelled; any exception of the functions in `options`.
+/// Throws:   InvalidInput that names alpha, the number of points or the first point that is not as required, or
+///           ContractViolation when the leaf capacity is 0, before anything is computed; Cancelled; any exception of
+///           the functions in `options`.
 RBPA_API Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOptions& options = {});
 
 /// Returns the level on which face number `face` of the mesh was added, as a position in `hierarchy.levels`.
-/// Requires: `face` is below the number of faces.
+/// Requires: `face` is below the number of faces; not checked.
 /// Cost:     logarithmic in the number of levels.
 RBPA_API std::size_t level_of(const Hierarchy& hierarchy, std::size_t face);
 

@@ -19,12 +19,12 @@ namespace rbpa::paper {
 /// and so a coarser first grid.
 inline constexpr std::size_t usual_leaf_capacity = 32;
 
-/// Computes the result of rbpa::rbpa(), with the same requirements and exceptions. Runs in one thread:
+/// Computes the complex of rbpa::rbpa(), with the same requirements and exceptions. Runs in one thread:
 /// `options.threads` is ignored.
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
 
-/// Computes the result of rbpa::hrbpa(), with the same requirements and exceptions. On each level every transferred
-/// point takes part, as in the paper. Runs in one thread: `options.threads` is ignored.
+/// Computes the complex and, with the same leaf capacity, the radii of rbpa::hrbpa(), with the same requirements and
+/// exceptions. Every transferred point takes part in a level, as in the paper. `options.threads` is ignored.
 RBPA_API Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOptions& options = {});
 
 }  // namespace rbpa::paper

@@ -1,5 +1,4 @@
-// What: includes all public headers about points in the plane: complexes, polygons, filtrations, groups, parts that
-//       merge.
+// What: includes all headers of rbpa/plane/: complexes, polygons, filtrations, groups, parts that merge.
 #pragma once
 
 #include "rbpa/plane/alpha_complex.h"

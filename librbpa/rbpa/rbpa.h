@@ -16,8 +16,9 @@
 
 namespace rbpa {
 
+/// Options of rbpa(): how it runs, not what it computes.
 struct Options {
-  MaxThreads threads = 0;
+  MaxThreads threads = 0;  ///< maximum number; 0: all processors
   /// Callback for progress and cancellation. It is called every few milliseconds, but at intervals of up to 0.1 s per
   /// million points while points are sorted, triangles that tiles leave over are inserted, or the mesh is finished; up
   /// to 0.5 s per million points on sets where tiles find no triangle.
@@ -25,10 +26,11 @@ struct Options {
 };
 
 /// Computes the solid alpha complex of `points`: their Delaunay triangles of circumradius ≤ `alpha`. Cocircular points
-/// are triangulated by the symbolic perturbation that docs/explanation/exact_decisions.md defines.
+/// are triangulated by the symbolic perturbation that docs/explanation/exact_decisions.md defines. Points on one line,
+/// or fewer than three, have no triangle.
 /// Requires: 0 < alpha ≤ infinity; the points are finite, at most 357,913,941 (OpenMesh numbers halfedges in int).
-/// Throws:   InvalidInput naming the value or the first bad point, before anything is computed; Cancelled; any
-///           exception of `options.progress`.
+/// Throws:   InvalidInput that names alpha, the number of points or the first point that is not as required, before
+///           anything is computed; Cancelled; any exception of `options.progress`.
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
 
 /// Returns the number of threads that rbpa() or hrbpa() uses on `points` points when its option `threads` is `wanted`:

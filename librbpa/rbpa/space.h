@@ -1,4 +1,4 @@
-// What: all public headers about points in space: solids, surfaces, repair, simplification, persistence, balls.
+// What: includes all public headers of rbpa/space/: solids, surfaces, repair, simplification, persistence, balls.
 #pragma once
 
 #include "rbpa/space/balls/ball_voids.h"

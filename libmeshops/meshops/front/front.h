@@ -98,9 +98,8 @@ class MESHOPS_API Front {
   Site from_site(Halfedge h) const { return by_sites().start(checked(h)); }
   Site to_site(Halfedge h) const { return by_sites().end(checked(h)); }
 
-  // The members from is_free() to boundary_between() throw ContractViolation unless a given site is below sites().
-
-  /// Returns whether no triangle has a corner on this site.
+  /// Returns whether no triangle has a corner on this site. Throws ContractViolation unless the site is below sites();
+  /// so do the members up to boundary_between().
   bool is_free(Site s) const {
     guard_.require_intact();
     return vertices_.is_free(s);
@@ -219,16 +218,14 @@ class MESHOPS_API Front {
   /// Queues a boundary halfedge that was popped, frozen or deferred. Does nothing when it is queued already.
   /// Requires: `h` is a boundary halfedge of the mesh. Throws ContractViolation.
   void activate(Halfedge h);
-  /// Freezes a boundary halfedge: its turn does not come at this level. A triangle can still be glued to it. Does
-  /// nothing when it is frozen.
+  /// Freezes a boundary halfedge, which gets no turn at this level, but can be glued. Does nothing when it is frozen.
   /// Requires: `h` is a boundary halfedge of the mesh. Throws ContractViolation.
   void freeze(Halfedge h);
   /// Returns the halfedges that were frozen at this level, in the order in which they were frozen; empty after
   /// finish(). Some may have been activated or glued since; one that was frozen again is listed again.
   const std::vector<Halfedge>& frozen() const { return waiting_.frozen(); }
 
-  /// Returns the boundary curves, each beginning with its least halfedge, in ascending order of these halfedges.
-  /// Cost: linear in the edges.
+  /// Returns the boundary curves, in the order of their least halfedges, with which they begin. Cost: linear in edges.
   std::vector<BoundaryCurve> curves() const;
   /// Returns the boundary curves through a site, one for each boundary fan on it, each beginning where it leaves the
   /// site. A curve that passes the site several times is listed as often. Throws ContractViolation unless s < sites().
@@ -237,8 +234,7 @@ class MESHOPS_API Front {
 
   /// Moves to the next level: frozen halfedges become active again, in the order in which they were frozen. The mesh
   /// and its curves stay as they are, and sites that earlier transfers left behind are not read.
-  /// Requires: every boundary halfedge is active or frozen: those that were popped have been activated, frozen or
-  ///           glued. Not checked.
+  /// Requires: no halfedge is left that was popped and neither activated, frozen nor glued since. Not checked.
   /// Cost:     linear in the sites that the previous transfer carried (all, the first time) or that were added since, n
   ///           log n for n such sites if detach() reopened one; and m log m for m halfedges that are frozen or active.
   /// Source:   Restricted BPA, section 6; it is an operation on the mesh alone.

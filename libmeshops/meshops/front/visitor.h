@@ -7,9 +7,8 @@
 
 namespace meshops {
 
-/// Base of visitors. A visitor declares the events that it uses with the same parameters; the others cost nothing. The
-/// mesh is sound at each event. A visitor may activate and freeze edges, may be a local class, and may throw to end the
-/// run.
+/// Base of visitors. A visitor declares the events that it uses, with the same parameters; the others cost nothing. The
+/// mesh is sound at each event. A visitor may be a local class, and may throw to end the run.
 struct FrontVisitor {
   /// Called when a triangle of seed() has been inserted.
   void seeded(const Front&, const InsertedTriangle&) {}
@@ -40,8 +39,7 @@ struct FrontVisitor {
   void curve_closed(const Front&) {}
 };
 
-/// Base of visitors that receive the events of boundary curves. Cost: up to six calls of on_same_curve() at every
-/// triangle.
+/// Base of visitors that receive the events of curves. Cost: up to six calls of on_same_curve() at every triangle.
 struct CurveVisitor : FrontVisitor {
   static constexpr bool follows_curves = true;
 };

@@ -1,5 +1,5 @@
 // What: the boundary of a mesh as a graph of Boost: only its boundary vertices and boundary edges.
-// Law:  every vertex has degree 2; the components are the boundary curves, each of them a cycle.
+// Law:  every vertex of the (undirected) graph has degree 2; the components are the boundary curves, each a cycle.
 #pragma once
 
 #include "meshops/core/live.h"

@@ -37,8 +37,8 @@ struct Dual {
 
 }  // namespace detail
 
-/// Graph of the faces. Two faces that share several edges are joined by as many. edges() lists their first halfedges.
-/// Cost of a step around a face: constant; boundary edges of the face are skipped.
+/// Graph of the faces. Two faces that share several edges are joined by as many. edges() names an inner edge by its
+/// first halfedge. Cost of a step around a face: constant, plus the boundary edges of the face that it skips.
 using DualGraph = GraphView<detail::Dual, boost::undirected_tag>;
 
 }  // namespace meshops

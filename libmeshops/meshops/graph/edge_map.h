@@ -11,7 +11,7 @@
 
 namespace meshops {
 
-/// Returns the map from a halfedge to of_edge(its edge). The map owns `of_edge`, and copies it when it is copied.
+/// Returns the map from a halfedge to of_edge(its edge). The map owns `of_edge`; a copy of the map has a copy of it.
 template <typename OfEdge>
 auto edge_map(OfEdge of_edge) {
   // OpenMesh keeps the halfedges of edge e at 2e and 2e + 1.
@@ -20,8 +20,8 @@ auto edge_map(OfEdge of_edge) {
 }
 
 /// Returns the map from a halfedge to the distance between its ends, as double, computed at each read.
-/// Requires: `mesh` has point(Vertex), and the difference of two points has norm(); it outlives the map.
-/// Throws:   ContractViolation when it is read for an edge that does not exist.
+/// Requires: `mesh` has point(Vertex), the difference of two points has norm(), and `mesh` outlives the map.
+/// Throws:   ContractViolation when the map is read for an edge that does not exist.
 template <typename Mesh>
 auto length_map(const Mesh& mesh) {
   return edge_map([&mesh](Edge e) {

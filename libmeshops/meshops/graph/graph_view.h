@@ -2,7 +2,7 @@
 // Law:  an edge descriptor is a halfedge, which runs from source() to target(). edges() lists every edge by one of its
 //       two halfedges, and both have the same edge index. In a directed view the two halfedges of an edge are two
 //       edges, each with an index of its own and each the reverse of the other.
-// Cost: a view is one pointer, to be passed by value. Iterators allocate nothing; a step is constant.
+// Cost: a view is one pointer, passed by value. Iterators allocate nothing; a step is constant, plus what it skips.
 #pragma once
 
 #include <boost/graph/graph_traits.hpp>
@@ -19,10 +19,11 @@
 
 namespace meshops {
 
-/// View of a sound mesh as a graph. `Kind` defines which elements are nodes and edges, and how edges turn around a
-/// node. `Direction` is boost::undirected_tag, or boost::bidirectional_tag for a graph in which both halfedges of an
-/// edge are edges.
-/// Use the view by the names PrimalGraph, DualGraph, BoundaryGraph, and through directed().
+/// View of a mesh as a graph, which refers to the mesh. `Kind` defines which elements are nodes and edges, and how
+/// edges turn around a node. `Direction` is boost::undirected_tag, or boost::bidirectional_tag for a graph in which
+/// both halfedges of an edge are edges. Use the view by the names PrimalGraph, DualGraph, BoundaryGraph, and through
+/// directed().
+/// Requires:    the mesh is sound. Not checked.
 /// Models:      BidirectionalGraph, AdjacencyGraph, VertexListGraph, EdgeListGraph, with parallel edges;
 ///              ReadablePropertyGraph for vertex_index and edge_index, and for edge_reverse when it is directed.
 /// Throws:      ContractViolation for the neighbors of a vertex that vertices() does not list, and for the ends of an
@@ -80,8 +81,8 @@ class GraphView {
     return adjacency_iterator::range(*g.mesh_, v);
   }
 
-  /// Returns one more than the greatest index, which is the size of an array by index; 0 when there is no vertex (or
-  /// edge). The result equals the number of vertices (or edges) when the indices have no gaps: nothing is marked
+  /// Returns one more than the greatest index of a listed vertex (or edge), which is the size of an array by index; 0
+  /// when there is none. This is the number of vertices (or edges) when the indices have no gaps: nothing is marked
   /// deleted, and the view has all vertices (or edges) of the mesh. Boost's algorithms allocate that many entries and
   /// address them by index, as for boost::filtered_graph.
   /// Cost: the length of the gap at the end.
@@ -91,7 +92,8 @@ class GraphView {
     return is_undirected ? (halfedges + 1) / 2 : halfedges;
   }
 
-  /// Returns the number of edges at a vertex. Cost: the degree.
+  /// Returns the number of edges at a vertex: those that leave it (out_degree()), that arrive (in_degree()), or, in a
+  /// directed view, both together (degree()). Cost: the degree.
   friend degree_size_type out_degree(vertex_descriptor v, const GraphView& g) {
     const auto [first, last] = out_edges(v, g);
     return static_cast<degree_size_type>(std::distance(first, last));

@@ -13,11 +13,10 @@
 
 namespace meshops {
 
-/// Sound mesh that PatchAssembler made of patches. It still has a vertex for each site without triangles. finish()
-/// completes the mesh, or a Front continues it; both leave this object empty, without sites. Both throw
-/// ContractViolation when the object has been emptied before (unless it never had a site), or when elements were added
-/// to the mesh or removed from it since (marking them deleted is not noticed). The object can be moved, not copied or
-/// assigned, and refers to the mesh, which must outlive it.
+/// Sound mesh that PatchAssembler made of patches, with an isolated vertex for each site without triangles. finish()
+/// completes the mesh, or a Front continues it; both leave this object empty. Both throw ContractViolation when it is
+/// empty already (unless it never had a site), or when elements were added to the mesh or removed from it since
+/// (marking them deleted is not noticed). The object refers to the mesh, and can be moved, not copied or assigned.
 class MESHOPS_API AssembledPatches {
  public:
   const Connectivity& mesh() const { return mesh_; }
@@ -31,8 +30,7 @@ class MESHOPS_API AssembledPatches {
   Site site(Vertex v) const { return vertices_.site(v); }
 
   /// Removes the vertices without triangles and renumbers the others, which keep their order and properties.
-  /// Returns: the site of each vertex of the mesh.
-  /// Cost:    linear; small if only the last vertices are removed.
+  /// Returns: the site of each vertex of the mesh. Cost: linear.
   std::vector<Site> finish() &&;
 
  private:

@@ -19,13 +19,12 @@ namespace meshops {
 /// list; every *further* vertex is listed at its site while it has faces.
 class MESHOPS_API SiteVertices {
  public:
-  /// Maps vertex i to site i, for i < `sites`: these are the first vertices. Keeps a reference to the mesh, which may
-  /// get these vertices later, but before the first lookup; not checked. Cost: linear in the vertices of the mesh.
+  /// Maps vertex i to site i, for i < `sites`: the first vertices. Keeps a reference to the mesh.
+  /// Requires: the mesh has these vertices at the first lookup; not checked. Cost: linear in the mesh.
   SiteVertices(Connectivity& mesh, std::size_t sites);
   /// Maps vertex v to site_of[v]; all vertices are further ones. The sites are 0 to the greatest that a live vertex
   /// has.
   /// Throws: ContractViolation unless `site_of` has a site for each vertex, less than 2³¹ − 1 if the vertex is live.
-  /// Cost:   linear in the vertices and the greatest site.
   SiteVertices(Connectivity& mesh, std::span<const Site> site_of);
   /// Moves the map; `other` has no sites afterwards. A map cannot be copied: a mesh has one.
   SiteVertices(SiteVertices&& other) noexcept

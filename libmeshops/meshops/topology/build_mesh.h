@@ -12,21 +12,21 @@
 
 namespace meshops {
 
-/// Fills an empty mesh. Vertex i has the point i and the first fan at this point; it is isolated if no face has the
-/// point. Vertices of further fans follow. Face i is face i of the soup; its halfedge is its first side. Edges ascend
-/// by the lesser point at their ends, then by the greater.
+/// Fills an empty mesh. Vertex i stands on point i and has the fan of the first corner there; it is isolated if no face
+/// has the point. Vertices of further fans follow, in the order of their first corners. Face i is face i of the soup;
+/// its halfedge is its first side. Edges ascend by the lesser point at their ends, then by the greater.
 /// Returns:  the point of each vertex.
 /// Requires: the mesh is empty; the only defects of the soup are pinches (find_defects()).
-/// Throws:   ContractViolation when the mesh is not empty, when the soup has another defect than pinches, of which it
-///           names the first, and as find_defects(); the mesh is then unchanged. Cancelled; the mesh is then empty.
+/// Throws:   ContractViolation when the mesh is not empty, when the soup has another defect (the message names the
+///           first), and as find_defects(); the mesh is then unchanged. Cancelled; the mesh is then empty.
 /// Cost:     near-linear.
 MESHOPS_API std::vector<std::uint32_t> build_mesh(Connectivity& mesh, const PolygonSoup& soup, const GoOn& go_on = {});
 
-/// Returns the faces of a mesh as a soup, in the order of their handles, without deleted ones. A deleted vertex keeps
-/// its number, as a point without a face.
-/// Requires: `point_of_vertex` has the point of each vertex, or is empty: then each vertex is its own point.
-/// Throws:   ContractViolation unless `point_of_vertex` is empty or has an entry for each vertex.
-/// Cost:     linear.
+/// Returns the live faces of a mesh as a soup, in the order of their handles. `point_of_vertex` has the point of each
+/// vertex, deleted ones included; if it is empty, each vertex is the point of its number. The soup has all points up to
+/// the greatest.
+/// Throws: ContractViolation unless `point_of_vertex` is empty or has an entry for each vertex.
+/// Cost:   linear in the mesh.
 MESHOPS_API PolygonSoup soup_of(const Connectivity& mesh, const std::vector<std::uint32_t>& point_of_vertex = {});
 
 }  // namespace meshops

@@ -14,11 +14,11 @@ struct TopologyCounts {
   std::size_t vertices = 0;
   std::size_t edges = 0;
   std::size_t faces = 0;
-  std::size_t components = 0;  ///< pieces connected through edges; an isolated vertex is one
+  std::size_t components = 0;  ///< number of parts connected through edges; an isolated vertex is one
   std::size_t boundary_curves = 0;
 
   long euler() const { return static_cast<long>(vertices) - static_cast<long>(edges) + static_cast<long>(faces); }
-  /// Returns the genus of all components together: a component whose curves were closed has χ = 2 − 2g.
+  /// Returns the sum of the genera g: a component with k boundary curves has χ = 2 − 2g − k, an isolated vertex g = 0.
   long genus() const {
     return (2 * static_cast<long>(components) - euler() - static_cast<long>(boundary_curves) -
             static_cast<long>(isolated)) /
@@ -29,8 +29,8 @@ struct TopologyCounts {
 };
 
 /// Counts the elements, components and boundary curves of a mesh.
-/// Requires: validate(mesh) is empty. For a mesh with bowties, use report() (report.h).
-/// Cost:     nearly linear.
+/// Requires: validate(mesh) is empty; not checked. For a mesh with several fans at a vertex, use report() (report.h).
+/// Cost:     near-linear.
 MESHOPS_API TopologyCounts count_topology(const Connectivity& mesh);
 
 }  // namespace meshops

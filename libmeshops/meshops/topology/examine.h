@@ -10,6 +10,7 @@
 
 namespace meshops {
 
+/// Report and defects of a soup.
 struct Examination {
   TopologyReport report;
   std::vector<SoupDefect> defects;

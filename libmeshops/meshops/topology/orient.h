@@ -17,16 +17,17 @@ namespace meshops {
 /// Piece of surface: faces that are connected through edges of two faces, as in ComponentReport.
 struct SurfacePiece {
   std::size_t first_face = 0;  ///< the least face
-  std::size_t faces = 0;
-  bool closed = true;  ///< all edges have two faces
-  bool orientable = true;
+  std::size_t faces = 0;       ///< the number of faces
+  bool closed = true;          ///< whether every edge has two faces
+  bool orientable = true;      ///< whether reversals can make all faces agree
 };
 
+/// Pieces of a soup, and the faces to reverse.
 struct Orientation {
-  static constexpr std::uint32_t none = ~0U;
+  static constexpr std::uint32_t none = ~0U;  ///< no piece
 
   std::vector<SurfacePiece> pieces;  ///< in the order of their first faces
-  /// For each face, its piece; `none` if it is degenerate, a duplicate, or has a corner out of range.
+  /// For each face, the index of its piece; `none` for faces that are degenerate, duplicate or out of range.
   std::vector<std::uint32_t> piece;
   /// For each face, whether to reverse it. No face of a piece that is not orientable is reversed; in a tie the first
   /// face of the piece stays as it is.
@@ -37,9 +38,9 @@ struct Orientation {
 /// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API Orientation orient(const PolygonSoup& soup, const GoOn& go_on = {});
 
-/// Reverses faces of a soup. The first corner of a face stays the first.
-/// Requires: `reversed` has a value for each face.
-/// Throws:   ContractViolation otherwise, and as require_parted(); the soup is then unchanged.
+/// Reverses the faces f with reversed[f]. The first corner of a face stays the first.
+/// Requires: `reversed` has a value for each face. Throws ContractViolation otherwise, and as require_parted(); the
+///           soup is then unchanged.
 MESHOPS_API void reverse_faces(PolygonSoup& soup, const std::vector<bool>& reversed);
 
 }  // namespace meshops

@@ -10,18 +10,20 @@
 
 namespace meshops {
 
-/// Soup of polygons. Points are numbers from 0; a face is the cycle of its corners. Faces may be any cycles: of any
-/// length, with corners out of range, repeated. `begin` must split `corners` into faces, which every function that
-/// reads a soup checks (require_parted()).
+/// Soup of polygons. Points are numbers from 0; a face is the cycle of its corners, which are points. Any cycle is
+/// allowed: of any length, also 0, with corners out of range or repeated. `begin` must split `corners` into faces,
+/// which every function that reads a soup checks (require_parted()); the members check nothing.
 struct PolygonSoup {
   std::size_t points = 0;                ///< number of points, with or without a face
   std::vector<std::uint32_t> corners;    ///< corners of all faces, one face after the other
-  std::vector<std::size_t> begin = {0};  ///< face f has the corners begin[f] to begin[f + 1]; 0 first, ascending
+  std::vector<std::size_t> begin = {0};  ///< index in `corners` of the first corner of each face, then their number
 
   std::size_t faces() const { return begin.size() - 1; }
+  /// Returns the corners of face f. Requires: f < faces(); not checked.
   std::span<const std::uint32_t> face(std::size_t f) const {
     return std::span(corners).subspan(begin[f], begin[f + 1] - begin[f]);
   }
+  /// Adds a face at the end.
   void add_face(std::span<const std::uint32_t> cycle) {
     corners.insert(corners.end(), cycle.begin(), cycle.end());
     begin.push_back(corners.size());

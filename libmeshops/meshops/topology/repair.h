@@ -15,8 +15,9 @@
 
 namespace meshops {
 
+/// Kind of a change that repair() makes.
 enum class RepairKind {
-  corner_dropped,  ///< a face named one point twice in a row; it names it once now
+  corner_dropped,  ///< a corner of a face was removed, as it equaled the next corner
   face_dropped,    ///< a face was removed: degenerate, duplicate, or with a corner out of range
   face_reversed,   ///< a face was reversed
   edge_cut,        ///< not all faces at an edge are joined there any more
@@ -26,27 +27,32 @@ enum class RepairKind {
 /// Step of a repair. All numbers refer to the given soup.
 struct RepairStep {
   RepairKind kind;
-  std::vector<std::uint32_t> points;  ///< by kind: the corner; the corners of the face; the ends of the edge; the point
-  std::vector<std::size_t> faces;     ///< the face, or the faces at the edge; none for a point that was split
+  /// The corner that was dropped; the corners of a face that was dropped or reversed, as they were before; the ends of
+  /// an edge, in ascending order; or the point that was split.
+  std::vector<std::uint32_t> points;
+  std::vector<std::size_t> faces;  ///< the face, or the faces at the edge; none for a point that was split
   friend bool operator==(const RepairStep&, const RepairStep&) = default;
 };
 
+/// Result of repair().
 struct Repair {
   PolygonSoup soup;                      ///< points of the given soup keep their numbers; new ones follow
-  std::vector<std::uint32_t> stands_on;  ///< for each point: the given point whose position it has
+  std::vector<std::uint32_t> stands_on;  ///< for each point of `soup`: the given point that has its position
   std::vector<std::size_t> face_was;     ///< for each face: its number in the given soup
-  std::vector<RepairStep> steps;         ///< in the order of the kinds
+  std::vector<RepairStep> steps;         ///< in the order of the kinds; within a kind, of faces, edges or points
 };
 
+/// Returns the name of a kind in words: "face dropped".
 MESHOPS_API std::string_view name(RepairKind kind);
 
 /// Returns a text for people: "face dropped: points 3 3 4, face 7".
 MESHOPS_API std::string describe(const RepairStep& step);
 
-/// Repairs a soup. Faces that are degenerate, duplicate or out of range are removed. Among faces connected through
-/// edges of two faces, as few as possible are reversed; in a tie, the first face is not. An edge is cut if more than
-/// two faces meet there, or two that cannot agree on a direction. Two faces at a cut edge stay joined only if other
-/// edges connect them around both ends of the cut edge.
+/// Repairs a soup. Corners that equal the next corner of their face are dropped; then faces that are degenerate,
+/// duplicate or out of range. Among faces connected through edges of two faces, as few as possible are reversed; in a
+/// tie, the first face is not. An edge is cut if more than two faces meet there, or two that cannot agree on a
+/// direction. Two faces at a cut edge stay joined only if other edges connect them around both of its ends. A point
+/// with several fans is split.
 /// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API Repair repair(const PolygonSoup& soup, const GoOn& go_on = {});
 

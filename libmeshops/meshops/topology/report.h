@@ -17,9 +17,11 @@
 
 namespace meshops {
 
+/// Betti numbers b₀, b₁, b₂: the numbers of components, of independent loops, and of independent closed surfaces.
 using BettiNumbers = std::array<long, 3>;
 
-/// Report on a piece of surface: faces that are connected through edges, with a vertex for each fan.
+/// Report on a piece of surface: faces that are connected through edges of exactly two faces. A point counts as a
+/// vertex for each fan on it, and a non-manifold edge counts as an edge for each of its faces.
 struct ComponentReport {
   std::size_t vertices = 0;
   std::size_t edges = 0;
@@ -42,8 +44,8 @@ struct ComponentReport {
   friend bool operator==(const ComponentReport&, const ComponentReport&) = default;
 };
 
-/// Totals of the complex as it is given, and a report on each piece: here a point is one vertex however many fans stand
-/// on it, and an edge is a pair of points.
+/// Totals of the complex as it is given, and a report on each piece. In the totals, a point is one vertex however many
+/// fans stand on it, and an edge of a soup is a pair of points.
 struct TopologyReport {
   std::size_t vertices = 0;  ///< points, isolated ones included
   std::size_t edges = 0;
@@ -62,16 +64,16 @@ struct TopologyReport {
 };
 
 /// Reports on any soup. Faces that are degenerate, duplicate or out of range are ignored (find_defects() names them).
-/// Pieces end at a non-manifold edge: its faces count as separated in `per_component` and `boundary_curves`, but not in
-/// the totals.
+/// Pieces end at a non-manifold edge: its faces count as separated in `solid_components`, `boundary_curves` and
+/// `per_component`, but not in the other totals.
 /// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
 MESHOPS_API TopologyReport report(const PolygonSoup& soup, const GoOn& go_on = {});
 
-/// Reports on a mesh. `point_of_vertex` is the point of each vertex; by default each vertex stands on its own point. A
-/// vertex with several fans, as OpenMesh's readers leave it, is a pinch: no piece and no curve passes it.
-/// Requires: the only defects that validate() finds are vertices with several fans; `point_of_vertex` is empty or has a
-///           value per vertex.
-/// Throws:   ContractViolation when `point_of_vertex` has another number of values; Cancelled.
+/// Reports on a mesh. `point_of_vertex` has the point of each vertex; if it is empty, each vertex stands on a point of
+/// its own. A vertex with several fans, as OpenMesh's readers leave it, is a pinch: no piece and no curve passes it.
+/// Edges are those of the mesh, even if several join the same points.
+/// Requires: the only defects that validate() finds are vertices with several fans; not checked.
+/// Throws:   ContractViolation unless `point_of_vertex` is empty or has a value for each vertex; Cancelled.
 MESHOPS_API TopologyReport report(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex = {},
                                   const GoOn& go_on = {});
 

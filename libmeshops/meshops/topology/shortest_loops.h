@@ -21,14 +21,14 @@
 
 namespace meshops {
 
-/// Signature of every homology class of loops: two loops are homologous over Z/2 exactly when their signatures, the
-/// exclusive or over their edges, are equal. Bit i of an edge is bit i % 64 of word i / 64.
+/// Bits of every edge that tell the homology classes of loops: two loops are homologous over Z/2 exactly when the
+/// exclusive or of the bits of their edges is the same. Bit i of an edge is bit i % 64 of word i / 64.
 struct HomologySignature {
   std::size_t loops = 0;             ///< b₁ of the mesh, the number of bits in use
   std::size_t words = 0;             ///< number of words per edge
   std::vector<std::uint64_t> edges;  ///< `words` for each edge, by edge index
 
-  /// Returns the words of an edge. Throws ContractViolation when the edge does not exist.
+  /// Returns the words of an edge. Throws ContractViolation when the edge does not exist and `words` is not 0.
   std::span<const std::uint64_t> of(Edge e) const {
     require(e.idx() >= 0 && (static_cast<std::size_t>(e.idx()) + 1) * words <= edges.size(), "HomologySignature: edge ",
             e.idx(), " does not exist");
@@ -36,22 +36,22 @@ struct HomologySignature {
   }
 };
 
-/// Returns the signature of each edge.
-/// Requires: validate(mesh) is empty.
+/// Returns the bits of each edge; those of deleted edges are 0.
+/// Requires: validate(mesh) is empty; not checked.
 /// Throws:   Cancelled.
-/// Cost:     linear, and for each bit of a signature the depth of a tree of faces.
+/// Cost:     linear in the mesh times `words`, and for each bit the depth of a tree of faces.
 MESHOPS_API HomologySignature homology_signature(const Connectivity& mesh, const GoOn& go_on = {});
 
-/// Returns a basis of shortest loops, by ascending length; loops of equal length are ordered by the vertex and then the
-/// edge from which they were found. A loop passes no vertex twice; its first halfedge is the first halfedge of the edge
-/// across from the vertex.
-/// Requires: validate(mesh) is empty; `lengths` has a length for each edge, by edge index, none negative, with a finite
-///           sum; entries of deleted edges are not read.
-/// Throws:   as homology() with lengths.
+/// Returns a basis of shortest loops, by ascending length. A loop passes no vertex twice. It is found from one of its
+/// vertices, and consists of shortest paths from there to the ends of an edge, and this edge, with whose first halfedge
+/// the loop begins. Loops of equal length are ordered by the vertex, then by the edge.
+/// Requires: validate(mesh) is empty, not checked; `lengths` has a length ≥ 0 for each edge, by edge index, with a
+///           finite sum; entries of deleted edges are not read.
+/// Throws:   ContractViolation when `lengths` is not as required; Cancelled.
 MESHOPS_API std::vector<Loop> shortest_homology_basis(const Connectivity& mesh, std::span<const double> lengths,
                                                       const GoOn& go_on = {});
 
-/// Returns the loops of shortest_homology_basis() that are shorter than `below`. Requires and throws as that function.
+/// Returns the loops of shortest_homology_basis() that are shorter than `below`. Requires and throws the same.
 /// Cost: the searches end at half of `below`, which makes short loops of large meshes cheap.
 MESHOPS_API std::vector<Loop> shortest_homology_loops(const Connectivity& mesh, std::span<const double> lengths,
                                                       double below, const GoOn& go_on = {});

@@ -15,13 +15,14 @@
 
 namespace meshops {
 
+/// Kind of a defect.
 enum class SoupDefectKind {
-  corner_out_of_range,       ///< a corner is not a point of the soup
-  degenerate_face,           ///< fewer than three corners, or one point twice
-  duplicate_face,            ///< the same cycle of corners as an earlier face, in either direction
+  corner_out_of_range,       ///< a corner of a face is not a point of the soup
+  degenerate_face,           ///< a face has fewer than three corners, or one point twice
+  duplicate_face,            ///< a face has the cycle of corners of an earlier face, in either direction
   non_manifold_edge,         ///< more than two faces meet in an edge
   inconsistent_orientation,  ///< two faces run along their common edge in the same direction
-  not_orientable,            ///< no choice of directions makes the faces of a component agree
+  not_orientable,            ///< no choice of directions makes all faces connected through edges of two faces agree
   pinch                      ///< faces meet in a point, but not through edges at it: several fans
 };
 
@@ -31,12 +32,13 @@ struct SoupDefect {
   /// The corners of a face, the ends of an edge in ascending order, or the point of a pinch. For a component that is
   /// not orientable: the ends of an edge at which faces disagree although they agree at all edges before it.
   std::vector<std::uint32_t> points;
-  /// By kind, ascending: the face; the repeated face, then its duplicate; all faces at the edge; the first face of each
-  /// fan of a pinch; the first face of a component that is not orientable.
+  /// By kind, ascending: the face; for a duplicate, the first face with these corners, then the duplicate; all faces at
+  /// the edge; the first face of a component that is not orientable; the first face of each fan of a pinch.
   std::vector<std::size_t> faces;
   friend bool operator==(const SoupDefect&, const SoupDefect&) = default;
 };
 
+/// Returns the name of a kind in words: "non-manifold edge".
 MESHOPS_API std::string_view name(SoupDefectKind kind);
 
 /// Returns a text for people: "non-manifold edge: points 3 4, faces 0 7 9".

@@ -1,5 +1,5 @@
 // What: keeps the counts of a mesh and the components of its vertices up to date while operators change it.
-// Law:  after every operator that was recorded, counts() equals count_topology(mesh).
+// Law:  counts() equals count_topology(mesh) when every operator was reported.
 // Cost: union–find time for operators that only join; for operators that split a component, the size of the smaller
 //       of its two parts.
 #pragma once
@@ -20,25 +20,26 @@
 
 namespace meshops {
 
-/// Tracker of the counts of a mesh. Report each operator with note() and the effect that it returned, before the next
-/// operator. glue() and zip_curves(), which depend on components, are also members: these use the tracker's components
-/// instead of a search. A flip changes nothing that is tracked. In place of remove_triangle(), call unglue() for each
+/// Tracker of the counts of a mesh. Report each operator to note(), with the effect that the operator returned, before
+/// the next operator. The members glue() and zip_curves() perform and report the operator; glue() needs no search
+/// through components. A flip changes nothing that is tracked. In place of remove_triangle(), call unglue() for each
 /// glued side and then destroy_triangle().
 /// Throws: ContractViolation when an effect names elements that do not exist, or vertices that the tracker does not
 ///         know because an operator was not reported; the counts are then unchanged.
 class MESHOPS_API TopologyTracker {
  public:
-  /// Counts the mesh once. Keeps a reference to the mesh. Requires: validate(mesh) is empty; not checked.
+  /// Counts the mesh. Keeps a reference to the mesh. Requires: validate(mesh) is empty; not checked. Cost: near-linear.
   explicit TopologyTracker(Connectivity& mesh);
 
   const TopologyCounts& counts() const { return counts_; }
-  /// Returns whether two live vertices are in one component. Cost: union–find time.
+  /// Returns whether two vertices are in one component, in union–find time. Throws ContractViolation unless both live.
   bool in_same_component(Vertex a, Vertex b);
 
-  /// Glues as glue() does (handle/glue.h), and notes the effect. Cost: union–find time when the edges are on two
-  /// components or adjacent; otherwise the shorter of two ways along a curve, or the shorter of two curves.
+  /// Glues as glue() does (handle/glue.h), with the same requirements, and notes the effect. Cost: union–find time when
+  /// the edges are on two components or adjacent; otherwise the shorter of two ways along a curve, or the shorter of
+  /// two curves; and the degrees of vertices that become one.
   GlueEffect glue(Halfedge first, Halfedge second);
-  /// Sews as zip_curves() does (handle/zip_curves.h), and notes the effect.
+  /// Sews as zip_curves() does (handle/zip_curves.h), with the same requirements and cost, and notes the effect.
   ZipCurvesEffect zip_curves(Halfedge first, Halfedge second);
 
   void note_destroyed();  ///< for destroy_triangle()

@@ -1,5 +1,5 @@
 // What: a radius alpha, or the rule by which the points choose one, and how a user spells a rule.
-// Law:  parse_alpha_rule(name_of(choice)) has the rule and the rank of the choice, unless the rule is `given`.
+// Law:  parse_alpha_rule(name_of(choice)) has the rule and, for `plateau`, the rank of the choice; nothing for `given`.
 #pragma once
 
 #include <cstddef>
@@ -13,23 +13,27 @@
 
 namespace rbpa {
 
+/// Rule by which a radius is chosen.
 enum class AlphaRule {
   given,      ///< the radius AlphaChoice::radius
-  automatic,  ///< "auto": least radius at which max_components solid components hold a share `cover` of the points
-  least,      ///< "min": least radius at which a share `cover` of the points is in the complex
+  automatic,  ///< "auto": the least radius at which max_components solid components hold a share `cover` of the points
+  least,      ///< "min": the least radius at which a share `cover` of the points is in the complex
   plateau     ///< "plateau", "plateau:K": a radius around which the shape hardly changes
 };
 
+/// A radius, or a rule with its parameters. Nothing is checked here.
 struct AlphaChoice {
   AlphaRule rule = AlphaRule::given;
   double radius = std::numeric_limits<double>::infinity();  ///< for `given`
   std::size_t max_components = 1;                           ///< for `automatic`; in space always 1
   double cover = 1;      ///< share of the distinct points, above 0 and at most 1, for `automatic` and `least`
-  std::size_t rank = 1;  ///< for `plateau`: which plateau is meant, from 1, the best
+  std::size_t rank = 1;  ///< for `plateau`: the rank of the plateau, from 1, the best
   friend bool operator==(const AlphaChoice&, const AlphaChoice&) = default;
 };
 
+/// Returns whether a rule reads AlphaChoice::max_components.
 constexpr bool takes_components(AlphaRule rule) { return rule == AlphaRule::automatic; }
+/// Returns whether a rule reads AlphaChoice::cover.
 constexpr bool takes_cover(AlphaRule rule) { return rule == AlphaRule::automatic || rule == AlphaRule::least; }
 
 /// The list of all spellings of a radius or a rule, for error messages.
@@ -39,7 +43,7 @@ inline constexpr std::string_view expected_alpha = "a radius (a number > 0, or i
 /// text, also for a radius.
 RBPA_API std::optional<AlphaChoice> parse_alpha_rule(std::string_view text);
 
-/// Returns the spelling of the rule: "given", "auto", "min", "plateau", or with a rank above 1 "plateau:2".
+/// Returns the spelling of the rule: "given", "auto", "min", "plateau", or with another rank than 1 "plateau:2".
 RBPA_API std::string name_of(const AlphaChoice& choice);
 
 /// Checks that one of `plateaus` plateaus has the rank of the choice.

@@ -1,11 +1,11 @@
-// What: an input point that repeats one before it.
+// What: an input point that repeats an earlier one.
 #pragma once
 
 #include <cstdint>
 
 namespace rbpa {
 
-/// A point equal to one given before it.
+/// An input point that equals an earlier one.
 struct Duplicate {
   std::uint32_t index;       ///< the input index of the repetition
   std::uint32_t stands_for;  ///< the lowest input index with the same coordinates

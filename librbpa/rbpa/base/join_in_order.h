@@ -1,4 +1,4 @@
-// What: processes long numbered items in threads of the standard library and joins the results in order.
+// What: processes numbered items that take long, in threads of the standard library, and joins the results in order.
 // Law:  join(i, result) is called once for each i, ascending, one call at a time, in any of the threads. The joined
 //       result therefore does not depend on the threads.
 // Cost: a few locks of one mutex for each item. At most two items for each thread are in work or wait for their turn.
@@ -91,9 +91,9 @@ class SharedWork {
   std::condition_variable turned_;
 };
 
-/// Calls work(i) for each i below `count` in one of `threads` threads, the calling one included, and join(i, result) in
-/// ascending order of i, in any of these threads. After work(i), a thread waits for the turn of item i; if is_small(i),
-/// it waits only until fewer than `threads` results wait.
+/// Calls work(i) for each i below `count` in one of `threads` threads (0 counts as 1), the calling one included, and
+/// join(i, result) in ascending order of i, in any of these threads. After work(i), a thread waits for the turn of item
+/// i; if is_small(i) returns true, only until fewer than `threads` results wait. With RBPA_SERIAL there is one thread.
 /// Throws: the first exception of any call; then some calls are never made. std::system_error if a thread cannot start.
 template <typename Work, typename IsSmall, typename Join>
 void join_in_order(std::size_t threads, std::size_t count, Work work, IsSmall is_small, Join join) {

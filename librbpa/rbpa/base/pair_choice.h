@@ -10,13 +10,14 @@
 
 namespace rbpa {
 
+/// Bounds by which chosen() selects pairs.
 struct PairChoice {
-  double min_persistence = 0;  ///< lower bound of death − birth, in units of the points
+  double min_persistence = 0;  ///< least death − birth, in units of the points
   /// Maximum number of pairs of each dimension; the most persistent are kept.
   std::size_t top = std::numeric_limits<std::size_t>::max();
 };
 
-/// Returns death − birth of a pair; infinity if it never dies.
+/// Returns death − birth of a pair; infinity if the pair never dies (death is absent).
 template <typename Pair>
 double persistence_of(const Pair& pair) {
   return pair.death ? *pair.death - pair.birth : std::numeric_limits<double>::infinity();
@@ -24,8 +25,8 @@ double persistence_of(const Pair& pair) {
 
 /// Returns the chosen pairs in the order of `pairs`. A pair that never dies is more persistent than any other; of
 /// equally persistent pairs the first is preferred.
-/// Requires: `pairs` is sorted by dimension. `Pair` is PersistencePair, SolidPair, or a type with the same members
-///           `dimension`, `birth` and `death`.
+/// Requires: pairs of one dimension are consecutive; not checked. `Pair` is PersistencePair, SolidPair, or a type with
+///           the same members `dimension`, `birth` and `death`.
 template <typename Pair>
 std::vector<Pair> chosen(const std::vector<Pair>& pairs, const PairChoice& choice) {
   const auto lasts_longer = [&](std::uint32_t i, std::uint32_t j) {

@@ -14,6 +14,7 @@ struct Point {
   friend constexpr auto operator<=>(const Point&, const Point&) = default;
 };
 
+/// Returns whether both coordinates are finite.
 inline bool is_finite(const Point& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 }  // namespace rbpa

@@ -15,6 +15,7 @@ struct Point3 {
   friend constexpr auto operator<=>(const Point3&, const Point3&) = default;
 };
 
+/// Returns whether all coordinates are finite.
 inline bool is_finite(const Point3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
 }  // namespace rbpa

@@ -10,22 +10,22 @@
 namespace rbpa {
 
 /// Maximum number of threads of a run, the calling one included; never more are used than there are processors. 0 means
-/// one for each processor. Results do not depend on it.
+/// one for each processor. Results do not depend on the number of threads.
 using MaxThreads = unsigned;
 
 /// Counts that show how far a run is.
 struct Progress {
-  std::size_t triangles;  ///< number of triangles so far, unless the option says otherwise
+  std::size_t triangles;  ///< number of triangles so far, unless a function says otherwise
   std::size_t points;     ///< number of all points; of the distinct ones where duplicates are known
 };
 
 /// Callback that is called every few milliseconds unless a function says otherwise, one call at a time but from any
 /// thread of the run. Returning false ends the run with Cancelled. An empty callback is never called.
 using OnProgress = std::function<bool(const Progress&)>;
-/// OnProgress without its argument, as in libmeshops.
+/// Callback as OnProgress, but without an argument (meshops/core/progress.h).
 using meshops::GoOn;
 using meshops::stop_if_cancelled;
-/// Function that a run calls every few milliseconds. It throws Cancelled to end the run. An empty one is never called.
+/// Function that a run calls every few milliseconds, and that throws Cancelled to end the run. Never called if empty.
 using Checkpoint = std::function<void()>;
 
 /// Calls `progress` with these counts, unless it is empty. Throws Cancelled when it returns false.

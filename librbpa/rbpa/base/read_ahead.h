@@ -1,6 +1,5 @@
 // What: a queue of items that a thread of its own produces while the caller processes the items before.
-// Law:  the items come in the order in which they are produced, and an exception of the producer after the items before
-//       it.
+// Law:  the items come in the order in which they are produced; an exception of the producer comes after them.
 // Cost: one thread, and the memory of the items that wait. With RBPA_SERIAL there is no thread, and no item waits.
 #pragma once
 
@@ -15,11 +14,13 @@
 
 namespace rbpa {
 
+/// Queue of items. `Item` can be constructed without arguments and moved.
 template <typename Item>
 class ReadAhead {
  public:
-  /// Starts a thread that calls make(item) for one item after another until it returns false. The thread pauses while
-  /// `most` items wait. Requires: most ≥ 1.
+  /// Starts a thread that calls make(item) for one item after another until make() returns false or throws. The thread
+  /// pauses while `most` items wait.
+  /// Requires: most ≥ 1; not checked. Throws std::system_error if the thread cannot start.
   ReadAhead(std::size_t most, std::function<bool(Item&)> make) : most_(most), make_(std::move(make)) {
 #ifndef RBPA_SERIAL
     thread_ = std::jthread([this] { run(); });
@@ -35,7 +36,7 @@ class ReadAhead {
   ReadAhead& operator=(const ReadAhead&) = delete;
 
   /// Moves the next item to `item`; blocks until there is one. Returns false at the end; `item` is then unspecified.
-  /// Throws: the exception of make(), when no item before it waits any more.
+  /// Throws: the exception of make(), once all items before have been returned.
   bool next(Item& item) {
 #ifdef RBPA_SERIAL
     return make_(item = Item());

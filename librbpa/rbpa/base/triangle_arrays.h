@@ -18,7 +18,7 @@ struct TriangleArrays {
   static constexpr std::uint32_t none = no_index;
 
   std::span<const Triangle> triangles;  ///< corners as indices of points, counter-clockwise
-  /// For each triangle, entry k is the triangle across from its corner k, or none.
+  /// For each triangle, entry k is the triangle across the side opposite its corner k, or none.
   std::span<const Triangle> neighbors;
 };
 
@@ -29,8 +29,8 @@ struct OwnedTriangles {
 };
 
 /// Checks that triangles and neighbors agree: each triangle has a row of neighbors, its corners are three different
-/// numbers below `points`, and two neighbors name each other across the side that they share. Does not check whether
-/// triangles are counter-clockwise, or whether a neighbor is missing on both sides of an edge.
+/// numbers below `points`, and two neighbors name each other across the side that they share, in opposite directions.
+/// Does not check whether triangles are counter-clockwise, or whether a neighbor is missing on both sides of an edge.
 /// Throws: ContractViolation that names the first triangle with an error, or the numbers of rows; Cancelled.
 /// Cost:   linear.
 RBPA_API void require_linked(const TriangleArrays& arrays, std::size_t points, const GoOn& go_on = {});

@@ -1,4 +1,4 @@
-// What: cuts a polygon along a vertical line, such as the meridian at longitude 180, into its parts on either side.
+// What: cuts a polygon along a vertical line, such as the meridian at longitude 180, into its parts on both sides.
 // Law:  the parts on each side are valid polygons, whose points are points of the polygon or of the line. Their
 //       topology is decided exactly; a crossing of an edge and the line is rounded, to the same number on both sides.
 //       A part that has fewer than three different points after rounding is left out.
@@ -31,9 +31,9 @@ struct PolygonCut {
 };
 
 /// Cuts `polygon` along the vertical line at `x`, in units of the points.
-/// Requires: a valid polygon (validity.h) on these points, whose shell is counter-clockwise and whose holes are
-///           clockwise, as outline_polygons() returns them; finite coordinates and a finite x. Indices of points are
-///           not checked.
+/// Requires: a valid polygon (validity.h) that is not empty, whose shell is counter-clockwise and whose holes are
+///           clockwise, as outline_polygons() returns them; rings of indices into `points`; finite coordinates and a
+///           finite x. Not checked, except that some invalid polygons are noticed.
 /// Throws:   InvalidInput if the polygon is seen to be invalid, or if rounded crossings would make a part invalid.
 RBPA_API PolygonCut cut_at(std::span<const Point> points, const Polygon& polygon, double x);
 

@@ -20,10 +20,12 @@ struct SizeAt {
   double size;
 };
 
+/// Options of fill().
 struct FillOptions {
   /// Target length of edges, in units of the points; must be given, above 0. `grade` and `sizes` lower the target in
-  /// places. Infinity: no point is added, and the triangles are the constrained Delaunay triangulation of the polygons
-  /// (fill/front/constrained_delaunay.h), which is unique; `grade` and `sizes` must then be absent.
+  /// places. Infinity: no point is added, and the triangles are the constrained Delaunay triangulation of each group,
+  /// which the tie-breaking of docs/explanation/exact_decisions.md makes unique; `grade` and `sizes` must then be
+  /// absent.
   double size = 0;
   /// Growth of the target length per unit of distance from a boundary edge that is shorter than `size`; at such an edge
   /// the target is its length. Must be above 0. Absent: short edges do not lower the target.
@@ -33,19 +35,20 @@ struct FillOptions {
   std::span<const SizeAt> sizes = {};
   /// Whether the boundary stays as it is. Otherwise boundary edges that are longer than the target are cut.
   bool keep_boundary = false;
-  /// The first polygon of each group, ascending from 0; a group is a feature of a map, for example. Empty: all polygons
-  /// are one group. Groups may share edges, along which their triangles meet in whole edges. Groups may overlap: then
-  /// each has triangles of its own.
+  /// The index of the first polygon of each group, ascending from 0; a group is a feature of a map, say. Empty: all
+  /// polygons are one group. Groups may share edges, along which their triangles meet in whole edges. Groups may
+  /// overlap: then each has triangles of its own.
   std::span<const std::size_t> groups = {};
-  OnProgress progress = {};
+  OnProgress progress = {};  ///< callback for progress and cancellation
   /// Callback that is called once, before the first triangle, with an estimate of the number of triangles, so that a
-  /// caller can compare the number with the available memory; fill/front/size_estimate.h states the accuracy. An
-  /// exception that the callback throws ends the run. Empty: never called.
+  /// caller can compare the number with the available memory; docs/explanation/plane.md, section 28, states the
+  /// accuracy. Not called without a polygon or with an infinite size. An exception of the callback ends the run.
   std::function<void(double)> estimated = {};
 
   static constexpr double default_grade = 0.25;
 };
 
+/// Result of fill().
 struct Filling {
   /// The input points under their indices, whether used or not; then the points inserted on edges of the boundary; then
   /// those inside.
@@ -59,7 +62,8 @@ struct Filling {
   /// groups are neighbors along edges that the groups share; but where the groups overlap, so that two triangles have
   /// the same edge on their left, each group has neighbors in itself only.
   std::vector<Triangle> neighbors;
-  /// The input polygons with the inserted boundary points in their rings; areas are exact sums, rounded once.
+  /// The input polygons with all boundary points in their rings: shells counter-clockwise, holes clockwise, each ring
+  /// from its lexicographically least input point on. Areas are exact sums, rounded once.
   std::vector<Polygon> polygons;
   /// Number of times that the front removed a triangle again, because no good triangle fitted beside that triangle.
   std::size_t retreats = 0;

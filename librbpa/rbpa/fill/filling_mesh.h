@@ -1,8 +1,7 @@
 // What: makes a halfedge mesh of the triangles that fill() returned.
-// Law:  an oriented 2-manifold with boundary, glued as the filling is. Vertex v stands on point v of the filling, and
-//       face f is triangle f; unused points are isolated vertices. If several fans of triangles meet at a point,
-//       because rings touch or groups overlap, the fans after the first have additional vertices, numbered after the
-//       last point.
+// Law:  the mesh is an oriented 2-manifold with boundary, glued as the filling is. Face f is triangle f. Vertex v
+//       stands on point v of the filling; unused points are isolated vertices. If several fans of triangles meet at a
+//       point, because rings touch or groups overlap, the fans after the first have vertices with numbers after these.
 // Cost: linear.
 #pragma once
 
@@ -15,6 +14,7 @@
 
 namespace rbpa {
 
+/// Halfedge mesh of a filling.
 struct FillingMesh {
   Mesh mesh;                                   ///< faces counter-clockwise; z = 0
   std::vector<std::uint32_t> point_of_vertex;  ///< for each vertex, the index of its point in the filling
