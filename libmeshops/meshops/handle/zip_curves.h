@@ -34,8 +34,8 @@ MESHOPS_API std::optional<Blocker> zip_curves_blocker(const Connectivity& mesh, 
 
 /// Glues `first` to `second`, the edge after `first` to the edge before `second`, and so on all around. The two curves
 /// become one closed seam of inner edges. Use it for pieces that were built separately.
-/// Effect:      the edges of the curve through `first` stay; those of the other curve are marked deleted, and of each pair
-///              of merged vertices the one of the higher handle.
+/// Effect:      the edges of the curve through `first` stay; those of the other curve are marked deleted, and of each
+///              pair of merged vertices the one of the higher handle.
 /// Requires:    zip_curves_blocker() is empty; the mesh has status of every kind.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: the curve through `second`.

@@ -1,6 +1,7 @@
-// What:   the operator that merges one vertex of an edge into the other.
-// Law:    collapse(h) equals flips of edges at the start of h, until only h and its two neighbors are left there, and
-//         then a weld_face() of that vertex.
+// What:   the operator that merges the vertex at one end of an edge into the vertex at the other end.
+// Law:    let v be the start of h, with three edges or more, and only triangles around v. If v is inner, collapse(h)
+//         equals flips of edges at v until h and two more edges are left there, and then a weld_face(v). If the edge of
+//         h is on the boundary, collapse(h) equals such flips and then a weld_edge(h).
 // Source: Lewiner et al., section on stellar operators; Dey, Edelsbrunner, Guha, Nekhayev, Topology preserving edge
 //         contraction (1999) for the link condition.
 #pragma once
@@ -22,9 +23,11 @@ namespace meshops {
 /// which would become a pinch; a second edge joins its ends and would become a loop; nothing but an edge would be left
 /// of the component; the start of h has several fans (core/fans.h); with Keep::simplicial, the link condition fails:
 /// the ends have a common neighbor other than the apexes, or both have three edges on a tetrahedron.
+/// Cost: the degree of the start; Keep::simplicial: for each edge of the start, up to twice the degree of the end.
 MESHOPS_API std::optional<Blocker> collapse_blocker(const Connectivity& mesh, Halfedge h, Keep keep = Keep::simplicial);
 
-/// Merges the vertex v of h = v→w into w, which takes over the fan of v; the triangles at h close.
+/// Merges the vertex v of h = v→w into w, which takes over the fan of v and keeps its own properties; the triangles at
+/// the edge of h close.
 /// Effect:      v, the edge of h, the edges from v to the apexes, and the faces at h are marked deleted. Every
 ///              other halfedge from or to v becomes one from or to w. The edges from w to the apexes survive, except
 ///              if v is an inner vertex with only two edges: both apexes are one vertex, two edges join it to w, and
@@ -34,16 +37,17 @@ MESHOPS_API std::optional<Blocker> collapse_blocker(const Connectivity& mesh, Ha
 /// Invalidates: the elements marked deleted.
 /// Inverse:     split_vertex(left, right) of the returned effect, up to handles; undo(), exactly.
 /// Δ:           V −1, E −3, F −2; along a boundary edge V −1, E −2, F −1; the topology stays.
-/// Cost:        the degree of v; Keep::simplicial: for each edge of v, up to twice the degree of w.
+/// Cost:        the cost of collapse_blocker().
 MESHOPS_API WeldEffect collapse(Connectivity& mesh, Halfedge h, Keep keep = Keep::simplicial);
 
-/// Collapses h, or returns why it cannot be collapsed: collapse_blocker() and collapse() with one test of the links.
+/// Collapses h, or returns why h cannot be collapsed and leaves the mesh unchanged. Tests the links once, where
+/// collapse_blocker() followed by collapse() tests them twice.
 MESHOPS_API std::variant<WeldEffect, Blocker> try_collapse(Connectivity& mesh, Halfedge h,
                                                            Keep keep = Keep::simplicial);
 
 /// Collapses h and then calls hook(mesh, effect) (split_hooks.h): PlaceVertex, Interpolate, or any callable, which may
-/// place the surviving vertex and give it properties. The removed elements still have theirs.
-/// Throws: ContractViolation, and what the hook throws; the mesh is then as before, except for what the hook wrote.
+/// place the surviving vertex and give it properties. The removed elements still have their properties then.
+/// Throws: ContractViolation, and what the hook throws; the mesh is then as before, except as split_hooks.h says.
 template <typename Mesh, SplitHook<Mesh, WeldEffect> Hook>
 WeldEffect collapse(Mesh& mesh, Halfedge h, Hook hook, Keep keep = Keep::simplicial) {
   return detail::with_hook(mesh, collapse(static_cast<Connectivity&>(mesh), h, keep), hook);

@@ -1,5 +1,5 @@
-// What:   the effects that the stellar operators return, for those that change counts.
-// Law:    delta() is exact for every application, on every mesh; χ, curves, components and genus never change.
+// What:   the effects that splits, welds and collapses return: the elements that were added or removed.
+// Law:    delta() is exact for every application, on every sound mesh; χ, curves, components and genus never change.
 // Source: Lewiner, Lopes, Medeiros, Tavares, Velho, Topological mesh operators (CAGD 27, 2010).
 #pragma once
 
@@ -16,12 +16,13 @@ namespace meshops {
 /// with two edges and one face.
 struct StarElements {
   Vertex vertex{};
-  std::array<Edge, 3> edge = {Edge(), Edge(), Edge()};  ///< first the edge along which the operator splits or welds
-  std::array<Face, 2> face = {Face(), Face()};
-  bool at_boundary = false;  ///< whether it has two edges and one face: the last of each is invalid
+  std::array<Edge, 3> edge = {Edge(), Edge(), Edge()};  ///< the edge of the effect's `halfedge`, then those beside it
+  std::array<Face, 2> face = {Face(), Face()};          ///< on the left and on the right of the effect's `halfedge`
+  bool at_boundary = false;  ///< whether there are two edges and one face: the last of each array is then invalid
 
   std::span<const Edge> edges() const { return std::span(edge).first(at_boundary ? 2 : 3); }
   std::span<const Face> faces() const { return std::span(face).first(at_boundary ? 1 : 2); }
+  /// Returns the change of the counts when these elements are added.
   Delta sum() const {
     return at_boundary ? Delta{.vertices = 1, .edges = 2, .faces = 1} : Delta{.vertices = 1, .edges = 3, .faces = 2};
   }
@@ -30,7 +31,7 @@ struct StarElements {
 /// Effect of split_edge(), split_face() and split_vertex().
 struct SplitEffect {
   StarElements added;
-  Halfedge halfedge{};  ///< from the new vertex to the old one: collapse() along it is the inverse
+  Halfedge halfedge{};  ///< from the new vertex to an old one: collapse() of this halfedge is the inverse
   Delta delta() const { return added.sum(); }
 };
 
@@ -38,7 +39,7 @@ struct SplitEdgeEffect : SplitEffect {
   Halfedge line{};  ///< toward the new vertex, on the half of the edge that keeps its handle
 };
 struct SplitFaceEffect : SplitEffect {
-  Face face{};  ///< the face that was split; it is one of three now
+  Face face{};  ///< the face that was split, now one of three
 };
 struct SplitVertexEffect : SplitEffect {};
 

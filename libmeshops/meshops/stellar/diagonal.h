@@ -30,7 +30,7 @@ struct RemoveDiagonalEffect {
 };
 
 /// Returns why no diagonal can join the starts of `from` and `to`, or nothing when one can. The reasons: a halfedge
-/// does not exist or is deleted; they are not sides of one face; the two corners are neighbors (a face of two sides
+/// does not exist or is deleted; the two are not sides of one face; the two corners are neighbors (a face of two sides
 /// would be left) or one vertex (a loop); with Keep::simplicial, an edge joins the corners already, or the diagonal
 /// would make two triangles with the same corners, in a quadrangle that touches itself.
 /// Cost: constant; Keep::simplicial: the lesser degree of the two corners.
@@ -51,6 +51,7 @@ MESHOPS_API InsertDiagonalEffect insert_diagonal(Connectivity& mesh, Halfedge fr
 
 /// Returns why the edge of h cannot be removed, or nothing when it can. The reasons: the mesh lacks status of some
 /// kind, the halfedge does not exist, its edge is on the boundary, or one face lies on both sides of the edge.
+/// Cost: constant.
 MESHOPS_API std::optional<Blocker> remove_diagonal_blocker(const Connectivity& mesh, Halfedge h);
 
 /// Removes the edge of h. The edge and the face of h are marked deleted; the face on the other side of the edge gets

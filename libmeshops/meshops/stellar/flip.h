@@ -1,5 +1,6 @@
 // What:   the stellar operator that rotates an edge inside its two triangles.
-// Law:    flipping twice gives the same mesh with the edge reversed; undo(flip()) restores every record.
+// Law:    two flips of an edge give the same mesh, with the edge reversed and its two faces exchanged; undo(flip())
+//         restores every record.
 // Source: Pachner, P.L. homeomorphic manifolds are equivalent by elementary shellings (1991).
 #pragma once
 
@@ -24,6 +25,7 @@ struct FlipEffect {
 /// Returns why the edge cannot be flipped, or nothing when it can. The reasons: the edge does not exist or is deleted,
 /// it is on the boundary, a face at it is not a triangle, both triangles have the same apex (the edge would become a
 /// loop), or, with Keep::simplicial, an edge joins the two apexes.
+/// Cost: constant; Keep::simplicial: the lesser degree of the two apexes.
 MESHOPS_API std::optional<Blocker> flip_blocker(const Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
 /// Rotates the edge counter-clockwise in the quadrangle of its two triangles.
@@ -32,9 +34,9 @@ MESHOPS_API std::optional<Blocker> flip_blocker(const Connectivity& mesh, Edge e
 /// Requires:    flip_blocker() is empty.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: nothing.
-/// Inverse:     flip(), which leaves the edge reversed; undo(), exactly.
+/// Inverse:     flip(), except that the edge is reversed and its faces are exchanged; undo(), exactly.
 /// Δ:           all 0; the degrees of a and b fall by one, the degrees of c and d rise by one.
-/// Cost:        constant; Keep::simplicial: the lesser degree of c and d.
+/// Cost:        the cost of flip_blocker().
 MESHOPS_API FlipEffect flip(Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
 /// Rotates the edge back, clockwise. If the mesh is as flip() left it (later changes have been undone), every record is

@@ -1,6 +1,6 @@
 // What: a hook that gives the new vertex of a split, or the survivor of a collapse, the mean of chosen properties.
 // Law:  split_edge() and collapse() set the mean of both ends, split_face() the mean of the three corners,
-//       split_vertex() the value of the old vertex. A hook that throws leaves the mesh as it was (split_hooks.h).
+//       split_vertex() the value of the old vertex.
 #pragma once
 
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
@@ -90,18 +90,21 @@ bool has_property(Mesh& mesh, OpenMesh::VPropHandleT<Value> property) {
 
 }  // namespace detail
 
-/// Type with a mean: numbers, and OpenMesh's vectors of numbers, for weights, texture coordinates and colors.
+/// Type with a mean: a number, or a vector of OpenMesh with numbers as coordinates, but no bool. Integers of more than
+/// 32 bits do not compile.
 template <typename T>
 concept HasMean = detail::MeanNumber<T> || detail::MeanVector<T>;
 
 /// Split hook for calls such as split_edge(mesh, h, Interpolate(weight, mesh.vertex_texcoords2D_pph(),
-/// mesh.vertex_colors_pph())). The hook does what CarryOver does, which includes the point of the new vertex if the
-/// mesh has points, and then sets each named vertex property of the new vertex to the mean. A property is named by an
-/// OpenMesh::VPropHandleT or a vertex PropertyManager, in any mixture.
+/// mesh.vertex_colors_pph())). In a split, the hook does what CarryOver does; in a collapse, it places the survivor of
+/// a mesh with points (PlaceVertex). Then the hook sets each named vertex property of the new or surviving vertex to
+/// the mean. A property is named by an OpenMesh::VPropHandleT or a vertex PropertyManager, in any mixture.
 /// Integers are rounded to the nearest, halves away from 0. Vectors are not normalized: compute normals anew. Vertex
-/// properties that are not named get default values in split_edge() and split_face(), as without the hook.
-/// Requires: the properties belong to the mesh that is split. Otherwise a split throws ContractViolation and leaves the
-///           mesh untouched. Types without a mean, such as text and flags, do not compile.
+/// properties that are not named get default values in split_edge() and split_face(), as without the hook; the survivor
+/// of a collapse keeps them.
+/// Requires: the properties belong to the mesh (checked); for collapse(), each is named once, and the points are not.
+/// Throws:   ContractViolation in the call of the operator. A split then leaves the mesh untouched, a collapse all but
+///           the point of the survivor and the properties named before the wrong one.
 template <HasMean... Values>
 class Interpolate {
  public:

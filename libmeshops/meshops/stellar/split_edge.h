@@ -14,9 +14,9 @@
 
 namespace meshops {
 
-/// Returns why the edge cannot be split, or nothing when it can. The reasons: the edge does not exist or is deleted, a
-/// face at the edge is not a triangle, or, with Keep::simplicial, the two triangles have the same apex, to which the
-/// new vertex would be joined twice.
+/// Returns why the edge, that of h or e, cannot be split, or nothing when it can. The reasons: the edge does not exist
+/// or is deleted, a face at the edge is not a triangle, or, with Keep::simplicial, the two triangles have one apex, to
+/// which the new vertex would be joined twice. Cost: constant.
 MESHOPS_API std::optional<Blocker> split_edge_blocker(const Connectivity& mesh, Halfedge h,
                                                       Keep keep = Keep::simplicial);
 MESHOPS_API std::optional<Blocker> split_edge_blocker(const Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
@@ -35,10 +35,10 @@ MESHOPS_API std::optional<Blocker> split_edge_blocker(const Connectivity& mesh, 
 /// Cost:        constant.
 MESHOPS_API SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep = Keep::simplicial);
 
-/// Splits the edge along its first halfedge.
+/// Splits the edge as split_edge(mesh, mesh.halfedge_handle(e, 0), keep) does.
 MESHOPS_API SplitEdgeEffect split_edge(Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
-/// Splits the edge and then calls hook(mesh, effect): PlaceVertex, CarryOver, or any callable (split_hooks.h).
+/// Splits the edge of h or e and then calls hook(mesh, effect): PlaceVertex, CarryOver or any callable (split_hooks.h).
 /// Throws: ContractViolation, and what the hook throws; the mesh is then as before, except as split_hooks.h says.
 template <typename Mesh, SplitHook<Mesh, SplitEdgeEffect> Hook>
 SplitEdgeEffect split_edge(Mesh& mesh, Halfedge h, Hook hook, Keep keep = Keep::simplicial) {

@@ -14,7 +14,7 @@
 namespace meshops {
 
 /// Returns why the face cannot be split, or nothing when it can. The reasons: the face does not exist, or it is not a
-/// triangle. A simplicial mesh always stays simplicial.
+/// triangle. A simplicial mesh always stays simplicial. Cost: constant.
 MESHOPS_API std::optional<Blocker> split_face_blocker(const Connectivity& mesh, Face f);
 
 /// Puts a new vertex into a triangle and joins it to the three corners.

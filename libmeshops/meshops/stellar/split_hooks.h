@@ -1,8 +1,8 @@
-// What: functions that a split or a collapse calls as soon as the elements are linked: they place the new or surviving
-//       vertex and fill in properties. The links do not depend on them.
-// Law:  a hook that throws leaves the mesh as it was before the operator, in every record and property, except for what
-//       the hook wrote to old elements. If the hook of a split added elements, the elements of the split are marked
-//       deleted instead of removed; without status of every kind, the split stays.
+// What: hooks: functions that a split or a collapse calls as soon as the elements are linked, to place the new or
+//       surviving vertex and to fill in properties.
+// Law:  the links do not depend on the hook. A hook that throws leaves the mesh as it was before the operator, in every
+//       record and property, except for what the hook wrote to old elements. Elements that the hook added stay; those
+//       of a split are then marked deleted instead of removed, or, without status of every kind, the split stays.
 #pragma once
 
 #include <concepts>
@@ -15,7 +15,7 @@
 
 namespace meshops {
 
-/// Mesh type of OpenMesh that keeps a point for each vertex, of two or more floating-point coordinates.
+/// Mesh type of OpenMesh that keeps a point of floating-point coordinates for each vertex.
 template <typename Mesh>
 concept HasPoints = std::derived_from<Mesh, Connectivity> && requires(Mesh& mesh, Vertex v, typename Mesh::Point p) {
   p = mesh.point(v);
@@ -23,14 +23,15 @@ concept HasPoints = std::derived_from<Mesh, Connectivity> && requires(Mesh& mesh
   requires std::floating_point<std::remove_cvref_t<decltype(p[0])>>;
 };
 
-/// Callable as hook(mesh, effect) with the effect of split_edge(), split_face(), split_vertex() or collapse(). It may
-/// write points and properties of any element; if it throws, only what it wrote to old elements stays. It must not
-/// change links.
+/// Callable as hook(mesh, effect) with the effect of split_edge(), split_face(), split_vertex() or collapse(). A hook
+/// may write points and properties of any element. It must not change links: if it does and then throws, the split
+/// or collapse may stay.
 template <typename Hook, typename Mesh, typename Effect>
 concept SplitHook = std::derived_from<Mesh, Connectivity> && std::invocable<Hook&, Mesh&, const Effect&>;
 
 /// Puts the new vertex in the middle of the edge, at the centroid of the triangle, or on the vertex that was split, and
-/// the survivor of a collapse in the middle of the edge. Splits of a mesh with points use it when no hook is given.
+/// the survivor of a collapse in the middle of the edge. Splits of a mesh with points use PlaceVertex when no hook is
+/// given; collapse() does not.
 struct PlaceVertex {
   template <HasPoints Mesh>
   void operator()(Mesh& mesh, const SplitEdgeEffect& effect) const {
@@ -100,8 +101,8 @@ Effect with_hook(Mesh& mesh, const Effect& effect, Hook& hook) {
 ///   which it was cut;
 /// - split_face(): from the face to the new faces;
 /// - split_vertex(): from the old vertex to the new one; where an edge opens to two, both have the old properties.
-/// Edges across a face, and the faces of split_vertex(), have no old element and get default values. In a mesh with
-/// points, the new vertex is also placed (PlaceVertex).
+/// Other new elements have no old one and get default values: for example edges across a face, and the faces of
+/// split_vertex(). In a mesh with points, the new vertex is also placed (PlaceVertex). Not for collapse().
 struct CarryOver {
   template <typename Mesh, std::derived_from<SplitEffect> Effect>
   requires std::derived_from<Mesh, Connectivity>

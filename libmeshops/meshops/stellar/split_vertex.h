@@ -17,17 +17,18 @@ namespace meshops {
 /// Returns why the vertex cannot be split between these halfedges, or nothing when it can. The reasons: both are left
 /// out; one does not exist or is deleted; they leave different vertices; one is left out at an inner vertex; the vertex
 /// has several fans (core/fans.h) and the boundary passes between the halfedges; with Keep::simplicial, two edges would
-/// join the new vertex to the same other vertex.
+/// join the new vertex to one other vertex.
+/// Cost: at most that of split_vertex().
 MESHOPS_API std::optional<Blocker> split_vertex_blocker(const Connectivity& mesh, std::optional<Halfedge> left,
                                                         std::optional<Halfedge> right, Keep keep = Keep::simplicial);
 
-/// Splits the vertex w that `left` and `right` leave: a new vertex takes over the edges between them, counter-clockwise
-/// from left to right. Both edges open to a triangle with the new edge; `left` lies on the left of the new halfedge.
-/// Without `right`, the new vertex takes over the edges from `left` to the boundary; without `left`, those from the
-/// boundary to `right`; in both cases the new edge is on the boundary. With equal halfedges, the new vertex takes over
-/// all edges but theirs.
-/// Effect:      `left` and `right` still leave w; on the side of the new vertex, a new edge to the same end takes their
-///              place. No face loses a side. New elements have default values of all properties. A default point is
+/// Splits the vertex w that `left` and `right` leave: a new vertex takes over the edges between the two halfedges,
+/// counter-clockwise from left to right. Both edges open to a triangle with the new edge; `left` lies on the left of
+/// the returned halfedge. Without `right`, the new vertex takes over the edges from `left` to the boundary; without
+/// `left`, those from the boundary to `right`; in both cases the new edge is on the boundary. With equal halfedges, the
+/// new vertex takes over all edges of w but that of these halfedges.
+/// Effect:      `left` and `right` still leave w; on the side of the new vertex, new edges to the same ends take their
+///              places. No face loses a side. New elements have default values of all properties. A default point is
 ///              unspecified, because OpenMesh's vectors have no default: see the overloads below.
 /// Returns:     the added elements, and the halfedge from the new vertex to w.
 /// Requires:    split_vertex_blocker() is empty.
@@ -35,7 +36,7 @@ MESHOPS_API std::optional<Blocker> split_vertex_blocker(const Connectivity& mesh
 /// Invalidates: nothing.
 /// Inverse:     collapse() along the returned halfedge, exactly.
 /// Δ:           V +1, E +3, F +2; with one halfedge left out V +1, E +2, F +1; the topology stays.
-/// Cost:        the number of edges taken over; where the boundary passes between them, the degree of w.
+/// Cost:        the number of edges taken over; where w is on the boundary, up to the degree of w.
 MESHOPS_API SplitVertexEffect split_vertex(Connectivity& mesh, std::optional<Halfedge> left,
                                            std::optional<Halfedge> right, Keep keep = Keep::simplicial);
 

@@ -25,8 +25,8 @@
 namespace meshops {
 
 struct TriangulateFaceEffect {
-  std::vector<Halfedge> diagonals;  ///< halfedges of the new edges, each with a new face on its left
-  std::vector<Face> faces;          ///< the new faces; the old one is the triangle at its halfedge
+  std::vector<Halfedge> diagonals;  ///< halfedges of the new edges, each with its new face on the left
+  std::vector<Face> faces;          ///< the new faces, in the order of `diagonals`
   Delta delta() const { return {.edges = static_cast<int>(diagonals.size()), .faces = static_cast<int>(faces.size())}; }
 };
 
@@ -101,14 +101,14 @@ std::optional<std::vector<std::uint32_t>> least_triangulation(const Polygon& pol
 /// Returns why the face cannot be triangulated, or nothing when it can. The reasons: the face does not exist; every
 /// triangulation has an edge with one vertex at both ends; with Keep::simplicial, every triangulation has an edge
 /// between vertices that an edge joins already, or the face passes a vertex twice.
-/// Cost: O(k³) time and O(k²) memory for k sides.
+/// Cost: O(k³) time and O(k²) memory for k sides; Keep::simplicial: also the degrees of the corners.
 MESHOPS_API std::optional<Blocker> triangulate_face_blocker(const Connectivity& mesh, Face face,
                                                             Keep keep = Keep::simplicial);
 
 /// Triangulates a face with the least total weight. Of several triangulations of that weight it chooses the one whose
 /// triangle at the last side has the first apex, counted from mesh.halfedge_handle(face) on, and likewise in each part.
-/// Effect:      the face keeps its halfedge and becomes the triangle there; everything else is new, with default values
-///              of all properties. A face that is a triangle stays as it is.
+/// Effect:      the face keeps its halfedge and becomes the triangle there; the other faces and the diagonals are new,
+///              with default values of all properties. A face that is a triangle stays as it is.
 /// Requires:    triangulate_face_blocker() is empty.
 /// Throws:      ContractViolation, and what weight() throws; the mesh is then unchanged.
 /// Invalidates: nothing.
@@ -121,7 +121,8 @@ TriangulateFaceEffect triangulate_face(Connectivity& mesh, Face face, Weight wei
   return polygon.cut(mesh, *apex);
 }
 
-/// Triangulates a face of a mesh with points with the least total area. In the plane, the triangles do not overlap.
+/// Triangulates a face of a mesh with points with the least total area. If the face is a simple polygon in a plane, and
+/// `keep` forbids no diagonal, the triangles do not overlap, up to rounding.
 template <HasPoints Mesh>
 TriangulateFaceEffect triangulate_face(Mesh& mesh, Face face, Keep keep = Keep::simplicial) {
   return triangulate_face(mesh, face, TriangleArea(mesh), keep);

@@ -18,8 +18,9 @@ struct WeldEdgeEffect : WeldEffect {
 };
 
 /// Returns why the start of h cannot be welded into the edge, or nothing when it can. The reasons: there is no such
-/// halfedge, the start does not have four edges (three on the boundary, with h along the boundary), a face at it is not
-/// a triangle, or a reason of collapse_blocker().
+/// halfedge, the start does not have four edges (three on the boundary, with h along the boundary), a face at the start
+/// is not a triangle, or a reason of collapse_blocker().
+/// Cost: constant; Keep::simplicial: the degree of the end of h.
 MESHOPS_API std::optional<Blocker> weld_edge_blocker(const Connectivity& mesh, Halfedge h,
                                                      Keep keep = Keep::simplicial);
 
@@ -31,7 +32,7 @@ MESHOPS_API std::optional<Blocker> weld_edge_blocker(const Connectivity& mesh, H
 /// Invalidates: the elements marked deleted; a, b, the edge a–v and the faces at a survive.
 /// Inverse:     split_edge() of `line`, up to handles; undo(), exactly.
 /// Δ:           V −1, E −3, F −2; on the boundary V −1, E −2, F −1; the topology stays.
-/// Cost:        constant; Keep::simplicial: the degree of b.
+/// Cost:        the cost of weld_edge_blocker().
 MESHOPS_API WeldEdgeEffect weld_edge(Connectivity& mesh, Halfedge h, Keep keep = Keep::simplicial);
 
 }  // namespace meshops

@@ -18,8 +18,9 @@ struct WeldFaceEffect : WeldEffect {
 };
 
 /// Returns why the vertex cannot be welded into one face, or nothing when it can. The reasons: the mesh lacks status of
-/// some kind, the vertex does not exist, it is isolated or on the boundary, it does not have three edges, a face at it
-/// is not a triangle, or, with Keep::simplicial, a triangle with these corners exists already.
+/// some kind, the vertex does not exist, is isolated or on the boundary, or does not have three edges, a face at the
+/// vertex is not a triangle, or, with Keep::simplicial, a triangle joins the three neighbors of the vertex already.
+/// Cost: constant; Keep::simplicial: the degree of the end of mesh.halfedge_handle(v).
 MESHOPS_API std::optional<Blocker> weld_face_blocker(const Connectivity& mesh, Vertex v, Keep keep = Keep::simplicial);
 
 /// Removes an inner vertex of degree three; its three triangles become one.
@@ -30,7 +31,7 @@ MESHOPS_API std::optional<Blocker> weld_face_blocker(const Connectivity& mesh, V
 /// Invalidates: the elements marked deleted.
 /// Inverse:     split_face() of `face`, up to handles; undo(), exactly.
 /// Δ:           V −1, E −3, F −2; the topology stays.
-/// Cost:        constant; Keep::simplicial: the degree of a corner.
+/// Cost:        the cost of weld_face_blocker().
 MESHOPS_API WeldFaceEffect weld_face(Connectivity& mesh, Vertex v, Keep keep = Keep::simplicial);
 
 }  // namespace meshops
