@@ -2,7 +2,8 @@
 // Law:  after undo() of a step, every record of the mesh, including those of elements marked deleted, is as it was
 //       before the step, and the elements that the step added are gone. After redo(), every record is as it was after
 //       the step. So any sequence of steps, all undone, is the identity.
-// Cost: as the operator, and a few handles for each step.
+// Cost: undo() and redo() cost as much as the operator. A step keeps a few handles; for a seam or for the sides of a
+//       face, a few for each edge.
 #pragma once
 
 #include <cstddef>
@@ -34,16 +35,19 @@
 namespace meshops {
 
 /// History of operators on one mesh. Each operator member performs the operator of its name as one step and returns the
-/// operator's result. To undo several steps at once, keep the value of steps() and call undo_to() with it later.
-/// undo() does not restore properties that other code wrote to old elements. redo() makes the same elements with the
-/// same handles, and calls hooks of splits again for them. Arguments are kept as copies: of the caller's objects, the
-/// history needs only the mesh and those to which hooks refer.
-/// Requires: the mesh has status of every kind, outlives the history, and is sound; no other code changes its links.
-/// Throws:   ContractViolation when the mesh lacks status, when the operator refuses (its blocker has the reason), and
-///           when other code has added elements to the mesh or removed some; other changes of links are not noticed.
-///           What a hook throws. The history is then unchanged, and so is the mesh, except as split_hooks.h says.
+/// operator's result (destroy_triangle(): nothing). To undo several steps at once, keep the value of steps() and call
+/// undo_to() with it later. undo() does not restore properties that hooks or other code wrote to old elements. redo()
+/// makes the same elements with the same handles, and calls hooks of splits again for them. Arguments are kept as
+/// copies: of the caller's objects, the history needs only the mesh and those to which hooks refer.
+/// Requires: the mesh outlives the history and is sound; no other code changes the links of the mesh; the history is
+///           neither copied nor moved once it has steps. Not checked.
+/// Throws:   ContractViolation when the mesh lacks status of some kind, when the operator refuses (its blocker has the
+///           reason), and when other code has added elements since the last step or collected garbage; other changes of
+///           links are not noticed. What a hook or a weight throws. The history is then unchanged, and so is the mesh,
+///           except as split_hooks.h says.
 class MESHOPS_API History {
  public:
+  /// Begins a history without steps. Keeps a reference to the mesh.
   explicit History(Connectivity& mesh);
 
   CreateTriangleEffect create_triangle();
@@ -66,7 +70,7 @@ class MESHOPS_API History {
   SplitFaceEffect split_face(Face f);
   SplitVertexEffect split_vertex(std::optional<Halfedge> left, std::optional<Halfedge> right,
                                  Keep keep = Keep::simplicial);
-  /// Triangulates with a copy of the weight, which redo() calls again: it must then return what it returned before.
+  /// Triangulates with a copy of the weight, which redo() calls again: the weight must then return the same values.
   template <TriangleWeight Weight>
   TriangulateFaceEffect triangulate_face(Face f, Weight weight, Keep keep = Keep::simplicial) {
     return perform<TriangulateFaceEffect>([this, f, weight, keep] {
@@ -76,7 +80,7 @@ class MESHOPS_API History {
     });
   }
   /// Splits with a hook (split_hooks.h), by default PlaceVertex: split_edge(mesh, h, CarryOver()). A copy of the hook
-  /// is kept, and called again by redo(): objects to which it refers must still exist then.
+  /// is kept, and called again by redo(): objects to which the hook refers must still exist then.
   /// Requires: `mesh` is the mesh of the history. Throws ContractViolation.
   template <typename Mesh, SplitHook<Mesh, SplitEdgeEffect> Hook = PlaceVertex>
   SplitEdgeEffect split_edge(Mesh& mesh, Halfedge h, Hook hook = {}, Keep keep = Keep::simplicial) {
@@ -96,7 +100,7 @@ class MESHOPS_API History {
 
   /// Returns the number of steps that undo() can undo.
   std::size_t steps() const { return done_.size(); }
-  /// Returns the number of steps that redo() can redo: 0 after another step.
+  /// Returns the number of steps that redo() can redo: 0 after a new step.
   std::size_t undone_steps() const { return undone_.size(); }
   /// Undoes the last step. Requires: steps() > 0. Throws ContractViolation.
   void undo();

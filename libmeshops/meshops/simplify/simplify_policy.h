@@ -1,4 +1,5 @@
-// What:   the functions by which a simplification decides: what an edge costs, where its vertex goes, and whether.
+// What:   the functions by which a simplification decides: the cost of an edge, the place of the vertex to which the
+//         edge collapses, and whether that is allowed.
 // Source: Garland and Heckbert, Surface simplification using quadric error metrics (1997).
 #pragma once
 
@@ -14,17 +15,17 @@ namespace meshops {
 
 /// Policy of a simplification: it decides geometry, the engine decides topology. A policy has four functions:
 ///   cost(mesh, e)           returns the cost of a collapse of the edge e, a finite number; nothing for an edge that
-///                           stays. The least cost comes first
+///                           must not collapse. The least cost comes first
 ///   place(mesh, e)          returns the place of the vertex to which e would collapse: a value of any type, such as a
 ///                           point. Floating-point numbers and ranges of them must be finite, and so must types for
 ///                           which is_finite(place) is declared beside them
 ///   allows(mesh, e, place)  returns whether e may collapse to this place
 ///   key(mesh, v)            returns a key of the vertex that does not depend on its number, such as its point. Edges
-///                           of equal cost are ordered by the keys of their ends. If the keys of different vertices
-///                           differ, the result does not depend on the numbers of vertices, edges and faces
-/// The cost of an edge may depend on the triangles at its ends, but it is computed again only if one of its ends was
-/// merged or merged into another; whether it is allowed, also if a neighbor of an end was. No function may change the
-/// mesh.
+///                           of equal cost are ordered by the keys of their ends. If all keys differ and no two edges
+///                           join the same vertices, the result does not depend on the numbers of elements
+/// The engine computes the cost of each edge at first, and again when an end of the edge was merged, or, if the edge
+/// did not collapse in its turn, when a neighbor of an end was: other changes of the triangles there leave the cost as
+/// it was. place() and allows() are called in the turn of the edge. No function may change the mesh.
 template <typename P, typename Mesh>
 concept SimplifyPolicy = requires(P policy, const Mesh& mesh, Edge e, Vertex v) {
   { policy.cost(mesh, e) } -> std::convertible_to<std::optional<double>>;
@@ -32,6 +33,7 @@ concept SimplifyPolicy = requires(P policy, const Mesh& mesh, Edge e, Vertex v) 
   { policy.key(mesh, v) } -> std::totally_ordered;
 };
 
+/// Type of the places that a policy returns.
 template <typename P, typename Mesh>
 using PlaceOf = std::remove_cvref_t<decltype(std::declval<P&>().place(std::declval<const Mesh&>(), Edge()))>;
 
@@ -46,8 +48,8 @@ concept MergingPolicy = requires(P policy, Mesh& mesh, const WeldEffect& effect,
 };
 
 /// Policy that chooses which vertex stays:
-///   survivor(mesh, e, place)  returns the end of e that keeps its handle and its properties; the other is removed
-/// Without survivor(), the end with the lesser key stays.
+///   survivor(mesh, e, place)  returns the end of e that keeps its handle and its properties; the other end is removed
+/// Without survivor(), the end of the lesser key stays; of equal keys, that of the lower handle.
 template <typename P, typename Mesh>
 concept ChoosingPolicy = requires(P policy, const Mesh& mesh, Edge e, const PlaceOf<P, Mesh>& place) {
   { policy.survivor(mesh, e, place) } -> std::same_as<Vertex>;
@@ -60,8 +62,8 @@ concept StoppingPolicy = requires(P policy, const Mesh& mesh, Edge e, double cos
   { policy.stops(mesh, e, cost) } -> std::same_as<bool>;
 };
 
-/// Policy that declares `costs_grow`, a bool: if it is true, the cost of an edge never falls when one of its ends is
-/// merged, as with sums of quadrics. The engine then computes costs anew only when the turn of an edge comes.
+/// Policy that declares `costs_grow`, a bool. The value true promises that the cost of an edge never falls when one of
+/// its ends is merged, as with sums of quadrics. The engine then computes a cost anew only in the turn of the edge.
 template <typename P>
 concept GrowingPolicy = requires(const P policy) {
   { policy.costs_grow } -> std::convertible_to<bool>;

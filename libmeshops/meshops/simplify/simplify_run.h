@@ -1,4 +1,4 @@
-// What: one run of the simplification engine, its options and its result.
+// What: the options and the result of a run of the simplification engine, and the run itself.
 #pragma once
 
 #include <algorithm>
@@ -26,12 +26,13 @@ namespace meshops {
 
 struct SimplifyOptions {
   std::size_t faces = 0;         ///< the run ends as soon as at most this many faces are left
-  std::optional<double> cost{};  ///< the run ends before the first edge that costs more
-  Keep keep = Keep::simplicial;  ///< what every collapse keeps
+  std::optional<double> cost{};  ///< the run ends before the first edge that costs more; not NaN
+  Keep keep = Keep::simplicial;  ///< the property that every collapse keeps
   GoOn go_on{};                  ///< progress; false ends the run with Cancelled
 };
 
-/// Reason for the end of a run: a limit of the options, the policy, or that no edge is left to collapse.
+/// Reason for the end of a run: the limit options.faces or options.cost, the policy's stops(), or that no edge is left
+/// that can be collapsed.
 enum class SimplifyEnd { faces, cost, policy, exhausted };
 
 struct SimplifyResult {

@@ -7,16 +7,15 @@
 
 namespace meshops {
 
-/// Base of visitors. A visitor overrides the events that it uses; the others cost nothing. The mesh is sound at each
-/// event, and a visitor must not change it. A visitor may be a local class, and may throw to end the run.
+/// Base of visitors. A visitor declares the events that it uses, by the same names; the others cost nothing. At each
+/// event, the mesh is sound if it was at first; a visitor must not change the mesh. A visitor may throw to end the run.
 struct SimplifyVisitor {
-  /// Called when an edge has collapsed: `effect.removed.vertex` went into `effect.survivor`, as did all that had gone
-  /// into it before. undo() of the effects, the last first, restores every record of the mesh.
+  /// Called when an edge has collapsed: `effect.removed.vertex` went into `effect.survivor`, and with it all vertices
+  /// that had gone into it. undo() of the effects, the last first, restores every record of the mesh, but no property.
   void collapsed(const Connectivity&, const WeldEffect& /*effect*/, double /*cost*/) {}
-  /// Called when the topology does not permit the collapse of an edge, which is then tried again after a change near
-  /// it.
+  /// Called when collapse_blocker() refuses the collapse of an edge, which is tried again after a change near it.
   void refused(const Connectivity&, Edge, const Blocker&) {}
-  /// Called when the policy does not allow the collapse of an edge, which is then tried again after a change near it.
+  /// Called when allows() forbids the collapse of an edge, which is tried again after a change near it.
   void disallowed(const Connectivity&, Edge) {}
 };
 
