@@ -45,7 +45,7 @@ struct EndedLevel {
 
 struct HierarchyOptions {
   /// Maximum number of points in a leaf of the quadtree whose smallest leaf determines α₀. At least 1. Absent:
-  /// usual_leaf_capacity (triangles_by_level.h).
+  /// usual_leaf_capacity (triangles_by_level.h); for rbpa::paper::hrbpa() that of paper.h.
   std::optional<std::size_t> leaf_capacity = std::nullopt;
   MaxThreads threads = 0;  ///< maximum number; 0: all processors
   /// Callback for progress and cancellation, with the intervals of Options::progress (rbpa.h).

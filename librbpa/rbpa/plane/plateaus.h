@@ -1,7 +1,7 @@
 // What:   finds plateaus: ranges of alpha, long as a ratio of their ends, over which the parts and holes of the solid
 //         alpha complex hardly change; and recommends an alpha in each.
-// Law:    plateaus are a function of the set of points alone; scaled points have the same plateaus, scaled. A few
-//         outliers or specks change the plateaus in proportion to their share of the points.
+// Law:    plateaus are a function of the set of points alone; points scaled by a power of two have the same plateaus,
+//         scaled. A few outliers or specks change the plateaus in proportion to their share of the points.
 // Cost:   a sort of the triangles; the rest is near-linear. About the time of the filtration.
 // Source: docs/explanation/filtration_and_persistence.md, sections 6 and 7. Longest is most persistent: Edelsbrunner,
 //         Letscher, Zomorodian (2002); Betti curves that stand still mark the scale of a sample: Robins, Meiss, Bradley

@@ -1,7 +1,7 @@
 // What:   finds plateaus of points in space, and recommends an alpha in each. A plateau is a range of alpha, long as a
 //         ratio of its ends, over which the parts and voids of the solid alpha complex hardly change.
-// Law:    plateaus are a function of the set of points alone; scaled points have the same plateaus, scaled. A few
-//         outliers or specks change the plateaus in proportion to their share of the points.
+// Law:    plateaus are a function of the set of points alone; points scaled by a power of two have the same plateaus,
+//         scaled. A few outliers or specks change the plateaus in proportion to their share of the points.
 // Cost:   a few sorts of the tetrahedra; the rest is near-linear.
 // Source: docs/explanation/filtration_and_persistence.md, section 8.
 #pragma once
