@@ -28,7 +28,7 @@ struct BallVoidsOptions {
   OnProgress progress = {};  ///< Progress::triangles is 0
 };
 
-/// A ball at a void, and the area of its sphere that faces the void.
+/// A ball at a void or pocket, and the area of its sphere that faces the void.
 struct LiningBall {
   std::uint32_t ball;
   double area;
@@ -55,7 +55,7 @@ struct BallVoid {
   std::vector<std::uint32_t> tetrahedra;  ///< positions in RegularTriangulation::simplices, ascending
   double volume_of_tetrahedra = 0;
   /// Volume outside of the balls, and area of their spheres there. The part of a ball that reaches through a mouth is
-  /// counted with the tetrahedra at its center.
+  /// counted with the tetrahedra at its center, so both may be below 0 for a shallow pocket.
   double volume = 0, area = 0;
   std::vector<LiningBall> balls;  ///< corners that are in the dual complex; ascending
   /// The largest ball that meets none of the balls at corners of the tetrahedra. In a void it is the largest one of all

@@ -28,7 +28,7 @@ struct MeasureBallsOptions {
   bool contacts = false;     ///< whether BallMeasures::contacts are filled in
   bool derivatives = false;  ///< whether BallMeasures has gradients
   MaxThreads threads = 0;
-  OnProgress progress = {};  ///< Progress::triangles is 0
+  OnProgress progress = {};  ///< Progress::triangles is the number of triangulated balls, then 0
 };
 
 /// The contact of two balls: the part of the disc within their common circle that is in the power cells of both. It may

@@ -44,7 +44,8 @@ struct PeriodicTopology {
   std::vector<PeriodicPart> solid_components, voids;                 ///< the largest volume first
 };
 
-/// Computes the topology of the solid complex or of the full one, whose voids no ball of radius alpha can leave.
+/// Computes the topology of the complex of kind `walls`: the solid one, or the full one, whose voids no ball of radius
+/// alpha can leave.
 /// Requires: `delaunay` is periodic_solid() at infinity, with neighbors; `radii` are the circumradii() of its positions
 ///           and simplices; 0 < alpha ≤ infinity.
 /// Throws:   ContractViolation when sizes differ or a tetrahedron lacks a neighbor; InvalidInput when alpha is not

@@ -22,7 +22,7 @@ struct WeightedFiltrationOptions {
   /// Whether values are signed roots of powers: √p, or −√−p for a negative p; a ball of radius R then begins at −R.
   bool roots = false;
   MaxThreads threads = 0;
-  OnProgress progress = {};  ///< Progress::triangles is the number of finished balls
+  OnProgress progress = {};  ///< Progress::triangles is the number of triangulated balls, then 0
 };
 
 /// Computes the filtration, for solid_persistence(): all its values are powers or roots, those of balls in point_alpha,

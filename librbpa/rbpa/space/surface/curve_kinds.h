@@ -20,8 +20,8 @@ namespace rbpa {
 /// The kind of a boundary curve.
 enum class CurveKind : std::uint8_t {
   /// The outer end of a sheet: seen along the component's mean normal, the curve encloses at least a quarter of the
-  /// component's area, and all curves together do too. The boundaries of a square and of half a sphere are rims; the
-  /// boundary of a cube without its bottom is a hole, and so are the two ends of a tube.
+  /// component's area, and so do all curves of the component together. The boundaries of a square and of half a sphere
+  /// are rims; the boundary of a cube without its bottom is a hole, and so are the two ends of a tube.
   rim,
   hole,    ///< any other curve of a component that is not an island
   island,  ///< any boundary curve of an island

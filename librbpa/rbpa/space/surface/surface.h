@@ -23,8 +23,8 @@ namespace rbpa {
 /// Options of a computation on points or on a surface.
 struct SurfaceOptions {
   MaxThreads threads = 0;
-  /// Progress::triangles is the number of exposed triangles so far; for functions of a given surface the number of its
-  /// triangles; for searches among points alone 0.
+  /// Progress::triangles is the number of exposed triangles so far, or of new ones while holes are filled; otherwise
+  /// the number of given triangles, or 0 while points are searched.
   OnProgress progress = {};
 };
 

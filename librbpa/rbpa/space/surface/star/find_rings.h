@@ -3,7 +3,8 @@
 // How:  1. gather the sites in the cells around a cell, once for all sites in it (surroundings-inl.h);
 //       2. find the free region of the ball at each site, by caps (free_region-inl.h), and read the rings off its
 //          corners;
-//       3. where step 2 cannot decide a sign, or has no room, roll about every edge at the site (pivot/roll_about_edge.h).
+//       3. where step 2 cannot decide a sign, or has no room, roll about every edge at the site
+//          (pivot/roll_about_edge.h).
 // Cost: for each site, two passes over the points in the cells around it, and some hundred operations a triangle.
 #pragma once
 

@@ -1,8 +1,8 @@
 // What: computes the free region: the possible centers of a ball that touches a point v and contains no other point.
 //       The region is the sphere of centers around v less one cap for each other point. Its corners are the exposed
 //       triangles at v.
-// Law:  exact: each sign is certain, or decided by RestingBall::contains(). Where neither is possible, or there is no room, the
-//       region is lost, and false is returned. docs/explanation/surfaces.md, section 13.
+// Law:  exact: each sign is certain, or decided by RestingBall::contains(). Where neither is possible, or there is no
+//       room, the region is lost, and false is returned. docs/explanation/surfaces.md, section 13.
 // How:  caps are subtracted one after the other (cut()) from the cycles of arcs that bound the region. An arc is part
 //       of the circle of a point, on which the ball touches v and that point. Compiled once for each kind of vector
 //       unit: Highway's toggle is the include guard.
@@ -77,8 +77,8 @@ class FreeRegion {
   bool is_empty() const { return has_begun_ && boundary_.live() == 0; }
 
   /// Subtracts the cap of p. `is_in_ball(x, y, p)` decides exactly whether p is in the ball on (v, x, y), all given by
-  /// Neighbor::site. Returns false when a sign cannot be decided, or there is no room: then the region is lost, and only
-  /// reset() may follow.
+  /// Neighbor::site. Returns false when a sign cannot be decided, or there is no room: then the region is lost, and
+  /// only reset() may follow.
   template <typename IsInBall>
   bool subtract(const Neighbor& p, IsInBall is_in_ball) {
     const std::size_t before = caps_.count();
