@@ -33,8 +33,8 @@ struct Options {
 ///           anything is computed; Cancelled; any exception of `options.progress`.
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
 
-/// Returns the number of threads that rbpa() or hrbpa() uses on `points` points when its option `threads` is `wanted`:
-/// at most the number of processors, and one for fewer than 10,000 points.
+/// Returns the number of threads that rbpa() and hrbpa() use on `points` points with the option `threads` = `wanted`:
+/// at most the number of processors, which 0 stands for; one for fewer than 10,000 points.
 RBPA_API unsigned threads_used(std::size_t points, unsigned wanted);
 
 }  // namespace rbpa

@@ -42,9 +42,9 @@ struct HomologySignature {
 /// Cost:     linear in the mesh times `words`, and for each bit the depth of a tree of faces.
 MESHOPS_API HomologySignature homology_signature(const Connectivity& mesh, const GoOn& go_on = {});
 
-/// Returns a basis of shortest loops, by ascending length. A loop passes no vertex twice. It is found from one of its
-/// vertices, and consists of shortest paths from there to the ends of an edge, and this edge, with whose first halfedge
-/// the loop begins. Loops of equal length are ordered by the vertex, then by the edge.
+/// Returns a basis of shortest loops, by ascending length. A loop passes no vertex twice. It begins with the first
+/// halfedge of an edge, whose ends are joined to one vertex by shortest paths; their common part is left out. Loops of
+/// equal length are ordered by that vertex, then by the edge.
 /// Requires: validate(mesh) is empty, not checked; `lengths` has a length ≥ 0 for each edge, by edge index, with a
 ///           finite sum; entries of deleted edges are not read.
 /// Throws:   ContractViolation when `lengths` is not as required; Cancelled.

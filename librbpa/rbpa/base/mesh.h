@@ -12,6 +12,7 @@ struct MeshTraits : OpenMesh::DefaultTraits {
   using Normal = OpenMesh::Vec3d;
 };
 
+/// Triangle mesh with coordinates in double; points of the plane have z = 0.
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<MeshTraits>;
 
 }  // namespace rbpa
