@@ -25,8 +25,8 @@ namespace rbpa {
 /// rounded to doubles, so that it may lie beside the edge.
 /// Requires: each group (FillOptions::groups) is a valid multipolygon.
 /// Throws:   InvalidInput that names the place: coordinates that are not finite; the text of why_invalid() for a group
-///           (validity.h); groups that do not ascend from 0; a size or grade that is not a number above 0; an infinite
-///           size together with a grade or sizes at points; sizes at which the estimate exceeds 500 million triangles;
+///           (validity.h); groups that do not ascend from 0; a size or grade that is not a finite number above 0, but
+///           for an infinite `options.size` without grade and sizes; an estimate above 500 million triangles;
 ///           coordinates too far apart in magnitude for one scale. Cancelled; any exception of functions in `options`.
 RBPA_API Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, const FillOptions& options);
 

@@ -22,7 +22,7 @@ namespace meshops {
 /// nothing or the seed that was just refused. Deferred edges get their turn again before the next seed, when no other
 /// edge is active and a triangle was inserted or detached since they were deferred; without a seed they are frozen, and
 /// seed() is called once more. An edge is frozen when the policy proposes nothing for it, when its proposal is refused,
-/// or when its proposal leaves it on the boundary.
+/// or when the triangles proposed for it leave it on the boundary.
 /// Throws: whatever the policy or the visitor throws, including the comparisons and moves of keys. The mesh is then
 ///         sound, the edges that were active or being processed are active, and another advance() continues with them
 ///         in the same order. ContractViolation when the mesh or the front is changed during a call: by the policy in

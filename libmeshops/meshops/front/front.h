@@ -78,8 +78,8 @@ class MESHOPS_API Front {
   /// Returns the number of live edges or faces, without unused ones.
   std::size_t edges() const { return edges_ - dead_edges_; }
   std::size_t faces() const { return faces_ - dead_faces_; }
-  /// Returns one more than the greatest site; 0 after finish(). All numbers below are sites, except, in a front without
-  /// `site_of_vertex`, those of vertices that were deleted before the front began.
+  /// Returns n, where the sites are 0 to n − 1, except, in a front without `site_of_vertex`, the numbers of vertices
+  /// that were deleted before the front began; 0 after finish().
   std::size_t sites() const { return vertices_.sites(); }
 
   /// Adds a site, for methods that place points while they run. Returns: its number, the old value of sites().

@@ -22,8 +22,7 @@ class MESHOPS_API SiteVertices {
   /// Maps vertex i to site i, for i < `sites`: the first vertices. Keeps a reference to the mesh.
   /// Requires: the mesh has these vertices at the first lookup; not checked. Cost: linear in the mesh.
   SiteVertices(Connectivity& mesh, std::size_t sites);
-  /// Maps vertex v to site_of[v]; all vertices are further ones. The sites are 0 to the greatest that a live vertex
-  /// has.
+  /// Maps vertex v to site_of[v]; all vertices are further ones. The sites are 0 to the greatest of a live vertex.
   /// Throws: ContractViolation unless `site_of` has a site for each vertex, less than 2³¹ − 1 if the vertex is live.
   SiteVertices(Connectivity& mesh, std::span<const Site> site_of);
   /// Moves the map; `other` has no sites afterwards. A map cannot be copied: a mesh has one.
@@ -37,8 +36,7 @@ class MESHOPS_API SiteVertices {
         spare_(std::exchange(other.spare_, {})) {}
   SiteVertices(const SiteVertices&) = delete;
 
-  /// Returns one more than the greatest site. The sites are the numbers below, except those of first vertices that are
-  /// marked deleted.
+  /// Returns n, where the sites are 0 to n − 1, except the numbers of first vertices that are marked deleted.
   std::size_t sites() const { return first_ + listed_.size(); }
   /// Returns whether `s` is a site.
   bool exists(Site s) const { return is_first(s) ? is_live(mesh_, Vertex(static_cast<int>(s))) : s < sites(); }

@@ -27,11 +27,12 @@ struct FillOptions {
   /// which the tie-breaking of docs/explanation/exact_decisions.md makes unique; `grade` and `sizes` must then be
   /// absent.
   double size = 0;
-  /// Growth of the target length per unit of distance from a boundary edge that is shorter than `size`; at such an edge
-  /// the target is its length. Must be above 0. Absent: short edges do not lower the target.
+  /// Growth of the target length per unit of distance from the middle of a boundary edge that is shorter than `size`;
+  /// there the target is the length of the edge. A finite number above 0. Absent: short edges do not lower the target.
   std::optional<double> grade = std::nullopt;
   /// Sizes at points: at p the target is the least of `size` and sizes[i].size + g |p − sizes[i].at|, where g is
-  /// `grade`, or default_grade. The target is thus the greatest function of slope g that exceeds no given value.
+  /// `grade`, or default_grade. The target is thus the greatest function of slope g that exceeds no given value. Points
+  /// and sizes are finite, sizes above 0.
   std::span<const SizeAt> sizes = {};
   /// Whether the boundary stays as it is. Otherwise boundary edges that are longer than the target are cut.
   bool keep_boundary = false;
