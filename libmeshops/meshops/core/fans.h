@@ -27,8 +27,8 @@ inline bool has_other_fans(const Connectivity& mesh, Halfedge out) {
 
 }  // namespace detail
 
-/// Returns whether the vertex has several fans: more than one boundary halfedge leaves it. An isolated vertex has
-/// none.
+/// Returns whether the vertex has several fans, that is, whether more than one boundary halfedge leaves the vertex;
+/// false for an isolated vertex.
 /// Requires: the vertex is live; its fans form one ring of links; the vertex's halfedge is a boundary halfedge if
 ///           any that leaves the vertex is. Not checked.
 /// Cost:     linear in the degree of a boundary vertex; constant for a vertex that is inner or isolated.

@@ -13,8 +13,7 @@
 namespace meshops {
 
 /// Returns why `f` cannot be destroyed, or nothing when it can. The reasons: the mesh lacks status of some kind, there
-/// is no such face, the face is no triangle, a side is glued to another face, or a corner has several fans (see
-/// core/fans.h).
+/// is no such face, it is no triangle, a side is glued to another face, or a corner has several fans (core/fans.h).
 /// Cost:     constant.
 MESHOPS_API std::optional<Blocker> destroy_triangle_blocker(const Connectivity& mesh, Face f);
 
@@ -27,7 +26,7 @@ MESHOPS_API std::optional<Blocker> destroy_triangle_blocker(const Connectivity& 
 MESHOPS_API Delta destroy_triangle(Connectivity& mesh, Face f);
 
 /// Returns why `f` cannot be removed, or nothing when it can. The reasons: the mesh lacks status of some kind, there is
-/// no such face, the face is no triangle, or a corner has several fans (core/fans.h).
+/// no such face, it is no triangle, or a corner has several fans (core/fans.h).
 /// Cost:     the degrees of the corners that are on the boundary.
 MESHOPS_API std::optional<Blocker> remove_triangle_blocker(const Connectivity& mesh, Face f);
 

@@ -42,7 +42,7 @@ MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedg
 /// Requires:    glue_blocker() is empty; the mesh has status of every kind (deletion needs it).
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: `second`, its edge, and the vertices that were merged into others.
-/// Inverse:     unglue().
+/// Inverse:     unglue() of the returned effect, exactly.
 /// Cost:        the cost of glue_case().
 MESHOPS_API GlueEffect glue(Connectivity& mesh, Halfedge first, Halfedge second);
 

@@ -17,15 +17,16 @@ namespace meshops {
 ///   cost(mesh, e)           returns the cost of a collapse of the edge e, a finite number; nothing for an edge that
 ///                           must not collapse. The least cost comes first
 ///   place(mesh, e)          returns the place of the vertex to which e would collapse: a value of any type, such as a
-///                           point. Floating-point numbers and ranges of them must be finite, and so must types for
-///                           which is_finite(place) is declared beside them
+///                           point. Floating-point numbers and ranges of them must be finite, and so must values of
+///                           a type beside which is_finite(place) is declared
 ///   allows(mesh, e, place)  returns whether e may collapse to this place
 ///   key(mesh, v)            returns a key of the vertex that does not depend on its number, such as its point. Edges
 ///                           of equal cost are ordered by the keys of their ends. If all keys differ and no two edges
 ///                           join the same vertices, the result does not depend on the numbers of elements
-/// The engine computes the cost of each edge at first, and again when an end of the edge was merged, or, if the edge
-/// did not collapse in its turn, when a neighbor of an end was: other changes of the triangles there leave the cost as
-/// it was. place() and allows() are called in the turn of the edge. No function may change the mesh.
+/// The engine computes the cost of every edge at the beginning. It computes a cost again when an end of the edge was
+/// merged, and, for an edge that did not collapse in its turn, when a neighbor of an end was merged; other changes of
+/// triangles leave costs as they were. place() and allows() are called in the turn of the edge. No function may change
+/// the mesh.
 template <typename P, typename Mesh>
 concept SimplifyPolicy = requires(P policy, const Mesh& mesh, Edge e, Vertex v) {
   { policy.cost(mesh, e) } -> std::convertible_to<std::optional<double>>;
@@ -38,9 +39,9 @@ template <typename P, typename Mesh>
 using PlaceOf = std::remove_cvref_t<decltype(std::declval<P&>().place(std::declval<const Mesh&>(), Edge()))>;
 
 /// Policy that merges what it keeps for vertices:
-///   merge(mesh, effect, place)  is called when an edge has collapsed, with the mesh that it may write points and
-///                               properties to, but no links. It places the surviving vertex, and merges what the
-///                               policy keeps for the two vertices. If it throws, the collapse is undone
+///   merge(mesh, effect, place)  is called when an edge has collapsed. It places the surviving vertex, and merges the
+///                               data that the policy keeps for the two vertices. It may write points and properties
+///                               of the mesh, but no links. If it throws, the collapse is undone
 /// Without merge(), the engine sets the point of the survivor to the place, if the mesh has points.
 template <typename P, typename Mesh>
 concept MergingPolicy = requires(P policy, Mesh& mesh, const WeldEffect& effect, const PlaceOf<P, Mesh>& place) {
