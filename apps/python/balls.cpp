@@ -1,7 +1,12 @@
+#include <array>
+#include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "python/module.h"
+#include "rbpa/space/balls/ball_interfaces.h"
+#include "rbpa/space/balls/ball_voids.h"
 #include "rbpa/space/balls/measure_ball_frames.h"
 #include "rbpa/space/balls/regular_triangulation.h"
 
@@ -43,6 +48,7 @@ py::dict measured(const Doubles& centers, const Doubles& radii, double probe, bo
   result["area"] = column<double>(made, &BallMeasures::area);
   result["volumes"] = line<double>(joined(made, &BallMeasures::volumes));
   result["areas"] = line<double>(joined(made, &BallMeasures::areas));
+  result["arcs"] = line<std::int32_t>(joined(made, &BallMeasures::arcs));
   result["volume_gradient"] = rows<double>(joined(made, &BallMeasures::volume_gradient));
   result["area_gradient"] = rows<double>(joined(made, &BallMeasures::area_gradient));
   py::list hidden, all_contacts;
@@ -64,6 +70,60 @@ Indices tetrahedra_of(const Doubles& centers, const Doubles& radii) {
   }));
 }
 
+py::tuple tuple_of(const Point3& p) { return py::make_tuple(p.x, p.y, p.z); }
+
+/// Returns the arguments of rbpa.BallMouth.
+py::tuple tuple_of(BallMouth&& mouth) {
+  return py::make_tuple(rows<std::int32_t>(std::move(mouth.triangles)), line<std::int32_t>(std::move(mouth.balls)),
+                        mouth.area, mouth.perimeter, mouth.power, tuple_of(mouth.center), mouth.radius);
+}
+
+/// Returns the arguments of rbpa.BallVoid for each void or pocket; mouths as a list of tuples.
+py::list voids_of(std::vector<BallVoid>&& voids, const RegularTriangulation& regular) {
+  py::list list;
+  for (BallVoid& of : voids) {
+    std::vector<std::array<std::uint32_t, 4>> simplices;
+    for (const std::uint32_t t : of.tetrahedra) simplices.push_back(regular.simplices[t]);
+    py::list mouths;
+    for (BallMouth& mouth : of.mouths) mouths.append(tuple_of(std::move(mouth)));
+    list.append(py::make_tuple(of.volume, of.area, of.volume_of_tetrahedra, rows<std::int32_t>(std::move(simplices)),
+                               column<std::int32_t>(of.balls, &LiningBall::ball),
+                               column<double>(of.balls, &LiningBall::area), tuple_of(of.center), of.radius, of.power,
+                               std::move(mouths)));
+  }
+  return list;
+}
+
+/// Returns two lists, of voids and of pockets.
+py::list ball_voids_of(const Doubles& centers, const Doubles& radii, bool pockets, unsigned threads) {
+  const auto input = points3_of(centers, "centers");
+  RegularTriangulation regular;
+  BallVoids made = watched(input.size(), py::none(), [&](Watch& watch) {
+    regular = regular_triangulation(input, line_of(radii), {.threads = threads, .progress = watch.progress()});
+    return ball_voids(input, line_of(radii), regular,
+                      {.pockets = pockets, .threads = threads, .progress = watch.progress()});
+  });
+  py::list both;
+  both.append(voids_of(std::move(made.voids), regular));
+  both.append(voids_of(std::move(made.pockets), regular));
+  return both;
+}
+
+/// Returns the members of rbpa.BallInterfaces, with the numbers of groups.
+py::dict ball_interfaces_of(const Doubles& centers, const Doubles& radii, const Indices& groups, unsigned threads) {
+  const auto input = points3_of(centers, "centers");
+  const std::vector<std::uint32_t> numbers(groups.data(), groups.data() + groups.size());
+  BallInterfaces made = watched(input.size(), py::none(), [&](Watch& watch) {
+    return ball_interfaces(input, line_of(radii), numbers, {.threads = threads, .progress = watch.progress()});
+  });
+  py::dict result;
+  result["groups"] = column<std::int32_t>(made.all, &BallInterface::groups);
+  result["areas"] = column<double>(made.all, &BallInterface::areas);
+  result["contact_areas"] = column<double>(made.all, &BallInterface::contact_area);
+  result["areas_alone"] = line<double>(std::move(made.areas_alone));
+  return result;
+}
+
 }  // namespace
 
 void bind_balls(py::module_& module) {
@@ -71,6 +131,8 @@ void bind_balls(py::module_& module) {
   module.def("measure_balls", &measured, as_is("centers"), as_is("radii"), arg("probe"), arg("contacts"),
              arg("derivatives"), arg("threads"), arg("progress"));
   module.def("regular_triangulation", &tetrahedra_of, as_is("centers"), as_is("radii"));
+  module.def("ball_voids", &ball_voids_of, as_is("centers"), as_is("radii"), arg("pockets"), arg("threads"));
+  module.def("ball_interfaces", &ball_interfaces_of, as_is("centers"), as_is("radii"), as_is("groups"), arg("threads"));
 }
 
 }  // namespace rbpa::python

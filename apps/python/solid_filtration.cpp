@@ -10,6 +10,7 @@
 #include "python/module.h"
 #include "python/solid_again.h"
 #include "rbpa/base/pair_choice.h"
+#include "rbpa/space/balls/weighted_filtration.h"
 #include "rbpa/space/persistence/solid_persistence.h"
 #include "rbpa/space/persistence/solid_plateaus.h"
 #include "rbpa/space/persistence/solid_representatives.h"
@@ -19,28 +20,13 @@
 namespace rbpa::python {
 namespace {
 
-/// Returns the simplices with their radii, the persistence pairs, and the radii that the rules min and auto choose.
-py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::object& progress) {
-  const auto input = points3_of(points, "points");
-  struct Made {
-    SolidFiltration filtration;
-    std::vector<SolidPair> pairs;
-    double least, automatic;
-  };
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Made made = watched(input.size(), progress, [&](Watch& watch) {
-    Made all{.filtration = solid_filtration(input, {.threads = threads, .progress = watch.progress()}),
-             .pairs = {},
-             .least = infinity,
-             .automatic = infinity};
-    all.pairs = solid_persistence(all.filtration, watch.until_stopped());
-    all.least = min_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha, 1, watch.until_stopped());
-    all.automatic = auto_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha, 1, watch.until_stopped());
-    return all;
-  });
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Returns the simplices with their values, and the persistence pairs.
+py::dict arrays_of(SolidFiltration&& filtration, const std::vector<SolidPair>& all) {
   std::array<std::vector<std::array<double, 2>>, 3> values;
   std::array<std::vector<std::array<std::uint32_t, 2>>, 3> simplices;
-  for (const SolidPair& pair : made.pairs) {
+  for (const SolidPair& pair : all) {
     const auto dimension = static_cast<std::size_t>(pair.dimension);
     values[dimension].push_back({pair.birth, pair.death.value_or(infinity)});
     simplices[dimension].push_back({pair.born_by, pair.ended_by});
@@ -50,7 +36,6 @@ py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::
     persistence.append(rows<double>(std::move(values[dimension])));
     pairs.append(rows<std::int32_t>(std::move(simplices[dimension])));
   }
-  SolidFiltration& filtration = made.filtration;
   py::dict result;
   result["edges"] = rows<std::int32_t>(std::move(filtration.edges));
   result["edge_alpha"] = line<double>(std::move(filtration.edge_alpha));
@@ -62,10 +47,47 @@ py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::
   result["edges_of"] = rows<std::int32_t>(std::move(filtration.edges_of));
   result["triangles_of"] = rows<std::int32_t>(std::move(filtration.triangles_of));
   result["distinct"] = filtration.delaunay.distinct;
-  result["min"] = made.least;
-  result["auto"] = made.automatic;
   result["_persistence"] = persistence;
   result["_pairs"] = pairs;
+  return result;
+}
+
+/// Returns arrays_of(), and the radii that the rules min and auto choose.
+py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::object& progress) {
+  const auto input = points3_of(points, "points");
+  struct Made {
+    SolidFiltration filtration;
+    std::vector<SolidPair> pairs;
+    double least, automatic;
+  };
+  Made made = watched(input.size(), progress, [&](Watch& watch) {
+    Made all{.filtration = solid_filtration(input, {.threads = threads, .progress = watch.progress()}),
+             .pairs = {},
+             .least = infinity,
+             .automatic = infinity};
+    all.pairs = solid_persistence(all.filtration, watch.until_stopped());
+    all.least = min_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha, 1, watch.until_stopped());
+    all.automatic = auto_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha, 1, watch.until_stopped());
+    return all;
+  });
+  py::dict result = arrays_of(std::move(made.filtration), made.pairs);
+  result["min"] = made.least;
+  result["auto"] = made.automatic;
+  return result;
+}
+
+/// Returns arrays_of(), and the values of balls.
+py::dict weighted_filtration_of(const Doubles& centers, const Doubles& radii, bool roots, unsigned threads) {
+  const auto input = points3_of(centers, "centers");
+  SolidFiltration filtration;
+  const std::vector<SolidPair> pairs = watched(input.size(), py::none(), [&](Watch& watch) {
+    filtration =
+        weighted_filtration(input, line_of(radii), {.roots = roots, .threads = threads, .progress = watch.progress()});
+    return solid_persistence(filtration, watch.until_stopped());
+  });
+  std::vector<double> of_balls = std::move(filtration.point_alpha);
+  py::dict result = arrays_of(std::move(filtration), pairs);
+  result["ball_alpha"] = line<double>(std::move(of_balls));
   return result;
 }
 
@@ -96,10 +118,10 @@ py::list solid_representatives_of(const Doubles& points, int dimension, double m
     std::vector<std::array<std::uint32_t, 2>> edges;
     if (dimension < 2)
       for (const std::uint32_t edge : one.cells) edges.push_back(made.filtration.edges[edge]);
-    list.append(py::make_tuple(
-        dimension, made.pairs[i].birth, made.pairs[i].death.value_or(std::numeric_limits<double>::infinity()),
-        rows<std::int32_t>(std::move(edges)), rows<std::int32_t>(std::move(one.faces)),
-        line<std::int32_t>(std::move(one.tetrahedra)), one.length, one.area, one.volume, one.is_shortest));
+    list.append(py::make_tuple(dimension, made.pairs[i].birth, made.pairs[i].death.value_or(infinity),
+                               rows<std::int32_t>(std::move(edges)), rows<std::int32_t>(std::move(one.faces)),
+                               line<std::int32_t>(std::move(one.tetrahedra)), one.length, one.area, one.volume,
+                               one.is_shortest));
   }
   return list;
 }
@@ -143,6 +165,8 @@ py::dict void_tree_of(const Doubles& points, const Indices& simplices, const Ind
 void bind_solid_filtration(py::module_& module) {
   using py::arg;
   module.def("solid_filtration", &solid_filtration_of, as_is("points"), arg("threads"), arg("progress"));
+  module.def("weighted_filtration", &weighted_filtration_of, as_is("centers"), as_is("radii"), arg("roots"),
+             arg("threads"));
   module.def("solid_plateaus", &solid_plateaus_of, as_is("points"), as_is("simplices"), as_is("neighbors"),
              as_is("radii"), arg("distinct"));
   module.def("void_tree", &void_tree_of, as_is("points"), as_is("simplices"), as_is("neighbors"), as_is("radii"),

@@ -1,6 +1,7 @@
 // What: includes all public headers of rbpa/space/: solids, surfaces, repair, simplification, persistence, balls.
 #pragma once
 
+#include "rbpa/space/balls/ball_interfaces.h"
 #include "rbpa/space/balls/ball_voids.h"
 #include "rbpa/space/balls/dangling_faces.h"
 #include "rbpa/space/balls/full_topology.h"

@@ -236,3 +236,79 @@ def test_progress_counts_frames_and_ends_the_run():
     assert all(of == 40 for _, of in calls)
     with pytest.raises(rbpa.Cancelled):
         rbpa.balls(centers, radii, progress=lambda done, all: False)
+
+
+def test_the_filtration_has_births_and_deaths_of_powers_and_roots():
+    points, radii = some(5, 200)
+    made = rbpa.balls(points, radii * 0.4 + 0.02, 0.01)
+    f = made.filtration()
+    assert numpy.isinf(f.ball_alpha).sum() + len(f.persistence(0)) <= len(points)
+    born = numpy.isfinite(f.ball_alpha) & (f.ball_alpha <= 0)
+    assert numpy.array_equal(numpy.flatnonzero(~born), made.hidden)
+    assert f.persistence(0)[0].tolist() == [-(made.radii.max() + 0.01) ** 2, math.inf]
+    assert sorted(map(tuple, f.edges[f.edge_alpha <= 0].tolist())) == list(map(tuple, made.contacts.balls.tolist()))
+    assert f.betti(0)[2] == len(made.voids)
+    roots = made.filtration(roots=True)
+    assert numpy.allclose(numpy.sign(roots.edge_alpha) * roots.edge_alpha**2, f.edge_alpha, rtol=1e-14)
+    zero = rbpa.balls(points, 0.0).filtration(roots=True)
+    of_points = rbpa.solid_filtration(points)
+    assert numpy.array_equal(zero.simplices, of_points.simplices) and numpy.array_equal(zero.edge_alpha, of_points.edge_alpha)
+    assert all(numpy.array_equal(zero.persistence(k), of_points.persistence(k)) for k in range(3))
+    assert numpy.array_equal(pickle.loads(pickle.dumps(f)).persistence(1), f.persistence(1))
+
+
+def test_gudhi_has_the_same_pairs():
+    gudhi = pytest.importorskip("gudhi")
+    points, radii = some(6, 80)
+    tree = gudhi.AlphaComplex(points=points.tolist(), weights=(radii**2).tolist(), precision="exact").create_simplex_tree()
+    tree.persistence(homology_coeff_field=2, min_persistence=1e-12)
+    f = rbpa.balls(points, radii).filtration()
+    for dimension in range(3):
+        mine = f.persistence(dimension)
+        mine = mine[mine[:, 1] - mine[:, 0] > 1e-12]
+        theirs = numpy.array(sorted(map(tuple, tree.persistence_intervals_in_dimension(dimension))))
+        assert numpy.allclose(mine, theirs.reshape(-1, 2), rtol=1e-10, atol=1e-12)
+
+
+def test_a_hollow_shell_has_one_void_that_all_line_and_a_pocket_where_a_ball_is_missing():
+    cube = numpy.array([[x, y, z] for x in (0, 1, 2) for y in (0, 1, 2) for z in (0, 1, 2) if (x, y, z) != (1, 1, 1)], float)
+    shell = rbpa.balls(cube, 0.75)
+    (void,) = shell.voids
+    assert void.center == pytest.approx((1, 1, 1)) and void.radius == pytest.approx(0.25)
+    faces = [i for i, p in enumerate(cube) if (p == 1).sum() == 2]
+    assert sorted(void.balls[void.areas > void.area / 12].tolist()) == faces
+    assert void.balls.tolist() == list(range(26)) and void.areas.sum() == pytest.approx(void.area)
+    assert void.mouths == [] and shell.pockets == [] and 0 < void.volume < void.volume_of_tetrahedra
+    open_ = rbpa.balls(numpy.delete(cube, faces[-1], axis=0), 0.75)
+    assert open_.voids == []
+    (pocket,) = open_.pockets
+    (mouth,) = pocket.mouths
+    assert mouth.radius == pytest.approx(0.25) and mouth.area > 0 and len(mouth.balls) == 4 and void.volume < pocket.volume
+    with pytest.raises(ValueError):
+        void.areas[0] = 1
+
+
+def test_interfaces_are_what_areas_of_unions_leave():
+    atoms = rbpa.molecules.read(LYSOZYME)
+    half = numpy.where(atoms.residue_numbers < 60, "first", "last")
+    made = rbpa.balls(atoms, "bondi", 1.4).interfaces(half)
+    assert made.groups.tolist() == [["first", "last"]]
+    radii = atoms.radii()
+    alone = [rbpa.balls(atoms.positions[half == name], radii[half == name], 1.4) for name in ("first", "last")]
+    both = rbpa.balls(atoms.positions, radii, 1.4)
+    assert made.areas.sum() == pytest.approx(alone[0].area + alone[1].area - both.area, rel=1e-9)
+    assert made.areas[0, 1] == pytest.approx(alone[1].area - both.areas[half == "last"].sum(), rel=1e-9)
+    contacts = both.contacts
+    between = half[contacts.balls[:, 0]] != half[contacts.balls[:, 1]]
+    assert made.contact_areas[0] == pytest.approx(contacts.areas[between].sum(), rel=1e-9)
+    assert numpy.array_equal(made.areas_alone[half == "first"], alone[0].areas)
+
+
+def test_only_one_frame_has_voids_and_arcs_are_counted():
+    chain = rbpa.balls([[[0, 0, 0], [0, 0, 1], [0, 0, 2]]], 0.75)
+    assert chain.arcs.tolist() == [[1, 2, 1]]
+    for what in ("voids", "pockets"):
+        with pytest.raises(rbpa.InvalidInput, match=f"{what}: found 1 frames, expected one"):
+            getattr(chain, what)
+    with pytest.raises(rbpa.InvalidInput, match=r"groups: found an array of shape \(2,\), expected \(3,\)"):
+        rbpa.balls(chain.centers[0], 0.75).interfaces([1, 2])

@@ -51,7 +51,7 @@ Errors: ``InvalidInput`` (a ValueError) names a value that is not as expected; `
 from rbpa import meshops as meshops
 from rbpa import molecules as molecules
 from rbpa._alpha_shape import AlphaShape, alpha_shape, concave_hull
-from rbpa._balls import BallContacts, Balls, balls
+from rbpa._balls import BallContacts, BallInterfaces, BallMouth, Balls, BallVoid, balls
 from rbpa._core import Cancelled, ContractViolation, InvalidInput
 from rbpa._core import version as __version__
 from rbpa._delaunay import Delaunay, DelaunayInSpace
@@ -61,14 +61,14 @@ from rbpa._periodic_solid import PeriodicPart, PeriodicSolid, periodic_solid
 from rbpa._polygons import Polygon, Polygons
 from rbpa._read_points import PointFile, read_points
 from rbpa._solid import BallUnion, DanglingFaces, FullComplex, Solid, SolidVoid, solid, union_of_balls
-from rbpa._solid_filtration import SolidFiltration, SolidPlateau, SolidRepresentative, VoidTree, solid_filtration
+from rbpa._solid_filtration import BallFiltration, SolidFiltration, SolidPlateau, SolidRepresentative, VoidTree, solid_filtration
 from rbpa._space_points import estimate_normals, outliers, scale_space
 from rbpa._surface import NotWatertight, Surface, surface, surface_of
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRepair
 
 __all__ = [
     "AlphaShape", "AlphaShapes", "Delaunay", "DelaunayInSpace", "Filtration", "Plateau", "Polygon", "Polygons", "Representative",
-    "BallContacts", "Balls", "BallUnion", "DanglingFaces", "FullComplex", "PeriodicPart", "PeriodicSolid", "Solid", "SolidVoid",
+    "BallContacts", "BallFiltration", "BallInterfaces", "BallMouth", "Balls", "BallUnion", "BallVoid", "DanglingFaces", "FullComplex", "PeriodicPart", "PeriodicSolid", "Solid", "SolidVoid",
     "SolidFiltration", "SolidPlateau", "SolidRepresentative", "VoidTree",
     "NotWatertight", "Surface", "SurfaceComponent", "SurfaceHole", "SurfaceRepair",
     "Cancelled", "ContractViolation", "InvalidInput", "PointFile", "__version__",

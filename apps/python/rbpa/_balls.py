@@ -13,6 +13,7 @@ from rbpa import _core, molecules
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_array, as_number, as_numbers, as_points, as_threads
 from rbpa._result import Result, entry, freeze, short_repr
+from rbpa._solid_filtration import BallFiltration
 
 
 def balls(
@@ -91,6 +92,67 @@ class BallContacts(NamedTuple):
         return short_repr(self)
 
 
+class BallMouth(NamedTuple):
+    """A mouth of a pocket: triangles between the pocket and the outside. Arrays are read-only."""
+
+    triangles: Indices
+    """Shape (k, 3): corners, counter-clockwise seen from outside."""
+    balls: Indices
+    """The balls around the mouth."""
+    area: float
+    """The area of the triangles outside of the balls, and the length of its border with them."""
+    perimeter: float
+    power: float
+    """The balls with the squared radii R² + power close the mouth."""
+    center: tuple[float, float, float]
+    """The center of the largest ball that passes, and its radius."""
+    radius: float
+
+    def __repr__(self) -> str:
+        return short_repr(self)
+
+
+class BallVoid(NamedTuple):
+    """A void or pocket of a union of balls, `Balls.voids` and `Balls.pockets`. Arrays are read-only."""
+
+    volume: float
+    """Volume outside of the balls, and area of their spheres there."""
+    area: float
+    volume_of_tetrahedra: float
+    simplices: Indices
+    """Shape (k, 4): the tetrahedra, as corners."""
+    balls: Indices
+    """The balls that line it, ascending, and the area of each that faces it."""
+    areas: Floats
+    center: tuple[float, float, float]
+    """The center of the largest ball that fits in, and its radius."""
+    radius: float
+    power: float
+    """The balls with the squared radii R² + power fill it."""
+    mouths: list[BallMouth]
+    """The mouths of a pocket, the widest first; none for a void."""
+
+    def __repr__(self) -> str:
+        return short_repr(self)
+
+
+class BallInterfaces(NamedTuple):
+    """Interfaces of groups of balls, `Balls.interfaces`, with a row for each two groups that meet. Arrays are read-only.
+
+    `groups` has shape (m, 2): the labels; `areas` has shape (m, 2): of each group, the area of its surface that the
+    other one covers; `contact_areas` are the areas of the contacts between their balls. `areas_alone` has shape (n,):
+    the area of each ball on the surface of its own group.
+    """
+
+    groups: npt.NDArray[Any]
+    areas: Floats
+    contact_areas: Floats
+    areas_alone: Floats
+
+    def __repr__(self) -> str:
+        return short_repr(self)
+
+
 class Balls(Result):
     """A union of balls, as returned by `balls`. Arrays are read-only. For frames of balls, `volume` and `area` are
     arrays of shape (frames,), arrays have a first axis for frames, and what has another size in each frame is a list.
@@ -106,6 +168,8 @@ class Balls(Result):
     volumes, areas : float64 array of shape (n,)
         The volume of each ball's part of the union, within its power cell, and the area of its sphere on the surface of
         the union, exactly 0 if it is buried. Their sums are `volume` and `area`.
+    arcs : int32 array of shape (n,)
+        The number of arcs of circles that bound the area of each ball, whole circles included.
     hidden : int32 array of shape (h,)
         The balls that have no part of the union.
     """
@@ -117,12 +181,13 @@ class Balls(Result):
     area: Any
     volumes: Floats
     areas: Floats
+    arcs: Indices
     hidden: Any
 
     def __init__(self, centers: Floats, radii: Floats, probe: float, threads: Optional[int] = None, progress: Progress = None) -> None:
         super().__init__({"probe": probe}, centers=centers, radii=radii)
         made = self._measured(False, threads, progress)
-        self.__dict__.update({name: made[name] for name in ("volume", "area", "volumes", "areas", "hidden")})
+        self.__dict__.update({name: made[name] for name in ("volume", "area", "volumes", "areas", "arcs", "hidden")})
 
     def _measured(self, further: bool, threads: Optional[int] = None, progress: Progress = None) -> dict[str, Any]:
         """Measures the balls, contacts and gradients too if `further`. Returns the attributes."""
@@ -132,7 +197,7 @@ class Balls(Result):
         made = _core.measure_balls(centers, np.atleast_2d(self.radii), self.probe, further, further, as_threads(threads), progress)
         made["contacts"] = [BallContacts(*contacts) for contacts in made["contacts"]]
         freeze(*made["hidden"], *(array for contacts in made["contacts"] for array in contacts))
-        for name in ("volumes", "areas"):
+        for name in ("volumes", "areas", "arcs"):
             made[name] = made[name].reshape(shape[:-1])
         for name in ("volume_gradient", "area_gradient") if further else ():
             made[name] = made[name].reshape(shape)
@@ -170,6 +235,63 @@ class Balls(Result):
         found = [_core.regular_triangulation(frame, np.ascontiguousarray(row)) for frame, row in zip(frames, radii)]
         freeze(*found)
         return found if self.centers.ndim == 3 else found[0]
+
+    def _of_one_frame(self, what: str) -> Floats:
+        """Returns the radii with the probe. Raises InvalidInput for several frames."""
+        self._require_unchanged()
+        if self.centers.ndim == 3:
+            raise InvalidInput(f"{what}: found {len(self.centers)} frames, expected one (rbpa.balls(centers[i], radii, probe).{what})")
+        return np.ascontiguousarray(self.radii + self.probe)
+
+    def _found(self, pockets: bool) -> tuple[list[BallVoid], list[BallVoid]]:
+        radii = self._of_one_frame("pockets" if pockets else "voids")
+        found = _core.ball_voids(self.centers, radii, pockets, as_threads(None))
+        voids, others = ([BallVoid._make((*one[:-1], [BallMouth(*mouth) for mouth in one[-1]])) for one in rows] for rows in found)
+        for part in (part for one in (*voids, *others) for part in (one, *one.mouths)):
+            freeze(*(value for value in part if isinstance(value, np.ndarray)))
+        return voids, others
+
+    @cached_property
+    def voids(self) -> list[BallVoid]:
+        """The voids that the balls with the probe enclose, the largest first. The first access computes them."""
+        return self._found(False)[0]
+
+    @cached_property
+    def pockets(self) -> list[BallVoid]:
+        """The pockets of the balls with the probe, with their mouths, the largest first. The first access computes
+        them."""
+        return self._found(True)[1]
+
+    def filtration(self, *, roots: bool = False, threads: Optional[int] = None) -> BallFiltration:
+        """Returns the dual complex of the balls with the probe at every growth, with the births and deaths of
+        components, tunnels and voids as powers, or with `roots` as their signed roots.
+
+        >>> f = rbpa.balls([[0, 0, 0], [0, 0, 5]], [3, 2]).filtration()
+        >>> f.persistence(0).tolist(), f.betti(0)  # the balls touch
+        ([[-9.0, inf], [-4.0, 0.0]], (1, 0, 0))
+        """
+        return BallFiltration(self.centers, self._of_one_frame("filtration"), bool(roots), threads)
+
+    def interfaces(self, groups: npt.ArrayLike, *, threads: Optional[int] = None) -> BallInterfaces:
+        """Returns the areas of the surfaces of groups of balls, with the probe, that other groups cover.
+
+        `groups` has a label for each ball: the chains of atoms, or any other numbers or texts. Each two groups are
+        compared without the others.
+
+        >>> two = rbpa.balls([[0, 0, 0], [0, 0, 3]], [2, 2]).interfaces(["A", "B"])
+        >>> two.groups.tolist(), two.areas.round(6).tolist()  # caps of height 1/2: 2π each
+        ([['A', 'B']], [[6.283185, 6.283185]])
+        """
+        radii = self._of_one_frame("interfaces")
+        given = np.asarray(groups)
+        if given.shape != radii.shape:
+            raise InvalidInput(f"groups: found an array of shape {given.shape}, expected {radii.shape}, one for each ball")
+        labels, number = np.unique(given, return_inverse=True)
+        numbers = np.ascontiguousarray(number, np.int32)
+        found = _core.ball_interfaces(self.centers, radii, numbers, as_threads(threads))
+        made = BallInterfaces(**{**found, "groups": labels[found["groups"]]})
+        freeze(*made)
+        return made
 
     def __len__(self) -> int:
         return self.centers.shape[-2]

@@ -123,7 +123,63 @@ class VoidTree(NamedTuple):
         return short_repr(self)
 
 
-class SolidFiltration(Result):
+class SpaceFiltration(Result):
+    """What filtrations in space share: simplices, each with the value from which on it is in the complex, and pairs."""
+
+    edges: Indices
+    edge_alpha: Floats
+    triangles: Indices
+    triangle_alpha: Floats
+    simplices: Indices
+    simplex_alpha: Floats
+    neighbors: Indices
+    edges_of: Indices
+    triangles_of: Indices
+    distinct: int
+    _persistence: list[Floats]
+    _pairs: list[Indices]
+
+    def _freeze(self) -> None:
+        super()._freeze()
+        freeze(*self._persistence, *self._pairs)
+
+    def persistence(self, dimension: int) -> Floats:
+        """Returns births and deaths of components (dimension 0), tunnels (1) or voids (2) as alpha grows.
+
+        Returns
+        -------
+        float64 array of shape (k, 2)
+            Birth and death of each, sorted; infinity means that it never dies. Of points the values are the square
+            roots of those of GUDHI's AlphaComplex; of balls, powers are those of its weighted complex.
+        """
+        return self._persistence[_checked(dimension)]
+
+    def pairs(self, dimension: int) -> Indices:
+        """Returns the numbers of the simplices that begin and end each row of `persistence`, -1 for none: int32 array
+        of shape (k, 2).
+
+        They are a point and an edge in dimension 0, an edge and a triangle in dimension 1, a triangle and a tetrahedron
+        in dimension 2.
+        """
+        return self._pairs[_checked(dimension)]
+
+    def betti(self, alpha: npt.ArrayLike) -> tuple[Any, Any, Any]:
+        """Returns (components, tunnels, voids), the Betti numbers b0, b1 and b2 of the complex, at an alpha or at each
+        of an array of them."""
+        radii = as_radii(alpha)
+        numbers = [
+            np.searchsorted(np.sort(of[:, 0]), radii, side="right") - np.searchsorted(np.sort(of[:, 1]), radii, side="right")
+            for of in self._persistence
+        ]
+        if radii.ndim == 0:
+            return (int(numbers[0]), int(numbers[1]), int(numbers[2]))
+        return (numbers[0], numbers[1], numbers[2])
+
+    def _counts(self) -> str:
+        return ", ".join(f"{len(of)} {name}" for of, name in zip(self._persistence, _NAMES))
+
+
+class SolidFiltration(SpaceFiltration):
     """The alpha complex in space for every radius, as returned by `solid_filtration`. Arrays are read-only.
 
     A simplex is in the full alpha complex of a radius exactly if the simplex's own radius, which is rounded up, is at
@@ -150,47 +206,11 @@ class SolidFiltration(Result):
     """
 
     points: Floats
-    edges: Indices
-    edge_alpha: Floats
-    triangles: Indices
-    triangle_alpha: Floats
-    simplices: Indices
-    simplex_alpha: Floats
-    neighbors: Indices
-    edges_of: Indices
-    triangles_of: Indices
-    distinct: int
     min: float
     auto: float
-    _persistence: list[Floats]
-    _pairs: list[Indices]
 
     def __init__(self, points: Floats, made: dict[str, Any]) -> None:
         super().__init__(made, points=points)
-
-    def _freeze(self) -> None:
-        super()._freeze()
-        freeze(*self._persistence, *self._pairs)
-
-    def persistence(self, dimension: int) -> Floats:
-        """Returns births and deaths of components (dimension 0), tunnels (1) or voids (2) as the radius grows.
-
-        Returns
-        -------
-        float64 array of shape (k, 2)
-            Birth and death of each, sorted; infinity means that it never dies. The values are the square roots of those
-            of GUDHI's AlphaComplex.
-        """
-        return self._persistence[_checked(dimension)]
-
-    def pairs(self, dimension: int) -> Indices:
-        """Returns the numbers of the simplices that begin and end each row of `persistence`, -1 for none: int32 array
-        of shape (k, 2).
-
-        They are a point and an edge in dimension 0, an edge and a triangle in dimension 1, a triangle and a tetrahedron
-        in dimension 2.
-        """
-        return self._pairs[_checked(dimension)]
 
     def representatives(self, dimension: int, *, min_persistence: float = 0.0, top: Optional[int] = None) -> list[SolidRepresentative]:
         """Returns the locations of the pairs of one dimension, in the order of `persistence`.
@@ -225,18 +245,6 @@ class SolidFiltration(Result):
         freeze(*made.values())
         return VoidTree(*(made[name] for name in VoidTree._fields))
 
-    def betti(self, alpha: npt.ArrayLike) -> tuple[Any, Any, Any]:
-        """Returns (components, tunnels, voids), the Betti numbers b0, b1 and b2 of the full complex, at a radius or at
-        each of an array of radii."""
-        radii = as_radii(alpha)
-        numbers = [
-            np.searchsorted(np.sort(of[:, 0]), radii, side="right") - np.searchsorted(np.sort(of[:, 1]), radii, side="right")
-            for of in self._persistence
-        ]
-        if radii.ndim == 0:
-            return (int(numbers[0]), int(numbers[1]), int(numbers[2]))
-        return (numbers[0], numbers[1], numbers[2])
-
     def plot_persistence(self, ax: Any = None) -> Any:
         """Draws the persistence diagram with matplotlib, and returns the axes.
 
@@ -246,8 +254,40 @@ class SolidFiltration(Result):
         return draw_diagram(ax, self._persistence, _NAMES, marks_ends=False)
 
     def __repr__(self) -> str:
-        counts = ", ".join(f"{len(of)} {name}" for of, name in zip(self._persistence, _NAMES))
-        return f"<rbpa.SolidFiltration of {len(self.points)} points: {counts}>"
+        return f"<rbpa.SolidFiltration of {len(self.points)} points: {self._counts()}>"
+
+
+class BallFiltration(SpaceFiltration):
+    """The dual complex of balls at every growth, as returned by `Balls.filtration`. Arrays are read-only.
+
+    At the power p the ball of radius R has the squared radius R² + p. A simplex of the regular triangulation is in the
+    dual complex exactly if its own power, which is rounded up, is at most that; the complex at 0 has the shape of the
+    union. With `roots`, values are signed roots: √p, or -√-p for a negative power.
+
+    Attributes
+    ----------
+    centers, radii : float64 arrays of shape (n, 3), (n,)
+        Those of the balls; radii include the probe.
+    roots : bool
+    edges, triangles, simplices, neighbors, edges_of, triangles_of
+        As those of `SolidFiltration`, of the regular triangulation.
+    ball_alpha, edge_alpha, triangle_alpha, simplex_alpha : float64 arrays of shape (n,), (e,), (t,), (m,)
+        The power, or its root, from which on each simplex is in the complex; infinity for a ball without a cell.
+    distinct : int
+        The number of distinct balls.
+    """
+
+    centers: Floats
+    radii: Floats
+    roots: bool
+    ball_alpha: Floats
+
+    def __init__(self, centers: Floats, radii: Floats, roots: bool, threads: Optional[int] = None) -> None:
+        made = _core.weighted_filtration(centers, radii, roots, as_threads(threads))
+        super().__init__({"roots": roots, **made}, centers=centers, radii=radii)
+
+    def __repr__(self) -> str:
+        return f"<rbpa.BallFiltration of {len(self.centers)} balls: {self._counts()}>"
 
 
 def _checked(dimension: int) -> int:

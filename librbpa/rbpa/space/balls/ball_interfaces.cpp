@@ -1,0 +1,124 @@
+#include "rbpa/space/balls/ball_interfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <string>
+
+#include "rbpa/base/arrays/sort_unique.h"
+#include "rbpa/base/error.h"
+#include "rbpa/space/balls/measure_ball_frames.h"
+#include "rbpa/space/cells/check_input.h"
+
+namespace rbpa {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Balls by their indices, ascending, and the numbers of those of both groups.
+struct Part {
+  std::vector<std::uint32_t> balls;
+  std::vector<Point3> centers;
+  std::vector<double> radii;
+
+  Part(std::vector<std::uint32_t> indices, std::span<const Point3> all, std::span<const double> all_radii)
+      : balls(std::move(indices)) {
+    for (const std::uint32_t i : balls) {
+      centers.push_back(all[i]);
+      radii.push_back(all_radii[i]);
+    }
+  }
+  BallFrame frame() const { return {centers, radii}; }
+};
+
+/// A box around balls with the probe, rounded outward.
+struct Box {
+  std::array<double, 3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
+
+  Box(const Part& part, double probe) {
+    for (std::size_t i = 0; i < part.balls.size(); ++i) {
+      const std::array<double, 3> center = {part.centers[i].x, part.centers[i].y, part.centers[i].z};
+      const double radius = part.radii[i] + probe;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        low[axis] = std::min(low[axis], std::nextafter(center[axis] - radius, -infinity));
+        high[axis] = std::max(high[axis], std::nextafter(center[axis] + radius, infinity));
+      }
+    }
+  }
+  bool meets(const Box& other) const {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (low[axis] > other.high[axis] || other.low[axis] > high[axis]) return false;
+    return true;
+  }
+};
+
+std::vector<BallMeasures> measured(const std::vector<Part>& parts, MeasureBallsOptions options, bool contacts) {
+  std::vector<BallFrame> frames;
+  for (const Part& part : parts) frames.push_back(part.frame());
+  options.contacts = contacts;
+  options.derivatives = false;
+  return measure_ball_frames(frames, options);
+}
+
+}  // namespace
+
+BallInterfaces ball_interfaces(std::span<const Point3> centers, std::span<const double> radii,
+                               std::span<const std::uint32_t> groups, const MeasureBallsOptions& options) {
+  space::check_centers(centers, radii);
+  if (groups.size() != centers.size())
+    throw InvalidInput(std::to_string(groups.size()) + " groups, expected one for each of " +
+                       std::to_string(centers.size()) + " centers");
+  std::vector<std::uint32_t> numbers(groups.begin(), groups.end());
+  sort_unique(numbers);
+  if (!numbers.empty() && numbers.back() == no_group) numbers.pop_back();
+  std::vector<std::vector<std::uint32_t>> members(numbers.size());
+  for (std::uint32_t i = 0; i < groups.size(); ++i)
+    if (groups[i] != no_group)
+      members[static_cast<std::size_t>(std::lower_bound(numbers.begin(), numbers.end(), groups[i]) - numbers.begin())]
+          .push_back(i);
+  std::vector<Part> parts;
+  std::vector<Box> boxes;
+  for (std::vector<std::uint32_t>& of_group : members) {
+    parts.emplace_back(std::move(of_group), centers, radii);
+    boxes.emplace_back(parts.back(), options.probe);
+  }
+  const std::vector<BallMeasures> alone = measured(parts, options, false);
+  BallInterfaces result;
+  result.areas_alone.resize(centers.size());
+  for (std::size_t g = 0; g < parts.size(); ++g)
+    for (std::size_t i = 0; i < parts[g].balls.size(); ++i) result.areas_alone[parts[g].balls[i]] = alone[g].areas[i];
+
+  std::vector<std::array<std::size_t, 2>> pairs;
+  std::vector<Part> unions;
+  for (std::size_t a = 0; a < parts.size(); ++a)
+    for (std::size_t b = a + 1; b < parts.size(); ++b) {
+      if (!boxes[a].meets(boxes[b])) continue;
+      pairs.push_back({a, b});
+      std::vector<std::uint32_t> both;
+      std::merge(parts[a].balls.begin(), parts[a].balls.end(), parts[b].balls.begin(), parts[b].balls.end(),
+                 std::back_inserter(both));
+      unions.emplace_back(std::move(both), centers, radii);
+    }
+  const std::vector<BallMeasures> together = measured(unions, options, true);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto [a, b] = pairs[i];
+    const std::vector<std::uint32_t>& balls = unions[i].balls;
+    BallInterface found{{numbers[a], numbers[b]}};
+    bool do_meet = together[i].hidden.size() != alone[a].hidden.size() + alone[b].hidden.size();
+    for (const BallContact& contact : together[i].contacts) {
+      if (groups[balls[contact.balls[0]]] == groups[balls[contact.balls[1]]]) continue;
+      do_meet = true;
+      found.contact_area += contact.area;
+    }
+    if (!do_meet) continue;
+    for (std::size_t k = 0; k < balls.size(); ++k)
+      found.areas[groups[balls[k]] == numbers[b]] += result.areas_alone[balls[k]] - together[i].areas[k];
+    for (double& area : found.areas) area = std::max(area, 0.0);  // rounded, it may be just below
+    result.all.push_back(found);
+  }
+  return result;
+}
+
+}  // namespace rbpa
