@@ -49,7 +49,6 @@ inline Filtration filtration(const AlphaComplex& delaunay, std::span<const Point
 /// Returns the complex of radius alpha, 0 < alpha ≤ infinity: the result of alpha_complex(points, alpha, {.neighbors =
 /// true}), without triangulating again.
 /// Requires: `filtration` is filtration(of), of which only the numbers of triangles and of distinct points are checked.
-///           The triangulation was computed without its boundary, which would be copied unchanged.
 /// Throws:   ContractViolation when one of these numbers differs, or alpha is not above 0.
 /// Cost:     linear.
 RBPA_API AlphaComplex complex_at(const Delaunay& of, const Filtration& filtration, double alpha);

@@ -102,7 +102,7 @@ TEST_CASE("a triangle is in the complex from its triangle_alpha on") {
 TEST_CASE("complex_at() a radius is the complex of another triangulation") {
   for (const SmallSet& set : small_sets()) {
     CAPTURE(set.name);
-    const rbpa::Delaunay delaunay(set.points);
+    const rbpa::Delaunay delaunay(set.points, {.neighbors = true, .boundary = true});
     const Filtration all = rbpa::filtration(delaunay);
     std::vector<double> alphas = {1e-300, infinity};
     for (const FiltrationStep& step : all.steps) {
@@ -116,6 +116,7 @@ TEST_CASE("complex_at() a radius is the complex of another triangulation") {
       CHECK(at.triangles == anew.triangles);
       CHECK(at.neighbors == anew.neighbors);
       CHECK(at.isolated == anew.isolated);
+      CHECK(at.boundary.empty());
       CHECK(at.duplicates == anew.duplicates);
       CHECK(at.distinct == anew.distinct);
     }

@@ -22,6 +22,7 @@ AlphaComplex complex_at(const Delaunay& of, std::span<const double> radii, doubl
   AlphaComplex complex = of.triangulation();
   keep_triangles(complex, [&](std::size_t t) { return radii[t] <= alpha; });
   complex.isolated = isolated_in(complex, of.points().size());
+  complex.boundary.clear();
   return complex;
 }
 
