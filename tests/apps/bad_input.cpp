@@ -56,11 +56,11 @@ TEST_SUITE("bad input") {
     const Folder folder;
     folder.file("p.csv", "name,a,b\nBerlin,13.4,52.5\n");
     refuses(folder, "mesh p.csv --alpha 1 -o m.off", 3,
-            "p.csv:2: found 'Berlin', expected a number (--columns X,Y chooses other columns of 'name,a,b'; " +
-                skipping_way);
+            "p.csv:1: found 'name,a,b', expected known names of coordinates, such as x and y (--columns a,b chooses "
+            "columns)");
     folder.file("p.csv", "Berlin,13.4,52.5\n");
     refuses(folder, "mesh p.csv --alpha 1 -o m.off", 3,
-            "p.csv:1: found 'Berlin', expected a number (--columns X,Y chooses other columns; " + skipping_way);
+            "p.csv:1: found 'Berlin', expected a number (--columns X,Y chooses other columns)");
     folder.file("p.csv", "name,lon,lat\nBerlin,13.4,52.5\nBonn,east,50.7\n");
     refuses(folder, "mesh p.csv --columns lon,lat --alpha 1 -o m.off", 3,
             "p.csv:3: found 'east', expected a number" + skipping_hint);

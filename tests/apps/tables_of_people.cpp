@@ -55,11 +55,11 @@ TEST_SUITE("tables of people") {
           const std::string at = header.empty() ? "t:1" : "t:2";
           const std::string why = at + ": found '" + number.written + "', expected a number without signs between " +
                                   "thousands, " + number.plain + " (export the table with cells in a plain format";
-          CHECK(refusal_of_table(text) == why + "; " + skipping_way);
+          CHECK(refusal_of_table(text) == why + ")");
+          CHECK(refusal_of_table(text + "1" + separator + "2\n") == why + "; " + skipping_way);
           CHECK(refusal_of_table(text, skipping) ==
                 "t: found 2 lines and no point, expected at least one (" + why + "))");
-          if (!header.empty())
-            CHECK(refusal_of_table(text, {.columns = parse_columns("east,north")}) == why + "; " + skipping_way);
+          if (!header.empty()) CHECK(refusal_of_table(text, {.columns = parse_columns("east,north")}) == why + ")");
         }
     for (const std::string field : {"1.234", "1,234", "1234,567,890", "1,23,456", "1.234,5.6", "1,234.567.8", "a", "",
                                     "1,2345", "1.234,x", "POINT (1,234)"})
@@ -131,8 +131,7 @@ TEST_SUITE("tables of people") {
   TEST_CASE("a quoted decimal comma between commas is refused with the way out") {
     CHECK(refusal_of_table("id,\"East\",\"North\"\n1,\"3,5\",\"4,5\"\n") ==
           "t:2: found '3,5', expected a number with a decimal point (export the table with semicolons: between commas "
-          "no decimal comma is read; " +
-              skipping_way);
+          "no decimal comma is read)");
   }
 
   TEST_CASE("a decimal comma is distinguished from a separator") {
@@ -286,8 +285,8 @@ TEST_SUITE("tables of people") {
               skipping_way);
     CHECK(read_table(lines, {.vertices = true}).points == points);
     CHECK(refusal_of_table("id,geom\n7,POINT EMPTY\n") ==
-          "t:2: found 'POINT EMPTY', expected a geometry, such as 'POINT (1 2)'" + skipping_hint);
-    CHECK(refusal_of_table("id,geom\n7,POINT (1 x)\n") == "t:2: found 'x', expected a number" + skipping_hint);
+          "t:2: found 'POINT EMPTY', expected a geometry, such as 'POINT (1 2)'");
+    CHECK(refusal_of_table("id,geom\n7,POINT (1 x)\n") == "t:2: found 'x', expected a number");
     CHECK(read_table("id,geom\n7,POINT EMPTY\n8,\"MULTIPOINT (1 2, 3\"\n9,POINT (1 2)\n9\n", skipping).points ==
           std::vector<Point>{{1, 2}});
   }
@@ -376,7 +375,6 @@ TEST_SUITE("tables of people") {
     CHECK(xs("class == 7").empty());
     CHECK(read_table(text, where("class==6 and z>3")).warnings.back() == "--where selects 2 of 4 lines");
     CHECK(read_table("id,wkt\n1,POINT(1 2)\n2,POINT(3 4)\n", where("id > 1")).points == std::vector<Point>{{3, 4}});
-    CHECK(read_table("# x,y,n\n", where("n > 1")).points.empty());
 
     // Coordinates of a line that is not selected are not read; the fields of the condition are.
     const std::string holes = "x,y,n\n1,2,5\nNA,2,4\n3,4,NA\n5,6\n";

@@ -148,10 +148,13 @@ def test_a_point_file_is_taken_for_its_points(tmp_path):
 
 def test_a_header_without_known_names_is_among_the_warnings(tmp_path):
     path = tmp_path / "a.csv"
-    for header, known in (("a,b", False), ("a,b,c", False), ("x,y", True), ("Länge,Breite", True)):
-        path.write_text(header + "\n" + ("0,1,2\n2,5,3\n" if header.count(",") == 2 else "0,1\n2,5\n"), encoding="utf-8")
+    for header, known in (("a,b", False), ("lat,b", False), ("x,y", True), ("Länge,Breite", True)):
+        path.write_text(header + "\n0,1\n2,5\n", encoding="utf-8")
         warnings = rbpa.read_points(path).warnings
         assert any(text.startswith("no name of a column is that of a coordinate") for text in warnings) != known, header
+    path.write_text("a,b,c\n0,1,2\n2,5,3\n")
+    with pytest.raises(rbpa.InvalidInput, match="expected known names of coordinates, such as x and y .columns a,b"):
+        rbpa.read_points(path)
 
 
 def test_geometries_of_a_line_have_its_fields(tmp_path):

@@ -91,8 +91,13 @@ class Starter {
     else if (is_by_name(request_.columns))
       bad_input(lines_.name(), "no header line", "one with the column names");
     if (!start_.has_line && start_.layout.header && !start_.announced)
-      bad_input(at_line(lines_.name(), start_.first_line), in_quotes(start_.header) + " and no line after it",
-                "lines of points after a header");
+      bad_input(
+          at_line(lines_.name(), start_.first_line),
+          in_quotes(start_.header) + " and no line after it" + (lines_.comments() > comments_ ? " but comments" : ""),
+          "lines of points after a header");
+    if (!start_.any_table && !start_.has_line && selection_.skipped() == 0 && lines_.passed_points() > 0)
+      bad_input(lines_.name(), counted(lines_.comments(), "comment") + " and no point",
+                "points (quotes around the first field of a line make it one)");
     return std::move(start_);
   }
 
@@ -152,11 +157,10 @@ class Starter {
       try {
         lay_out(choice, said.has_value(), room);
         return;
+      } catch (const WholeRefusal&) {
+        throw;
       } catch (const BadInput& refusal) {
-        if (!selection_.leaves_out(refusal)) {
-          if (is_mended_by_skipping()) throw LineSelection::with_hint(refusal);
-          throw;
-        }
+        if (!selection_.leaves_out(refusal)) throw;
       }
       lines_.set_layout('\0', 0);
       comment_.clear();
@@ -191,6 +195,7 @@ class Starter {
       if (!width && has_text_only(lines.line(), choice.separator)) ++texts;
     }
     if (data == 0) return std::nullopt;
+    if (best == 0) refuse_lost_header(data);
     says_columns_ = texts > (best > 0 ? 1U : 0U);
     const std::size_t left_out = best > 0 ? header : data;
     lines_.set_layout(choice.separator, choice.fields.to_last_text);
@@ -207,6 +212,21 @@ class Starter {
     lines_.set_layout('\0', 0);
     choice.first_fits = true;
     return choice;
+  }
+
+  /// Throws WholeRefusal if one of the next `count` lines, which do not fit the lines after them, is a header with
+  /// known names: these lines have its columns in other places, or another separator.
+  void refuse_lost_header(std::size_t count) {
+    TableLines lines(Content(lines_.ahead(separator_sample), lines_.name()));
+    for (std::size_t i = 0; i < count && lines.next(); ++i) {
+      std::deque<std::string> room;
+      const std::vector<std::string_view> names = split(lines.line(), separator_of(lines.line()), room);
+      if (header_kind(names, request_) != HeaderKind::known_names) continue;
+      throw WholeRefusal(at_line(lines_.name(), lines_.number() - 1 + lines.number()) + ": found " +
+                         in_quotes(lines.line()) +
+                         ", a header above lines with other numbers of fields, expected one name "
+                         "for each field (quotes around texts with separators; decimal commas need semicolons)");
+    }
   }
 
   static bool has_text_only(std::string_view line, char separator) {
@@ -242,20 +262,6 @@ class Starter {
     }
   }
 
-  /// Returns whether the table has a first line of data when --skip-invalid leaves out the lines before it.
-  bool is_mended_by_skipping() {
-    CloudRequest skipping = request_;
-    skipping.skip_invalid = true;
-    TableLines lines(Content(lines_.ahead(separator_sample), lines_.name()));
-    LineSelection selection(request_.where, true);
-    std::vector<std::string> warnings;
-    try {
-      return Starter(lines, kind_, skipping, selection, warnings).start().has_line;
-    } catch (const std::runtime_error&) {
-      return false;
-    }
-  }
-
   void lay_out(const SeparatorChoice& choice, bool is_said, std::deque<std::string>& room) {
     std::vector<std::string> warnings;
     char separator = choice.separator;
@@ -272,6 +278,10 @@ class Starter {
     if (selection_.skips() && choice.lines > 0 && !choice.first_fits)
       bad_input(at_line(lines_.name(), lines_.number()), found_columns(table.width.all, lines_.line()),
                 std::to_string(choice.fields.all) + " as in the lines after it");
+    if (choice.lines > 0 && lacks_name_of_rows(choice)) {
+      table.fields.insert(table.fields.begin(), std::string_view());
+      table.width = choice.fields;
+    }
     const std::size_t least = std::min<std::size_t>(table.fields.size(), request_.in_space ? 3 : 2);
     table.fields.resize(std::max(table.width.to_last_text, least));
     if (!comment_.empty()) table.names = split(comment_, separator_of(comment_), room);
@@ -285,11 +295,20 @@ class Starter {
     finish(was_said ? choice.separator : separator);
     if (!start_.layout.header) return;
     lines_.set_layout('\0', 0);
+    comments_ = lines_.comments();
     next();
     if (!start_.has_line) return;
     take_count();
     if (!was_said && start_.has_line) start_.separator = separator_of_data(separator);
     lines_.set_layout(start_.separator, start_.layout.width.to_last_text);
+  }
+
+  /// Returns whether the header lacks the name of the first column, as R's write.table() writes it: names in quotes,
+  /// and lines with one field more, the first in quotes.
+  bool lacks_name_of_rows(const SeparatorChoice& choice) const {
+    Lines behind(lines_.rest());
+    return count_fields(lines_.line(), choice.separator).all + 1 == choice.fields.to_last_text &&
+           lines_.line().starts_with('"') && behind.next_with_content() && behind.line().starts_with('"');
   }
 
   /// Returns the separator of the data below a header with separator `of_header`. Commas within a geometry separate
@@ -312,6 +331,7 @@ class Starter {
     selection_.find_columns(start_.layout.names, lines_.lines(), lines_.name());
     start_.layout.names.clear();  // they view a line that is replaced next
     lines_.set_layout(separator, start_.layout.width.to_last_text);
+    if (!start_.layout.wkt) lines_.set_coordinates(start_.layout.numbers, start_.layout.width, separator);
   }
 
   TableLines& lines_;
@@ -321,6 +341,7 @@ class Starter {
   std::vector<std::string>& warnings_;
   std::string comment_ = {};   // the line before the first line of the table, or before the count
   bool says_columns_ = false;  // TableBeginning::says_columns
+  std::size_t comments_ = 0;   // number of comments up to the header
   TableStart start_ = {};
 };
 
@@ -343,6 +364,25 @@ std::optional<XyzBeginning> find_xyz_atoms(std::string_view text, bool by_number
   if (!is_atom_line(lines.line(), by_number && !are_both_data(comment, lines.line()))) return std::nullopt;
   atoms.names = {"element", "x", "y", "z"};
   return atoms;
+}
+
+std::string check_announced(const AnnouncedPoints& announced, std::size_t lines, const std::string& name,
+                            bool skips_invalid) {
+  if (announced.count == lines) return "";
+  const std::string said = std::to_string(announced.count) + " as line " + std::to_string(announced.line) + " says";
+  if (!skips_invalid)
+    bad_input(name, counted(lines, "line") + " of points", said + " (--skip-invalid reads what is there)");
+  return "there are " + counted(lines, "line") + " of points, and not " + said;
+}
+
+std::string check_after_atoms(const AnnouncedPoints& announced, const TableLines& lines, bool skips_invalid) {
+  const bool is_frame = parse_count(lines.line()).has_value();
+  if (!is_frame && !skips_invalid)
+    bad_input(at_line(lines.name(), lines.number()), in_quotes(lines.line()) + " after the last atom",
+              "the end of the file or the next frame, as line " + std::to_string(announced.line) + " counts " +
+                  counted(announced.count, "atom") + " (--skip-invalid leaves out the rest)");
+  return "the atoms are the " + std::to_string(announced.count) + " that line " + std::to_string(announced.line) +
+         " counts" + (is_frame ? ", of the first frame" : "") + "; what follows them is left out";
 }
 
 TableStart start_table(TableLines& lines, TableKind kind, const CloudRequest& request, LineSelection& selection,

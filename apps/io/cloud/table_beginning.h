@@ -38,6 +38,15 @@ struct AnnouncedPoints {
   bool atoms = false;  ///< the points are atoms of the first model of a molecule; others may follow
 };
 
+/// Returns the warning that a table has `lines` lines of points and not as many as announced; empty if it has. Throws
+/// BadInput instead unless `skips_invalid`.
+std::string check_announced(const AnnouncedPoints& announced, std::size_t lines, const std::string& name,
+                            bool skips_invalid);
+
+/// Returns the warning that the current line, after the announced atoms, and all after it are not read. Throws BadInput
+/// unless it begins the next frame of a trajectory, or `skips_invalid`.
+std::string check_after_atoms(const AnnouncedPoints& announced, const TableLines& lines, bool skips_invalid);
+
 struct TableStart {
   TableLayout layout = {};
   char separator = blanks;     ///< separator of the data

@@ -6,13 +6,14 @@
 #include "io/bytes/number.h"
 #include "io/cloud/colors.h"
 #include "io/cloud/table_beginning.h"
+#include "io/cloud/table_doubts.h"
 #include "io/cloud/table_lines.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/polygon/wkt.h"
 #include "io/text/fields.h"
 #include "io/text/line_selection.h"
-#include "io/text/vertex_lines.h"
+#include "io/text/written.h"
 
 namespace rbpa::app {
 namespace {
@@ -25,7 +26,15 @@ class TableCloud final : public Cloud {
         request_(request),
         kind_(kind),
         selection_(request.where, request.skip_invalid) {
-    TableStart start = start_table(lines_, kind_, request_, selection_, facts_.file.warnings);
+    TableStart start = [&] {
+      try {
+        return start_table(lines_, kind_, request_, selection_, facts_.file.warnings);
+      } catch (const WholeRefusal&) {
+        throw;
+      } catch (const BadInput& refusal) {
+        throw is_mended_by_skipping() ? LineSelection::with_hint(refusal) : refusal;
+      }
+    }();
     has_line_ = start.has_line;
     announced_ = start.announced;
     if (start.any_table) begin(start);
@@ -38,19 +47,23 @@ class TableCloud final : public Cloud {
       take_line(block);
       if (is_plain_ && plain_width_ > 0) read_plain_lines(block);
       has_line_ = lines_.next();
-      if (has_line_ && point_lines_ == last_line_) has_line_ = end_atoms();
+      if (!has_line_ || point_lines_ != last_line_) continue;
+      warn(check_after_atoms(*announced_, lines_, request_.skip_invalid));
+      has_line_ = false;
     }
     for (std::size_t k = 0; k < numbers_; ++k) block.column[k].resize(block.count);
     block.heights.resize(has_heights_ ? block.count : 0);
     any_points_ = any_points_ || block.count > 0;
     if (separator_ != ',') all_whole_ = all_whole_ && is_whole(block);
-    if (block.count == 0 && announced_) require_announced();
+    if (block.count == 0 && announced_)
+      warn(check_announced(*std::exchange(announced_, std::nullopt), point_lines_, name_, request_.skip_invalid));
     if (block.count == 0 && any_points_ && !ended_) end();
     return block.count > 0;
   }
 
   void finish() override {
     selection_.add_warnings(any_points_, name_, facts_.file.warnings);
+    warn(lines_.warning_on_comments());
     facts_.file.texts = selection_.take_texts();
     facts_.file.all_points = index_;
   }
@@ -63,6 +76,9 @@ class TableCloud final : public Cloud {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   using Numbers = std::array<double, CloudBlock::color>;
 
+  void warn(std::string warning) {
+    if (!warning.empty()) facts_.file.warnings.push_back(std::move(warning));
+  }
   std::string here() const { return at_line(name_, lines_.number()); }
 
   // The beginning.
@@ -190,15 +206,37 @@ class TableCloud final : public Cloud {
   void take_line(CloudBlock& block) {
     ++point_lines_;
     const std::size_t index = index_;
-    selection_.attempt([&] {
+    const auto take_one = [&] {
       if (lines_.is_open()) bad_input(here(), "a text in quotes that does not end", "a closing quote");
       const auto read = [this](Fields& fields) { return read_number(fields, of_where); };
       const auto take = [this](const FieldCount& count) { take_width(count); };
       current_ = &block;
-      if (selection_.is_selected(Fields(lines_.line(), separator_), read, take))
-        wkt_ ? read_geometries(block) : read_point(block);
-    });
+      try {
+        if (selection_.is_selected(Fields(lines_.line(), separator_), read, take))
+          wkt_ ? read_geometries(block) : read_point(block);
+      } catch (const BadInput&) {
+        if (any_points_ || block.count > 0) refuse_second_header(lines_, separator_, width_, header_);
+        throw;
+      }
+    };
+    selection_.attempt(take_one, [&] { return any_points_ || block.count > 0 || is_mended_by_skipping(); });
     if (index_ == index) ++index_;
+  }
+
+  /// Returns whether the first lines of the file have a point if lines that are no points are left out.
+  bool is_mended_by_skipping() const {
+    CloudRequest skipping = request_;
+    skipping.skip_invalid = true;
+    try {
+      Content content = lines_.content().again();
+      std::string_view beginning = content.ahead(separator_sample);
+      if (beginning.size() > separator_sample)
+        beginning = beginning.substr(0, beginning.rfind('\n', separator_sample) + 1);
+      CloudBlock block;
+      return !request_.skip_invalid && TableCloud(Content(beginning, name_), skipping, kind_).next(block);
+    } catch (const std::runtime_error&) {
+      return false;
+    }
   }
 
   void read_point(CloudBlock& block) {
@@ -210,7 +248,7 @@ class TableCloud final : public Cloud {
     while (!fields.at_end()) {
       const std::uint8_t role = count.all < role_.size() ? role_[count.all] : nothing;
       if (role < numbers_) {
-        value[role] = read_number(fields);
+        value[role] = read_number(fields, {}, role);
         count.add("a number");
         continue;
       }
@@ -259,9 +297,9 @@ class TableCloud final : public Cloud {
     try {
       while (geometries.next(points)) continue;
     } catch (const WktFault& fault) {
-      bad_input(here(), fault.found, fault.expected);
+      bad_input(here(), fault.found, fault.expected + way_to_text(text));
     }
-    if (points.empty()) bad_input(here(), in_quotes(text), "a geometry, such as 'POINT (1 2)'");
+    if (points.empty()) bad_input(here(), in_quotes(text), "a geometry, such as 'POINT (1 2)'" + way_to_text(text));
     std::optional<Crs>& crs = facts_.file.crs;
     if (crs && geometries.crs() && crs->code != geometries.crs()->code)
       bad_input(here(), geometries.crs()->text(), crs->text() + " as in lines before");
@@ -279,8 +317,8 @@ class TableCloud final : public Cloud {
   }
 
   /// Returns the number in the next field. In messages `where` follows what is expected; it is empty for a coordinate
-  /// of a point.
-  double read_number(Fields& fields, std::string_view where = {}) {
+  /// of a point, on `axis`.
+  double read_number(Fields& fields, std::string_view where = {}, std::size_t axis = 0) {
     const ParsedNumber number = parse_number(fields.begin_of_field(), fields.end_of_line());
     const bool whole_field = number.fault == NumberFault::none && !comma_.is_used() && fields.take_up_to(number.end);
     if (whole_field) {
@@ -288,6 +326,8 @@ class TableCloud final : public Cloud {
       return number.value;
     }
     const std::string_view field = trimmed(without_quotes(fields.take()));
+    if (const std::optional<Angle> angle = where.empty() && axis < 2 ? parse_angle(field) : std::nullopt)
+      if (angle->has_sign || facts_.file.degrees) return take_angle(*angle, field, axis);
     if (separator_ != ',' && field.find(',') != std::string_view::npos) return read_decimal_comma(field);
     comma_.refuse_point(field, here());
     if (separator_ == ',' && field.find(',') != std::string_view::npos && is_number(field))
@@ -295,11 +335,22 @@ class TableCloud final : public Cloud {
                 "a number with a decimal point (export the table with semicolons: between commas no decimal comma is "
                 "read)");
     const ParsedNumber whole = parse_written_number(field);
-    if (whole.fault != NumberFault::none)
-      bad_input(here(), in_quotes(field),
-                expected_for(field, whole.fault) + std::string(where) +
-                    (is_missing(field) || !where.empty() ? "" : hint(whole.fault)));
-    return whole.value;
+    if (whole.fault == NumberFault::none) return whole.value;
+    const std::string expected = expected_for(field, whole.fault) + std::string(where),
+                      way = is_missing(field) || !where.empty() ? "" : hint(whole.fault);
+    bad_input(here(), in_quotes(field), way.empty() ? expected : with_way(expected, way));
+  }
+
+  /// Returns the degrees of an angle on an axis. Throws BadInput if its hemisphere is that of the other axis.
+  double take_angle(const Angle& angle, std::string_view field, std::size_t axis) {
+    const std::string_view letters = axis == 0 ? "EW" : "NS";
+    if (angle.hemisphere != '\0' && letters.find(angle.hemisphere) == std::string_view::npos)
+      bad_input(here(), in_quotes(field) + (axis == 0 ? " as x" : " as y"),
+                std::string(axis == 0 ? "a longitude" : "a latitude") + " (--columns chooses the order of columns)");
+    if (std::exchange(has_angles_, true) == false)
+      facts_.file.warnings.push_back(shown(field) + " is read as decimal degrees, " + text_of(angle.degrees));
+    facts_.file.degrees = true;
+    return angle.degrees;
   }
 
   /// Returns a number with a decimal comma. Throws BadInput if earlier numbers have a decimal point.
@@ -323,35 +374,10 @@ class TableCloud final : public Cloud {
   std::string hint(NumberFault fault) const {
     if (request_.in_space || fault != NumberFault::not_a_number || lines_.number() != first_point_) return "";
     if (count_fields(lines_.line(), separator_).all <= 2) return "";
-    return " (--columns X,Y chooses other columns" + (header_.empty() ? "" : " of " + in_quotes(header_)) + ")";
+    return "--columns X,Y chooses other columns" + (header_.empty() ? "" : " of " + in_quotes(header_));
   }
 
   // The end.
-
-  void require_announced() {
-    const std::string said = said_of(*announced_);
-    if (std::exchange(announced_, std::nullopt)->count == point_lines_) return;
-    if (!request_.skip_invalid)
-      bad_input(name_, counted(point_lines_, "line") + " of points", said + " (--skip-invalid reads what is there)");
-    facts_.file.warnings.push_back("there are " + counted(point_lines_, "line") + " of points, and not " + said);
-  }
-  static std::string said_of(const AnnouncedPoints& points) {
-    return std::to_string(points.count) + " as line " + std::to_string(points.line) + " says";
-  }
-
-  /// Ends reading after the announced atoms: the next frame of a trajectory, or anything else, is not read. Returns
-  /// false.
-  bool end_atoms() {
-    const bool is_frame = parse_count(lines_.line()).has_value();
-    if (!is_frame && !request_.skip_invalid)
-      bad_input(here(), in_quotes(lines_.line()) + " after the last atom",
-                "the end of the file or the next frame, as line " + std::to_string(announced_->line) + " counts " +
-                    counted(announced_->count, "atom") + " (--skip-invalid leaves out the rest)");
-    facts_.file.warnings.push_back("the atoms are the " + std::to_string(announced_->count) + " that line " +
-                                   std::to_string(announced_->line) + " counts" +
-                                   (is_frame ? ", of the first frame" : "") + "; what follows them is left out");
-    return false;
-  }
 
   void end() {
     ended_ = true;
@@ -386,7 +412,7 @@ class TableCloud final : public Cloud {
   bool is_unnamed_ = false,
        is_by_content_ = false;  // the last three columns have no names; their values show what they are
   LastColumns last_ = {};
-  bool has_crs_warning_ = false;
+  bool has_crs_warning_ = false, has_angles_ = false;
   bool has_heights_ = false;  // heights are requested, and there may be some
   double z_ = none;           // height of the point that is being read
 };

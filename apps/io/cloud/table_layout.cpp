@@ -1,15 +1,15 @@
 #include "io/cloud/table_layout.h"
 
 #include <algorithm>
-#include <array>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
 
+#include "io/cloud/table_doubts.h"
 #include "io/failure.h"
 #include "io/formats.h"
 #include "io/text/fields.h"
-#include "io/text/vertex_lines.h"
+#include "io/text/line_selection.h"
 
 namespace rbpa::app {
 namespace {
@@ -171,29 +171,30 @@ void warn_of_no_header(const TableBeginning& table, const std::string& columns, 
   if (table.says_columns) warnings.push_back("no header was found; " + columns + " (--columns chooses others)");
 }
 
-/// Returns whether column 1 of a table without a header numbers its lines: its first lines, three or more, have
-/// consecutive integers in column 1 and numbers in columns 2 and 3, and not all have the same number in column 2, as a
-/// row of a grid has.
-bool is_numbered(const TableBeginning& table) {
-  const char* const begin = table.lines.line().data();
-  const std::string_view rest = table.lines.rest();
-  std::string_view text(begin, static_cast<std::size_t>(rest.data() + rest.size() - begin));
-  if (text.size() > separator_sample) text = text.substr(0, text.rfind('\n', separator_sample) + 1);
-  std::optional<std::size_t> first;
-  std::string second;
-  std::size_t count = 0;
-  bool differ = false;
-  for (Lines lines(text); lines.next_with_content(); ++count) {
-    std::array<std::string_view, 3> field;
-    Fields fields(lines.line(), table.choice.separator);
-    for (std::string_view& one : field) one = fields.at_end() ? std::string_view() : without_quotes(fields.take());
-    const std::optional<std::size_t> number = parse_count(field[0]);
-    if (!first) first = number;
-    if (!number || *number != *first + count || !is_number(field[1]) || !is_number(field[2])) return false;
-    if (count == 0) second = field[1];
-    differ = differ || field[1] != second;
-  }
-  return count >= 3 && differ;
+/// Returns whether a first line without known names is a header by the line after it: the columns at `places`, or
+/// without any two or more, are names above numbers. Other fields may be whole numbers, such as years.
+bool is_above_numbers(const FieldTexts& fields, const TableSample& sample, std::vector<std::size_t> places) {
+  if (sample.lines() < 2) return false;
+  const auto is_above = [&](std::size_t i) { return is_header(fields, {i}) && is_number(sample.field(1, i)); };
+  if (places.empty())
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      if (is_above(i)) places.push_back(i);
+  const auto may_be_name = [](std::string_view f) { return !is_nearly_number(f) || parse_count(f); };
+  return places.size() > 1 && std::all_of(places.begin(), places.end(), is_above) &&
+         std::all_of(fields.begin(), fields.end(), may_be_name) &&
+         std::none_of(fields.begin(), fields.end(), is_geometry);
+}
+
+/// Throws WholeRefusal if the header has no known names and the line after it has three numbers or more, so that any
+/// two of them may be the coordinates.
+void refuse_unknown_names(const TableBeginning& table, const TableSample& sample) {
+  std::size_t numbers = 0;
+  for (std::size_t i = 0; i < table.fields.size() && sample.lines() > 1; ++i)
+    numbers += is_number(sample.field(1, i)) ? 1 : 0;
+  if (table.fields.size() == 2 || numbers < 2 || !table.choice.first_fits) return;
+  throw WholeRefusal(here(table) + ": found " + in_quotes(table.lines.line()) +
+                     ", expected known names of coordinates, such as x and y (--columns " +
+                     likely_columns(table, sample) + " chooses columns)");
 }
 
 TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const CloudRequest& request,
@@ -201,6 +202,7 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
   const FieldTexts& fields = table.fields;
   TableLayout layout{.width = table.width, .numbers = {0, 1}};
   const bool by_name = is_by_name(request.columns), has_comment = has_names(table, false);
+  const TableSample sample(table);
   if (has_comment) layout.names = table.names;
   if (request.columns) {
     layout.numbers = chosen(*request.columns, has_comment ? table.names : fields, table);
@@ -226,9 +228,10 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
                           : "at least " + counted(needed, "column") + ", as --columns requires");
   if (x == y) refuse_repeated_column(fields[x], "two columns");  // under two names, or by name and by number
   const bool is_known = find_coordinates(fields).has_value() && may_be_known_header(fields);
+  const auto places = request.columns ? layout.numbers : std::vector<std::size_t>();
   layout.header = by_name    ? !has_comment
                   : is_known ? is_header(fields, layout.numbers)
-                             : is_unknown_header(fields, layout.numbers);
+                             : is_unknown_header(fields, layout.numbers) || is_above_numbers(fields, sample, places);
   if (!layout.header) {
     if (!request.columns) {
       refuse_atoms(table, "2,3");
@@ -239,11 +242,11 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
     const bool is_xyz = input_ending(table.lines.name()) == "xyz",
                may_be_z = request.heights && fields.size() == 3 && is_number(fields.back());
     if (has_number && !request.columns && fields.size() > 2 && (is_xyz || may_be_z)) layout.height = 2;
-    if (has_number && !request.columns && fields.size() == 3 && !is_xyz && is_numbered(table))
-      warnings.push_back("x is column 1, which numbers the lines (--columns 2,3 takes the columns after it)");
+    if (has_number && !request.columns && !is_xyz) doubt_first_columns(table, sample, warnings);
     if (layout.height && !is_xyz) warnings.emplace_back("column 3 is read as z (--columns 1,2 leaves it out)");
     return layout;
   }
+  if (!request.columns) refuse_unknown_names(table, sample);
   layout.degrees = is_longitude(fields[x]) && is_latitude(fields[y]);
   if (is_latitude(fields[x]) && is_longitude(fields[y]))
     warnings.push_back("x is the latitude " + in_quotes(fields[x]) + " and y the longitude " + in_quotes(fields[y]) +
@@ -358,8 +361,10 @@ HeaderKind header_kind(const FieldTexts& fields, const CloudRequest& request) {
 
 TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const CloudRequest& request,
                           std::vector<std::string>& warnings) {
-  return request.in_space ? lay_out_space(table, kind, request, warnings)
-                          : lay_out_plane(table, kind, request, warnings);
+  const TableLayout layout =
+      request.in_space ? lay_out_space(table, kind, request, warnings) : lay_out_plane(table, kind, request, warnings);
+  if (!layout.wkt) doubt_coordinates(table, layout, TableSample(table), warnings);
+  return layout;
 }
 
 /// Reads a table whose columns, if no header names them, are x, y, z and then an intensity, a color or both. The first

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "io/bytes/available_memory.h"
+#include "io/cloud/table_separator.h"
 #include "io/failure.h"
 #include "io/text/plain_text.h"
 
@@ -17,15 +18,59 @@ constexpr std::size_t at_once = std::size_t{1} << 20U;
 
 bool TableLines::next() {
   do
-    while (!lines_.next_with_content())
+    while (!lines_.next())
       if (!next_text(0)) return false;
-  while (lines_.line().starts_with("//"));
+  while (is_passed_over(lines_.line()));
   line_ = lines_.line();
   spanned_ = 0;
   is_open_ = false;
   if (separator_ == '\t') widen();
   if (separator_ != '\0' && std::memchr(line_.data(), '"', line_.size()) != nullptr) join();
   return true;
+}
+
+/// Returns whether the line is blank, has only separators, or is a comment, which is counted.
+bool TableLines::is_passed_over(std::string_view line) {
+  if (line.empty()) return true;
+  if (is_comment(line)) {
+    ++comments_;
+    look_for_point(line);
+    return true;
+  }
+  const char separator = separator_ == '\0' ? separator_of_points_ : separator_;
+  return line.front() == separator && separator != blanks &&
+         std::all_of(line.begin(), line.end(), [&](char c) { return c == separator || is_blank(c); });
+}
+
+/// Counts a comment that would be a point without its mark; before the columns are known, any with two numbers.
+void TableLines::look_for_point(std::string_view comment) {
+  const std::string_view text = trimmed(comment.substr(comment.front() == '#' ? 1 : 2));
+  if (separator_of_points_ == '\0' && fields_of_data(text, separator_of(text))) ++passed_points_;
+  if (coordinates_.empty()) return;
+  std::size_t numbers = 0;
+  FieldCount count;
+  for (Fields fields(text, separator_of_points_); !fields.at_end();) {
+    const std::string_view field = without_quotes(fields.take());
+    const bool is_one = std::find(coordinates_.begin(), coordinates_.end(), count.all) != coordinates_.end();
+    if (is_one && is_number(field)) ++numbers;
+    count.add(field);
+  }
+  if (numbers != coordinates_.size() || !count.fits(width_)) return;
+  if (passed_points_++ == 0) first_passed_ = at_line(name(), lines_.number()) + ", " + in_quotes(comment);
+}
+
+void TableLines::set_coordinates(const std::vector<std::size_t>& columns, const FieldCount& width, char separator) {
+  if (std::find(columns.begin(), columns.end(), 0U) == columns.end()) coordinates_ = columns;
+  separator_of_points_ = separator;
+  passed_points_ = 0;
+  width_ = width;
+}
+
+std::string TableLines::warning_on_comments() const {
+  if (passed_points_ == 0) return "";
+  return counted(passed_points_, "line") + (passed_points_ == 1 ? " is a comment" : " are comments") +
+         " with numbers for a point, " + (passed_points_ == 1 ? "" : "the first is ") + first_passed_ +
+         " (quotes around its first field make it a point)";
 }
 
 void TableLines::set_layout(char separator, std::size_t least_fields) {
@@ -108,14 +153,17 @@ void TableLines::require_memory(std::size_t size) const {
               "at most a fifth of the available memory (a table has a line for each point)");
 }
 
-std::string_view TableLines::comment_before() const {
+std::string_view TableLines::line_before() const {
   std::string_view before = text_.substr(0, static_cast<std::size_t>(line_.data() - text_.data()));
   before = before.substr(0, before.find_last_of('\n') + 1);  // up to the line, without blanks before it
   if (before.empty()) return {};
   before.remove_suffix(1);
-  before = trimmed(before.substr(before.find_last_of('\n') + 1));
-  if (before.starts_with("//")) return trimmed(before.substr(2));
-  return before.starts_with('#') ? trimmed(before.substr(1)) : std::string_view();
+  return trimmed(before.substr(before.find_last_of('\n') + 1));
+}
+
+std::string_view TableLines::comment_before() const {
+  const std::string_view before = line_before();
+  return is_comment(before) ? trimmed(before.substr(before.front() == '#' ? 1 : 2)) : std::string_view();
 }
 
 }  // namespace rbpa::app

@@ -1,11 +1,13 @@
 // What: goes through the lines of a table that is in memory or read piece by piece.
-// Law:  blank lines and lines that begin with '#' or "//" are skipped, and counted in line numbers. A quoted text may
+// Law:  blank lines, lines of separators only and comments are skipped, and counted in line numbers. A quoted text may
 //       span several lines of the file, which are then one line, wherever pieces of the file end.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "io/bytes/content.h"
 #include "io/text/fields.h"
@@ -28,6 +30,15 @@ class TableLines {
   /// lines.
   void set_layout(char separator, std::size_t least_fields);
 
+  /// Sets the columns of coordinates, from 0, by which a comment is recognized that may be a point: "#3,0,3" below
+  /// "tree,x,y". None is recognized if one of them is the first, as its mark makes that no number.
+  void set_coordinates(const std::vector<std::size_t>& columns, const FieldCount& width, char separator);
+  /// Returns the warning about comments that may be points; empty if there are none.
+  std::string warning_on_comments() const;
+  std::size_t comments() const { return comments_; }  ///< number of comments until now
+  /// Returns the number of comments that may be points: all with two numbers before set_coordinates() is called.
+  std::size_t passed_points() const { return passed_points_; }
+
   std::string_view line() const { return line_; }
   /// Returns the number of the current line in the file, from 1; the number of the first if several lines are joined.
   std::size_t number() const { return lines_.number() - spanned_; }
@@ -39,6 +50,8 @@ class TableLines {
   /// at the end.
   std::string_view ahead(std::size_t size);
   const Lines& lines() const { return lines_; }
+  /// Returns the line of the file before the current line, as far as it is in memory.
+  std::string_view line_before() const;
   /// Returns the text after '#' or "//" in the line before the current line; empty if that line is not a comment.
   std::string_view comment_before() const;
 
@@ -46,6 +59,8 @@ class TableLines {
   const std::string& name() const { return content_.name(); }
 
  private:
+  bool is_passed_over(std::string_view line);
+  void look_for_point(std::string_view comment);
   bool next_text(std::size_t at_least);
   void require_memory(std::size_t size) const;
   void widen();
@@ -62,6 +77,11 @@ class TableLines {
   std::size_t least_fields_ = 0;
   std::size_t spanned_ = 0;  // number of lines that are joined to the first of the current line
   bool is_open_ = false;
+  std::vector<std::size_t> coordinates_ = {};
+  FieldCount width_ = {};
+  char separator_of_points_ = '\0';               // '\0': the columns are not known
+  std::size_t comments_ = 0, passed_points_ = 0;  // passed_points_: comments that may be points
+  std::string first_passed_ = {};                 // the first of these, and its place
 };
 
 }  // namespace rbpa::app

@@ -7,7 +7,7 @@
 
 #include "io/cloud/table_lines.h"
 #include "io/formats.h"
-#include "io/text/vertex_lines.h"
+#include "io/text/written.h"
 
 namespace rbpa::app {
 namespace {
@@ -24,7 +24,7 @@ struct Split {
     for (Fields rest(line, separator); !rest.at_end();) {
       const std::string_view field = without_quotes(rest.take());
       if (fields.all == 0) begins_with_atom = is_atomic_number(field);
-      if (is_number(field) || (separator != ',' && has_thousands(field))) ++numbers;
+      if (is_number(field) || (separator != ',' && has_thousands(field)) || parse_angle(field)) ++numbers;
       if (!geometry && is_geometry(field)) geometry = fields.all;
       fields.add(field);
     }
@@ -105,7 +105,7 @@ SeparatorChoice choose_separator(std::string_view text, std::optional<char> said
                       choice.first_fits, is_decimal);
   };
   std::optional<Group> best;
-  for (const char separator : {',', ';', '\t', blanks}) {
+  for (const char separator : {',', ';', '\t', '|', blanks}) {
     const Group group = largest_group(text, separator, by_most, name);
     if (!best || rank(group) > rank(*best)) best = group;
   }

@@ -33,8 +33,11 @@ struct NamedColumns {
 };
 
 /// Returns the columns whose names are a pair such as lon and lat, x and y, or easting and northing, in any order and
-/// among other columns: the leftmost pair, or nothing.
+/// among other columns: the leftmost pair, or else the only pair whose names have such a word ("stop_lat", "X_WGS84").
 std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>& header);
+
+/// Returns the first columns for x and y that have such a word, of perhaps several pairs; empty if there are none.
+std::vector<std::size_t> find_likely_columns(const std::vector<std::string_view>& header);
 
 /// Returns the indices of the columns called x, y and z, or easting, northing and height; then of nx, ny and nz if all
 /// three are there. Empty if one of the first three is missing.
@@ -52,6 +55,12 @@ bool is_coordinate(std::string_view name, std::size_t axis);
 /// Return whether `name` is a common name of a longitude, or of a latitude.
 bool is_longitude(std::string_view name);
 bool is_latitude(std::string_view name);
+
+/// Returns whether a name says that west or south is positive: "Longitude (W)", "lat [°S]".
+bool is_reversed(std::string_view name);
+
+/// Returns whether a name is that of minutes or seconds: "lat_min".
+bool is_part_of_degree(std::string_view name);
 
 /// Returns the index of the first column called wkt, geom, geometry or the like, of geometries in well-known text;
 /// nothing if there is none.

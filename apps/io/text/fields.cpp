@@ -7,6 +7,7 @@
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/text/written.h"
 
 namespace rbpa::app {
 namespace {
@@ -103,9 +104,9 @@ bool separates(std::string_view line, char separator) {
 }  // namespace
 
 char separator_of(std::string_view line) {
-  for (const char c : {';', '\t', blanks})
+  for (const char c : {';', '\t', '|', blanks})
     if ((c == blanks || separates(line, c)) && commas_are_decimal(line, c)) return c;
-  for (const char c : {',', ';', '\t'})
+  for (const char c : {',', ';', '\t', '|'})
     if (separates(line, c)) return c;
   return blanks;
 }
@@ -148,6 +149,8 @@ std::optional<std::string> without_thousands(std::string_view field, std::string
   return field.empty() ? std::optional(result) : std::nullopt;
 }
 
+}  // namespace
+
 std::optional<std::string> without_thousands(std::string_view field) {
   if (is_number(field)) return std::nullopt;
   for (const std::string_view sign : {".", ",", "'", " ", "\xE2\x80\x99", "\xC2\xA0", "\xE2\x80\xAF", "\xE2\x80\x89"})
@@ -155,20 +158,12 @@ std::optional<std::string> without_thousands(std::string_view field) {
   return std::nullopt;
 }
 
-}  // namespace
-
 bool has_thousands(std::string_view field) { return without_thousands(field).has_value(); }
-
-std::string expected_for(std::string_view field, NumberFault fault) {
-  const std::optional<std::string> number = without_thousands(field);
-  if (fault != NumberFault::not_a_number || !number) return expected_instead(fault);
-  return "a number without signs between thousands, " + *number + " (export the table with cells in a plain format)";
-}
 
 bool is_nearly_number(std::string_view field) {
   const auto has = [&](const auto& is) { return std::any_of(field.begin(), field.end(), is); };
   const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
-  if (is_number(field)) return true;
+  if (is_number(field) || parse_angle(field)) return true;
   if (field.empty() || is_letter(field.front()) || field.front() == '_' || !has(is_digit)) return false;
   const std::size_t sign = field.find_first_not_of("+-.");
   if (sign != std::string_view::npos && is_digit(field[sign])) return true;
@@ -205,6 +200,16 @@ bool is_missing(std::string_view field) {
                      [&](std::string_view sign) { return same_letters(field, sign); });
 }
 
+bool is_comment(std::string_view line) {
+  constexpr std::string_view errors[] = {"#NV",     "#N/A",   "#REF!", "#BEZUG!", "#WERT!", "#VALUE!",
+                                         "#DIV/0!", "#NAME?", "#NUM!", "#ZAHL!",  "#NULL!"};
+  const auto is = [&](std::string_view error) {
+    return line.starts_with(error) &&
+           (line.size() == error.size() || std::isalnum(static_cast<unsigned char>(line[error.size()])) == 0);
+  };
+  return line.starts_with("//") || (line.starts_with('#') && std::none_of(std::begin(errors), std::end(errors), is));
+}
+
 bool has_column(const std::vector<std::string_view>& header, std::string_view wanted) {
   return std::any_of(header.begin(), header.end(), [&](std::string_view field) { return same_letters(field, wanted); });
 }
@@ -216,7 +221,10 @@ std::size_t find_column(const std::vector<std::string_view>& header, const std::
     found =
         std::find_if(header.begin(), header.end(), [&](std::string_view field) { return same_letters(field, wanted); });
   if (found == header.end())
-    bad_input(at_line(name, lines.number()), in_quotes(lines.line()), "a header with a column " + in_quotes(wanted));
+    bad_input(
+        at_line(name, lines.number()), in_quotes(lines.line()),
+        "a header with a column " + in_quotes(wanted) +
+            (printable(lines.line()) == lines.line() ? "" : " in UTF-8 (iconv -f CP1252 -t UTF-8; or by its number)"));
   return static_cast<std::size_t>(found - header.begin());
 }
 

@@ -53,7 +53,10 @@ class Fields {
       last = std::find(last, end_, separator_);
     }
     leave_field(last);
-    return trimmed({first, static_cast<std::size_t>(last - first)});
+    std::string_view field = trimmed({first, static_cast<std::size_t>(last - first)});
+    while (field.starts_with(no_break_space)) field = trimmed(field.substr(no_break_space.size()));
+    while (field.ends_with(no_break_space)) field = trimmed(field.substr(0, field.size() - no_break_space.size()));
+    return field;
   }
 
   /// Skips the field whose text the caller has read up to `behind`. Returns false, and skips nothing, if the field has
@@ -83,6 +86,8 @@ class Fields {
     if (separator_ == blanks) skip_comment();
   }
   void skip_comment() { done_ = at_ == end_ || *at_ == '#'; }
+
+  static constexpr std::string_view no_break_space = "\xC2\xA0";
 
   const char* at_;
   const char* end_;
@@ -118,8 +123,8 @@ std::vector<std::string_view> split(std::string_view line, char separator, std::
 /// in its field.
 const char* end_of_record(std::string_view line, const char* end, char separator);
 
-/// Returns the separator of the line: comma, semicolon or tab, the first of these that is in it outside of quotes, else
-/// blanks. Commas do not count if each is the decimal comma of a number, or between its thousands.
+/// Returns the separator of the line: comma, semicolon, tab or '|', the first of these that is in it outside of quotes,
+/// else blanks. Commas do not count if each is the decimal comma of a number, or between its thousands.
 char separator_of(std::string_view line);
 
 /// Returns whether `line`, split at `separator`, has several fields and a comma, and all commas of a field are one
@@ -138,9 +143,8 @@ bool is_nearly_number(std::string_view field);
 
 /// Returns whether the field is a number with separators of thousands: "345.941,89", "1,234,567", "5'678.6", "5 678,6".
 bool has_thousands(std::string_view field);
-
-/// Returns the text for "expected …" in a message about a field in which parse_written_number() finds `fault`.
-std::string expected_for(std::string_view field, NumberFault fault);
+/// Returns the number without its separators of thousands; nothing unless has_thousands().
+std::optional<std::string> without_thousands(std::string_view field);
 
 /// Returns whether the field is like well-known text: it begins with the name of a geometry, every bracket is closed,
 /// and there is a digit if there are brackets.
@@ -152,6 +156,10 @@ bool begins_with_geometry(std::string_view text);
 
 /// Returns whether the field stands for a missing value: it is empty, "NA", "null", "-" or the like.
 bool is_missing(std::string_view field);
+
+/// Returns whether a line without blanks around it is a comment: it begins with "//", or with '#' and not with an error
+/// of a spreadsheet, such as "#REF!".
+bool is_comment(std::string_view line);
 
 /// Returns whether a field of the header has the name `wanted`, in letters of either case.
 bool has_column(const std::vector<std::string_view>& header, std::string_view wanted);

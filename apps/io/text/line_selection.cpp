@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "io/text/fields.h"
+#include "io/text/written.h"
 
 namespace rbpa::app {
 
@@ -54,12 +55,7 @@ void LineSelection::settle_kinds(std::string_view line, Lines behind, char separ
 }
 
 BadInput LineSelection::with_hint(const BadInput& refusal) {
-  std::string message = refusal.what();
-  const std::size_t last = message.rfind(" (");  // the last bracket, perhaps of options: " (--columns ...)"
-  const bool has_way =
-      message.ends_with(')') && last != message.npos && std::string_view("-=e").find(message[last + 2]) != message.npos;
-  if (has_way) message.pop_back();
-  return BadInput(message + (has_way ? "; " : " (") + "--skip-invalid leaves out lines that are not points)");
+  return BadInput(with_way(refusal.what(), "--skip-invalid leaves out lines that are not points"));
 }
 
 void LineSelection::add_warnings(bool any_points, const std::string& name, std::vector<std::string>& warnings) const {

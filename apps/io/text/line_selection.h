@@ -36,6 +36,11 @@ class TextNumbers {
   std::unordered_map<std::string, std::size_t> numbers_ = {};
 };
 
+/// A refusal of a table whose points would be wrong if --skip-invalid left out lines.
+struct WholeRefusal : BadInput {
+  using BadInput::BadInput;
+};
+
 /// The end of a message about a word that is not a number in a column of --where.
 constexpr std::string_view of_where =
     ", as --where compares the column with numbers (== \"...\" compares it with a text)";
@@ -99,13 +104,17 @@ class LineSelection {
   }
 
   /// Calls take(), which reads the current line. If take() throws BadInput, leaves the line out and counts it, or,
-  /// without --skip-invalid, throws with_hint().
-  template <typename Take>
-  void attempt(const Take& take) {
+  /// without --skip-invalid, throws it, and with_hint() if has_points(): other lines are points. Throws WholeRefusal.
+  template <typename Take, typename HasPoints>
+  void attempt(const Take& take, const HasPoints& has_points) {
     try {
       take();
+    } catch (const WholeRefusal&) {
+      throw;
     } catch (const BadInput& refusal) {
-      if (!leaves_out(refusal)) throw with_hint(refusal);
+      if (leaves_out(refusal)) return;
+      if (has_points()) throw with_hint(refusal);
+      throw;
     }
   }
 

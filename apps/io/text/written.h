@@ -1,0 +1,34 @@
+// What: reads fields of tables that are more than a number: an angle, or a number among other characters.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "io/bytes/number.h"
+
+namespace rbpa::app {
+
+/// An angle with the letter of a hemisphere, a sign of degrees, minutes or seconds.
+struct Angle {
+  double degrees = 0;      ///< negative in the south and west; rounded once
+  char hemisphere = '\0';  ///< N, S, E or W, or nothing
+  bool has_sign = false;   ///< there is a letter or a sign of degrees, and not only blanks or colons
+};
+
+/// Returns the angle that is written as "52°34'03.07\"N", "N52.5", "-52 34.05" or "52:00:12.5"; nothing for a number
+/// alone and any other text.
+std::optional<Angle> parse_angle(std::string_view text);
+
+/// Returns the text for "expected …" in a message about a field in which parse_written_number() finds `fault`, with a
+/// way out in brackets if there is one.
+std::string expected_for(std::string_view field, NumberFault fault);
+
+/// Returns " (…)" with the way to write geometries as text if the field is a geometry in another form: GeoJSON, or
+/// bytes in hexadecimal digits; else nothing.
+std::string way_to_text(std::string_view field);
+
+/// Returns `message` with a way out in brackets, within the brackets at its end if they have another.
+std::string with_way(std::string message, const std::string& way);
+
+}  // namespace rbpa::app

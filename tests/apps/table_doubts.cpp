@@ -1,0 +1,287 @@
+// Tables whose numbers may not be the coordinates that they seem to be: read rightly, refused, or read with a warning.
+#include <doctest/doctest.h>
+
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "io/bytes/number.h"
+#include "io/cloud/cloud.h"
+#include "io/cloud/read_points.h"
+#include "io/failure.h"
+#include "io/text/columns.h"
+#include "io/text/fields.h"
+#include "io/text/written.h"
+#include "support/program.h"
+#include "support/read_table.h"
+
+using namespace apps_test;
+using rbpa::Point;
+using namespace rbpa::app;
+
+namespace {
+
+using Points = std::vector<Point>;
+using Texts = std::vector<std::string>;
+const Points corners = {{0, 0}, {4, 0}, {0, 3}};
+const CloudRequest skipping{.skip_invalid = true};
+
+/// Returns the warnings of a table with a part that is `part`.
+Texts warnings_with(const std::string& text, const std::string& part) {
+  Texts found;
+  for (const std::string& warning : read_table(text).warnings)
+    if (warning.find(part) != std::string::npos) found.push_back(warning);
+  return found;
+}
+
+/// Checks that the table is refused with a message that begins so, whether lines may be left out or not.
+void is_refused_whole(const std::string& text, const std::string& message) {
+  CAPTURE(text);
+  for (const CloudRequest& request : {CloudRequest{}, skipping}) {
+    const std::string refusal = refusal_of_table(text, request);
+    CAPTURE(refusal);
+    CHECK(refusal.starts_with(message));
+    CHECK(refusal.find("--skip-invalid") == std::string::npos);
+  }
+}
+
+}  // namespace
+
+TEST_SUITE("table doubts") {
+  TEST_CASE("comments with the numbers of a point are reported, other comments are not") {
+    const std::string way = " (quotes around its first field make it a point)";
+    for (const std::string mark : {"#", "# ", "//"})
+      for (const std::string s : {",", ";", "\t", " "}) {
+        const auto line = [&](const std::string& id, const std::string& x, const std::string& y) {
+          std::string text = id;
+          return text.append(s).append(x).append(s).append(y).append("\n");
+        };
+        const std::string table = line("tree", "x", "y") + line("1", "0", "0") + line("2", "4", "0");
+        const std::string comment = line(mark + "3", "9", "9"), last = line("4", "0", "3");
+        CAPTURE(table + comment);
+        const PointFile file = read_table(table + comment + last);
+        CHECK(file.points == corners);
+        CHECK(file.warnings.back() == "1 line is a comment with numbers for a point, t:4, " +
+                                          in_quotes(trimmed(comment.substr(0, comment.size() - 1))) + way);
+        CHECK(read_table(table + comment + comment + last).warnings.back().starts_with("2 lines are comments with"));
+        for (const std::string& other :
+             Texts{" end", " 9", "3" + s + "9", "3" + s + "a" + s + "b", "1" + s + "2" + s + "3" + s + "4"})
+          CHECK(read_table(table + mark + other + "\n" + last).warnings.size() == 1);
+      }
+    CHECK(read_table("0 0\n#9 9\n4 0\n0 3\n").warnings.empty());  // a point of two numbers, made a comment
+    CHECK(read_table("id,x,y\n\"#1\",0,0\n\"#2\",4,0\n\"//\",0,3\n").points == corners);
+    CHECK(refusal_of_table("#1,0,0\n#2,4,0\n") ==
+          "t: found 2 comments and no point, expected points (quotes around the first field of a line make it one)");
+    CHECK(refusal_of_table("id,x,y\n#1,0,0\n") ==
+          "t:1: found 'id,x,y' and no line after it but comments, expected lines of points after a header");
+    CHECK(read_table("# no point\n# 3 of nothing\n").points.empty());
+  }
+
+  TEST_CASE("errors of spreadsheets are no comments") {
+    for (const std::string error : {"#NV", "#N/A", "#REF!", "#BEZUG!", "#WERT!", "#VALUE!", "#DIV/0!", "#NAME?"}) {
+      const std::string text = "x;y\n0;0\n" + error + ";1\n4;0\n0;3\n";
+      CHECK(refusal_of_table(text) == "t:3: found '" + error + "', expected a number" + skipping_hint);
+      CHECK(read_table(text, skipping).points == corners);
+    }
+    CHECK(read_table("x y\n#NAMES of all\n#REFERENCE\n0 0\n4 0\n0 3\n").points == corners);
+  }
+
+  TEST_CASE("lines of separators only are blank") {
+    CHECK(read_table("id,x,y\n,,\n1,0,0\n2,4,0\n , ,\n3,0,3\n,\n").points == corners);
+    CHECK(refusal_of_table("id,x,y\n1,0,0\n2,,\n").starts_with("t:3: found ''"));
+  }
+
+  TEST_CASE("a first column of numbers of points gives a warning, with any number of columns") {
+    const std::string way = "(--columns 2,3 takes the columns after it)";
+    for (const std::string more : {"", ",12.5", ",12.5,TREE", ",oak,,7"})
+      for (const std::initializer_list<const char*> ids : {std::initializer_list<const char*>{"101", "102", "103"},
+                                                           {"3", "7", "90"},
+                                                           {"90", "7", "3"},
+                                                           {"1700000000", "1700000037", "1700000071"}}) {
+        std::string text;
+        for (const char* const id : ids)
+          text += id + std::string(",") + std::string(id).back() + "12.25,567.5" + more + "\n";
+        CAPTURE(text);
+        CHECK(warnings_with(text, way).size() == 1);
+      }
+    for (const std::string text : {"0,1.5,7.2\n0,1.7,7.3\n10,1.9,7.4\n", "1.5,1.5,7.2\n2,1.7,7.3\n3,1.9,7.4\n",
+                                   "10,1,2\n20,2,7\n30,5,2\n", "id,x,y\n1,1.5,2.5\n2,3.5,4.5\n3,5.5,6.5\n"})
+      CHECK(warnings_with(text, way).empty());
+  }
+
+  TEST_CASE("a word of a name is enough if one pair of columns has it") {
+    for (const auto& [x, y] : std::initializer_list<std::pair<std::string, std::string>>{
+             {"lon_wgs84", "lat_wgs84"},
+             {"LONG_DD", "LAT_DD"},
+             {"X_WGS84", "Y_WGS84"},
+             {"x_25832", "y_25832"},
+             {"E_ETRS89", "N_ETRS89"},
+             {"RD_X", "RD_Y"},
+             {"RW", "HW"},
+             {"GK_Rechts", "GK_Hoch"},
+             {"Rechts", "Hoch"},
+             {"stopLon", "stopLat"},
+             {"location-long", "location-lat"},
+             {"pickup_longitude", "pickup_latitude"},
+             {"center_x", "center_y"},
+             {"LONGITUDE_X", "LATITUDE_Y"},
+             {"E-Koordinate", "N-Koordinate"},
+             {"Ostkoordinate", "Nordkoordinate"},
+             {"Geogr. L\u00E4nge", "Geogr. Breite"},
+             {"coordonn\u00E9es X", "coordonn\u00E9es Y"},
+             {"\u0414\u043E\u043B\u0433\u043E\u0442\u0430", "\u0428\u0438\u0440\u043E\u0442\u0430"},
+             {"\u7ECF\u5EA6", "\u7EAC\u5EA6"},
+             {"\u7D4C\u5EA6", "\u7DEF\u5EA6"},
+             {"\u039C\u03AE\u03BA\u03BF\u03C2", "\u03A0\u03BB\u03AC\u03C4\u03BF\u03C2"}}) {
+      CAPTURE(x);
+      CHECK(read_table("id;" + y + ";" + x + ";val\n1;0;0;7\n2;0;4;7\n3;3;0;7\n").points == corners);
+    }
+    CHECK(read_table("id,lat_wgs84,lon_wgs84\n1,0,0\n").degrees);
+    CHECK(read_table("lat_error,lon_error,lat_dd,lon_dd\n9,9,0,0\n9,9,0,4\n9,9,3,0\n").points == corners);
+  }
+
+  TEST_CASE("a header without known names above three numbers is refused, and names likely columns") {
+    struct Header {
+      std::string text, likely;
+    };
+    for (const Header& header :
+         std::initializer_list<Header>{{"id,a,b\n1,0.5,0.5\n", "a,b"},
+                                       {"id,name,value,a,b\n1,n,0,0.5,0.5\n", "a,b"},
+                                       {"a,b,c\n1,2,3\n", "a,b"},
+                                       {"start_lat,start_lng,end_lat,end_lng\n1,2,3,4\n", "start_lng,start_lat"},
+                                       {"time,latitudeE7,longitudeE7\n1,2,3\n", "longitudeE7,latitudeE7"},
+                                       {"id;px (m);py (m)\n1;0.5;0.5\n", "2,3"},
+                                       {"id;L\xE4ngs;Quer\n1;0.5;0.5\n", "2,3"}}) {
+      const std::string line = header.text.substr(0, header.text.find('\n'));
+      is_refused_whole(header.text, "t:1: found " + in_quotes(line) +
+                                        ", expected known names of coordinates, such as x and y "
+                                        "(--columns " +
+                                        header.likely + " chooses columns)");
+      CHECK(read_table(header.text, {.columns = parse_columns(header.likely)}).points.size() == 1);
+    }
+    CHECK(read_table("name,a,b,2019\noak,0,0,1\noak,4,0,1\noak,0,3,1\n", {.columns = parse_columns("2,3")}).points ==
+          corners);
+  }
+
+  TEST_CASE("--skip-invalid reads no line by a header that is not its own, and is offered where points remain") {
+    is_refused_whole("id,x,y\n1,0,0\nid,y,x\n2,0,4\n",
+                     "t:3: found 'id,y,x', the header of another table, expected lines of");
+    is_refused_whole("id;x;y\n1;0;0\n\nkind;count;sum\n1;12;5\n", "t:4: found 'kind;count;sum', the header of another");
+    is_refused_whole("lat,lon\n1,2\nlon,lat\n3,4\n", "t:3: found 'lon,lat', the header of another table");
+    CHECK(read_table("id,x,y\n1,0,0\nid,x,y\n2,4,0\n3,0,3\n", skipping).points == corners);
+    CHECK(read_table("x,y\n0,0\nout of range,broken\n4,0\n\nNA,b\n0,3\n", skipping).points == corners);
+    CHECK(read_table("x y z\n0 0 1\nERR ERR ERR\n4 0 1\nout of range\n0 3 1\n", skipping).points.size() == 3);
+    for (const std::string text : {"x,y\n3,5,4,5\n6,5,7,5\n", "x,y\n1,2,3\n4,5,6\n"})
+      CHECK(refusal_of_table(text, skipping)
+                .starts_with("t:1: found 'x,y', a header above lines with other numbers of fields"));
+    for (const std::string text : {"P1,1,2\nP2,3,4\n", "id;x;y\n1;a;b\n2;c;d\n", "id,wkt\n1,POINT EMPTY\n"}) {
+      CHECK(refusal_of_table(text).find("--skip-invalid") == std::string::npos);
+      CHECK(refusal_of_table(text) != "none");
+    }
+    CHECK(refusal_of_table("id;x;y\n1;a;b\n2;3;4\n").ends_with(skipping_way));
+  }
+
+  TEST_CASE("a table of R, whose header lacks the name of the first column, is read") {
+    for (const std::string s : {" ", ",", ";"})
+      CHECK(read_table("\"x\"" + s + "\"y\"\n\"1\"" + s + "0" + s + "0\n\"2\"" + s + "4" + s + "0\n\"b\"" + s + "0" +
+                       s + "3\n")
+                .points == corners);
+    CHECK(refusal_of_table("x y\n1 0 0\n2 4 0\n").starts_with("t:2: found 3 columns"));
+  }
+
+  TEST_CASE("angles are read to the nearest double, by their letters, signs and minutes") {
+    struct Written {
+      std::string text;
+      double degrees;
+      char hemisphere = '\0';
+    };
+    for (const Written& angle :
+         std::initializer_list<Written>{{"52.5 N", 52.5, 'N'},
+                                        {"52.5S", -52.5, 'S'},
+                                        {"W 13.25", -13.25, 'W'},
+                                        {"13,25E", 13.25, 'E'},
+                                        {"52.5\u00B0", 52.5},
+                                        {"-52\u00B030'", -52.5},
+                                        {"52\u00B034'03.07\"N", 189243.07 / 3600, 'N'},
+                                        {"52\u00B0 34\u2032 3.07\u2033 S", -189243.07 / 3600, 'S'},
+                                        {"52 34 03.07", 189243.07 / 3600},
+                                        {"-0 30 0", -0.5},
+                                        {"52:00:12.5", 187212.5 / 3600},
+                                        {"52 30.125", 3150.125 / 60}}) {
+      CAPTURE(angle.text);
+      const std::optional<Angle> read = parse_angle(angle.text);
+      REQUIRE(read);
+      CHECK(read->degrees == doctest::Approx(angle.degrees).epsilon(1e-15));
+      CHECK(read->hemisphere == angle.hemisphere);
+    }
+    for (const std::string text : {"", "N", "-", "52.5", "52 60 1", "52.5 30", "1 234", "5'678", "52 34 03 1", "N52E",
+                                   "--5\u00B0", "52 34x", "2024-05-01", "1e5N", "52 100"})
+      CHECK_FALSE(parse_angle(text));
+    const std::string table = "id;lat;lon\n1;52\u00B034'03.07\"N;13\u00B030'E\n2;52:30;13 15\n3;52.5;13.25 W\n";
+    CHECK(refusal_of_table(table) == "none");
+    CHECK(read_table(table).points[1] == Point{13.25, 52.5});
+    CHECK(read_table(table).points[2] == Point{-13.25, 52.5});
+    CHECK(read_table("13.5E 52.5N\n13E 52N\n").degrees);
+    CHECK(refusal_of_table("52.5N 13.5E\n") ==
+          "t:1: found '52.5N' as x, expected a longitude (--columns chooses the order of columns)");
+    // Times, and minutes of no angle.
+    CHECK(refusal_of_table("a,b\n12:30,1\n") == "t:2: found '12:30', expected decimal degrees, 12.5");
+    CHECK(refusal_of_table("x;y\n1 30;1\n").starts_with("t:2: found '1 30', expected decimal degrees"));
+  }
+
+  TEST_CASE("signs and minutes in other columns, or in names, are refused") {
+    is_refused_whole("id,Latitude,Longitude (W)\n1,52.5,13.25\n",
+                     "t:1: found the name 'Longitude (W)' above positive numbers");
+    is_refused_whole("lat [\u00B0S];lon\n52.5;13.25\n", "t:1: found the name 'lat [\u00B0S]' above positive numbers");
+    is_refused_whole("id;Lat N;Long W\n1;52.5;13.25\n", "t:1: found the name 'Long W' above positive numbers");
+    is_refused_whole("lat,NS,lon,EW\n5,N,1,E\n5,N,1,W\n", "t:1: found column 4 with 'W' for '1'");
+    is_refused_whole("lat_deg,lat_min,lon_deg,lon_min\n52,30,13,15\n",
+                     "t:1: found the column 'lat_min' beside whole degrees");
+    CHECK(read_table("lat,lon (W)\n52.5,-13.25\n").points == Points{{-13.25, 52.5}});
+    CHECK(read_table("lat,NS,lon,EW\n5,N,1,E\n").points == Points{{1, 5}});
+    CHECK(read_table("lat,lon,minutes\n52.5,13.25,7\n").points == Points{{13.25, 52.5}});
+    CHECK(
+        refusal_of_table("lat,ns,lon,ew\n5200.5,N,01300.5,E\n", {.columns = parse_columns("2,3")}).find("hemisphere") !=
+        std::string::npos);
+  }
+
+  TEST_CASE("'|' separates, and several points in a line are refused") {
+    CHECK(read_table("id|x|y|name\n1|0|0|a, b\n2|4|0|c; d\n3|0|3|e\n").points == corners);
+    CHECK(read_table("0|0\n4|0\n0|3\n").points == corners);
+    CHECK(
+        read_table("| id | x | y |\n|----|---|---|\n| 1 | 0 | 0 |\n| 2 | 4 | 0 |\n| 3 | 0 | 3 |\n", skipping).points ==
+        corners);
+    is_refused_whole("13.2,52.5,0 13.3,52.5,0 13.4,52.6,0\n",
+                     "t:1: found '13.2,52.5,0 13.3,52.5,0 13.4,52.6,0', several points");
+    is_refused_whole("13.2,52.5 13.3,52.5\n13.2,52.5 13.3,52.5\n", "t:1: found '13.2,52.5 13.3,52.5', several points");
+  }
+
+  TEST_CASE("numbers that may have signs between thousands, or decimal commas between commas, give warnings") {
+    CHECK(warnings_with("x;y\n950;900\n1.011;998\n1.300;1.025\n", "is it 10").size() == 2);
+    CHECK(warnings_with("x;y\n950;900\n1.011;998\n1.300;1.025\n", "as in 1.011").size() == 1);
+    for (const std::string text :
+         {"x;y\n950;900\n1.01;998\n1.300;1.02\n", "x;y\n1.011;998.5\n1.3;1.025\n", "x;y\n0.125;0\n0.250;1\n0;0\n",
+          "x;y\n1.125;2.250\n3.125;4.375\n", "x;y\n5000;1\n1.125;2\n"})
+      CHECK(warnings_with(text, "thousands").empty());
+    const std::string commas = "are these commas decimal signs?";
+    CHECK(warnings_with("13,28,52,56\n13,36,52,51\n13,21,52,52\n13,07,52,40\n", commas).size() == 1);
+    CHECK(warnings_with("1,13,28,52,56\n2,13,36,52,51\n3,13,21,52,52\n4,13,99,52,40\n", commas).size() == 1);
+    CHECK(warnings_with("1,2,30,40\n5,6,30,41\n7,8,30,41\n", commas).empty());
+  }
+
+  TEST_CASE("text around a number, in a field or as a field, is named") {
+    const std::string plain = " (export the table with cells in a plain format)";
+    for (const std::string field : {"'10.5'", "'10.5", "=\"10.5\"", "10.5 m", "10.5%", "(10.5", "[10.5", "10.5 # p0"})
+      CHECK(refusal_of_table("x;y\n" + field + ";1\n") ==
+            "t:2: found '" + field + "', expected a number without other characters, 10.5" + plain);
+    for (const std::string field : {"P0", "10.5metres", "2024-05-01", "a", "33UUU12"})
+      CHECK(refusal_of_table("x;y\n" + field + ";1\n") == "t:2: found '" + field + "', expected a number");
+    for (const std::string field : {"\"(52.5, 13.2)\"", "52.5, 13.2"})
+      CHECK(refusal_of_table("id;place\n1;" + field + "\n").find("expected one number in each column") !=
+            std::string::npos);
+    CHECK(read_table("id;x;y\n1;\u00A00;0\u00A0\n2;4 \u00A0;0\n3;0;3\n").points == corners);
+    const std::string way = "(in well-known text: ST_AsText() of PostGIS, -lco GEOMETRY=AS_WKT of ogr2ogr)";
+    CHECK(refusal_of_table("id,geom\n1,0101000020E6100000000000000000F03F000000000000F03F\n").ends_with(way));
+    CHECK(refusal_of_table("id;geometry\n1;{\"type\":\"Point\",\"coordinates\":[1,2]}\n").ends_with(way));
+  }
+}
