@@ -237,7 +237,7 @@ class Reconstructing {
       // The largest spans the gaps everywhere.
       if (!has_normals && radii.size() > 1) radii = {radii.back()};
     }
-    // auto_radii() is empty where it sees no gap, as for points on a line; a ball needs some radius.
+    // auto_radii() is empty for points on one line, and for fewer than three; a ball needs some radius.
     radii_ = radii.empty() ? std::vector<double>{1} : radii;
     made_.surface = has_normals ? surface(cloud_.points, normals(), radii_, begin(Step::rolling))
                                 : exposed_triangles(cloud_.points, radii_.back(), begin(Step::rolling));

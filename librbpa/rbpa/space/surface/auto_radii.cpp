@@ -11,6 +11,8 @@
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/radii/cube_root.h"
 #include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/predicate/bounding_box.h"
+#include "rbpa/space/predicate/orientation.h"
 #include "rbpa/space/surface/normals/find_nearest.h"
 #include "rbpa/space/surface/normals/fit_plane.h"
 #include "rbpa/space/surface/spacing/tangent_cell.h"
@@ -138,11 +140,20 @@ std::vector<double> without_none(std::vector<double> values) {
   return values;
 }
 
+/// Returns half the diagonal of the box of distinct points; nothing if all are on one line.
+std::vector<double> half_diagonal(std::span<const Point3> points) {
+  const auto is_on_line = [&](const Point3& p) { return space::are_collinear(points[0], points[1], p); };
+  if (std::all_of(points.begin(), points.end(), is_on_line)) return {};
+  const space::Box box = space::box_of(points);
+  const space::Vector3<double> d = space::from<double>(box.low, box.high);
+  return {std::sqrt(space::dot(d, d)) / 2};
+}
+
 std::vector<double> radii_of(const Gaps& gaps) {
   const std::vector<double> sorted = without_none(gaps.gap);
   if (sorted.empty()) {
     const std::vector<double> least = without_none(gaps.least);
-    if (least.empty()) return {};
+    if (least.empty()) return half_diagonal(gaps.near.points);
     return {margin * least[least.size() / 2]};
   }
   const double most = sorted[static_cast<std::size_t>(most_of_all * static_cast<double>(sorted.size() - 1))];

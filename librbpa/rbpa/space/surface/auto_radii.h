@@ -18,9 +18,9 @@ namespace rbpa {
 /// Returns at most four radii, ascending, in units of the points. The last radius spans the gaps between neighbors
 /// everywhere, except gaps that may be holes: gaps much larger than nearly all others, and gaps that reach beyond the
 /// 32 nearest neighbors. A smaller radius is added if a ball of less than half the size spans the gaps around more than
-/// one point in twenty; where densities differ much, radii differ by more than a factor of 2. The result is empty for
-/// fewer than three distinct points, and if each point is on one line with its nearest neighbors: for points on a line,
-/// but also for lines of points that are far apart.
+/// one point in twenty; where densities differ much, radii differ by more than a factor of 2. If each point is on one
+/// line with its nearest neighbors, as on lines of points that are far apart, the only radius is half the diagonal of
+/// the box of the points. The result is empty for fewer than three distinct points, and for points on one line.
 /// Requires: finite points, fewer than 2^32 − 1.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API std::vector<double> auto_radii(std::span<const Point3> points, const SurfaceOptions& options = {});

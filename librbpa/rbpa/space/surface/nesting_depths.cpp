@@ -18,7 +18,7 @@ namespace {
 struct Query {
   std::uint32_t surface, corner;
   std::vector<std::uint32_t> hit = {};      // surfaces hit, once for each triangle hit
-  std::vector<std::uint32_t> touched = {};  // surfaces on which the corner lies, or may lie
+  std::vector<std::uint32_t> touched = {};  // surfaces on which the corner lies
 };
 
 /// Queries in the squares of a grid in y and z, across the rays.
@@ -60,6 +60,17 @@ class Squares {
   std::vector<std::vector<std::uint32_t>> squares_;
 };
 
+/// Returns whether p is on the triangle or its sides. Requires: p is in the plane and in the bounding box of the triangle.
+bool is_on(const std::array<Point3, 3>& t, const Point3& p) {
+  for (const int axis : {0, 1, 2}) {
+    const auto [low, high] =
+        std::minmax({space::orientation_along(t[0], t[1], p, axis), space::orientation_along(t[1], t[2], p, axis),
+                     space::orientation_along(t[2], t[0], p, axis)});
+    if (low < 0 && high > 0) return false;
+  }
+  return true;
+}
+
 void shoot(Query& query, std::uint32_t surface, const Point3& p, const std::array<Point3, 3>& t,
            const space::Box& box) {
   const std::array sides = {space::orientation_along(t[0], t[1], p, 0), space::orientation_along(t[1], t[2], p, 0),
@@ -69,7 +80,7 @@ void shoot(Query& query, std::uint32_t surface, const Point3& p, const std::arra
   const bool is_seen_from_its_side = *low == 0 && *high == 0;
   const int above = is_seen_from_its_side ? 0 : space::orientation(t[0], t[1], t[2], p);
   if (above == 0) {
-    if (p.x >= box.low.x && p.x <= box.high.x) query.touched.push_back(surface);
+    if (p.x >= box.low.x && is_on(t, p)) query.touched.push_back(surface);
     return;
   }
   const int first = space::moved_side(sides[0], t[0], t[1]);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
 #include <utility>
 
 #include "meshops/core/contract.h"
@@ -97,13 +98,16 @@ void for_each_enclosed(std::span<const Point3> points, const Surface& shells, co
   }
 }
 
-void require_components(std::span<const Point3> points, const Surface& surface, const SurfaceComponents& components) {
-  meshops::require_one_each("outer_shells", components.number.size(), "numbers of components", surface.triangles.size(),
+void require_components(const char* function, std::span<const Point3> points, const Surface& surface,
+                        const SurfaceComponents& components) {
+  meshops::require_one_each(function, components.number.size(), "numbers of components", surface.triangles.size(),
                             "triangles");
   require_linked(space::arrays_of(surface), points.size());
   for (const std::uint32_t c : components.number)
-    meshops::require(c < components.all.size(), "outer_shells: found component ", c,
-                     " of a triangle, expected a component that exists, as surface_components() numbers them");
+    if (c >= components.all.size())
+      throw meshops::ContractViolation(std::string(function) + ": found component " + std::to_string(c) +
+                                       " of a triangle, expected a component that exists, as surface_components() "
+                                       "numbers them");
 }
 
 }  // namespace
@@ -112,7 +116,7 @@ std::vector<bool> outer_shells(std::span<const Point3> points, double radius, co
                                const SurfaceComponents& components, const GoOn& go_on) {
   space::check_radius(radius);
   const std::size_t count = components.all.size();
-  require_components(points, shells, components);
+  require_components("outer_shells", points, shells, components);
   for (const SurfaceComponent& component : components.all)
     meshops::require(
         component.is_closed(),
@@ -138,7 +142,7 @@ std::vector<bool> outer_shells(std::span<const Point3> points, double radius, co
 
 std::vector<std::size_t> nesting_depths(std::span<const Point3> points, const Surface& surface,
                                         const SurfaceComponents& components, const GoOn& go_on) {
-  require_components(points, surface, components);
+  require_components("nesting_depths", points, surface, components);
   std::vector<std::vector<Triangle>> closed(components.all.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     if (const std::uint32_t c = components.number[t]; components.all[c].is_closed())

@@ -158,6 +158,7 @@ std::vector<bool> choose_components(const SurfaceComponents& components, const s
 DroppedComponents dropped_components(std::span<const Point3> points, const std::vector<bool>& kept,
                                      const Surface& surface, const SurfaceComponents& components, const GoOn& go_on) {
   meshops::require_one_each("dropped_components", kept.size(), "values of `kept`", components.all.size(), "components");
+  require_linked(space::arrays_of(surface), points.size());
   DroppedComponents dropped;
   const std::vector<std::size_t> genus = genus_of(surface, components, go_on);
   for (std::size_t c = 0; c < kept.size(); ++c) {

@@ -92,9 +92,10 @@ struct DroppedComponents {
 };
 
 /// Counts the components that are not kept, their triangles, and the points that are in no other triangle.
-/// Requires: `surface` is a surface of `points`, which is not checked; `components` are its components, and `kept` says
-///           for each whether it is kept.
-/// Throws:   ContractViolation when `kept` does not have one value for each component, or as genus_of(); Cancelled.
+/// Requires: `surface` is a surface of `points`; `components` are its components, and `kept` says for each whether it is
+///           kept.
+/// Throws:   ContractViolation when `kept` does not have one value for each component, when a corner is no point, or as
+///           genus_of(); Cancelled.
 /// Cost:     linear.
 RBPA_API DroppedComponents dropped_components(std::span<const Point3> points, const std::vector<bool>& kept,
                                               const Surface& surface, const SurfaceComponents& components,

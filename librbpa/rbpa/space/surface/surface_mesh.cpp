@@ -96,8 +96,21 @@ SurfaceOfTriangles surface_of(const meshops::Connectivity& mesh, std::span<const
       throw meshops::ContractViolation("surface_of: face " + std::to_string(f) +
                                        " does not have three sides (meshops::triangulate_face() cuts it)");
   }
-  SurfaceOfTriangles surface = surface_of(places.first(mesh.n_vertices()), triangles, neighbors);
+  std::vector<std::uint32_t> vertex, number_of_vertex(mesh.n_vertices());
+  std::vector<Point3> live;  // a deleted vertex is no point
+  for (const meshops::Vertex v : meshops::live_vertices(mesh)) {
+    const auto at = static_cast<std::size_t>(v.idx());
+    number_of_vertex[at] = static_cast<std::uint32_t>(live.size());
+    vertex.push_back(static_cast<std::uint32_t>(at));
+    live.push_back(places[at]);
+  }
+  for (auto& corners : triangles)
+    for (std::uint32_t& corner : corners) corner = number_of_vertex[corner];
+  SurfaceOfTriangles surface = surface_of(live, triangles, neighbors);
   for (std::uint32_t& given : surface.given) given = face[given];
+  for (auto& corners : surface.triangles)
+    for (std::uint32_t& corner : corners) corner = vertex[corner];
+  for (Duplicate& duplicate : surface.duplicates) duplicate = {vertex[duplicate.index], vertex[duplicate.stands_for]};
   return surface;
 }
 

@@ -46,9 +46,10 @@ std::vector<Point3> places_of(const AnyMesh& mesh) {
 }
 
 /// Returns the triangles of a mesh as a surface. Corners are indices of vertices, and `given` has the index of the face
-/// of each triangle. Of vertices at one place, deleted ones included, the lowest stands for all, glued or not.
-/// Requires: validate(mesh) is empty; triangles only; a finite place of each vertex, deleted ones included; different
-///           places of a face's corners.
+/// of each triangle. Of vertices at one place, the lowest stands for all, glued or not. Vertices marked deleted are
+/// left out.
+/// Requires: validate(mesh) is empty; triangles only; a finite place of each vertex that is not marked deleted;
+///           different places of a face's corners.
 /// Throws:   ContractViolation when a face is no triangle or there are fewer places than vertices; InvalidInput as
 ///           surface_of() of triangles.
 RBPA_API SurfaceOfTriangles surface_of(const meshops::Connectivity& mesh, std::span<const Point3> places);

@@ -116,6 +116,21 @@ TEST_CASE("vertices at one place that are not glued stay apart, and glued ones s
   CHECK(rbpa::surface_components(rbpa::places_of(mesh), surface).all.size() == 2);
 }
 
+TEST_CASE("a deleted vertex is no corner, wherever it was") {
+  Mesh mesh;
+  mesh.request_vertex_status();
+  mesh.request_halfedge_status();
+  mesh.request_edge_status();
+  mesh.request_face_status();
+  mesh.delete_vertex(mesh.add_vertex({5, 5, 5}));
+  for (const auto& [x, y] : {std::pair(1, 0), {0, 1}, {0, 0}, {0, 0}}) mesh.add_vertex({double(x), double(y), 0});
+  mesh.add_face(Vertex(1), Vertex(2), Vertex(3));
+  const rbpa::SurfaceOfTriangles surface = rbpa::surface_of(mesh);
+  CHECK(surface.triangles == std::vector<std::array<std::uint32_t, 3>>{{1, 2, 3}});
+  CHECK(surface.distinct == 3);
+  CHECK(surface.duplicates == std::vector<rbpa::Duplicate>{{4, 3}});
+}
+
 TEST_CASE(
     "holes of a mesh are filled in place as fill_holes() fills those of its triangles, and the rest is not changed") {
   Mesh mesh;

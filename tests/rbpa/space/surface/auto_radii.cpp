@@ -193,6 +193,14 @@ TEST_CASE("points without triangles have no radii, and invalid input is refused"
   for (int i = 0; i < 50; ++i) line.push_back({double(i), 2.0 * i, -3.0 * i});
   CHECK(auto_radii(line).empty());
   CHECK(auto_radii(Points3{{0, 0, 0}, {3, 0, 0}, {0, 4, 0}}) == Radii{1.25 * 2.5});
+  for (const double spacing : {0.001, 1000.0}) {
+    Points3 far;  // two lines of points that are much farther apart than their points are, and the same in rows
+    for (int i = 0; i < 60; ++i)
+      for (const int row : {0, 1}) far.push_back({i * spacing, row * 1000 * spacing, 0});
+    const Radii radii = auto_radii(far);
+    REQUIRE(radii.size() == 1);
+    CHECK(!rbpa::exposed_triangles(far, radii[0]).triangles.empty());
+  }
   CHECK_THROWS_AS(auto_radii(Points3{{0, 0, std::numeric_limits<double>::infinity()}}), rbpa::InvalidInput);
   const Points3 points = on_sphere(3000, 1, 3);
   CHECK_THROWS_AS(auto_radii(points, {.progress = [](auto) { return false; }}), rbpa::Cancelled);
