@@ -224,8 +224,8 @@ TEST_CASE("corners in the plane and in the box of a triangle, but not on it, are
   const Points3 points = {{0, 0, -8}, {8, 0, -8}, {8, 8, -8}, {0, 8, -8}, {0, 0, 0}, {8, 0, 0}, {0, 8, 0},
                           {8, 0, 8},  {8, 8, 8},  {0, 8, 8},  {5, 5, 0},  {6, 5, 0}, {5, 6, 0}, {3, 3, 0}};
   const std::vector<Triangle> outer = {{0, 1, 2}, {0, 2, 3}, {0, 3, 6}, {0, 6, 4}, {0, 1, 5}, {0, 5, 4},
-                                             {1, 2, 5}, {5, 2, 8}, {5, 8, 7}, {3, 2, 6}, {6, 2, 8}, {6, 8, 9},
-                                             {4, 5, 6}, {5, 6, 9}, {5, 9, 7}, {7, 8, 9}};
+                                       {1, 2, 5}, {5, 2, 8}, {5, 8, 7}, {3, 2, 6}, {6, 2, 8}, {6, 8, 9},
+                                       {4, 5, 6}, {5, 6, 9}, {5, 9, 7}, {7, 8, 9}};
   const std::vector<std::vector<Triangle>> surfaces = {outer, {{10, 11, 12}, {10, 12, 11}}};
   CHECK(rbpa::nesting_depths(points, surfaces) == std::vector<std::size_t>{0, 1});
   // With one corner on the ceiling the others decide; the whole may be turned.
