@@ -161,7 +161,7 @@ class LeftRings {
     const auto is_on = [this](std::uint32_t i) { return side(i) == 0; };
     const auto first = std::find_if(ring.begin(), ring.end(), is_on);
     if (first == ring.end()) {
-      if (side(ring.front()) < 0) boundary_.add(ring);
+      if (!ring.empty() && side(ring.front()) < 0) boundary_.add(ring);
       return;
     }
     const auto begin = static_cast<std::size_t>(first - ring.begin());

@@ -31,9 +31,9 @@ struct PolygonCut {
 };
 
 /// Cuts `polygon` along the vertical line at `x`, in units of the points.
-/// Requires: a valid polygon (validity.h) that is not empty, whose shell is counter-clockwise and whose holes are
-///           clockwise, as outline_polygons() returns them; rings of indices into `points`; finite coordinates and a
-///           finite x. Not checked, except that some invalid polygons are noticed.
+/// Requires: a valid polygon (validity.h), whose shell is counter-clockwise and whose holes are clockwise, as
+///           outline_polygons() returns them; rings of indices into `points`; finite coordinates and a finite x. Not
+///           checked, except that some invalid polygons are noticed.
 /// Throws:   InvalidInput if the polygon is seen to be invalid, or if rounded crossings would make a part invalid.
 RBPA_API PolygonCut cut_at(std::span<const Point> points, const Polygon& polygon, double x);
 

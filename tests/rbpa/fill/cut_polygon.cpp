@@ -116,6 +116,11 @@ TEST_SUITE("fill") {
     CHECK(cut.crossings[1].share == 0.25);
   }
 
+  TEST_CASE("an empty polygon has no parts") {
+    const PolygonCut cut = cut_at({}, {}, 0);
+    CHECK((cut.points.empty() && cut.left.empty() && cut.right.empty()));
+  }
+
   TEST_CASE("a clockwise shell is refused") {
     const std::vector<Point> points = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};
     CHECK_THROWS_AS(cut_at(points, {.shell = {{3, 2, 1, 0}}}, 1), InvalidInput);

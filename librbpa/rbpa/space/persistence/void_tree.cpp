@@ -117,6 +117,8 @@ std::vector<std::uint32_t> nodes_of(const VoidTree& tree, const Solid& delaunay,
   std::map<Triangle, std::size_t> void_at;
   std::vector<bool> is_least(corner_bound<4>(delaunay.simplices), false);  // the lowest corner of such a triangle
   for (std::size_t i = 0; i < voids.size(); ++i) {
+    meshops::require(!voids[i].triangles.empty() && voids[i].triangles.front() < boundary.triangles.size(),
+                     "nodes_of: a void has no triangle of the boundary, expected voids() with their boundary");
     const auto& [a, b, c] = boundary.triangles[voids[i].triangles.front()];
     const Triangle face = from_least({a, c, b});
     meshops::require(face[0] < is_least.size(), "nodes_of: a void has a corner that no tetrahedron has");

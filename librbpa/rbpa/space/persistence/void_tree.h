@@ -64,7 +64,8 @@ RBPA_API VoidTree void_tree(std::span<const Point3> points, const Solid& delauna
 /// Requires: `delaunay` and `radii` made the tree. `voids` at `alpha`, and their `boundary`, are those of voids() if
 ///           the tree is of ComplexKind::solid, those of full_voids() (rbpa/space/balls/full_topology.h) if the tree is
 ///           of ComplexKind::full. Whether voids and boundary belong together is not checked.
-/// Throws:   ContractViolation when the numbers of tetrahedra and radii differ, or a void is not found in the tree.
+/// Throws:   ContractViolation when the numbers of tetrahedra and radii differ, a void has no triangle of the boundary,
+///           or it is not found in the tree.
 /// Cost:     linear in the tetrahedra, and a search among the voids for those at a wall.
 RBPA_API std::vector<std::uint32_t> nodes_of(const VoidTree& tree, const Solid& delaunay, std::span<const double> radii,
                                              double alpha, const Surface& boundary, std::span<const SolidVoid> voids);

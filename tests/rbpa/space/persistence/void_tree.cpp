@@ -216,6 +216,7 @@ TEST_CASE("each void at a radius has its node, in a triangulation of any order")
   const rbpa::Voids voids = rbpa::voids(points, solid, boundary);
   CHECK(voids.all.size() == 1);
   CHECK_THROWS_AS(rbpa::nodes_of(tree, delaunay, radii, 9, boundary.surface, voids.all), meshops::ContractViolation);
+  CHECK_THROWS_AS(rbpa::nodes_of(tree, delaunay, radii, alpha, {}, voids.all), meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::nodes_of(tree, solid, radii, alpha, boundary.surface, voids.all), meshops::ContractViolation);
 }
 
