@@ -10,9 +10,10 @@
 namespace rbpa_test {
 namespace {
 
-template <int dimension, typename Points>
-std::vector<SquaredPair> pairs_of(const Points& points) {
+template <int dimension, bool weighted, typename Points>
+std::vector<SquaredPair> pairs_of(const Points& points, [[maybe_unused]] std::span<const double> weights = {}) {
   using Kernel = CGAL::Epeck_d<CGAL::Dimension_tag<dimension>>;
+  using Complex = Gudhi::alpha_complex::Alpha_complex<Kernel, weighted>;
   using Tree = Gudhi::Simplex_tree<>;
   std::vector<typename Kernel::Point_d> at;
   for (const auto& p : points) {
@@ -21,7 +22,12 @@ std::vector<SquaredPair> pairs_of(const Points& points) {
     else
       at.emplace_back(p.x, p.y, p.z);
   }
-  Gudhi::alpha_complex::Alpha_complex<Kernel> alpha_complex(at);
+  Complex alpha_complex = [&] {
+    if constexpr (weighted)
+      return Complex(at, std::vector<double>(weights.begin(), weights.end()));
+    else
+      return Complex(at);
+  }();
   Tree tree;
   alpha_complex.create_complex(tree, std::numeric_limits<double>::infinity(), /*exact=*/true);
 
@@ -39,7 +45,10 @@ std::vector<SquaredPair> pairs_of(const Points& points) {
 
 }  // namespace
 
-std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point> points) { return pairs_of<2>(points); }
-std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point3> points) { return pairs_of<3>(points); }
+std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point> points) { return pairs_of<2, false>(points); }
+std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point3> points) { return pairs_of<3, false>(points); }
+std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point3> points, std::span<const double> weights) {
+  return pairs_of<3, true>(points, weights);
+}
 
 }  // namespace rbpa_test

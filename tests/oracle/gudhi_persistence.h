@@ -14,12 +14,14 @@ namespace rbpa_test {
 
 struct SquaredPair {
   int dimension;
-  double birth;  ///< squared radius
+  double birth;  ///< squared radius, or power
   double death = std::numeric_limits<double>::infinity();
 };
 
 /// Returns all pairs with birth < death after rounding. Requires: squares of radii are in the range of double.
 std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point> points);
 std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point3> points);
+/// Returns those of the weighted alpha complex. Requires: one weight, a squared radius, for each point.
+std::vector<SquaredPair> gudhi_persistence(std::span<const rbpa::Point3> points, std::span<const double> weights);
 
 }  // namespace rbpa_test

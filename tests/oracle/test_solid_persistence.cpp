@@ -14,11 +14,13 @@
 
 #include "oracle/gudhi_persistence.h"
 #include "rbpa/space/balls/full_topology.h"
+#include "rbpa/space/balls/weighted_filtration.h"
 #include "rbpa/space/persistence/solid_filtration.h"
 #include "rbpa/space/persistence/solid_persistence.h"
 #include "rbpa/space/solid/solid.h"
 #include "rbpa/space/solid/solid_radii.h"
 #include "support/arguments.h"
+#include "support/ball_sets.h"
 #include "support/data_folder.h"
 #include "support/solid_sets.h"
 
@@ -48,10 +50,23 @@ Diagram by_gudhi(const Points3& points) {
   return sorted(diagram);
 }
 
-Diagram by_rbpa(const rbpa::SolidFiltration& filtration) {
+/// Adds `shift` to all values.
+Diagram by_rbpa(const rbpa::SolidFiltration& filtration, double shift = 0) {
   Diagram diagram;
   for (const rbpa::SolidPair& pair : rbpa::solid_persistence(filtration))
-    diagram[static_cast<std::size_t>(pair.dimension)].push_back({pair.birth, pair.death.value_or(infinity)});
+    diagram[static_cast<std::size_t>(pair.dimension)].push_back(
+        {pair.birth + shift, pair.death.value_or(infinity) + shift});
+  return sorted(diagram);
+}
+
+/// Returns the pairs of balls, all powers greater by `shift`.
+Diagram by_gudhi(const Balls& balls, double shift) {
+  std::vector<double> weights;
+  for (const double radius : balls.radii) weights.push_back(radius * radius);
+  Diagram diagram;
+  for (const SquaredPair& pair : gudhi_persistence(balls.centers, weights))
+    if (pair.dimension < 3)
+      diagram[static_cast<std::size_t>(pair.dimension)].push_back({pair.birth + shift, pair.death + shift});
   return sorted(diagram);
 }
 
@@ -154,6 +169,37 @@ TEST_CASE("sets in a plane and on a line have GUDHI's pairs") {
   CHECK(tunnels > argument("count", 200) / 4);
 }
 
+TEST_CASE("small sets of balls of every kind have the pairs of GUDHI's weighted alpha complex") {
+  const std::uint64_t sets = argument("count", 200) / 40;
+  std::array<std::size_t, 3> pairs = {0, 0, 0};
+  std::size_t later = 0;
+  for (int k = 0; k < space_kinds; ++k)
+    for (int r = 0; r < radius_kinds; ++r) {
+      Random random(830 + static_cast<std::uint64_t>(k * radius_kinds + r));
+      CAPTURE(name(static_cast<SpaceKind>(k)));
+      CAPTURE(name(static_cast<RadiusKind>(r)));
+      for (std::uint64_t trial = 0; trial < sets; ++trial) {
+        Balls balls = ball_set(static_cast<SpaceKind>(k), static_cast<RadiusKind>(r), 4 + random.below(40), random);
+        if (!has_squares(balls.centers)) continue;
+        double greatest = 0;
+        for (double& radius : balls.radii) {
+          radius = double(static_cast<float>(radius));  // so that squares are doubles
+          greatest = std::max(greatest, radius);
+        }
+        if (greatest > 1e30) continue;                 // as float, infinite
+        const double shift = 2 * greatest * greatest;  // so that rounding is small beside all values
+        const rbpa::SolidFiltration filtration = rbpa::weighted_filtration(balls.centers, balls.radii);
+        const Diagram expected = by_gudhi(balls, shift);
+        if (!same(by_rbpa(filtration, shift), expected)) FAIL_CHECK(text(balls));
+        for (std::size_t dimension = 0; dimension < 3; ++dimension) pairs[dimension] += expected[dimension].size();
+        later += static_cast<std::size_t>(std::count_if(filtration.point_alpha.begin(), filtration.point_alpha.end(),
+                                                        [](double power) { return power > 0; }));
+      }
+    }
+  for (const std::size_t count : pairs) CHECK(count > 20 * sets);
+  CHECK(later > 100 * sets);
+}
+
 TEST_CASE("lysozyme has the voids of the full complex that follow from GUDHI's pairs, at radii around that of water") {
   Points3 atoms;
   std::istringstream lines(read_text(bundled_data() / "mol3_2lyz.pdb"));
@@ -187,4 +233,9 @@ TEST_CASE("the comparison detects wrong pairs") {
   wrong = right;
   wrong[2][0][1] *= 1.001;
   CHECK(!same(right, wrong));
+  Balls balls{points, std::vector<double>(points.size(), 0.125)};
+  const Diagram of_balls = by_gudhi(balls, 1);
+  balls.radii[7] = 0.25;
+  CHECK(same(by_rbpa(rbpa::weighted_filtration(balls.centers, balls.radii), 1), by_gudhi(balls, 1)));
+  CHECK(!same(by_rbpa(rbpa::weighted_filtration(balls.centers, balls.radii), 1), of_balls));
 }
