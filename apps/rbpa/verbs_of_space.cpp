@@ -248,18 +248,23 @@ CLI::App* add_balls(CLI::App& app, BallsArguments& arguments) {
                   "arcs on the surface (0 if there are none), distance of the centers: " +
                       endings(Use::rows))
       ->type_name("FILE");
+  verb.add_option("--interfaces", arguments.interfaces,
+                  "Write a row for each two groups of --group that meet: the area of the surface of each, alone, that "
+                  "the other one covers, and the area of the contacts between them: " +
+                      endings(Use::rows))
+      ->type_name("FILE");
   verb.add_option(
           "--voids", arguments.voids,
           "Write the voids that the balls with the probe enclose, the largest first: volume of their tetrahedra "
           "and outside of the balls, area, center and radius of the largest ball that fits in, input indices of "
-          "the atoms around: " +
-              endings(Use::rows))
+          "the atoms around; obj has the surface of the tetrahedra: " +
+              endings(Use::voids))
       ->type_name("FILE");
   verb.add_option(
           "--pockets", arguments.pockets,
           "Write the pockets in the same way, with the number of their mouths, the area of these, and the radius "
           "of the largest ball that fits into one: " +
-              endings(Use::rows))
+              endings(Use::voids))
       ->type_name("FILE");
   verb.add_option("--group", arguments.group,
                   "Sum up the rows of each residue, of each chain, or of each value in a column; contacts are then "
@@ -271,7 +276,7 @@ CLI::App* add_balls(CLI::App& app, BallsArguments& arguments) {
   verb.footer(
       "Examples:\n"
       "  rbpa balls protein.pdb --probe 1.4 -o atoms.csv\n"
-      "  rbpa balls complex.cif --probe 1.4 --group chain -o chains.csv --contacts interfaces.csv\n"
+      "  rbpa balls complex.cif --probe 1.4 --group chain -o chains.csv --interfaces interfaces.csv\n"
       "  rbpa balls frames.pdb --probe 1.4 --models all --group residue -o residues.csv\n"
       "  rbpa balls packing.csv --radii column:radius --json\n\n"
       "OUT has a row for each atom: the names that the file gives it, radius (without the probe), area of its sphere "

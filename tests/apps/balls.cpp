@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -301,7 +302,82 @@ TEST_SUITE("balls") {
     REQUIRE(folder.rbpa("balls c.xyz --probe 0.25 --voids one.csv -q").code == 0);
     const std::string one = folder.content("one.csv"), all = folder.content("v.csv");
     CHECK("frame," + one.substr(0, one.find('\n') + 1) + "1," + one.substr(one.find('\n') + 1) == all);
-    CHECK(folder.rbpa("balls c.xyz --voids v.obj").err == "rbpa: --voids: found the ending 'obj', expected csv\n");
+    CHECK(folder.rbpa("balls c.xyz --voids v.stl").err ==
+          "rbpa: --voids: found the ending 'stl', expected one of obj, json, csv\n");
+  }
+
+  TEST_CASE("voids as JSON have the values of their rows and the area of each atom around, as OBJ a closed surface") {
+    const Folder folder;
+    const std::string balls = "balls " + lysozyme + " --probe 1.4 -q --voids v.";
+    REQUIRE(folder.rbpa(balls + "csv --pockets p.csv").code == 0);
+    REQUIRE(folder.rbpa(balls + "json --pockets p.json").code == 0);
+    REQUIRE(folder.rbpa(balls + "obj --pockets p.obj").code == 0);
+    for (const std::string file : {"v", "p"}) {
+      const std::vector<Row> rows = rows_of(folder.content(file + ".csv"));
+      const Json list = Json::parse(folder.content(file + ".json"));
+      REQUIRE(list.size() == rows.size());
+      REQUIRE(rows.size() > 5);
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (const std::string key : {"volume_between_points", "volume_outside_balls", "area", "radius_max"})
+          CHECK(list[i].at(key).get<double>() == number(rows[i], key));
+        CHECK(list[i].at("center")[2].get<double>() == number(rows[i], "z"));
+        double area = 0;
+        for (const Json& of : list[i].at("areas")) area += of.get<double>();
+        CHECK(area == doctest::Approx(list[i].at("area").get<double>()));
+        std::string points;
+        for (const Json& of : list[i].at("points")) points += (points.empty() ? "\"" : " ") + of.dump();
+        CHECK(rows[i].at("points") == points + "\"");
+        CHECK(list[i].contains("mouths") == (file == "p"));
+      }
+      std::istringstream lines(folder.content(file + ".obj"));
+      std::vector<std::array<double, 3>> vertices;
+      std::vector<double> volumes;
+      std::map<std::pair<std::size_t, std::size_t>, int> sides;
+      for (std::string word; lines >> word;) {
+        std::array<double, 3> p{};
+        if (word == "g") {
+          lines >> word;
+          volumes.push_back(0);
+          CHECK(word == (file == "v" ? "void_" : "pocket_") + std::to_string(volumes.size()));
+        } else if (word == "v") {
+          lines >> p[0] >> p[1] >> p[2];
+          vertices.push_back(p);
+        } else {
+          std::array<std::size_t, 3> t{};
+          lines >> t[0] >> t[1] >> t[2];
+          for (std::size_t k = 0; k < 3; ++k) ++sides[{t[k], t[(k + 1) % 3]}];
+          const auto &a = vertices.at(t[0] - 1), &b = vertices.at(t[1] - 1), &c = vertices.at(t[2] - 1);
+          for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t l = (k + 1) % 3, m = (k + 2) % 3;
+            volumes.back() += a[k] * (b[l] * c[m] - b[m] * c[l]) / 6;
+          }
+        }
+      }
+      for (const auto& [side, count] : sides) CHECK(sides[{side.second, side.first}] == count);
+      REQUIRE(volumes.size() == rows.size());
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        CHECK(volumes[i] == doctest::Approx(number(rows[i], "volume_between_points")));
+    }
+    folder.file("one.csv", "x,y,z,r\n0,0,0,1\n");
+    REQUIRE(folder.rbpa("balls one.csv --radii column:r -q --voids v.json --pockets p.obj").code == 0);
+    CHECK(folder.content("v.json") == "[]\n");
+    CHECK(folder.content("p.obj").empty());
+  }
+
+  TEST_CASE("interfaces have the areas that each group loses to the other, and the area of their contacts") {
+    const Folder folder;
+    folder.file("t.csv", "x,y,z,r,kind\n0,0,0,4,b\n3,0,0,2,a\n50,0,0,2,a\n90,0,0,1,c\n");
+    const Outcome outcome =
+        folder.rbpa("balls t.csv --radii column:r --group column:kind --interfaces i.csv --contacts c.csv");
+    CHECK(outcome.err.ends_with(" -> c.csv, i.csv\n"));
+    CHECK(folder.content("i.csv").starts_with("kind_a,kind_b,area_a,area_b,contact_area\nb,a,"));
+    const std::vector<Row> rows = rows_of(folder.content("i.csv")), contacts = rows_of(folder.content("c.csv"));
+    REQUIRE(rows.size() == 1);
+    CHECK(number(rows[0], "area_a") == doctest::Approx(2 * pi * 4 * 0.5));
+    CHECK(number(rows[0], "area_b") == doctest::Approx(2 * pi * 2 * 2.5));
+    CHECK(number(rows[0], "contact_area") == number(contacts.at(0), "area"));
+    CHECK(folder.rbpa("balls t.csv --radii column:r --interfaces i.csv").err ==
+          "rbpa: --interfaces requires --group\n");
   }
 
   TEST_CASE("nested and equal balls, and points in a plane, have rows too") {

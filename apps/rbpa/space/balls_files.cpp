@@ -80,7 +80,9 @@ BallRows::BallRows(OutputFile& file, Of of, AtomGroups groups, const std::string
     if (is_atom) put("point" + suffix);
     for (const NameColumn& name : names_) put(name.name + suffix);
   }
-  if (of == Of::atoms)
+  if (of == Of::interfaces)
+    end_row("area_a", "area_b", "contact_area");
+  else if (of == Of::atoms)
     end_row(is_atom ? "radius" : "atoms", "area", "volume", "buried");
   else if (is_atom)
     end_row("area", "arc", "distance");
@@ -160,6 +162,14 @@ void BallRows::write_contacts(const MeasuredAtoms& frame) {
   for (const auto& [pair, sum] : sums) {
     begin_row(frame, std::array{groups.first[pair[0]], groups.first[pair[1]]});
     end_row(sum.contacts, sum.area, sum.arc);
+  }
+}
+
+void BallRows::write_interfaces(const MeasuredAtoms& frame) {
+  const Grouped groups = grouped(frame.rows);
+  for (const BallInterface& of : frame.interfaces.all) {
+    begin_row(frame, std::array{groups.first[of.groups[0]], groups.first[of.groups[1]]});
+    end_row(of.areas[0], of.areas[1], of.contact_area);
   }
 }
 

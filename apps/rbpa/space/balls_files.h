@@ -12,8 +12,10 @@
 #include "io/bytes/output_file.h"
 #include "io/cloud/atom_frames.h"
 #include "io/cloud/ball_radii.h"
+#include "rbpa/space/balls/ball_interfaces.h"
 #include "rbpa/space/balls/ball_voids.h"
 #include "rbpa/space/balls/measure_balls.h"
+#include "rbpa/space/balls/regular_triangulation.h"
 
 namespace rbpa::app {
 
@@ -30,9 +32,11 @@ struct BallTotals {
 
 struct MeasuredAtoms : BallTotals {
   std::vector<AtomRow> rows = {};
-  std::vector<double> radii = {};  ///< without the probe
-  BallMeasures balls = {};         ///< with the probe; with contacts if they are written
-  BallVoids voids = {};            ///< if they are written; with the probe
+  std::vector<double> radii = {};   ///< without the probe
+  BallMeasures balls = {};          ///< with the probe; with contacts if they are written
+  BallInterfaces interfaces = {};   ///< of the groups, if they are written; with the probe
+  BallVoids voids = {};             ///< if they are written; with the probe
+  RegularTriangulation cells = {};  ///< which has the tetrahedra of the voids
 };
 
 /// A column of the names of atoms: a text or a number.
@@ -45,14 +49,18 @@ struct NameColumn {
 /// Writes a table as CSV, frame by frame.
 class BallRows {
  public:
-  enum class Of { atoms, contacts };
+  enum class Of { atoms, contacts, interfaces };
 
   /// Begins the table. Keeps references to `file` and `texts`, the object that all frames were read into. `column`: the
   /// name of the column of groups. `are_atoms`: rows have the names of atoms.
   BallRows(OutputFile& file, Of of, AtomGroups groups, const std::string& column, bool has_frames,
            const AtomFrame& texts, bool are_atoms);
 
-  void write(const MeasuredAtoms& frame) { of_ == Of::atoms ? write_atoms(frame) : write_contacts(frame); }
+  void write(const MeasuredAtoms& frame) {
+    of_ == Of::atoms ? write_atoms(frame) : of_ == Of::contacts ? write_contacts(frame) : write_interfaces(frame);
+  }
+  /// Returns the number of the group of each atom.
+  std::vector<std::uint32_t> groups_of(const std::vector<AtomRow>& rows) const { return grouped(rows).of; }
   void finish() { file_.finish(); }
 
  private:
@@ -64,6 +72,7 @@ class BallRows {
   Grouped grouped(const std::vector<AtomRow>& rows) const;
   void write_atoms(const MeasuredAtoms& frame);
   void write_contacts(const MeasuredAtoms& frame);
+  void write_interfaces(const MeasuredAtoms& frame);
   void begin_row(const MeasuredAtoms& frame, std::span<const std::uint32_t> atoms);
   template <typename... Values>
   void end_row(Values... values);

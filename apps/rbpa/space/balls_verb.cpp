@@ -28,6 +28,7 @@ struct BallsRequest {
   double probe = 0;
   AtomGroups groups = AtomGroups::none;
   std::vector<Target> targets = {};
+  Format voids = Format::csv, pockets = Format::csv;
   RunOptions run = {};
 };
 
@@ -59,10 +60,14 @@ BallsRequest parse(const BallsArguments& arguments) {
   request.choice.radius = request.radii.column();
   if (arguments.models) request.choice.frames = parse_frames("--models", *arguments.models);
   if (arguments.group) request.groups = parse_groups(*arguments.group, request.choice);
+  if (arguments.interfaces && !arguments.group) throw WrongUsage("--interfaces requires --group");
   for (const auto& [option, path] :
-       {std::pair("--contacts", &arguments.contacts), {"--voids", &arguments.voids}, {"--pockets", &arguments.pockets}})
+       {std::pair("--contacts", &arguments.contacts), {"--interfaces", &arguments.interfaces}})
     if (*path) target_of(option, **path, Use::rows);
-  std::vector<std::string> reports = given({arguments.stats, arguments.contacts, arguments.voids, arguments.pockets});
+  if (arguments.voids) request.voids = target_of("--voids", *arguments.voids, Use::voids).format;
+  if (arguments.pockets) request.pockets = target_of("--pockets", *arguments.pockets, Use::voids).format;
+  std::vector<std::string> reports =
+      given({arguments.stats, arguments.contacts, arguments.interfaces, arguments.voids, arguments.pockets});
   if (arguments.json) reports.emplace_back("-");
   // Without any file the summary alone is the result.
   if (!arguments.outputs.empty() || arguments.output_format || !reports.empty())
@@ -93,7 +98,7 @@ class BallsRun : public Run {
   bool are_atoms_ = true;
   bool has_frames_ = false;  // rows have the number of their frame
   std::vector<BallRows> tables_ = {};
-  OutputFile *voids_ = nullptr, *pockets_ = nullptr;  // files that are written
+  std::vector<BallVoidRows> voids_ = {};  // files of voids and of pockets
   std::size_t void_count_ = 0, pocket_count_ = 0;
   std::vector<BallTotals> frames_ = {};
   std::atomic<std::size_t> done_ = 0;  // atoms
@@ -122,8 +127,9 @@ void BallsRun::begin_tables(const AtomFrame& first) {
   };
   for (const Target& target : request_.targets) begin(target.path, BallRows::Of::atoms);
   if (arguments_.contacts) begin(*arguments_.contacts, BallRows::Of::contacts);
-  if (arguments_.voids) begin_voids(*(voids_ = &files().add(*arguments_.voids)), has_frames_, false);
-  if (arguments_.pockets) begin_voids(*(pockets_ = &files().add(*arguments_.pockets)), has_frames_, true);
+  if (arguments_.interfaces) begin(*arguments_.interfaces, BallRows::Of::interfaces);
+  if (arguments_.voids) voids_.emplace_back(files().add(*arguments_.voids), request_.voids, has_frames_, false);
+  if (arguments_.pockets) voids_.emplace_back(files().add(*arguments_.pockets), request_.pockets, has_frames_, true);
 }
 
 /// Reads frames until there is work for all threads; returns none at the end.
@@ -152,11 +158,10 @@ void BallsRun::measure(std::vector<MeasuredAtoms>& some) {
     for (const AtomRow& row : some[f].rows) centers[f].push_back(row.center);
     frames.push_back({centers[f], some[f].radii});
   }
+  const OnProgress watch = [](const Progress&) { return !interrupted(); };
   const auto measured = [&](double probe, bool contacts) {
-    return measure_ball_frames(
-        frames, {.probe = probe, .contacts = contacts, .threads = options().threads, .progress = [](const Progress&) {
-                   return !interrupted();
-                 }});
+    return measure_ball_frames(frames,
+                               {.probe = probe, .contacts = contacts, .threads = options().threads, .progress = watch});
   };
   try {
     std::vector<BallMeasures> with = measured(request_.probe, arguments_.contacts.has_value());
@@ -170,8 +175,11 @@ void BallsRun::measure(std::vector<MeasuredAtoms>& some) {
       some[f].area = with[f].area;
       some[f].buried = static_cast<std::size_t>(std::count(with[f].areas.begin(), with[f].areas.end(), 0.0));
       some[f].balls = std::move(with[f]);
-      if (voids_ != nullptr || pockets_ != nullptr)
-        some[f].voids = voids_of(some[f], request_.probe, pockets_ != nullptr, options().threads);
+      if (arguments_.interfaces)
+        some[f].interfaces =
+            ball_interfaces(centers[f], some[f].radii, tables_.back().groups_of(some[f].rows),
+                            {.probe = request_.probe, .threads = options().threads, .progress = watch});
+      if (!voids_.empty()) find_voids(some[f], request_.probe, arguments_.pockets.has_value(), options().threads);
     }
   } catch (const InvalidInput& e) {
     throw BadInput(input() + ": " + e.what());
@@ -191,8 +199,7 @@ std::vector<std::string> BallsRun::process() {
     measure(some);
     for (const MeasuredAtoms& frame : some) {
       for (BallRows& table : tables_) table.write(frame);
-      if (voids_ != nullptr) write_voids(*voids_, has_frames_, false, frame, frame.voids.voids);
-      if (pockets_ != nullptr) write_voids(*pockets_, has_frames_, true, frame, frame.voids.pockets);
+      for (BallVoidRows& table : voids_) table.write(frame);
       void_count_ += frame.voids.voids.size();
       pocket_count_ += frame.voids.pockets.size();
       frames_.push_back(frame);
@@ -201,8 +208,7 @@ std::vector<std::string> BallsRun::process() {
     write_seconds_ += lap();
   }
   for (BallRows& table : tables_) table.finish();
-  for (OutputFile* of_voids : {voids_, pockets_})
-    if (of_voids != nullptr) of_voids->finish();
+  for (BallVoidRows& table : voids_) table.finish();
   write_seconds_ += lap();
   return file.warnings();
 }
@@ -217,10 +223,11 @@ void BallsRun::run() {
   if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& output) { write_json(output, report, 2); });
   publish();
   std::vector<std::string> lines = text_of(request_.probe, request_.radii, frames_, are_atoms_ ? "atom" : "point");
-  if (voids_ != nullptr || pockets_ != nullptr)
+  if (!voids_.empty())
     lines.push_back("with the probe: " + counted(void_count_, "void") +
-                    (pockets_ != nullptr ? ", " + counted(pocket_count_, "pocket") : ""));
-  std::vector<std::string> paths = given({arguments_.contacts, arguments_.voids, arguments_.pockets});
+                    (arguments_.pockets ? ", " + counted(pocket_count_, "pocket") : ""));
+  std::vector<std::string> paths =
+      given({arguments_.contacts, arguments_.interfaces, arguments_.voids, arguments_.pockets});
   for (auto target = request_.targets.rbegin(); target != request_.targets.rend(); ++target)
     paths.insert(paths.begin(), target->path);
   lines.back() += list_of(paths);

@@ -1,16 +1,50 @@
 #include "space/balls_voids.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "io/interrupt.h"
-#include "rbpa/space/balls/regular_triangulation.h"
+#include "rbpa/base/triangle.h"
 #include "space/void_files.h"
 
 namespace rbpa::app {
+namespace {
 
-BallVoids voids_of(const MeasuredAtoms& frame, double probe, bool pockets, MaxThreads threads) {
+using Json = nlohmann::ordered_json;
+
+/// Sizes of the mouths of a pocket together.
+struct Mouths {
+  double area = 0, radius = 0;
+  explicit Mouths(const BallVoid& pocket) {
+    for (const BallMouth& mouth : pocket.mouths) {
+      area += mouth.area;
+      radius = std::max(radius, mouth.radius);
+    }
+  }
+};
+
+/// Returns the triangles with only one of the tetrahedra at them, counter-clockwise seen from outside of these.
+std::vector<Triangle> surface_of(const BallVoid& hollow, const RegularTriangulation& regular) {
+  std::set<std::uint32_t> inside(hollow.tetrahedra.begin(), hollow.tetrahedra.end());
+  std::vector<Triangle> triangles;
+  for (const std::uint32_t t : hollow.tetrahedra)
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (inside.contains(regular.neighbors[t][k])) continue;
+      const auto& [a, b, c, d] = regular.simplices[t];
+      triangles.push_back(std::array<Triangle, 4>{{{b, c, d}, {a, d, c}, {a, b, d}, {a, c, b}}}[k]);
+    }
+  return triangles;
+}
+
+}  // namespace
+
+void find_voids(MeasuredAtoms& frame, double probe, bool pockets, MaxThreads threads) {
   std::vector<Point3> centers;
   std::vector<double> radii;
   for (std::size_t i = 0; i < frame.rows.size(); ++i) {
@@ -18,39 +52,91 @@ BallVoids voids_of(const MeasuredAtoms& frame, double probe, bool pockets, MaxTh
     radii.push_back(frame.radii[i] + probe);
   }
   const auto progress = [](const Progress&) { return !interrupted(); };
-  return ball_voids(centers, radii, regular_triangulation(centers, radii, {.threads = threads, .progress = progress}),
-                    {.pockets = pockets, .threads = threads, .progress = progress});
+  frame.cells = regular_triangulation(centers, radii, {.threads = threads, .progress = progress});
+  frame.voids = ball_voids(centers, radii, frame.cells, {.pockets = pockets, .threads = threads, .progress = progress});
 }
 
-void begin_voids(OutputFile& file, bool has_frames, bool of_pockets) {
-  file.write_all(has_frames ? "frame," : "", volume_columns(ComplexKind::full), ",area,x,y,z,radius_max,",
-                 of_pockets ? "mouths,mouth_area,mouth_radius_max," : "", "points\n");
+BallVoidRows::BallVoidRows(OutputFile& file, Format format, bool has_frames, bool of_pockets)
+    : file_(file), format_(format), has_frames_(has_frames), of_pockets_(of_pockets) {
+  if (format == Format::csv)
+    file.write_all(has_frames ? "frame," : "", volume_columns(ComplexKind::full), ",area,x,y,z,radius_max,",
+                   of_pockets ? "mouths,mouth_area,mouth_radius_max," : "", "points\n");
 }
 
-void write_voids(OutputFile& file, bool has_frames, bool of_pockets, const MeasuredAtoms& frame,
-                 std::span<const BallVoid> voids) {
+void BallVoidRows::write(const MeasuredAtoms& frame) {
   std::uint64_t number = 0;
-  for (const BallVoid& hollow : voids) {
+  for (const BallVoid& hollow : of_pockets_ ? frame.voids.pockets : frame.voids.voids) {
     stop_if_interrupted();
-    if (has_frames) file.write_all(std::uint64_t{frame.number}, ",");
-    write_volumes(file, ++number, hollow.volume_of_tetrahedra, hollow.volume);
-    file.write_all(",", hollow.area, ",", hollow.center.x, ",", hollow.center.y, ",", hollow.center.z, ",",
-                   hollow.radius);
-    if (of_pockets) {
-      double area = 0, radius = 0;
-      for (const BallMouth& mouth : hollow.mouths) {
-        area += mouth.area;
-        radius = std::max(radius, mouth.radius);
-      }
-      file.write_all(",", hollow.mouths.size(), ",", area, ",", radius);
-    }
-    const char* before = ",\"";
-    for (const LiningBall& lining : hollow.balls) {
-      file.write_all(before, std::uint64_t{frame.rows[lining.ball].index});
-      before = " ";
-    }
-    file.write("\"\n");
+    ++number;
+    if (format_ == Format::csv)
+      write_row(frame, hollow, number);
+    else if (format_ == Format::json)
+      write_json(frame, hollow);
+    else
+      write_surface(frame, hollow, number);
+    ++size_;
   }
+}
+
+void BallVoidRows::finish() {
+  if (format_ == Format::json) file_.write(size_ == 0 ? "[]\n" : "\n]\n");
+  file_.finish();
+}
+
+void BallVoidRows::write_row(const MeasuredAtoms& frame, const BallVoid& hollow, std::uint64_t number) {
+  if (has_frames_) file_.write_all(std::uint64_t{frame.number}, ",");
+  write_volumes(file_, number, hollow.volume_of_tetrahedra, hollow.volume);
+  file_.write_all(",", hollow.area, ",", hollow.center.x, ",", hollow.center.y, ",", hollow.center.z, ",",
+                  hollow.radius);
+  if (of_pockets_) {
+    const Mouths mouths(hollow);
+    file_.write_all(",", hollow.mouths.size(), ",", mouths.area, ",", mouths.radius);
+  }
+  const char* before = ",\"";
+  for (const LiningBall& lining : hollow.balls) {
+    file_.write_all(before, std::uint64_t{frame.rows[lining.ball].index});
+    before = " ";
+  }
+  file_.write("\"\n");
+}
+
+void BallVoidRows::write_json(const MeasuredAtoms& frame, const BallVoid& hollow) {
+  Json one;
+  if (has_frames_) one["frame"] = frame.number;
+  one.update(json_of_volumes(hollow.volume_of_tetrahedra, hollow.volume));
+  one.update(Json{{"area", hollow.area},
+                  {"center", {hollow.center.x, hollow.center.y, hollow.center.z}},
+                  {"radius_max", hollow.radius}});
+  if (of_pockets_) {
+    one["mouths"] = Json::array();
+    for (const BallMouth& mouth : hollow.mouths)
+      one["mouths"].push_back({{"area", mouth.area}, {"perimeter", mouth.perimeter}, {"radius_max", mouth.radius}});
+  }
+  Json points = Json::array(), areas = Json::array();
+  for (const LiningBall& lining : hollow.balls) {
+    points.push_back(frame.rows[lining.ball].index);
+    areas.push_back(lining.area);
+  }
+  one["points"] = std::move(points);
+  one["areas"] = std::move(areas);
+  file_.write(size_ == 0 ? "[\n" : ",\n");
+  file_.write(one.dump());
+}
+
+void BallVoidRows::write_surface(const MeasuredAtoms& frame, const BallVoid& hollow, std::uint64_t number) {
+  file_.write("g " + (has_frames_ ? "frame_" + std::to_string(frame.number) + "_" : std::string()) +
+              (of_pockets_ ? "pocket_" : "void_") + std::to_string(number) + "\n");
+  const std::vector<Triangle> triangles = surface_of(hollow, frame.cells);
+  std::unordered_map<std::uint32_t, std::uint64_t> vertex;  // number, from 1, of each ball
+  for (const Triangle& triangle : triangles)
+    for (const std::uint32_t ball : triangle) {
+      if (!vertex.try_emplace(ball, vertices_ + 1).second) continue;
+      ++vertices_;
+      const Point3& p = frame.rows[ball].center;
+      file_.write_all("v ", p.x, " ", p.y, " ", p.z, "\n");
+    }
+  for (const auto& [a, b, c] : triangles)
+    file_.write_all("f ", vertex.at(a), " ", vertex.at(b), " ", vertex.at(c), "\n");
 }
 
 }  // namespace rbpa::app
