@@ -304,11 +304,11 @@ def test_interfaces_are_what_areas_of_unions_leave():
     assert numpy.array_equal(made.areas_alone[half == "first"], alone[0].areas)
 
 
-def test_only_one_frame_has_voids_and_arcs_are_counted():
+def test_frames_have_lists_of_voids_and_arcs_are_counted():
     chain = rbpa.balls([[[0, 0, 0], [0, 0, 1], [0, 0, 2]]], 0.75)
     assert chain.arcs.tolist() == [[1, 2, 1]]
-    for what in ("voids", "pockets"):
-        with pytest.raises(rbpa.InvalidInput, match=f"{what}: found 1 frames, expected one"):
-            getattr(chain, what)
+    assert chain.voids == [[]] and chain.pockets == [[]]
+    with pytest.raises(rbpa.InvalidInput, match=r"filtration: found 1 frames, expected one \(rbpa.balls\(centers\[i\]"):
+        chain.filtration()
     with pytest.raises(rbpa.InvalidInput, match=r"groups: found an array of shape \(2,\), expected \(3,\)"):
         rbpa.balls(chain.centers[0], 0.75).interfaces([1, 2])

@@ -25,6 +25,7 @@ Contents:
     solid_filtration(points)             persistence of components, tunnels, voids in space     -> SolidFiltration
     union_of_balls(points, radius)       volume and area, in space                              -> BallUnion
     balls(centers, radii, probe=0)       the same with a radius each, ball by ball, contacts    -> Balls
+    follow_voids(frames)                 voids of balls, followed from frame to frame           -> VoidTracks
     rbpa.molecules                       atoms of files with names and frames, and their radii
     estimate_normals(points)             normals of points in space
     outliers(points)                     isolated points in space
@@ -65,16 +66,17 @@ from rbpa._solid_filtration import BallFiltration, SolidFiltration, SolidPlateau
 from rbpa._space_points import estimate_normals, outliers, scale_space
 from rbpa._surface import NotWatertight, Surface, surface, surface_of
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRepair
+from rbpa._void_tracks import VoidEvent, VoidTracks, follow_voids
 
 __all__ = [
     "AlphaShape", "AlphaShapes", "Delaunay", "DelaunayInSpace", "Filtration", "Plateau", "Polygon", "Polygons", "Representative",
     "BallContacts", "BallFiltration", "BallInterfaces", "BallMouth", "Balls", "BallUnion", "BallVoid", "DanglingFaces", "FullComplex", "PeriodicPart", "PeriodicSolid", "Solid", "SolidVoid",
-    "SolidFiltration", "SolidPlateau", "SolidRepresentative", "VoidTree",
+    "SolidFiltration", "SolidPlateau", "SolidRepresentative", "VoidEvent", "VoidTracks", "VoidTree",
     "NotWatertight", "Surface", "SurfaceComponent", "SurfaceHole", "SurfaceRepair",
     "Cancelled", "ContractViolation", "InvalidInput", "PointFile", "__version__",
     "alpha_shape", "alpha_shapes", "concave_hull", "concave_hulls", "filtration", "read_points",
     "estimate_normals", "outliers", "scale_space", "surface", "surface_of",
-    "balls", "periodic_solid", "solid", "solid_filtration", "union_of_balls",
+    "balls", "follow_voids", "periodic_solid", "solid", "solid_filtration", "union_of_balls",
 ]  # fmt: skip
 
 # Public names appear as rbpa.AlphaShape and so on, not with the private module that defines them.

@@ -243,24 +243,30 @@ class Balls(Result):
             raise InvalidInput(f"{what}: found {len(self.centers)} frames, expected one (rbpa.balls(centers[i], radii, probe).{what})")
         return np.ascontiguousarray(self.radii + self.probe)
 
-    def _found(self, pockets: bool) -> tuple[list[BallVoid], list[BallVoid]]:
-        radii = self._of_one_frame("pockets" if pockets else "voids")
-        found = _core.ball_voids(self.centers, radii, pockets, as_threads(None))
-        voids, others = ([BallVoid._make((*one[:-1], [BallMouth(*mouth) for mouth in one[-1]])) for one in rows] for rows in found)
-        for part in (part for one in (*voids, *others) for part in (one, *one.mouths)):
-            freeze(*(value for value in part if isinstance(value, np.ndarray)))
-        return voids, others
+    def _found(self, pockets: bool) -> Any:
+        """Returns the pockets, or the voids; of several frames, a list for each."""
+        self._require_unchanged()
+        frames = self.centers if self.centers.ndim == 3 else self.centers[None]
+        radii = np.broadcast_to(self.radii + self.probe, frames.shape[:2])
+        all_frames = []
+        for frame, row in zip(frames, radii):
+            rows = _core.ball_voids(frame, np.ascontiguousarray(row), pockets, as_threads(None))[pockets]
+            found = [BallVoid._make((*one[:-1], [BallMouth(*mouth) for mouth in one[-1]])) for one in rows]
+            for part in (part for one in found for part in (one, *one.mouths)):
+                freeze(*(value for value in part if isinstance(value, np.ndarray)))
+            all_frames.append(found)
+        return all_frames if self.centers.ndim == 3 else all_frames[0]
 
     @cached_property
-    def voids(self) -> list[BallVoid]:
-        """The voids that the balls with the probe enclose, the largest first. The first access computes them."""
-        return self._found(False)[0]
+    def voids(self) -> Any:
+        """The voids that the balls with the probe enclose, a list of `BallVoid`, the largest first; of frames a list of
+        lists. The first access computes them."""
+        return self._found(False)
 
     @cached_property
-    def pockets(self) -> list[BallVoid]:
-        """The pockets of the balls with the probe, with their mouths, the largest first. The first access computes
-        them."""
-        return self._found(True)[1]
+    def pockets(self) -> Any:
+        """The pockets of the balls with the probe, with their mouths, as `voids`. The first access computes them."""
+        return self._found(True)
 
     def filtration(self, *, roots: bool = False, threads: Optional[int] = None) -> BallFiltration:
         """Returns the dual complex of the balls with the probe at every growth, with the births and deaths of

@@ -1,0 +1,61 @@
+"""Voids that are followed through frames whose events are known."""
+
+import numpy
+import pytest
+import rbpa
+
+
+def cage(seed):
+    """100 frames of a hollow box of 3 x 3 x 5 balls with a plug in the middle of its cavity: the plug is away in frames
+    30 to 59, and a ball of the upper wall in frames 80 to 89. All tremble and turn."""
+    sites = numpy.array([[x, y, z] for x in range(3) for y in range(3) for z in range(5) if not (x == y == 1 and z in (1, 3))], float)
+    radii = numpy.full((100, len(sites)), 0.75)
+    radii[30:60, (sites == [1, 1, 2]).all(axis=1)] = 0.1
+    radii[80:90, (sites == [1, 1, 4]).all(axis=1)] = 0.1
+    noise = numpy.random.default_rng(seed).normal(0, 0.004, (100, *sites.shape))
+    angles = numpy.linspace(0, 2, 100)
+    turns = numpy.array([[[numpy.cos(a), -numpy.sin(a), 0], [numpy.sin(a), numpy.cos(a), 0], [a, 0, 1]] for a in angles * 0.2])
+    return sites, radii, numpy.einsum("fij,fnj->fni", turns, sites + noise)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_void_that_opens_splits_joins_and_closes_has_these_events(seed):
+    sites, radii, centers = cage(seed)
+    frames = rbpa.balls(centers, radii)
+    assert [len(of) for of in frames.voids] == [2] * 30 + [1] * 30 + [2] * 20 + [1] * 10 + [2] * 10
+    tracks, events = rbpa.follow_voids(frames.voids)
+    assert [(event.frame, event.kind) for event in events] == [(30, "joins"), (60, "splits"), (80, "dies"), (90, "born")]
+    joins, splits, dies, born = events
+    assert {joins.track, joins.other} == {0, 1} == set(tracks[0].tolist())
+    assert splits.other == joins.other == tracks[45][0] and splits.track == 2 and born.track == 3 and born.other == dies.other == -1
+    for start, end in ((0, 30), (60, 80), (90, 100)):  # which is which does not change
+        for frame in range(start, end):
+            upper = {track: void.balls.max() for track, void in zip(tracks[frame].tolist(), frames.voids[frame])}
+            assert upper.keys() == set(tracks[start].tolist())
+    assert {dies.track} == set(tracks[79].tolist()) - set(tracks[85].tolist())
+    with pytest.raises(ValueError):
+        tracks[0][0] = 7
+
+
+def test_pockets_are_followed_too_and_an_order_of_frames_is_turned_around():
+    _, radii, centers = cage(4)
+    frames = rbpa.balls(centers[70:95], radii[70:95])
+    pockets = rbpa.follow_voids(frames.pockets)
+    assert [(event.frame, event.kind) for event in pockets.events] == [(10, "born"), (20, "dies")]
+    there = [(event.frame, event.kind) for event in rbpa.follow_voids(frames.voids).events]
+    back = [(25 - event.frame, event.kind) for event in rbpa.follow_voids(frames.voids[::-1]).events]
+    assert there == [(10, "dies"), (20, "born")] and back == [(20, "dies"), (10, "born")]
+
+
+def test_no_frames_and_frames_without_voids_have_no_tracks():
+    assert rbpa.follow_voids([]) == ([], [])
+    tracks, events = rbpa.follow_voids([[], []])
+    assert [of.tolist() for of in tracks] == [[], []] and events == []
+
+
+def test_wrong_arguments_are_named():
+    balls = rbpa.balls([[0, 0, 0]], 1)
+    with pytest.raises(rbpa.InvalidInput, match="least_shared: found 0, expected a number above 0, at most 1"):
+        rbpa.follow_voids([], 0)
+    with pytest.raises(rbpa.InvalidInput, match="frames: found .*, expected a list of voids for each frame"):
+        rbpa.follow_voids([balls])
