@@ -101,10 +101,10 @@ concept HasMean = detail::MeanNumber<T> || detail::MeanVector<T>;
 /// the mean. A property is named by an OpenMesh::VPropHandleT or a vertex PropertyManager, in any mixture.
 /// Integers are rounded to the nearest, halves away from 0. Vectors are not normalized: compute normals anew. Vertex
 /// properties that are not named get default values in split_edge() and split_face(), as without the hook; the survivor
-/// of a collapse keeps them.
-/// Requires: the properties belong to the mesh (checked); for collapse(), each is named once, and the points are not.
-/// Throws:   ContractViolation in the call of the operator. A split then leaves the mesh untouched, a collapse all but
-///           the point of the survivor and the properties named before the wrong one.
+/// of a collapse keeps them. Every mean is that of the values before the operator: a property may be named twice, and
+/// the points may be named.
+/// Requires: the properties belong to the mesh. Checked: the mesh has vertex properties of these numbers and types.
+/// Throws:   ContractViolation in the call of the operator; the mesh is then unchanged.
 template <HasMean... Values>
 class Interpolate {
  public:
@@ -115,38 +115,55 @@ class Interpolate {
   template <typename Mesh, std::derived_from<SplitEffect> Effect>
   requires std::derived_from<Mesh, Connectivity>
   void operator()(Mesh& mesh, const Effect& effect) const {
+    require_properties(mesh);
     CarryOver()(mesh, effect);
     if constexpr (std::same_as<Effect, SplitEdgeEffect>) {
       const Vertex ends[] = {mesh.from_vertex_handle(effect.line), mesh.to_vertex_handle(effect.halfedge)};
-      set_means(mesh, effect.added.vertex, ends);
+      set(mesh, effect.added.vertex, means(mesh, ends));
     } else if constexpr (std::same_as<Effect, SplitFaceEffect>) {
       const Halfedge vw = effect.halfedge;
       const Halfedge vc = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(vw));
       const Halfedge vd = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(vc));
       const Vertex corners[] = {mesh.to_vertex_handle(vw), mesh.to_vertex_handle(vc), mesh.to_vertex_handle(vd)};
-      set_means(mesh, effect.added.vertex, corners);
+      set(mesh, effect.added.vertex, means(mesh, corners));
     }
   }
 
   template <typename Mesh>
   requires std::derived_from<Mesh, Connectivity>
   void operator()(Mesh& mesh, const WeldEffect& effect) const {
-    if constexpr (HasPoints<Mesh>) PlaceVertex()(mesh, effect);
+    require_properties(mesh);
+    // PlaceVertex and set() write to the survivor, whose values the means need.
     const Vertex ends[] = {effect.survivor, effect.removed.vertex};
-    set_means(mesh, effect.survivor, ends);
+    const auto found = means(mesh, ends);
+    if constexpr (HasPoints<Mesh>) PlaceVertex()(mesh, effect);
+    set(mesh, effect.survivor, found);
   }
 
  private:
   template <typename Mesh>
-  void set_means(Mesh& mesh, Vertex v, std::span<const Vertex> of) const {
-    const auto set = [&]<typename T>(OpenMesh::VPropHandleT<T> property) {
-      require(detail::has_property(mesh, property),
-              "Interpolate: a vertex property is not one of the mesh that is split");
-      T values[3] = {mesh.property(property, of[0]), mesh.property(property, of[1]),
-                     mesh.property(property, of.back())};
-      mesh.property(property, v) = detail::mean(std::span<const T>(values, of.size()));
+  void require_properties(Mesh& mesh) const {
+    const auto check = [&](auto property) {
+      require(detail::has_property(mesh, property), "Interpolate: the mesh has no vertex property ", property.idx(),
+              " of the type of this handle (name properties of the mesh that is changed)");
     };
-    std::apply([&](const auto&... property) { (set(property), ...); }, properties_);
+    std::apply([&](const auto&... property) { (check(property), ...); }, properties_);
+  }
+  template <typename Mesh>
+  std::tuple<Values...> means(const Mesh& mesh, std::span<const Vertex> of) const {
+    const auto mean = [&]<typename T>(OpenMesh::VPropHandleT<T> property) {
+      const T values[] = {mesh.property(property, of[0]), mesh.property(property, of[1]),
+                          mesh.property(property, of.back())};
+      return detail::mean(std::span<const T>(values, of.size()));
+    };
+    return std::apply([&](const auto&... property) { return std::tuple<Values...>(mean(property)...); }, properties_);
+  }
+  template <typename Mesh>
+  void set(Mesh& mesh, Vertex v, const std::tuple<Values...>& values) const {
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      ((mesh.property(std::get<i>(properties_), v) = std::get<i>(values)), ...);
+    }
+    (std::index_sequence_for<Values...>());
   }
 
   std::tuple<OpenMesh::VPropHandleT<Values>...> properties_;

@@ -298,4 +298,44 @@ TEST_SUITE("collapse") {
     CHECK(mesh.property(weight, Vertex(8)) == 8);
     CHECK(mesh.point(Vertex(14)) == TestMesh::Point(22, 0, 0));
   }
+
+  TEST_CASE(
+      "Interpolate gives means of the values before the collapse, of the points and of what is named twice, too") {
+    TestMesh mesh;
+    corpus()[3].build(mesh);
+    OpenMesh::VPropHandleT<double> weight;
+    mesh.add_property(weight);
+    const Halfedge h = mesh.find_halfedge(Vertex(8), Vertex(14));
+    mesh.set_point(Vertex(8), {4, 0, 0});
+    mesh.set_point(Vertex(14), {0, 0, 0});
+    mesh.property(weight, Vertex(8)) = 4;
+    mesh.property(weight, Vertex(14)) = 0;
+    TestMesh named_last = mesh;
+    collapse(mesh, h, Interpolate(mesh.points_pph(), weight, weight));
+    CHECK(mesh.point(Vertex(14)) == TestMesh::Point(2, 0, 0));
+    CHECK(mesh.property(weight, Vertex(14)) == 2);
+    collapse(named_last, h, Interpolate(weight, weight, weight, named_last.points_pph()));
+    CHECK(named_last.point(Vertex(14)) == TestMesh::Point(2, 0, 0));
+    CHECK(named_last.property(weight, Vertex(14)) == 2);
+  }
+
+  TEST_CASE("Interpolate checks every property before it writes") {
+    TestMesh mesh;
+    corpus()[3].build(mesh);
+    OpenMesh::VPropHandleT<double> weight;
+    mesh.add_property(weight);
+    for_each_vertex(mesh, [&](Vertex v) {
+      mesh.set_point(v, {float(v.idx()), 0, 0});
+      mesh.property(weight, v) = v.idx();
+    });
+    const Halfedge h = mesh.find_halfedge(Vertex(8), Vertex(14));
+    const auto records = snapshot(mesh);
+    for (const int number : {-1, 1000, weight.idx()}) {
+      const OpenMesh::VPropHandleT<float> wrong(number);
+      CHECK_THROWS_AS(collapse(mesh, h, Interpolate(weight, wrong)), ContractViolation);
+      CHECK(snapshot(mesh) == records);
+      CHECK(mesh.point(Vertex(14)) == TestMesh::Point(14, 0, 0));
+      CHECK(mesh.property(weight, Vertex(14)) == 14);
+    }
+  }
 }

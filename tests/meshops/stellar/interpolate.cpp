@@ -125,6 +125,9 @@ TEST_SUITE("interpolate") {
          {OpenMesh::VPropHandleT<double>(), OpenMesh::VPropHandleT<double>(1000), elsewhere}) {
       CHECK_THROWS_AS(split_edge(mesh, mesh.halfedge_handle(Face(0)), Interpolate(mesh.number, wrong)),
                       ContractViolation);
+      CHECK_THROWS_AS(split_vertex(mesh, mesh.halfedge_handle(Vertex(2)), std::nullopt, Interpolate(mesh.number, wrong),
+                                   Keep::manifold),
+                      ContractViolation);
       CHECK(mesh.n_vertices() == 3);
       CHECK(mesh.n_edges() == 3);
       CHECK(mesh.n_faces() == 1);
