@@ -52,8 +52,8 @@ CreateTriangleEffect History::create_triangle() {
   });
 }
 
-void History::destroy_triangle(Face f) {
-  perform<Delta>([this, f] {
+Delta History::destroy_triangle(Face f) {
+  return perform<Delta>([this, f] {
     const Delta delta = meshops::destroy_triangle(mesh_, f);
     return std::pair(delta, [this, f] { revive(mesh_, f); });
   });

@@ -35,12 +35,12 @@
 namespace meshops {
 
 /// History of operators on one mesh. Each operator member performs the operator of its name as one step and returns the
-/// operator's result (destroy_triangle(): nothing). To undo several steps at once, keep the value of steps() and call
+/// operator's result. To undo several steps at once, keep the value of steps() and call
 /// undo_to() with it later. undo() does not restore properties that hooks or other code wrote to old elements. redo()
 /// makes the same elements with the same handles, and calls hooks of splits again for them. Arguments are kept as
 /// copies: of the caller's objects, the history needs only the mesh and those to which hooks refer.
-/// Requires: the mesh outlives the history and is sound; no other code changes the links of the mesh; the history is
-///           neither copied nor moved once it has steps. Not checked.
+/// A history can be neither copied nor moved: its steps refer to it.
+/// Requires: the mesh outlives the history and is sound; no other code changes the links of the mesh. Not checked.
 /// Throws:   ContractViolation when the mesh lacks status of some kind, when the operator refuses (its blocker has the
 ///           reason), and when other code has added elements since the last step or collected garbage; other changes of
 ///           links are not noticed. What a hook or a weight throws. The history is then unchanged, and so is the mesh,
@@ -49,9 +49,11 @@ class MESHOPS_API History {
  public:
   /// Begins a history without steps. Keeps a reference to the mesh.
   explicit History(Connectivity& mesh);
+  History(const History&) = delete;
+  History& operator=(const History&) = delete;
 
   CreateTriangleEffect create_triangle();
-  void destroy_triangle(Face f);
+  Delta destroy_triangle(Face f);
   Delta remove_triangle(Face f);
   GlueEffect glue(Halfedge first, Halfedge second);
   UnglueEffect unglue(Halfedge h);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <random>
+#include <type_traits>
 
 #include "meshops/core/contract.h"
 #include "meshops/core/live_range.h"
@@ -17,6 +18,10 @@ using namespace meshops;
 using namespace meshops::test;
 
 namespace {
+
+// The steps of a history refer to it.
+static_assert(!std::is_copy_constructible_v<History> && !std::is_move_constructible_v<History>);
+static_assert(!std::is_copy_assignable_v<History> && !std::is_move_assignable_v<History>);
 
 /// Performs one operator on random handles, if it is not refused. Returns: its number.
 int random_step(History& history, TestMesh& mesh, std::mt19937& random) {
@@ -147,6 +152,15 @@ TEST_SUITE("history") {
       CAPTURE(what);
       CHECK(done[what] >= 5);
     }
+  }
+
+  TEST_CASE("each operator of a history returns what the operator returns") {
+    TestMesh mesh;
+    History history(mesh);
+    const Face f = history.create_triangle().face;
+    CHECK(history.destroy_triangle(f) == delta_of_destroy());
+    history.undo();
+    CHECK(history.remove_triangle(f) == delta_of_destroy());
   }
 
   TEST_CASE("another step after undo() leaves nothing to redo") {
