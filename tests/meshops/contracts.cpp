@@ -247,7 +247,7 @@ TEST_SUITE("contracts") {
                  {"split_face:", [](TestMesh& m, Face f) { History(m).split_face(m, f); }},
                  {"detach:", [](TestMesh& m, Face f) { Front(m).detach(f); }},
                  {"smaller_part:", [](TestMesh& m, Face f) { smaller_part(m, f, Face(0)); }},
-                 {"smaller_part:", [](TestMesh& m, Face f) { in_same_component(m, Face(0), f); }},
+                 {"in_same_component:", [](TestMesh& m, Face f) { in_same_component(m, Face(0), f); }},
                  {"graph view:", [](TestMesh& m, Face f) { out_edges(f, DualGraph(m)); }}});
   }
 

@@ -10,8 +10,8 @@ struct Text {
   std::string_view name, predicate;
 };
 
-constexpr std::array<Text, 25> texts = {{
-    {"no status", "the mesh needs status of every kind to mark what is deleted (request_status())"},
+constexpr std::array<Text, 26> texts = {{
+    {"no status", "the mesh needs status to mark what is deleted (request_status() requests every kind)"},
     {"none given", "both halfedges are left out"},
     {"missing", "does not exist or is deleted"},
     {"on boundary", "is on the boundary"},
@@ -34,6 +34,7 @@ constexpr std::array<Text, 25> texts = {{
     {"loop edge", "would become a loop, with one vertex at both ends"},
     {"double edge", "would be joined to the same vertex by two edges"},
     {"double triangle", "would have the same corners as another triangle"},
+    {"equal halves", "would be cut into two triangles with the same corners"},
     {"only edge left", "cannot be removed: nothing but an edge would be left of its component"},
     {"no triangulation", "has no triangulation: every one has an edge that is not allowed"},
 }};

@@ -35,12 +35,13 @@ enum class BlockerKind : std::uint8_t {
   curve_too_short,     ///< a halfedge on a curve of two edges
   other_face,          ///< the second halfedge, which is not a side of the face of the first
   other_vertex,        ///< the second halfedge, which leaves another vertex than the first
-  corners_adjacent,    ///< the second halfedge, which starts at the corner of the first or at its neighbor
+  corners_adjacent,    ///< the second halfedge, which starts at a neighbor of the corner of the first
   named_twice,         ///< an edge that is named twice
   pinch,               ///< an inner edge between boundary vertices, which would become a pinch
   loop_edge,           ///< an edge that would have one vertex at both ends
   double_edge,         ///< a vertex that two edges would join to one other vertex
-  double_triangle,     ///< a triangle whose corners another would get, or a quadrangle whose halves would share corners
+  double_triangle,     ///< a triangle whose corners another would get
+  equal_halves,        ///< a quadrangle whose halves would be triangles with the same corners
   only_edge_left,      ///< an edge whose removal would leave only one edge of its component
   no_triangulation     ///< a face of which every triangulation has an edge that is not allowed
 };

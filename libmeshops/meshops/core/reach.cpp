@@ -8,6 +8,13 @@
 #include "meshops/core/live.h"
 
 namespace meshops {
+namespace {
+
+void require_live(const Connectivity& mesh, const char* which, Face a, Face b) {
+  for (const Face f : {a, b}) require(is_live(mesh, f), which, f.idx(), " does not exist or is deleted");
+}
+
+}  // namespace
 
 bool on_same_curve(const Connectivity& mesh, Halfedge a, Halfedge b) {
   for (const Halfedge h : {a, b})
@@ -25,12 +32,12 @@ bool on_same_curve(const Connectivity& mesh, Halfedge a, Halfedge b) {
 }
 
 bool in_same_component(const Connectivity& mesh, Face a, Face b, Edge without) {
+  require_live(mesh, "in_same_component: face ", a, b);
   return !smaller_part(mesh, a, b, without);
 }
 
 std::optional<std::vector<Face>> smaller_part(const Connectivity& mesh, Face a, Face b, Edge without) {
-  for (const Face f : {a, b})
-    require(is_live(mesh, f), "smaller_part: face ", f.idx(), " does not exist or is deleted");
+  require_live(mesh, "smaller_part: face ", a, b);
   if (a == b) return std::nullopt;
   struct Search {
     std::unordered_set<int> seen;

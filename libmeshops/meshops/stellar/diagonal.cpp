@@ -34,7 +34,8 @@ std::optional<Blocker> insert_diagonal_blocker(const Connectivity& mesh, Halfedg
     if (!is_live(mesh, h)) return Blocker(BlockerKind::missing, h);
   const Face face = mesh.face_handle(from);
   if (mesh.is_boundary(from) || face != mesh.face_handle(to)) return Blocker(BlockerKind::other_face, to);
-  if (from == to || mesh.next_halfedge_handle(from) == to || mesh.next_halfedge_handle(to) == from)
+  if (from == to) return Blocker(BlockerKind::same_edge, mesh.edge_handle(to));
+  if (mesh.next_halfedge_handle(from) == to || mesh.next_halfedge_handle(to) == from)
     return Blocker(BlockerKind::corners_adjacent, to);
   const Vertex a = mesh.from_vertex_handle(from), b = mesh.from_vertex_handle(to);
   if (a == b) return Blocker(BlockerKind::corner_repeated, a);
@@ -43,7 +44,7 @@ std::optional<Blocker> insert_diagonal_blocker(const Connectivity& mesh, Halfedg
   const Halfedge second = mesh.next_halfedge_handle(from), fourth = mesh.next_halfedge_handle(to);
   const bool is_quadrangle = mesh.next_halfedge_handle(second) == to && mesh.next_halfedge_handle(fourth) == from;
   if (is_quadrangle && mesh.from_vertex_handle(second) == mesh.from_vertex_handle(fourth))
-    return Blocker(BlockerKind::double_triangle, face);
+    return Blocker(BlockerKind::equal_halves, face);
   return std::nullopt;
 }
 

@@ -35,7 +35,7 @@ TEST_SUITE("blocker") {
     CHECK(describe(Blocker(BlockerKind::curve_length, Halfedge(5), 12)) ==
           "halfedge 5 is on a curve of 12 edges, and the other halfedge on one of another number");
     CHECK(describe(Blocker(BlockerKind::no_status)) ==
-          "the mesh needs status of every kind to mark what is deleted (request_status())");
+          "the mesh needs status to mark what is deleted (request_status() requests every kind)");
     CHECK(name(BlockerKind::double_triangle) == "double triangle");
   }
 

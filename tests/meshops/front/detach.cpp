@@ -158,7 +158,7 @@ TEST_SUITE("front") {
     Front without_status(plain, 3);
     const Face f = without_status.create(0, 1, 2).face;
     CHECK_THROWS_WITH_AS(without_status.detach(f),
-                         "detach: the mesh needs status of every kind to mark what is deleted (request_status())",
+                         "detach: the mesh needs status to mark what is deleted (request_status() requests every kind)",
                          ContractViolation);
     CHECK(without_status.faces() == 1);
   }
