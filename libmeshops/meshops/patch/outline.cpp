@@ -24,9 +24,9 @@ class Surveyor {
   void survey(Outline& outline) {
     for (int s = 0; s < sides_; ++s) {
       const int other = across(s);
-      require(Patch::nothing <= other && other < sides_ && other != s && (other < 0 || across(other) == s),
+      require(Patch::nothing <= other && other < sides_ && (other < 0 || (across(other) == s && other / 3 != s / 3)),
               "survey: the entry of across for side ", s,
-              " is neither open, nor nothing, nor a side whose entry leads back");
+              " is neither open, nor nothing, nor a side of another triangle whose entry leads back");
     }
     for (int s = 0; s < sides_; ++s)
       if (across(s) == Patch::nothing)

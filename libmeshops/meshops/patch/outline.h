@@ -31,8 +31,8 @@ struct Outline {
 
 /// Computes the outline of a patch and writes it to `outline`.
 /// Requires: `across` has an entry for each triangle and is symmetric: if side j lies across side i, then i lies across
-///           j, and i ≠ j. Throws ContractViolation; `outline` is then empty or unchanged. Not checked: that sides
-///           across each other run between the same sites.
+///           j, and the two are sides of different triangles. Throws ContractViolation; `outline` is then empty or
+///           unchanged. Not checked: that sides across each other run between the same sites.
 /// Cost:     linear in the patch.
 MESHOPS_API void survey(const Patch& patch, Outline& outline);
 
