@@ -18,7 +18,8 @@ bool is_there(const FormatRow& row) {
 /// Returns a command that converts a file with that ending to a format that is read; empty if none is known.
 std::string conversion(std::string_view ending, const std::string& path) {
   if (const std::string command = cloud_conversion(path); !command.empty()) return command;
-  if (is_word_of(ending, "shp gpkg fgb kml kmz gpx gml parquet gdb tab mif dxf osm pbf sqlite ods xlsx"))
+  if (is_word_of(ending, "xlsx xls ods dbf")) return "save the sheet as CSV, or ogr2ogr -f CSV points.csv " + path;
+  if (is_word_of(ending, "shp gpkg fgb kml kmz gpx gml parquet gdb tab mif dxf osm pbf sqlite"))
     return "ogr2ogr -f GeoJSON points.geojson " + path;
   return "";
 }

@@ -234,7 +234,7 @@ TEST_SUITE("first lines") {
     }
     CHECK(plane("x y z intensity\n0\n", {.format = Format::pts}).points.empty());
     CHECK(refusal([&] { plane(line + "\n"); }) ==
-          "t.txt:1: found '" + line + "' and no line after it, expected lines of points after a header");
+          "t.txt: found JSON, expected a table (--format geojson reads GeoJSON)");
     CHECK(refusal([&] { plane("geometry\n"); }).starts_with("t.txt:1: found 'geometry' and no line after it"));
     CHECK(
         refusal([] { plane("# x y\n// 3 4\n"); }) ==

@@ -238,7 +238,8 @@ TEST_SUITE("molecules") {
       CHECK(refusal(std::string("\xFF\xFE"
                                 "A\0T\0",
                                 6),
-                    format) == "m: found text in UTF-16, expected UTF-8 (iconv -f UTF-16 -t UTF-8)");
+                    format) ==
+            "m: found text in UTF-16LE, expected UTF-8 (iconv -f UTF-16LE -t UTF-8 m > FILE makes it)");
   }
 
   TEST_CASE("frames of a simulation are models, however they end") {

@@ -104,6 +104,8 @@ TEST_SUITE("table doubts") {
         CAPTURE(text);
         CHECK(warnings_with(text, way).size() == 1);
       }
+    CHECK(read_table("1,1.5,7.2\n2,,7.3\n5,1.9,NA\n", skipping).warnings.size() == 2);
+    CHECK(read_table("1,1.5,7.2\n2,,7.3\n3,1.9,7.1\n", skipping).warnings.size() == 2);
     for (const std::string text : {"0,1.5,7.2\n0,1.7,7.3\n10,1.9,7.4\n", "1.5,1.5,7.2\n2,1.7,7.3\n3,1.9,7.4\n",
                                    "10,1,2\n20,2,7\n30,5,2\n", "id,x,y\n1,1.5,2.5\n2,3.5,4.5\n3,5.5,6.5\n"})
       CHECK(warnings_with(text, way).empty());
@@ -283,5 +285,64 @@ TEST_SUITE("table doubts") {
     const std::string way = "(in well-known text: ST_AsText() of PostGIS, -lco GEOMETRY=AS_WKT of ogr2ogr)";
     CHECK(refusal_of_table("id,geom\n1,0101000020E6100000000000000000F03F000000000000F03F\n").ends_with(way));
     CHECK(refusal_of_table("id;geometry\n1;{\"type\":\"Point\",\"coordinates\":[1,2]}\n").ends_with(way));
+  }
+
+  TEST_CASE("fields that a separator, or quotes around the line, make too many or too few are named") {
+    CHECK(refusal_of_table("x,y\n3,5,4,5\n") ==
+          "t:2: found 4 columns ('3,5,4,5'), expected 2 as in line 1 (with semicolons if these commas are decimal "
+          "signs)");
+    CHECK(refusal_of_table("id,x,y\n\"1,2,3\"\n") ==
+          "t:2: found 1 column ('\"1,2,3\"'), expected 3 as in line 1 "
+          "(without the quotes around the whole line)");
+    CHECK(refusal_of_table("\"id,x,y\"\n\"1,2,3\"\n").ends_with("(without the quotes around the whole line)"));
+    CHECK(refusal_of_table("id;geom\n1;SRID=4326;POINT(1 2)\n").ends_with("(with quotes around SRID=...;POINT ...)"));
+    CHECK(refusal_of_table("x,y\n1,2,a\n") == "t:2: found 3 columns ('1,2,a'), expected 2 as in line 1");
+  }
+
+  TEST_CASE("a last line with a total gives a warning") {
+    for (const std::string word : {"Sum", "Total", "\"Summe\"", "Mean", "total:"}) {
+      CHECK(warnings_with("id,x,y\n1,0,0\n2,4,0\n" + word + ",4,0\n\n", "a total of others").size() == 1);
+      CHECK(warnings_with("x;y;name\n0;0;a\n" + std::string("4;0;") + word, "a total of others").size() == 1);
+    }
+    CHECK(warnings_with("id,x,y\nSum,0,0\nMeanwhile,4,0\n", "a total of others").empty());
+    CHECK(refusal_of_table("id,x,y\n1,0,0\nTotal,,66\n").starts_with("t:3: found ''"));
+  }
+
+  TEST_CASE("what is no table is named") {
+    struct File {
+      std::string bytes, found;
+    };
+    for (const File& file :
+         std::initializer_list<File>{{std::string("PK\x03\x04\x14\0", 6), "a workbook, or another zip file"},
+                                     {"\xD0\xCF\x11\xE0 1 2\n", "a workbook of Excel"},
+                                     {"\n<!DOCTYPE html>\n<p>404\n", "a web page"},
+                                     {"<HTML>\n1 2\n", "a web page"},
+                                     {"{\"type\": 1}\n", "JSON"}})
+      for (const CloudRequest& request : {CloudRequest{}, skipping})
+        CHECK(refusal_of_table(file.bytes, request).starts_with("t: found " + file.found + ", expected "));
+    const Folder folder;
+    for (const std::string ending : {"xlsx", "xls", "ods", "dbf"})
+      CHECK(folder.rbpa("info p." + ending)
+                .err.ends_with(" (save the sheet as CSV, or ogr2ogr -f CSV points.csv p." + ending + ")\n"));
+    CHECK(refusal_of_table("id;L\xE4ngs;Quer\n1;2;3\n", {.columns = parse_columns("L\u00E4ngs,Quer")})
+              .ends_with("in UTF-8 (iconv -f CP1252 -t UTF-8; or by its number)"));
+  }
+
+  TEST_CASE("points that stand for missing numbers, and points that are all one, give warnings") {
+    const auto warnings = [](const std::string& text, const std::string& part) {
+      std::size_t count = 0;
+      for (const std::string& warning : points_in(text, "t.xy", {}).warnings)
+        count += warning.find(part) != std::string::npos;
+      return count;
+    };
+    const std::string far = "far from all others", town = "3512 5678\n3513 5679\n3514 5671\n";
+    for (const std::string odd : {"0 0\n", "-9999 -9999\n", "-9999 -9999\n-9999 -9999\n", "99999 99999\n"})
+      CHECK(warnings(town + odd, far) == 1);
+    for (const std::string& text : {town, town + "-9999 0\n", std::string("0 0\n1 2\n2 1\n5 7\n"),
+                                    std::string("0 0\n3 3\n"), std::string("0 0\n8 2\n2 8\n3 3\n")})
+      CHECK(warnings(text, far) == 0);
+    CHECK(warnings("3,51E+06;5,68E+06\n3,51E+06;5,68E+06\n3,51E+06;5,68E+06\n",
+                   "all 3 points are (3510000, 5680000): were") == 1);
+    CHECK(warnings("1 2\n1 2\n", "were digits lost") == 0);
   }
 }

@@ -207,7 +207,7 @@ TEST_SUITE("names of columns") {
     folder.file("exchanged.csv", "lon,lat\n52,113\n50,107\n");
     CHECK(folder.rbpa("info exchanged.csv").err ==
           "rbpa: exchanged.csv: expected longitudes and latitudes, found numbers up to 52 and 113: are they "
-          "exchanged?\n");
+          "exchanged? (in a table --columns takes them in the other order)\n");
     folder.file("metres.csv", "lon,lat\n500000,5800000\n");
     CHECK(folder.rbpa("info metres.csv").err.find("are they degrees?") != std::string::npos);
     const Outcome no_degrees = folder.rbpa("info metres.csv --shift-longitude");

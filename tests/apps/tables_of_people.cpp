@@ -202,7 +202,8 @@ TEST_SUITE("tables of people") {
     CHECK(read_table("sep=,x\n1,2\n").points == std::vector<Point>{{1, 2}});  // a header
     CHECK(refusal_of_table(std::string("\xFF\xFE"
                                        "1\0,\0",
-                                       6)) == "t: found text in UTF-16, expected UTF-8 (iconv -f UTF-16 -t UTF-8)");
+                                       6)) ==
+          "t: found text in UTF-16LE, expected UTF-8 (iconv -f UTF-16LE -t UTF-8 t > FILE makes it)");
   }
 
   TEST_CASE("--where compares texts that stand in quotes") {

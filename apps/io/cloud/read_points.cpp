@@ -1,9 +1,13 @@
 #include "io/cloud/read_points.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 #include "io/bytes/input_bytes.h"
+#include "io/bytes/number.h"
 #include "io/cloud/units.h"
 #include "io/failure.h"
 #include "io/polygon/geojson.h"
@@ -25,6 +29,39 @@ PointFile parse(std::string_view bytes, const std::string& name, const PointSour
   return read_plane_points(*open_plane_cloud(Content(bytes, name), source));
 }
 
+/// Adds the warning that all points are one, or that some are (0, 0) or (-9999, -9999), say, and far from all others:
+/// outside of their box by more than its longer side.
+void warn_of_odd_points(PointFile& file) {
+  const auto stands_for_nothing = [](const Point& p) {
+    constexpr double signs[] = {0, 999, 9999, 99999, 999999};
+    return p.x == p.y && std::find(std::begin(signs), std::end(signs), std::abs(p.x)) != std::end(signs);
+  };
+  std::vector<Point> odd;
+  Point least = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Point greatest = {-least.x, -least.y};
+  for (const Point& p : file.points) {
+    if (stands_for_nothing(p)) {
+      odd.push_back(p);
+      continue;
+    }
+    least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+    greatest = {std::max(greatest.x, p.x), std::max(greatest.y, p.y)};
+  }
+  const std::size_t others = file.points.size() - odd.size();
+  if (others > 2 && odd.empty() && least == greatest)
+    file.warnings.push_back("all " + std::to_string(others) + " points are (" + text_of(least.x) + ", " +
+                            text_of(least.y) + "): were digits lost?");
+  if (others < 3) return;
+  const double side = std::max(greatest.x - least.x, greatest.y - least.y);
+  std::erase_if(odd, [&](const Point& p) {
+    return std::max({least.x - p.x, p.x - greatest.x, least.y - p.y, p.y - greatest.y}) <= side;
+  });
+  if (odd.empty()) return;
+  file.warnings.push_back(counted(odd.size(), "point") + (odd.size() == 1 ? " is" : ", the first of them") + " (" +
+                          text_of(odd.front().x) + ", " + text_of(odd.front().y) +
+                          "), far from all others, as where a number is missing (--where leaves points out)");
+}
+
 PointFile settled(PointFile file, const std::string& name, const PointSource& source) {
   settle_crs(file, source.crs);
   if (source.shift_longitude) {
@@ -32,6 +69,7 @@ PointFile settled(PointFile file, const std::string& name, const PointSource& so
     file.degrees = true;
   }
   if (file.degrees) warning_on_degrees(file);
+  warn_of_odd_points(file);
   if (!source.heights) file.z = {};  // readers of geometries always fill in z
   return file;
 }

@@ -101,6 +101,7 @@ class TableCloud final : public Cloud {
     const std::string_view rest = lines_.rest();
     const std::size_t shortest = request_.in_space ? 6 : 4;
     facts_.expected = std::min(count_line_ends(rest) + 2, rest.size() / shortest + 2);
+    warn(doubt_last_line(lines_, separator_));
   }
 
   void lay_out(const TableLayout& layout) {
@@ -278,7 +279,8 @@ class TableCloud final : public Cloud {
     if (count.all > role_.size()) role_.resize(count.all, nothing);
     if (!count.fits(width_))
       bad_input(here(), found_columns(count.all, lines_.line()),
-                std::to_string(width_.all) + " as in line " + std::to_string(first_line_));
+                std::to_string(width_.all) + " as in line " + std::to_string(first_line_) +
+                    way_of_fields(lines_.line(), separator_, count.all > width_.all));
   }
 
   /// Reads the geometries of the current line, in its field of well-known text.
@@ -420,6 +422,7 @@ class TableCloud final : public Cloud {
 }  // namespace
 
 std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request, TableKind kind) {
+  refuse_no_table(content.ahead(separator_sample), content.name());
   return std::make_unique<TableCloud>(std::move(content), request, kind);
 }
 

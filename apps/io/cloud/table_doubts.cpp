@@ -12,6 +12,7 @@
 namespace rbpa::app {
 namespace {
 
+bool is_number_or_missing(std::string_view field) { return is_number(field) || is_missing(field); }
 bool is_whole(std::string_view field) {
   if (field.starts_with('-')) field.remove_prefix(1);
   return parse_count(field).has_value();
@@ -42,7 +43,9 @@ std::string column_text(std::size_t column) { return "column " + std::to_string(
 /// integers in column 1 and numbers in columns 2 and 3, and not all have the same number in column 2, as a row of a
 /// grid has. `is_apart`: the integers need only differ, where most numbers of columns 2 and 3 are decimals.
 bool is_numbered(const TableSample& sample, bool is_apart) {
-  if (sample.lines() < 3 || !sample.all(1, is_number, 0) || !sample.all(2, is_number, 0)) return false;
+  if (sample.lines() < 3 || !sample.any(2, is_number, 0) || !sample.all(1, is_number_or_missing, 0) ||
+      !sample.all(2, is_number_or_missing, 0))
+    return false;
   std::set<std::size_t> numbers;
   std::size_t decimals = 0;
   bool differ = false, follow = true;
@@ -153,6 +156,36 @@ void doubt_first_columns(const TableBeginning& table, const TableSample& sample,
   if ((width == 4 || width == 5) && sample.lines() > 1 && may_be_split_decimals(sample, width - 4))
     warnings.push_back("x is " + std::string(sample.field(0, 0)) + " and y is " + std::string(sample.field(0, 1)) +
                        " in the first line: are these commas decimal signs? (then export the table with semicolons)");
+}
+
+void refuse_no_table(std::string_view bytes, const std::string& name) {
+  struct Kind {
+    std::string_view beginning;
+    const char *found, *expected;
+  };
+  constexpr const char *sheet = "text (save the sheet as CSV)", *page = "a table (was the download refused?)";
+  constexpr Kind kinds[] = {{"PK\x03\x04", "a workbook, or another zip file", sheet},
+                            {"\xD0\xCF\x11\xE0", "a workbook of Excel", sheet},
+                            {"<!doctype html", "a web page", page},
+                            {"<html", "a web page", page},
+                            {"{", "JSON", "a table (--format geojson reads GeoJSON)"}};
+  bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), bytes.size()));
+  for (const Kind& kind : kinds)
+    if (same_letters(bytes.substr(0, kind.beginning.size()), kind.beginning))
+      bad_input(name, kind.found, kind.expected);
+}
+
+std::string doubt_last_line(const TableLines& lines, char separator) {
+  std::string_view last = lines.rest();
+  last = last.substr(0, last.find_last_not_of(" \t\r\n") + 1);
+  last.remove_prefix(last.find_last_of('\n') + 1);
+  if (!fields_of_data(last, separator)) return "";
+  for (Fields fields(last, separator); !fields.at_end();)
+    if (is_word_of(
+            without_quotes(fields.take()),
+            "sum sum: total total: mean average summe summe: gesamt mittel mittelwert somme moyenne suma media totale"))
+      return "the last line, " + in_quotes(last) + ", is read as a point, and may be no point but a total of others";
+  return "";
 }
 
 void refuse_second_header(const TableLines& lines, char separator, const FieldCount& width, const std::string& header) {

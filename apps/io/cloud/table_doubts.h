@@ -44,6 +44,13 @@ void doubt_first_columns(const TableBeginning& table, const TableSample& sample,
 void doubt_coordinates(const TableBeginning& table, const TableLayout& layout, const TableSample& sample,
                        std::vector<std::string>& warnings);
 
+/// Throws BadInput if a file that begins with `bytes` is no table but a workbook, a web page or JSON.
+void refuse_no_table(std::string_view bytes, const std::string& name);
+
+/// Returns the warning that the last line after the current line has two numbers and a word such as "Sum", and is read
+/// as a point; empty if it is not so.
+std::string doubt_last_line(const TableLines& lines, char separator);
+
 /// Throws WholeRefusal if the current line, which is no point, is the header of another table than `header`: as many
 /// different names, which are known names or stand below a blank line.
 void refuse_second_header(const TableLines& lines, char separator, const FieldCount& width, const std::string& header);

@@ -10,6 +10,7 @@
 #include "io/formats.h"
 #include "io/text/fields.h"
 #include "io/text/line_selection.h"
+#include "io/text/written.h"
 
 namespace rbpa::app {
 namespace {
@@ -224,7 +225,8 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
   const std::size_t x = layout.numbers[0], y = layout.numbers[1], needed = std::max(x, y) + 1;
   if (fields.size() < needed)
     bad_input(here(table), is_text_only(fields) ? in_quotes(table.lines.line()) : counted(fields.size(), "column"),
-              needed == 2 ? (is_text_only(fields) ? "two numbers" : "two columns")
+              needed == 2 ? (is_text_only(fields) ? "two numbers" : "two columns") +
+                                way_of_fields(table.lines.line(), table.choice.separator, false)
                           : "at least " + counted(needed, "column") + ", as --columns requires");
   if (x == y) refuse_repeated_column(fields[x], "two columns");  // under two names, or by name and by number
   const bool is_known = find_coordinates(fields).has_value() && may_be_known_header(fields);

@@ -152,7 +152,8 @@ std::string no_degrees(const Box& box) {
   return "expected longitudes and latitudes, found numbers up to " +
          text_of(std::max(std::abs(box.least.x), std::abs(box.greatest.x))) + " and " +
          text_of(std::max(std::abs(box.least.y), std::abs(box.greatest.y))) +
-         (exchanged ? ": are they exchanged?" : ": are they degrees?");
+         (exchanged ? ": are they exchanged? (in a table --columns takes them in the other order)"
+                    : ": are they degrees?");
 }
 
 /// Returns whether the points lie on both sides of the antimeridian and within half the globe: some range of more than

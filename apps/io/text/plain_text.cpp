@@ -13,16 +13,18 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Returns "UTF-16" or "UTF-32" if the bytes seem to be text in that encoding: they begin with its mark, or with zero
-/// bytes next to ASCII. Returns "" otherwise.
+/// Returns the name of UTF-16 or UTF-32 with its byte order if the bytes seem to be text in that encoding: they begin
+/// with its mark, or with zero bytes next to ASCII. Returns "" otherwise.
 std::string_view other_encoding(std::string_view bytes) {
-  if (bytes.starts_with("\xFF\xFE\0\0"sv) || bytes.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32";
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) return "UTF-16";
+  if (bytes.starts_with("\xFF\xFE\0\0"sv)) return "UTF-32LE";
+  if (bytes.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32BE";
+  if (bytes.starts_with("\xFF\xFE")) return "UTF-16LE";
+  if (bytes.starts_with("\xFE\xFF")) return "UTF-16BE";
   if (bytes.size() < 4) return {};
   const auto is_zero = [&](std::size_t i) { return bytes[i] == '\0'; };
   const bool little = !is_zero(0) && is_zero(1) && !is_zero(2) && is_zero(3);
   const bool big = is_zero(0) && !is_zero(1) && is_zero(2) && !is_zero(3);
-  return little || big ? "UTF-16" : std::string_view();
+  return little ? "UTF-16LE" : big ? "UTF-16BE" : std::string_view();
 }
 
 /// Returns the first CR that ends a line alone; null if there is none. A CR at the end of the text may be half of a
@@ -126,7 +128,8 @@ std::string_view without_mark(std::string_view text) {
 std::string_view plain_text(std::string_view bytes, const std::string& name, Format format, std::string& room) {
   if (!may_be_text(format)) return bytes;
   if (const std::string_view other = other_encoding(bytes); !other.empty() && is_in_other_encoding(bytes, format))
-    bad_input(name, "text in " + std::string(other), "UTF-8 (iconv -f " + std::string(other) + " -t UTF-8)");
+    bad_input(name, "text in " + std::string(other),
+              "UTF-8 (iconv -f " + std::string(other) + " -t UTF-8 " + name + " > FILE makes it)");
   const std::string_view text = without_mark(bytes);
   const std::size_t size = text_size(text, format);
   if (size == 0) return bytes;

@@ -106,6 +106,15 @@ std::string way_to_text(std::string_view field) {
   return " (in well-known text: ST_AsText() of PostGIS, -lco GEOMETRY=AS_WKT of ogr2ogr)";
 }
 
+std::string way_of_fields(std::string_view line, char separator, bool are_more) {
+  if (!are_more && line.starts_with('"') && line.ends_with('"') && count_fields(line, separator).all == 1)
+    return " (without the quotes around the whole line)";
+  if (are_more && separator == ';' && line.find("SRID=") != std::string_view::npos)
+    return " (with quotes around SRID=...;POINT ...)";
+  const bool are_whole = line.find_first_not_of("+-,0123456789 ") == std::string_view::npos;
+  return are_more && separator == ',' && are_whole ? " (with semicolons if these commas are decimal signs)" : "";
+}
+
 std::string with_way(std::string message, const std::string& way) {
   const std::size_t last = message.rfind(" (");
   const bool has_way = message.ends_with(')') && last != std::string::npos && message[last + 2] != '\'';

@@ -28,6 +28,10 @@ std::string expected_for(std::string_view field, NumberFault fault);
 /// bytes in hexadecimal digits; else nothing.
 std::string way_to_text(std::string_view field);
 
+/// Returns " (…)" with the reason why `line` has more or fewer fields than others of its table, if one shows: decimal
+/// commas or geometries that are split at the separator, or a line that is one text in quotes; else nothing.
+std::string way_of_fields(std::string_view line, char separator, bool are_more);
+
 /// Returns `message` with a way out in brackets, within the brackets at its end if they have another.
 std::string with_way(std::string message, const std::string& way);
 
