@@ -3,6 +3,7 @@
 import math
 import pathlib
 import pickle
+import shutil
 import subprocess
 
 import numpy
@@ -302,6 +303,22 @@ def test_interfaces_are_what_areas_of_unions_leave():
     between = half[contacts.balls[:, 0]] != half[contacts.balls[:, 1]]
     assert made.contact_areas[0] == pytest.approx(contacts.areas[between].sum(), rel=1e-9)
     assert numpy.array_equal(made.areas_alone[half == "first"], alone[0].areas)
+
+
+@pytest.mark.skipif(not shutil.which("freesasa"), reason="there is no freesasa")
+def test_freesasa_has_the_same_interface(tmp_path):
+    lines = [line for line in LYSOZYME.read_text().splitlines(True) if line.startswith("ATOM")]
+    total, radii = {}, {}
+    for part, chosen in {"first": range(60), "last": range(60, 200), "both": range(200)}.items():
+        path = tmp_path / f"{part}.pdb"
+        path.write_text("".join(line for line in lines if int(line[22:26]) in chosen))
+        call = ["freesasa", "--lee-richards", "--resolution=1000", "--format=pdb", str(path)]
+        rows = [row for row in subprocess.run(call, capture_output=True, text=True, check=True).stdout.splitlines() if row.startswith("ATOM")]
+        radii[part] = [float(row[54:60]) for row in rows]
+        total[part] = sum(float(row[60:66]) for row in rows)
+    atoms = rbpa.molecules.read(LYSOZYME)
+    made = rbpa.balls(atoms.positions, radii["both"], 1.4).interfaces(atoms.residue_numbers < 60)
+    assert made.areas.sum() == pytest.approx(total["first"] + total["last"] - total["both"], rel=1e-3)
 
 
 def test_frames_have_lists_of_voids_and_arcs_are_counted():

@@ -4,7 +4,7 @@
 //         p: the power is rounded up from the exact one, by less than one unit in the last place. No face of a simplex
 //         has a greater power than the simplex. A function of the set of balls, and of their numbering. With radii 0,
 //         signed roots are the radii of solid_filtration().
-// Cost:   that of regular_triangulation(), and about as much again; powers are shared among threads.
+// Cost:   that of regular_triangulation(), and two to three times as much again; powers are shared among threads.
 // Source: Edelsbrunner, The union of balls and its dual shape (1995); docs/explanation/filtration_and_persistence.md,
 //         section 9.
 #pragma once
