@@ -45,8 +45,11 @@ Front::Front(Connectivity& mesh, std::span<const Site> site_of_vertex)
     const Halfedge h = mesh.halfedge_handle(e, 0);
     require(from_site(h) != to_site(h), "Front: an edge joins two vertices on one site");
   });
+  more_sides_ = 2 * edges() - 3 * faces();
   for_each_halfedge(mesh, [&](Halfedge h) {
-    if (mesh.is_boundary(h)) activate(h);
+    if (!mesh.is_boundary(h)) return;
+    activate(h);
+    --more_sides_;
   });
 }
 
@@ -261,8 +264,16 @@ std::vector<BoundaryCurve> Front::curves_at(Site s) const {
 LevelTransfer Front::next_level() {
   guard_.require_changeable();
   // The boundary halfedges give the sites on the boundary, so that no fan of any other site is read.
+  std::vector<Halfedge> waiting;
+  waiting_.for_each([&](Halfedge h) { waiting.push_back(h); });
+  std::sort(waiting.begin(), waiting.end());
+  waiting.erase(std::unique(waiting.begin(), waiting.end()), waiting.end());
+  // A halfedge is a side of a face, or on the boundary.
+  const std::size_t popped = 2 * edges() - 3 * faces() - more_sides_ - waiting.size();
+  require(popped == 0, "next_level: the number of boundary halfedges that were popped and not queued again is ",
+          static_cast<long long>(popped), ", expected 0 (freeze() or activate() them)");
   std::vector<Site> on_boundary;
-  waiting_.for_each([&](Halfedge h) { on_boundary.push_back(from_site(h)); });
+  for (const Halfedge h : waiting) on_boundary.push_back(from_site(h));
   LevelTransfer transfer = levels_.begin_next(vertices_, std::move(on_boundary), faces_);
   transfer.reactivated = waiting_.wake_all();
   return transfer;

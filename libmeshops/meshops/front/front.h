@@ -99,7 +99,7 @@ class MESHOPS_API Front {
   Site to_site(Halfedge h) const { return by_sites().end(checked(h)); }
 
   /// Returns whether no triangle has a corner on this site. Throws ContractViolation unless the site is below sites();
-  /// so do the members up to boundary_between().
+  /// so do the members up to boundary_between(). For them, the number of a deleted vertex is a free site.
   bool is_free(Site s) const {
     guard_.require_intact();
     return vertices_.is_free(s);
@@ -234,7 +234,8 @@ class MESHOPS_API Front {
 
   /// Moves to the next level: frozen halfedges become active again, in the order in which they were frozen. The mesh
   /// and its curves stay as they are, and sites that earlier transfers left behind are not read.
-  /// Requires: no halfedge is left that was popped and neither activated, frozen nor glued since. Not checked.
+  /// Requires: no halfedge is left that was popped and neither activated, frozen nor glued since.
+  /// Throws:   ContractViolation; the front is then unchanged.
   /// Cost:     linear in the sites that the previous transfer carried (all, the first time) or that were added since, n
   ///           log n for n such sites if detach() reopened one; and m log m for m halfedges that are frozen or active.
   /// Source:   Restricted BPA, section 6; it is an operation on the mesh alone.
@@ -290,6 +291,7 @@ class MESHOPS_API Front {
   std::size_t faces_ = 0;
   std::size_t dead_edges_ = 0;
   std::size_t dead_faces_ = 0;
+  std::size_t more_sides_ = 0;  // by how many the sides of all faces are more than three for each face
   detail::WaitingEdges waiting_;
   detail::Levels levels_;
 };

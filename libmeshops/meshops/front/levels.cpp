@@ -28,6 +28,10 @@ LevelTransfer Levels::begin_next(const SiteVertices& vertices, std::vector<Site>
     sort_and_unite(carried_);
   }
   sort_and_unite(on_boundary);
+  // On a site that was left behind, a fan begins when the caller decides which sides are glued.
+  std::vector<Site> carried;
+  std::ranges::set_union(carried_, on_boundary, std::back_inserter(carried));
+  carried_.swap(carried);
   std::vector<Site> free;
   std::copy_if(carried_.begin(), carried_.end(), std::back_inserter(free), [&](Site s) { return vertices.is_free(s); });
   LevelTransfer transfer;

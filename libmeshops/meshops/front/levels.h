@@ -1,5 +1,6 @@
 // What:   the result of Front::next_level(), the transfer that ends one level of a front and begins the next.
-// Law:    a transfer reads only the sites that the previous transfer carried, and those added or reopened since.
+// Law:    a transfer reads only sites that the previous transfer carried, that were added or reopened since, or that
+//         are on the boundary.
 // Source: Restricted BPA, section 6; it is an operation on the mesh alone.
 #pragma once
 

@@ -209,10 +209,12 @@ TEST_SUITE("defer") {
     }
     thrown_at(2, [](Front& front, Waiting&) {
       Sides popped;
-      for (Halfedge h = front.pop(); h.is_valid(); h = front.pop()) popped.push_back(side(front, h));
+      for (Halfedge h = front.pop(); h.is_valid(); h = front.pop()) {
+        popped.push_back(side(front, h));
+        front.freeze(h);
+      }
       CHECK(popped == Sides{{0, 2}, {1, 0}, {2, 1}});
-      const LevelTransfer transfer = front.next_level();
-      CHECK(transfer.reactivated == 0);
+      CHECK(front.next_level().reactivated == 3);
     });
     thrown_at(2, [](Front& front, Waiting&) {
       CHECK(front.next_level().carried == std::vector<Site>{0, 1, 2, 3, 4, 5});

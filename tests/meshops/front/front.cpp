@@ -7,6 +7,7 @@
 #include "meshops/topology/count.h"
 #include "support/check_sound.h"
 #include "support/meshes.h"
+#include "support/refusal.h"
 
 using namespace meshops;
 using namespace meshops::test;
@@ -263,6 +264,38 @@ TEST_SUITE("front") {
     CHECK_THROWS_AS(front.level(Face(5)), ContractViolation);
     front.finish();
     CHECK(front.level(last) == 3);
+  }
+
+  TEST_CASE("a next level is refused while a popped halfedge is neither activated, frozen nor glued") {
+    TestMesh mesh;
+    Front front(mesh, 4);
+    front.create(0, 1, 2);
+    std::vector<Halfedge> popped;
+    for (Halfedge h = front.pop(); h.is_valid(); h = front.pop()) popped.push_back(h);
+    REQUIRE(popped.size() == 3);
+    CHECK(refusal([&] { front.next_level(); }) ==
+          "next_level: the number of boundary halfedges that were popped and not queued again is 3, expected 0 "
+          "(freeze() or activate() them)");
+    CHECK(front.level() == 0);
+    front.freeze(popped[0]);
+    front.activate(popped[1]);
+    CHECK_THROWS_AS(front.next_level(), ContractViolation);
+    CHECK(front.is_frozen(popped[0]));
+    front.attach(popped[2], 3);
+    const LevelTransfer transfer = front.next_level();
+    CHECK(transfer.carried == std::vector<Site>{0, 1, 2, 3});
+    CHECK(transfer.left_behind == 0);
+    CHECK(transfer.reactivated == 1);
+    // Faces of the mesh with which a front begins have any number of sides.
+    TestMesh polygon;
+    for (int i = 0; i < 5; ++i) polygon.new_vertex();
+    polygon.add_face({Vertex(0), Vertex(1), Vertex(2), Vertex(3), Vertex(4)});
+    Front around(polygon);
+    CHECK(around.next_level().carried.size() == 5);
+    const Halfedge h = around.pop();
+    CHECK_THROWS_AS(around.next_level(), ContractViolation);
+    around.detach(around.attach(h, around.add_site()).face);
+    CHECK(around.next_level().carried.size() == 6);
   }
 
   TEST_CASE("a site with several fans is carried as long as one of them is on the boundary") {

@@ -69,6 +69,22 @@ TopologyCounts advanced(Given policy, std::size_t sites, std::size_t expected_fa
 }  // namespace
 
 TEST_SUITE("gluing") {
+  TEST_CASE("a site that was left behind is carried again when another fan begins there") {
+    TestMesh mesh;
+    Front front(mesh, 6);
+    front.create(0, 1, 2);
+    front.create(0, 2, 3);
+    front.create(0, 3, 1);
+    const LevelTransfer first = front.next_level();
+    CHECK(first.carried == std::vector<Site>{1, 2, 3, 4, 5});
+    CHECK(first.left_behind == 1);
+    front.insert(front.fit(0, 4, 5, [](Halfedge, Site) { return false; }));
+    const LevelTransfer second = front.next_level();
+    CHECK(second.carried == std::vector<Site>{0, 1, 2, 3, 4, 5});
+    CHECK(second.left_behind == 0);
+    check_sound(mesh);
+  }
+
   TEST_CASE("a slit of two edges between the same vertices stays open, although sites alone would glue it") {
     // A strip around 0 and 1, whose two triangles at the edge 0–1 are not linked to each other.
     const Given slit{{{0, 1, 2}, {1, 0, 3}, {0, 2, 4}, {0, 4, 3}, {1, 3, 5}, {1, 5, 2}},

@@ -83,6 +83,15 @@ class FrontWalk {
   void demand(bool holds, const char* law) const {
     if (!holds) broken(law);
   }
+  template <typename Operate>
+  static bool throws(Operate operate) {
+    try {
+      operate();
+    } catch (const ContractViolation&) {
+      return true;
+    }
+    return false;
+  }
 
   void begin() {
     mesh_.emplace();
@@ -285,10 +294,10 @@ class FrontWalk {
   void next_level() {
     log("next level");
     ++counts_.levels;
-    // A halfedge that is neither active nor frozen belongs to the caller that popped it: a transfer is chosen only if
-    // there is none.
+    // A halfedge that is neither active nor frozen belongs to the caller that popped it: a transfer is refused then.
     for (const auto& [arrow, state] : std::map(model_->boundary()))
       if (state == State::popped) {
+        demand(throws([&] { front_->next_level(); }), "no transfer forgets a popped halfedge");
         front_->freeze(front_->boundary_between(arrow.first, arrow.second));
         model_->set(arrow, State::frozen);
       }
@@ -321,14 +330,6 @@ class FrontWalk {
     const Site s = any_site();
     const Halfedge h(static_cast<int>(below(choices_, 2000)) - 1000);
     log("ask " + std::to_string(s) + ' ' + std::to_string(h.idx()));
-    const auto throws = [](auto question) {
-      try {
-        question();
-      } catch (const ContractViolation&) {
-        return true;
-      }
-      return false;
-    };
     const bool there = s < model_->sites();
     demand(throws([&] { (void)front_->is_free(s); }) == !there, "is_free() knows its sites");
     demand(throws([&] { front_->for_each_fan(s, [](Vertex) {}); }) == !there, "for_each_fan() knows its sites");
