@@ -1,8 +1,8 @@
 // What:   the advancing-front engine: calls a policy edge by edge until nothing is left to do.
-// Law:    when advance() returns, every boundary halfedge is frozen, except those that pop() had taken and those that
-//         the visitor activated in seed_refused() when no seed was inserted afterwards. The mesh is sound, whatever the
-//         policy returns. With a fixed number of sites, the engine terminates unless the policy detaches triangles
-//         forever or returns refused seeds forever, never one twice in a row, or the visitor activates edges forever.
+// Law:    when advance() returns, every boundary halfedge is frozen, except those that pop() had taken. The mesh is
+//         sound, whatever the policy returns. With a fixed number of sites, the engine terminates unless the policy
+//         detaches triangles forever or returns refused seeds forever, never one twice in a row, or the visitor
+//         activates edges forever.
 // Cost:   one proposal each time that the turn of an active boundary halfedge comes; with a key(), also the logarithm
 //         of the number of active halfedges each time.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003); Restricted BPA, section 3.1,
@@ -19,10 +19,11 @@
 namespace meshops {
 
 /// Advances the active front until no active halfedge is left, then inserts a seed and continues, until seed() returns
-/// nothing or the seed that was just refused. Deferred edges get their turn again before the next seed, when no other
-/// edge is active and a triangle was inserted or detached since they were deferred; without a seed they are frozen, and
-/// seed() is called once more. An edge is frozen when the policy proposes nothing for it, when its proposal is refused,
-/// or when the triangles proposed for it leave it on the boundary.
+/// nothing, or once more the seed that was refused last, and no triangle was inserted or detached since. Deferred edges
+/// get their turn again before the next seed, when no other edge is active and a triangle was inserted or detached since
+/// they were deferred; without a seed they are frozen, and seed() is called once more. An edge is frozen when the policy
+/// proposes nothing for it, when its proposal is refused, or when the triangles proposed for it leave it on the
+/// boundary.
 /// Throws: whatever the policy or the visitor throws, including the comparisons and moves of keys. The mesh is then
 ///         sound, the edges that were active or being processed are active, and another advance() continues with them
 ///         in the same order. ContractViolation when the mesh or the front is changed during a call: by the policy in

@@ -21,11 +21,17 @@ class Run {
   /// Throws: whatever the policy or the visitor throws; the halfedges that waited are then in the front's queue.
   void advance() {
     Halfedge h;  // the halfedge being processed
+    // Returns whether any halfedge was active.
+    const auto follow_all = [&] {
+      bool any = false;
+      for (h = order_.next(); h.is_valid(); h = order_.next(), any = true)
+        follow(h, engine_.ask([&]() -> Proposal { return policy_.propose(seen(), h); }));
+      return any;
+    };
     try {
-      do {
-        for (h = order_.next(); h.is_valid(); h = order_.next())
-          follow(h, engine_.ask([&]() -> Proposal { return policy_.propose(seen(), h); }));
-      } while (engine_.wake_deferred() || begin() || freeze_deferred());
+      // The visitor may have activated halfedges when a seed was refused.
+      do follow_all();
+      while (engine_.wake_deferred() || begin() || freeze_deferred() || follow_all());
     } catch (...) {
       order_.give_back(h);
       throw;
@@ -64,18 +70,17 @@ class Run {
 
   /// Inserts the next seed that fits. Returns: whether there is one.
   bool begin() {
-    std::optional<std::array<Site, 3>> refused;
     for (;;) {
       const std::optional<std::array<Site, 3>> seed = engine_.ask([&] { return policy_.seed(seen()); });
-      // A policy that returns the same seed again has no other.
-      if (!seed || seed == refused) return false;
+      // A policy that returns a refused seed again, with no triangle inserted or detached since, has no other.
+      if (!seed || seed == refused_) return false;
       const Fit fit = this->fit((*seed)[0], (*seed)[1], (*seed)[2]);
       if (!fit.refusal) {
         put(fit, [&](const InsertedTriangle& triangle) { visitor_.seeded(seen(), triangle); });
         return true;
       }
       engine_.notify([&] { visitor_.seed_refused(seen(), *seed, *fit.refusal); });
-      refused = seed;
+      refused_ = seed;
     }
   }
 
@@ -118,6 +123,7 @@ class Run {
   /// the sides that it left.
   template <typename Around, typename Event>
   void notify_of_change(Around around, std::size_t curves_before, Event event) {
+    refused_.reset();
     if constexpr (RekeyingFrontPolicy<Policy>) neighbors_changed(around());
     if constexpr (Visitor::follows_curves) {
       const DistinctCurves now(front_.mesh(), around());
@@ -159,6 +165,7 @@ class Run {
   Policy& policy_;
   Visitor& visitor_;
   typename OrderOf<Policy>::type order_;
+  std::optional<std::array<Site, 3>> refused_;  // the seed refused last, until a triangle is inserted or detached
 };
 
 }  // namespace meshops::detail

@@ -87,6 +87,38 @@ TEST_SUITE("wrong policies") {
     check_answer([](const Front&, Halfedge) { return Proposal::detach(Face(1)); }, RefusalKind::no_such_face);
   }
 
+  TEST_CASE("a halfedge that the visitor activates when a seed is refused gets its turn, and the run ends") {
+    struct Always {
+      int proposals = 0;
+      std::optional<Site> apex;
+      std::optional<Seed> seed(const Front&) const { return Seed{0, 1, 2}; }
+      std::optional<Site> propose(const Front&, Halfedge) { return ++proposals > 3 ? apex : std::nullopt; }
+    };
+    struct Activating : Received {
+      Front* front = nullptr;
+      void seed_refused(const Front&, const Seed&, const Refusal&) {
+        for (const Halfedge h : std::vector<Halfedge>(front->frozen()))
+          if (front->is_frozen(h)) front->activate(h);
+        ++refusals;
+      }
+      int refusals = 0;
+    };
+    for (const std::optional<Site> apex : {std::optional<Site>(), std::optional<Site>(3)}) {
+      TestMesh mesh;
+      Front front(mesh, 4);
+      Always policy{0, apex};
+      Activating visitor;
+      visitor.front = &front;
+      advance(front, policy, visitor);
+      for (const BoundaryCurve& curve : front.curves())
+        for (const Halfedge h : curve) CHECK(front.is_frozen(h));
+      CHECK(policy.proposals >= 6);
+      CHECK(front.faces() == (apex ? 4 : 1));
+      CHECK(visitor.refusals == (apex ? 2 : 1));
+      check_sound(mesh);
+    }
+  }
+
   TEST_CASE("a seed of sites that do not exist, or with one site twice, is refused, and the run ends") {
     check_seed({0, 1, 9}, RefusalKind::no_such_site);
     check_seed({0, 1, minus_one}, RefusalKind::no_such_site);

@@ -104,7 +104,9 @@ static_assert(GluingFrontPolicy<AnyPolicy<Order::keys, true>> && !GluingFrontPol
 
 /// Visitor that keeps its own account of triangles, halfedges and curves; it throws, too.
 struct Account : CurveVisitor {
-  Account(AnyAnswers& asked, bool glues) : policy(asked), gluing(glues), counts(asked.counts) {}
+  Account(Front& advanced, AnyAnswers& asked, bool glues)
+      : changeable(advanced), policy(asked), gluing(glues), counts(asked.counts) {}
+  Front& changeable;
   AnyAnswers& policy;
   bool gluing;
   AdvanceCounts& counts;
@@ -155,6 +157,8 @@ struct Account : CurveVisitor {
     ++counts.seeds_refused;
     demand(gluing || front.create_blocker(seed[0], seed[1], seed[2]) == refusal,
            "a seed is refused for the blocker's reason");
+    if (!front.frozen().empty() && policy.choices.one_in(2))
+      if (const Halfedge h = front.frozen().back(); front.is_frozen(h)) changeable.activate(h);
     may_throw();
   }
   void frozen(const Front& front, Halfedge h) {
@@ -187,7 +191,7 @@ void advance_once(Choices& choices, std::size_t questions, AdvanceCounts& counts
   TestMesh mesh;
   Front front(mesh, 3 + below(choices, choices.one_in(3) ? 40 : 10));
   AnyPolicy<order, gluing> policy{{{choices, counts, questions}}};
-  Account account(policy, gluing);
+  Account account(front, policy, gluing);
   ++counts.policies;
   for (unsigned level = 0; level < 4 && !policy.tired(); ++level) {
     bool thrown = false;
