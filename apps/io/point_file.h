@@ -1,6 +1,7 @@
 // What: the points of a file in the plane, and the facts that a file states about its points.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -29,12 +30,24 @@ class Heights {
   bool differ_ = false;
 };
 
+/// Facts that the header of a laser scan states.
+struct ScanFacts {
+  unsigned minor = 0;       ///< the version of LAS is 1.minor
+  unsigned format = 0;      ///< of point records
+  unsigned compressor = 0;  ///< of LASzip; 0: the points are not compressed
+  std::array<double, 3> scale = {}, offset = {};
+  /// Numbers of points by class and by return, if they were requested; else 0.
+  std::array<std::size_t, 256> classes = {};
+  std::array<std::size_t, 16> returns = {};
+};
+
 /// Facts about the points that were read from a file, in the plane or in space.
 struct PointFacts {
   std::vector<std::uint32_t> index =
       {};                      ///< number of each among all points of the file; empty if points[i] has index i
   std::size_t all_points = 0;  ///< number of points of the file, including those that are left out
-  std::optional<Crs> crs = std::nullopt;  ///< the coordinate system; absent if the file names none
+  std::optional<Crs> crs = std::nullopt;         ///< the coordinate system; absent if the file names none
+  std::optional<ScanFacts> scan = std::nullopt;  ///< absent unless the format is LAS or LAZ
   std::vector<std::vector<double>> fields =
       {};  ///< a column for each of the condition's columns(), a value for each point
   /// For each column of `fields` that holds texts: the distinct texts, which the numbers in `fields` index from 0. An

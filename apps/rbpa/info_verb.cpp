@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <vector>
 
 #include "io/bytes/number.h"
@@ -29,6 +30,7 @@ struct Info {
   std::size_t distinct = 0;
   std::optional<Box> box = std::nullopt;  ///< absent if there are no points
   std::optional<Crs> crs = std::nullopt;
+  std::optional<ScanFacts> scan = std::nullopt;  ///< absent unless the points are those of a laser scan
   bool flattened = false;                        ///< the points have different heights, which are ignored
   std::optional<double> spacing = std::nullopt;  ///< √(area of the box / distinct points); absent if the area is 0
 };
@@ -54,6 +56,8 @@ Info examine(std::vector<Point> points, const RunOptions& run) {
   return info;
 }
 
+std::string version_of(const ScanFacts& scan) { return "1." + std::to_string(scan.minor); }
+
 std::string for_people(const Info& info) {
   std::string text = "points      " + std::to_string(info.points) + "\n";
   text += "distinct    " + std::to_string(info.distinct) + "\n";
@@ -66,8 +70,23 @@ std::string for_people(const Info& info) {
   } else {
     text += "box         none\n";
   }
-  return text + "spacing     " + (info.spacing ? rounded(*info.spacing, 4) : "none") +
-         "  (square root of box area / distinct points)\n";
+  text += "spacing     " + (info.spacing ? rounded(*info.spacing, 4) : "none") +
+          "  (square root of box area / distinct points)\n";
+  if (!info.scan) return text;
+  const ScanFacts& scan = *info.scan;
+  text += "format      LAS " + version_of(scan) + ", point format " + std::to_string(scan.format) +
+          (scan.compressor > 0 ? ", LASzip " + std::to_string(scan.compressor) : ", not compressed") + "\n";
+  for (const auto& [name, numbers] : {std::pair("scale       ", scan.scale), {"offset      ", scan.offset}})
+    text += name + text_of(numbers[0]) + " " + text_of(numbers[1]) + " " + text_of(numbers[2]) + "\n";
+  const auto counts = [&](const char* name, std::span<const std::size_t> points) {
+    std::string list;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points[i] > 0) list += (list.empty() ? "" : ", ") + std::to_string(i) + ": " + std::to_string(points[i]);
+    text += name + (list.empty() ? "none" : list) + "\n";
+  };
+  counts("classes     ", scan.classes);
+  counts("returns     ", scan.returns);
+  return text;
 }
 
 using Json = nlohmann::ordered_json;
@@ -87,6 +106,22 @@ Json json_of(const Info& info) {
 std::string as_json(const Info& info) {
   Json report = json_of(info);
   if (info.crs) report["crs"] = info.crs->text();
+  if (info.scan) {
+    const ScanFacts& scan = *info.scan;
+    const auto counts = [](std::span<const std::size_t> points) {
+      Json object = Json::object();
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i] > 0) object[std::to_string(i)] = points[i];
+      return object;
+    };
+    report["las"] = {{"version", version_of(scan)},
+                     {"point_format", scan.format},
+                     {"laszip", scan.compressor > 0 ? Json(scan.compressor) : Json(nullptr)},
+                     {"scale", scan.scale},
+                     {"offset", scan.offset},
+                     {"classes", counts(scan.classes)},
+                     {"returns", counts(scan.returns)}};
+  }
   return report.dump(2) + "\n";
 }
 
@@ -130,7 +165,7 @@ void run_group_info(const InfoArguments& arguments) {
   const GroupSources sources = parse_group_sources(arguments, arguments);
   require_different({"-"}, sources);
   Run run(sources.files.size() == 1 ? arguments.points : counted(sources.files.size(), "file"), {"-"},
-          {.quiet = arguments.quiet});
+          parse_run(arguments.run));
   const NamedGroups named = read_groups(run, sources);
   run.add("-", [&](OutputFile& out) { write_groups(out, named, arguments.json); });
   run.publish();
@@ -140,14 +175,16 @@ void run_group_info(const InfoArguments& arguments) {
 
 void run_info(const InfoArguments& arguments) {
   if (arguments.ask_for_groups()) return run_group_info(arguments);
-  const PointSource source = parse_source(arguments);
+  PointSource source = parse_source(arguments);
+  source.scan_counts = true;
   std::vector<std::string> outputs = given({"-", arguments.stats});
   require_different(outputs, arguments.points, "points");
-  Run run(arguments.points, outputs, {.quiet = arguments.quiet});
+  Run run(arguments.points, outputs, parse_run(arguments.run));
   PointFile file = run.read_points(source);
   Stats stats{.read_seconds = run.lap()};
   Info info = examine(std::move(file.points), run.options());
   info.crs = file.crs;
+  info.scan = file.scan;
   info.flattened = file.heights.differ();
 
   if (arguments.stats) {

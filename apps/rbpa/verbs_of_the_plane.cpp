@@ -160,11 +160,14 @@ CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
       *app.add_subcommand("info", "Print the number of points and duplicates, their box and their spacing");
   add_group_options(verb, arguments, "Print a line");
   add_switch(verb, "--json", arguments.json, "Print JSON");
-  add_switch(verb, "-q,--quiet", arguments.quiet, "Print neither progress nor warnings about the input");
+  add_run_options(verb, arguments.run, "Print neither progress nor warnings about the input");
   verb.footer(
-      "The spacing is the square root of box area / distinct points: a first guess of a good alpha.\n\n"
+      "The spacing is the square root of box area / distinct points: a first guess of a good alpha. Of LAS and LAZ the "
+      "version, the format of points, the compressor, scale and offset are printed, and the numbers of points by class "
+      "and by return.\n\n"
       "Examples:\n"
       "  rbpa info points.xy --json\n"
+      "  rbpa info tile.laz --where \"classification == 2\"\n"
       "  rbpa info fixes.csv --columns x,y --group-by animal\n\n" +
       std::string(exit_codes));
   return &verb;

@@ -36,8 +36,8 @@ std::string records_of(const Content& content, std::vector<bool> wanted = {}, bo
   if (!header.is_compressed) return std::string(first.substr(header.begin, count * header.length));
   if (wanted.empty()) wanted.assign(header.length, true);
   LazRecords records(content, header.begin,
-                     read_laz_format(laszip_record(first, header), header.length, content.name()), count, wanted,
-                     skip_invalid);
+                     read_laz_format(laszip_record(first, header), header.length, content.name()), count,
+                     {.wanted = wanted, .skip_invalid = skip_invalid});
   std::string all;
   for (std::string_view some; !(some = records.ahead()).empty(); records.skip(some.size())) all += some;
   return all;

@@ -213,7 +213,7 @@ void AtomFrames::read_atoms(AtomFrame& frame) {
 
 /// Reads points that are no atoms.
 void AtomFrames::read_points(AtomFrame& frame) {
-  CloudRequest request;
+  CloudRequest request{.threads = choice_.threads};
   const std::optional<FieldNames> names = fields_of(format_);
   std::vector<WantedColumn> columns;
   if (choice_.radius) columns.push_back({.name = *choice_.radius});

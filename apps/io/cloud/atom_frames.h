@@ -84,6 +84,7 @@ struct AtomChoice {
   std::optional<std::string> where = std::nullopt;   ///< a condition
   std::optional<std::string> radius = std::nullopt;  ///< the column of radii; absent: that of the file, if there is one
   std::optional<std::string> group = std::nullopt;   ///< the column of AtomRow::group
+  unsigned threads = 0;                              ///< as CloudRequest::threads
 };
 
 class AtomFrames {

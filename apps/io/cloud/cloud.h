@@ -46,6 +46,8 @@ struct CloudRequest {
   bool vertices = false;                          ///< take the vertices of lines and polygons in a column of geometries
   Waters waters = Waters::noted;
   bool last_are_normals = false;  ///< columns 4 to 6 of an unnamed table are normals, whatever their values
+  bool scan_counts = false;       ///< count points of LAS by class and by return in PointFacts::scan
+  unsigned threads = 0;           ///< the most threads that decompress points; 0: one for each processor
 };
 
 /// Consecutive points of a file, by columns. Columns that the file does not have are empty.

@@ -37,6 +37,7 @@ class LasCloud final : public Cloud {
     const std::string_view first = content_.ahead(header_.begin + signature);
     header_ = read_las_header(first, content_.size(), name);
     for (const std::size_t axis : {0U, 1U, 2U}) axes_.emplace_back(header_.scale[axis], header_.offset[axis]);
+    std::optional<LazFormat> laz;
     withheld_ = find_las_field("withheld", header_.format, header_.minor);
     for (const std::size_t axis : {0U, 1U}) require_range(header_, axis, name);
     if (request.where) {
@@ -47,10 +48,16 @@ class LasCloud final : public Cloud {
       require_las_axis(header_, 2, name);
       require_range(header_, 2, name);
     }
+    if (request.scan_counts) {
+      class_ = find_las_field("classification", header_.format, header_.minor);
+      return_ = find_las_field("return_number", header_.format, header_.minor);
+    }
     if (in_space_) {
       red_ = find_las_field("red", header_.format, header_.minor);
       if (red_) facts_.colors = Channels::bytes;
     }
+    if (header_.is_compressed) laz = read_laz_format(laszip_record(first, header_), header_.length, name);
+    facts_.file.scan = {header_.minor, header_.format, laz ? laz->compressor : 0, header_.scale, header_.offset};
     const LasCrs system = find_system(first);
     facts_.file.crs = system.crs;
     if (content_.is_compressed() && !header_.is_compressed) {
@@ -58,9 +65,8 @@ class LasCloud final : public Cloud {
     } else {
       settle(header_.count);
     }
-    if (header_.is_compressed)
-      laz_.emplace(content_, header_.begin, read_laz_format(laszip_record(first, header_), header_.length, name),
-                   count_, read_bytes(), skip_invalid_);
+    if (laz)
+      laz_.emplace(content_, header_.begin, *laz, count_, LazChoice{read_bytes(), skip_invalid_, request.threads});
     if (!system.warning.empty() && !in_space_) facts_.file.warnings.push_back(system.warning);
     if (in_space_ && system.crs) facts_.file.degrees = system.crs->degrees;
     // A point for each record; but LAZ may promise many more points than there are bytes.
@@ -120,6 +126,8 @@ class LasCloud final : public Cloud {
     for (const LasPlace& place : places_) want(place.field.offset, size_of(place.field.type));
     if (withheld_) want(withheld_->offset, 1);
     if (red_) want(red_->offset, 6);
+    for (const std::optional<LasField>& field : {class_, return_})
+      if (field) want(field->offset, 1);
     return wanted;
   }
 
@@ -163,6 +171,8 @@ class LasCloud final : public Cloud {
         block.column[CloudBlock::color + k][taken] = channel;
       }
       if (withheld_ && withheld_->value(record) != 0) ++withheld_points_;
+      if (class_) ++facts_.file.scan->classes[static_cast<std::size_t>(class_->value(record))];
+      if (return_) ++facts_.file.scan->returns[static_cast<std::size_t>(return_->value(record))];
       ++taken;
     }
     if (taken < count)
@@ -198,6 +208,7 @@ class LasCloud final : public Cloud {
   std::optional<Selection> selection_ = std::nullopt;
   std::vector<LasPlace> places_ = {};
   std::optional<LasField> withheld_ = std::nullopt, red_ = std::nullopt;  // green and blue follow red
+  std::optional<LasField> class_ = std::nullopt, return_ = std::nullopt;  // if they are counted
   std::size_t first_ = 0, count_ = 0, withheld_points_ = 0;
   std::uint16_t greatest_channel_ = 0;
   bool is_settled_ = false, ended_ = false;

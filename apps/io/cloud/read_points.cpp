@@ -83,7 +83,9 @@ std::unique_ptr<Cloud> open_plane_cloud(Content content, const PointSource& sour
                                   .where = source.where,
                                   .heights = source.heights,
                                   .skip_invalid = source.skip_invalid,
-                                  .vertices = source.vertices});
+                                  .vertices = source.vertices,
+                                  .scan_counts = source.scan_counts,
+                                  .threads = source.threads});
 }
 
 PointFile read_plane_points(Cloud& cloud) {

@@ -29,6 +29,8 @@ struct PointSource {
   std::optional<Crs> crs = std::nullopt;          ///< coordinate system of the points; overrides that of the file
   std::optional<std::string> layer = std::nullopt;  ///< name of the layer, if a source of OGR has several
   bool shift_longitude = false;                     ///< add 360 to longitudes below 0
+  bool scan_counts = false;                         ///< as CloudRequest::scan_counts
+  unsigned threads = 0;                             ///< as CloudRequest::threads
 };
 
 /// Reads the points in the order of the file, all finite. A gzip file is decompressed. Throws BadInput that names the

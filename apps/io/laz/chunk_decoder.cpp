@@ -19,7 +19,8 @@ LazFormat read_laz_format(std::string_view data, std::size_t length, const std::
   if (compressor < 1 || compressor > 3 || coder != 0)
     bad_input(where, "compressor " + std::to_string(compressor) + " with coder " + std::to_string(coder),
               "1, 2 or 3 with 0");
-  LazFormat format{.has_chunks = compressor > 1, .is_layered = compressor == 3, .length = length};
+  LazFormat format{
+      .compressor = compressor, .has_chunks = compressor > 1, .is_layered = compressor == 3, .length = length};
   const auto chunk_size = load_little<std::uint32_t>(&data[12]);
   if (format.has_chunks && chunk_size > 0) format.chunk_size = chunk_size;
   std::size_t sum = 0;

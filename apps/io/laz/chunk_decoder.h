@@ -21,6 +21,7 @@ struct LazItem {
 };
 
 struct LazFormat {
+  unsigned compressor = 0;  ///< of LASzip: 1, 2 or 3
   bool has_chunks = false, is_layered = false;
   std::uint32_t chunk_size = varying;  ///< number of points in each chunk but the last
   std::size_t length = 0;              ///< of a record, in bytes

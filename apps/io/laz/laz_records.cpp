@@ -88,20 +88,19 @@ std::optional<std::vector<LazChunk>> read_chunk_table(const Content& content, st
 }  // namespace
 
 LazRecords::LazRecords(const Content& content, std::size_t begin, LazFormat format, std::size_t points,
-                       std::vector<bool> wanted, bool skip_invalid)
+                       LazChoice choice)
     : content_(content.again()),
       format_(std::move(format)),
-      wanted_(std::move(wanted)),
-      skip_invalid_(skip_invalid),
+      choice_(std::move(choice)),
       left_(points),
       place_(begin),
-      threads_(std::max(std::thread::hardware_concurrency(), 1U)) {
+      threads_(choice_.threads > 0 ? choice_.threads : std::max(std::thread::hardware_concurrency(), 1U)) {
   require_ratio(content, begin, format_.length, points);
   if (format_.has_chunks && points > 0) {
     try {
       table_ = read_chunk_table(content, begin, format_, points);
     } catch (const BadInput&) {
-      if (!skip_invalid) throw;  // else read on without it
+      if (!choice_.skip_invalid) throw;  // else read on without it
     }
     place_ += 8;
     if (is_windowed() && format_.chunk_size == LazFormat::varying)
@@ -152,7 +151,7 @@ bool LazRecords::make(Batch& batch) {
   } catch (const BadStream& fault) {
     const auto at = static_cast<std::uint64_t>(fault.at - window_.data());
     const std::string where = byte_of(content_, place_ + at);
-    if (!skip_invalid_) bad_input(where, fault.found, fault.expected);
+    if (!choice_.skip_invalid) bad_input(where, fault.found, fault.expected);
     batch.fault = where + ": found " + fault.found;
     ended_ = true;
     in_use_ = 0;
@@ -198,7 +197,7 @@ std::string_view LazRecords::require_ahead(std::uint64_t size) {
 }
 
 void LazRecords::begin(std::size_t points, std::string_view bytes) {
-  if (in_use_ == slots_.size()) slots_.push_back({.decoder = std::make_unique<ChunkDecoder>(format_, wanted_)});
+  if (in_use_ == slots_.size()) slots_.push_back({.decoder = std::make_unique<ChunkDecoder>(format_, choice_.wanted)});
   Slot& slot = slots_[in_use_++];
   slot.bytes = bytes;
   slot.points = slot.left = points;

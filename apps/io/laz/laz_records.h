@@ -19,15 +19,19 @@
 
 namespace rbpa::app {
 
+struct LazChoice {
+  std::vector<bool> wanted;   ///< see ChunkDecoder
+  bool skip_invalid = false;  ///< the records end without an exception where they cannot be decoded
+  unsigned threads = 0;       ///< the most that decode; 0: one for each processor
+};
+
 class LazRecords {
  public:
-  /// Decompresses `points` records from byte `begin` of `content` on; see ChunkDecoder for `wanted`. With
-  /// `skip_invalid` the records end without an exception where they cannot be decoded. Throws BadInput.
-  LazRecords(const Content& content, std::size_t begin, LazFormat format, std::size_t points, std::vector<bool> wanted,
-             bool skip_invalid);
+  /// Decompresses `points` records from byte `begin` of `content` on. Throws BadInput.
+  LazRecords(const Content& content, std::size_t begin, LazFormat format, std::size_t points, LazChoice choice);
 
   /// Returns the next records, at least one, unless there are no more; they are valid until the next call. Throws
-  /// BadInput that names the byte, unless skip_invalid; Failure, Cancelled.
+  /// BadInput that names the byte, unless LazChoice::skip_invalid; Failure, Cancelled.
   std::string_view ahead();
   /// Skips `size` bytes of those that ahead() returned.
   void skip(std::size_t size) { skipped_ += size; }
@@ -70,8 +74,7 @@ class LazRecords {
 
   Content content_;
   LazFormat format_;
-  std::vector<bool> wanted_;
-  bool skip_invalid_;
+  LazChoice choice_;
   std::optional<std::vector<LazChunk>> table_ = std::nullopt;
   std::size_t next_chunk_ = 0, left_;  // left_: points in chunks that are not begun
   std::string_view window_ = {};       // the bytes that are being decoded; those of all slots

@@ -6,6 +6,7 @@
 
 #include "io/bytes/number.h"
 #include "io/failure.h"
+#include "shared/point_arguments.h"
 
 namespace rbpa::app {
 
@@ -22,11 +23,21 @@ RunOptions parse_run(const RunArguments& arguments) {
 }
 
 PointFile Run::read_points(const PointSource& source) const {
-  PointFile file = read([&] { return rbpa::app::read_points(source); });
+  PointSource limited = source;
+  limited.threads = options_.threads;
+  PointFile file = read([&] { return rbpa::app::read_points(limited); });
   const auto remark_on = [&](const std::string& text) { summarize(input_name(source.path) + ": " + text); };
   for (const std::string& text : file.warnings) remark_on(text);
   if (file.heights.differ() && !source.heights)
     remark_on("z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface and rbpa solid use it)");
+  return file;
+}
+
+SpacePoints Run::read_points(const SpacePointSource& source) const {
+  CloudRequest limited = source.choice;
+  limited.threads = options_.threads;
+  SpacePoints file = read([&] { return read_space_points(source.path, source.format, limited); });
+  warning(file.warnings);
   return file;
 }
 

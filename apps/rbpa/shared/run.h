@@ -16,6 +16,9 @@
 
 namespace rbpa::app {
 
+struct SpacePoints;
+struct SpacePointSource;
+
 /// Options that do not change the result, as text.
 struct RunArguments {
   std::optional<std::string> threads;
@@ -65,6 +68,8 @@ class Run {
   /// Reads the points, and prints, unless quiet, the warnings about them, also that heights are left out. Throws as
   /// read_points() of io/cloud.
   PointFile read_points(const PointSource& source) const;
+  /// Reads points in space, and prints, unless quiet, the warnings about them. Throws as read_space_points().
+  SpacePoints read_points(const SpacePointSource& source) const;
   /// Replaces missing heights in `z`, which are not finite, by 0, and prints, unless quiet, how many they are. If all
   /// are missing, `z` becomes empty.
   void complete_heights(std::vector<double>& z) const;

@@ -76,7 +76,7 @@ void run_report(const ReportArguments& arguments);
 struct InfoArguments : PointArguments, GroupArguments {
   std::optional<std::string> stats;
   bool json = false;
-  bool quiet = false;
+  RunArguments run;
 };
 void run_info(const InfoArguments& arguments);
 

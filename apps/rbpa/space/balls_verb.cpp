@@ -56,7 +56,8 @@ BallsRequest parse(const BallsArguments& arguments) {
                     .ligands = !arguments.no_ligands,
                     .hydrogens = !arguments.no_hydrogens,
                     .alternates = arguments.alternates,
-                    .where = arguments.where};
+                    .where = arguments.where,
+                    .threads = request.run.threads};
   request.choice.radius = request.radii.column();
   if (arguments.models) request.choice.frames = parse_frames("--models", *arguments.models);
   if (arguments.group) request.groups = parse_groups(*arguments.group, request.choice);

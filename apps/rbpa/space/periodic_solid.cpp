@@ -176,9 +176,7 @@ void PeriodicRun::write() {
 }
 
 void PeriodicRun::run() {
-  const SpacePointSource& source = request_.source;
-  file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
-  warning(file_.warnings);
+  file_ = read_points(request_.source);
   if (file_.points.empty())
     throw BadInput(input() + ": found 0 " + name_of_points() +
                    ", expected at least one for --box (see --where and --waters)");

@@ -179,9 +179,7 @@ std::string why_empty(const SolidFacts& facts) {
 }
 
 void SolidRun::run() {
-  const SpacePointSource& source = request_.source;
-  file_ = read([&] { return read_space_points(source.path, source.format, source.choice); });
-  warning(file_.warnings);
+  file_ = read_points(request_.source);
   const double read_seconds = lap();
   SolidFacts facts = measured();
   facts.read_seconds = read_seconds;

@@ -43,8 +43,7 @@ SpacePersistence::SpacePersistence(const SpacePointSource& source, const std::ve
                                    const RadiiArguments& arguments)
     : Run(source.path, outputs, parse_run(arguments.run)) {
   const double cover = arguments.cover ? parse_cover(*arguments.cover) : 1;
-  file = read([&] { return read_space_points(source.path, source.format, source.choice); });
-  warning(file.warnings);
+  file = read_points(source);
   read_seconds_ = lap();
   try {
     TriangleProgress progress(!options().quiet, "tetrahedra", text_of_progress);

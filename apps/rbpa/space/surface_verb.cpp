@@ -204,9 +204,7 @@ std::string SurfaceRun::summary(const SurfaceFacts& facts) const {
 }
 
 void SurfaceRun::run() {
-  const SpacePointSource& source = request_.source;
-  SpacePoints file = read([&] { return read_space_points(source.path, source.format, source.choice); });
-  warning(file.warnings);
+  SpacePoints file = read_points(request_.source);
   const double read_seconds = lap();
   SurfaceFacts facts = reconstructed(file);
   facts.read_seconds = read_seconds;

@@ -99,6 +99,7 @@ StreamRequest parse_request(const StreamArguments& arguments) {
   for (const std::string& path : arguments.outputs)
     request.targets.push_back(parse_stream_target(path, arguments.output_format));
   request.sources = parse_sources(arguments);
+  for (PointSource& source : request.sources) source.threads = run.threads;
   request.options = reading_options(arguments);
   return request;
 }
