@@ -35,6 +35,7 @@ struct ScanFacts {
   unsigned minor = 0;       ///< the version of LAS is 1.minor
   unsigned format = 0;      ///< of point records
   unsigned compressor = 0;  ///< of LASzip; 0: the points are not compressed
+  bool is_copc = false;
   std::array<double, 3> scale = {}, offset = {};
   /// Numbers of points by class and by return, if they were requested; else 0.
   std::array<std::size_t, 256> classes = {};

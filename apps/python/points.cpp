@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -5,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/bytes/number.h"
 #include "io/cloud/read_points.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
@@ -65,6 +67,15 @@ app::PointSource source_of(const std::string& path, bool space, const WantedFiel
   return source;
 }
 
+/// Returns the choice by places. Throws WrongUsage.
+app::PointWindow window_of(const std::optional<std::vector<double>>& bounds, std::optional<double> resolution) {
+  app::PointWindow window{.resolution = resolution};
+  if (bounds) window.bounds = app::box_of("bounds", *bounds);
+  if (resolution && !(*resolution > 0 && std::isfinite(*resolution)))
+    app::bad_usage("resolution", app::text_of(*resolution), "a length above 0");
+  return window;
+}
+
 /// Returns a list of texts for Python, with escapes for bytes that are not UTF-8.
 py::list printable_texts(const std::vector<std::string>& texts) {
   py::list list;
@@ -114,7 +125,7 @@ py::dict read(const app::PointSource& source, bool space) {
     return dict_of(rows<double>(std::move(file.points)), std::move(file), source);
   }
   const app::CloudRequest request{
-      .columns = source.columns, .where = source.where, .skip_invalid = source.skip_invalid};
+      .columns = source.columns, .where = source.where, .skip_invalid = source.skip_invalid, .window = source.window};
   app::SpacePoints file = read_watched([&] { return app::read_space_points(source.path, source.format, request); });
   py::dict result = dict_of(rows<double>(std::move(file.points)), std::move(file), source);
   if (!file.normals.empty()) result["normals"] = rows<double>(std::move(file.normals));
@@ -123,9 +134,13 @@ py::dict read(const app::PointSource& source, bool space) {
 }
 
 py::dict read_points(const py::bytes& path, bool space, const WantedFields& fields, const MaybeText& where,
-                     const MaybeText& columns, const MaybeText& format, bool skip_invalid, bool vertices) {
-  return with_file_errors(
-      [&] { return read(source_of(path, space, fields, where, columns, format, skip_invalid, vertices), space); });
+                     const MaybeText& columns, const MaybeText& format, bool skip_invalid, bool vertices,
+                     const std::optional<std::vector<double>>& bounds, std::optional<double> resolution) {
+  return with_file_errors([&] {
+    app::PointSource source = source_of(path, space, fields, where, columns, format, skip_invalid, vertices);
+    source.window = window_of(bounds, resolution);
+    return read(source, space);
+  });
 }
 
 }  // namespace
@@ -133,7 +148,7 @@ py::dict read_points(const py::bytes& path, bool space, const WantedFields& fiel
 void bind_points(py::module_& module) {
   using py::arg;
   module.def("read_points", &read_points, arg("path"), arg("space"), arg("fields"), arg("where"), arg("columns"),
-             arg("format"), arg("skip_invalid"), arg("vertices"));
+             arg("format"), arg("skip_invalid"), arg("vertices"), arg("bounds"), arg("resolution"));
 }
 
 }  // namespace rbpa::python

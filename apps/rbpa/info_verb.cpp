@@ -75,7 +75,9 @@ std::string for_people(const Info& info) {
   if (!info.scan) return text;
   const ScanFacts& scan = *info.scan;
   text += "format      LAS " + version_of(scan) + ", point format " + std::to_string(scan.format) +
-          (scan.compressor > 0 ? ", LASzip " + std::to_string(scan.compressor) : ", not compressed") + "\n";
+          (scan.compressor > 0 ? ", LASzip " + std::to_string(scan.compressor) + (scan.is_copc ? ", COPC" : "")
+                               : ", not compressed") +
+          "\n";
   for (const auto& [name, numbers] : {std::pair("scale       ", scan.scale), {"offset      ", scan.offset}})
     text += name + text_of(numbers[0]) + " " + text_of(numbers[1]) + " " + text_of(numbers[2]) + "\n";
   const auto counts = [&](const char* name, std::span<const std::size_t> points) {
@@ -117,6 +119,7 @@ std::string as_json(const Info& info) {
     report["las"] = {{"version", version_of(scan)},
                      {"point_format", scan.format},
                      {"laszip", scan.compressor > 0 ? Json(scan.compressor) : Json(nullptr)},
+                     {"copc", scan.is_copc},
                      {"scale", scan.scale},
                      {"offset", scan.offset},
                      {"classes", counts(scan.classes)},

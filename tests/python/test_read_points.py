@@ -53,6 +53,29 @@ def test_conditions_select_points_with_their_fields(tmp_path, space):
     assert none.points.shape == (0, 3 if space else 2) and none.fields["intensity"].shape == (0,)
 
 
+@pytest.mark.parametrize("space", [False, True])
+def test_a_box_and_a_resolution_select_points(tmp_path, space):
+    path = las(tmp_path / "a.las")
+    every = rbpa.read_points(path, space=space).points
+    some = rbpa.read_points(path, space=space, bounds=(500000, 0, 500001, 0.5), fields=["classification"])
+    inside = (every[:, 0] <= 500001) & (every[:, 1] <= 0.5)
+    assert 0 < inside.sum() < len(every)
+    assert np.array_equal(some.points, every[inside])
+    assert np.array_equal(some.index, np.flatnonzero(inside))
+    assert np.array_equal(some.fields["classification"], CLASSES[inside])
+    high = rbpa.read_points(path, space=space, bounds=[500000, 0, 500001, 1, 0.2, 0.4])
+    assert np.array_equal(high.index, np.flatnonzero(PLACES[:, 2] >= 20))
+    assert len(rbpa.read_points(path, space=space, resolution=1000.0).points) == 1
+    for options, message in [
+        ({"bounds": [1, 2, 3]}, "bounds: found 3 numbers"),
+        ({"bounds": [1, 2, 0, 3]}, "bounds: found 1 above 0"),
+        ({"resolution": 0}, "resolution: found 0, expected a length above 0"),
+        ({"resolution": float("nan")}, "resolution: found nan"),
+    ]:
+        with pytest.raises(ValueError, match=message):
+            rbpa.read_points(path, space=space, **options)
+
+
 def test_a_long_las_file_is_the_same_packed(tmp_path):
     places = np.random.default_rng(1).integers(-(2**31), 2**31, (30_000, 3), np.int32)
     path = las(tmp_path / "scan.las", places, (np.arange(30_000) % 7).astype(np.uint8))

@@ -147,11 +147,13 @@ std::string_view Content::ahead(std::size_t size) {
   if (bytes_.size() >= size || ended_) return bytes_;
   buffer_.erase(buffer_.begin(), buffer_.end() - static_cast<std::ptrdiff_t>(bytes_.size()));
   while (buffer_.size() < size && !ended_) {  // grow step by step: a header may claim a larger `size` than there is
-    const std::size_t before = buffer_.size();
-    buffer_.resize(before + at_once);
-    const std::size_t count = file_->read(buffer_.data() + before, at_once);
+    constexpr std::size_t first = std::size_t{1} << 16U;  // a header
+    const std::size_t before = buffer_.size(), passed = std::min<std::uint64_t>(bytes_read(), at_once);
+    const std::size_t wanted = is_sparse_ ? std::min(size - before, at_once) : std::max(passed, first);
+    buffer_.resize(before + wanted);
+    const std::size_t count = file_->read(buffer_.data() + before, wanted);
     buffer_.resize(before + count);
-    ended_ = count < at_once;
+    ended_ = count < wanted;
   }
   return bytes_ = {buffer_.data(), buffer_.size()};
 }
@@ -159,7 +161,9 @@ std::string_view Content::ahead(std::size_t size) {
 void Content::skip(std::uint64_t size) {
   const std::size_t here = std::min<std::uint64_t>(size, bytes_.size());
   bytes_.remove_prefix(here);
-  if (here < size && !ended_) file_->skip(size - here);
+  if (here == size || ended_) return;
+  file_->skip(size - here);
+  is_sparse_ = !is_compressed();
 }
 
 std::size_t Content::size() const {

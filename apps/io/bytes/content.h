@@ -1,7 +1,8 @@
 // What: gives the bytes of a file in their order, either from memory or by reading the file piece by piece.
 // Law:  both kinds have one interface. A file that is read piece by piece up to its end is refused if its length or the
 //       time of its last change is then not what it was when the file was opened.
-// Cost: of a file that is read piece by piece, at most the requested bytes and a mebibyte are in memory.
+// Cost: of a file that is read piece by piece, at most the requested bytes and a mebibyte are in memory. Not more than
+//       the requested bytes are read after bytes that were skipped and not in memory.
 #pragma once
 
 #include <cstddef>
@@ -56,6 +57,7 @@ class Content {
   std::string_view all_ = {};      // the whole content, if it is in memory
   std::vector<char> buffer_ = {};  // holds bytes_ if a file is read
   bool ended_ = true;              // no bytes of the content follow bytes_
+  bool is_sparse_ = false;         // bytes were skipped that were not in memory
   std::unique_ptr<File> file_;     // null if the content is in memory
 };
 

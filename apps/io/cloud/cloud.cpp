@@ -12,6 +12,18 @@
 #include "rbpa/base/triangle.h"
 
 namespace rbpa::app {
+namespace {
+
+/// Removes the elements with kept[i] = 0.
+template <typename Value>
+void keep(std::vector<Value>& values, const std::vector<std::uint8_t>& kept) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (kept[i] != 0) values[count++] = values[i];
+  values.resize(count);
+}
+
+}  // namespace
 
 const CloudFormat* cloud_format(Format format) {
   const auto found = std::find_if(std::begin(format_table), std::end(format_table), [format](const FormatRow& row) {
@@ -152,15 +164,95 @@ void select_points(Selection& selection, CloudBlock& block, std::span<const std:
       if (!column.empty()) column[i] = 0;  // as points that are left out need not be finite
   }
   require_finite(block, first, name);
-  const auto select = [&](std::vector<double>& column) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < column.size(); ++i)
-      if (kept[i] != 0) column[count++] = column[i];
-    column.resize(count);
-  };
-  for (std::vector<double>& column : block.column) select(column);
-  select(block.heights);
+  keep_points(block, kept);
+}
+
+void keep_points(CloudBlock& block, const std::vector<std::uint8_t>& kept) {
+  for (std::vector<double>& column : block.column) keep(column, kept);
+  keep(block.heights, kept);
   block.count = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), std::uint8_t{1}));
+}
+
+void refuse_flat_points(const std::string& name) {
+  bad_input(name, "points without z", "some with it, as --bounds of six numbers requires (four bound x and y)");
+}
+
+std::string warning_on_window(const PointWindow& window, std::size_t selected, std::size_t all) {
+  const std::string options = !window.resolution ? "--bounds"
+                              : window.bounds    ? "--bounds and --resolution"
+                                                 : "--resolution";
+  return options + (window.bounds && window.resolution ? " select " : " selects ") + std::to_string(selected) + " of " +
+         counted(all, "point");
+}
+
+namespace {
+
+/// Leaves out points of another reader that are not in a window.
+class WindowCloud final : public Cloud {
+ public:
+  WindowCloud(std::unique_ptr<Cloud> cloud, std::string name, const CloudRequest& request)
+      : cloud_(std::move(cloud)),
+        name_(std::move(name)),
+        window_(request.window),
+        z_(request.in_space ? &block_.column[CloudBlock::z] : &block_.heights),
+        filter_(request.window, request.in_space, true) {
+    cloud_->facts().expected = 0;
+  }
+
+  bool next(CloudBlock& block) override {
+    block.count = 0;
+    while (block.count == 0 && cloud_->next(block_)) {
+      select();
+      std::swap(block, block_);
+    }
+    return block.count > 0;
+  }
+
+  void finish() override {
+    cloud_->finish();
+    PointFile& file = facts().file;
+    file.all_points = std::max(file.all_points, read_);
+    file.warnings.push_back(warning_on_window(window_, selected_, file.all_points));
+  }
+  CloudFacts& facts() override { return cloud_->facts(); }
+  std::uint64_t bytes_read() const override { return cloud_->bytes_read(); }
+
+ private:
+  void select() {
+    const bool has_z = !z_->empty();
+    if (!has_z && window_.bounds && window_.bounds->has_heights()) refuse_flat_points(name_);
+    if (block_.index.empty())
+      for (std::size_t i = 0; i < block_.count; ++i) block_.index.push_back(read_ + i);
+    read_ += block_.count;
+    kept_.assign(block_.count, 0);
+    for (std::size_t i = 0; i < block_.count; ++i)
+      kept_[i] =
+          filter_.keeps({block_.column[CloudBlock::x][i], block_.column[CloudBlock::y][i], has_z ? (*z_)[i] : 0});
+    for (std::vector<double>& field : block_.fields) keep(field, kept_);
+    keep(block_.index, kept_);
+    keep_points(block_, kept_);
+    selected_ += block_.count;
+  }
+
+  std::unique_ptr<Cloud> cloud_;
+  std::string name_;
+  PointWindow window_;
+  CloudBlock block_ = {};
+  const std::vector<double>* z_;  // of block_
+  WindowFilter filter_;
+  std::vector<std::uint8_t> kept_ = {};
+  std::size_t read_ = 0, selected_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Cloud> open_cloud(const CloudFormat& format, Content content, const CloudRequest& request) {
+  const std::string name = content.name();
+  CloudRequest with_heights = request;
+  if (request.window.bounds && request.window.bounds->has_heights()) with_heights.heights = true;
+  std::unique_ptr<Cloud> cloud = format.open(std::move(content), with_heights);
+  if (!request.window.selects() || cloud->facts().is_in_window) return cloud;
+  return std::make_unique<WindowCloud>(std::move(cloud), name, request);
 }
 
 FieldNames names_of_properties() {

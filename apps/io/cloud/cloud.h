@@ -20,6 +20,7 @@
 #include "io/bytes/content.h"
 #include "io/bytes/input_bytes.h"
 #include "io/bytes/scalar.h"
+#include "io/cloud/point_window.h"
 #include "io/formats.h"
 #include "io/point_file.h"
 #include "io/text/columns.h"
@@ -46,6 +47,7 @@ struct CloudRequest {
   bool vertices = false;                          ///< take the vertices of lines and polygons in a column of geometries
   Waters waters = Waters::noted;
   bool last_are_normals = false;  ///< columns 4 to 6 of an unnamed table are normals, whatever their values
+  PointWindow window = {};        ///< selects points by their places
   bool scan_counts = false;       ///< count points of LAS by class and by return in PointFacts::scan
   unsigned threads = 0;           ///< the most threads that decompress points; 0: one for each processor
 };
@@ -93,6 +95,7 @@ struct CloudFacts {
   std::size_t expected = 0;                       ///< the most points that there can be; 0: not known
   bool normals = false;                           ///< blocks have normals
   std::optional<Channels> colors = std::nullopt;  ///< range of the columns of colors; absent without colors
+  bool is_in_window = false;                      ///< the reader itself selects points by CloudRequest::window
   bool last_are_colors = false;                   ///< the columns of the normal contain red, green, blue
   bool last_have_no_direction = false;  ///< the file must be read again with last_are_normals, which refuses a line
 };
@@ -112,7 +115,7 @@ class Cloud {
   /// Returns how many bytes of the file were read until now; 0 from readers that do not count them.
   virtual std::uint64_t bytes_read() const { return 0; }
 
-  CloudFacts& facts() { return facts_; }
+  virtual CloudFacts& facts() { return facts_; }
 
  protected:
   CloudFacts facts_ = {};
@@ -154,14 +157,18 @@ std::unique_ptr<Cloud> open_as(Content content, const CloudRequest& request) {
   return std::make_unique<Reader>(std::move(content), request, more...);
 }
 
+/// Opens a file, and leaves out points that are not in request.window. Throws as CloudFormat::open(), and Cloud::next()
+/// then throws BadInput if points have no height, and the window has bounds of heights.
+std::unique_ptr<Cloud> open_cloud(const CloudFormat& format, Content content, const CloudRequest& request);
+
 /// Returns the reader of a format; null for geometries and pixels, which are not columns.
 const CloudFormat* cloud_format(Format format);
 
 /// Returns whether the format has a reader (cloud_format()), and the reader has the property.
 bool has(Format format, bool CloudFormat::*property);
 
-/// Returns, for messages, the formats of a use for whose readers fit() is true, and `others`: "las, laz, ply or text". All
-/// tables are "text".
+/// Returns, for messages, the formats of a use for whose readers fit() is true, and `others`: "las, laz, ply or text".
+/// All tables are "text".
 std::string readable(Use use, const std::function<bool(const CloudFormat&)>& fit, std::vector<std::string> others = {});
 
 /// Returns the formats that `rbpa stream` reads a block at a time: "tables, .npy, .f64xy, LAS and LAZ".
@@ -203,6 +210,15 @@ double load_exactly(Scalar type, const char* at, std::endian order, const Place&
 /// of the file.
 void load_column(std::vector<double>& column, Scalar type, const char* at, std::size_t stride, std::size_t count,
                  std::endian order, std::size_t first, const std::string& name);
+
+/// Removes the points with kept[i] = 0 from the columns and the heights of `block`, and counts the others.
+void keep_points(CloudBlock& block, const std::vector<std::uint8_t>& kept);
+
+/// Throws BadInput for points without heights and a window that bounds them.
+[[noreturn]] void refuse_flat_points(const std::string& name);
+
+/// Returns "--bounds selects 3 of 8 points".
+std::string warning_on_window(const PointWindow& window, std::size_t selected, std::size_t all);
 
 /// Removes the points for which the condition is false from `block`. `fields` has a column for each field of the
 /// condition; the first point of `block` is number `first` of the file `name`. Throws BadInput if a remaining point is

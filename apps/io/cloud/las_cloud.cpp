@@ -4,6 +4,7 @@
 
 #include "io/bytes/number.h"
 #include "io/cloud/cloud.h"
+#include "io/cloud/copc.h"
 #include "io/cloud/las_fields.h"
 #include "io/cloud/las_header.h"
 #include "io/failure.h"
@@ -57,7 +58,20 @@ class LasCloud final : public Cloud {
       if (red_) facts_.colors = Channels::bytes;
     }
     if (header_.is_compressed) laz = read_laz_format(laszip_record(first, header_), header_.length, name);
-    facts_.file.scan = {header_.minor, header_.format, laz ? laz->compressor : 0, header_.scale, header_.offset};
+    const std::string_view copc = laz ? las_record(first, header_, "copc", 1) : std::string_view();
+    facts_.file.scan = ScanFacts{.minor = header_.minor,
+                                 .format = header_.format,
+                                 .compressor = laz ? laz->compressor : 0,
+                                 .is_copc = !copc.empty(),
+                                 .scale = header_.scale,
+                                 .offset = header_.offset};
+    std::optional<std::vector<LazNode>> nodes;
+    if (request.window.selects()) {
+      window_ = request.window;
+      facts_.is_in_window = true;
+      if (!copc.empty() && !content_.is_compressed()) nodes = find_copc_nodes(content_, copc, header_.scale, window_);
+      filter_.emplace(window_, in_space_, !nodes);  // of COPC levels thin the points
+    }
     const LasCrs system = find_system(first);
     facts_.file.crs = system.crs;
     if (content_.is_compressed() && !header_.is_compressed) {
@@ -66,11 +80,14 @@ class LasCloud final : public Cloud {
       settle(header_.count);
     }
     if (laz)
-      laz_.emplace(content_, header_.begin, *laz, count_, LazChoice{read_bytes(), skip_invalid_, request.threads});
+      laz_.emplace(content_, header_.begin, *laz, count_,
+                   LazChoice{read_bytes(), skip_invalid_, request.threads, std::move(nodes)});
     if (!system.warning.empty() && !in_space_) facts_.file.warnings.push_back(system.warning);
     if (in_space_ && system.crs) facts_.file.degrees = system.crs->degrees;
-    // A point for each record; but LAZ may promise many more points than there are bytes.
-    if (!selection_ && is_settled_ && !content_.is_compressed() && count_ <= content_.size()) facts_.expected = count_;
+    // A point for each record, unless there is a window; but LAZ may promise many more points than there are bytes.
+    if (!selection_ && !request.window.selects() && is_settled_ && !content_.is_compressed() &&
+        count_ <= content_.size())
+      facts_.expected = count_;
     content_.skip(header_.begin);
   }
 
@@ -81,11 +98,13 @@ class LasCloud final : public Cloud {
       const std::size_t count = std::min(points_at_once, count_ - first_);
       const std::string_view bytes = laz_ ? laz_->ahead() : content_.ahead(count * header_.length);
       const std::size_t whole = std::min(count, bytes.size() / header_.length);
+      if (laz_ && whole > 0) first_ = laz_->first();
       read(bytes.data(), whole, block);
       laz_ ? laz_->skip(whole * header_.length) : content_.skip(whole * header_.length);
       first_ += whole;
       if (laz_ && whole == 0)
-        leave_out_rest();
+        laz_->fault().empty() ? static_cast<void>(first_ = count_)
+                              : leave_out_rest();  // after the last node, or a fault
       else if (!laz_ && whole < count)
         settle(header_.count.with_room(first_));
     }
@@ -97,6 +116,7 @@ class LasCloud final : public Cloud {
     std::vector<std::string>& warnings = facts_.file.warnings;
     facts_.file.all_points = count_;
     if (selection_) selection_->warning("point", warnings);
+    if (filter_) warnings.push_back(warning_on_window(window_, taken_, count_));
     if (withheld_points_ > 0)
       warnings.push_back(counted(withheld_points_, "point") + (withheld_points_ == 1 ? " is" : " are") +
                          " marked as withheld (--where \"not withheld\" leaves them out)");
@@ -107,7 +127,8 @@ class LasCloud final : public Cloud {
  private:
   /// Returns the coordinate system of the file; also reads the records after the points.
   LasCrs find_system(std::string_view before) const {
-    const bool has_more = !content_.is_compressed() && header_.extended_records > 0 &&
+    // A COPC file has the name of its system before the points, and the whole hierarchy behind them.
+    const bool has_more = !facts_.file.scan->is_copc && !content_.is_compressed() && header_.extended_records > 0 &&
                           header_.extended_begin > header_.begin && header_.extended_begin < content_.size();
     if (!has_more) return las_crs(before, {}, header_);
     constexpr std::size_t most = std::size_t{16} << 20U;
@@ -143,6 +164,13 @@ class LasCloud final : public Cloud {
     return selection_->holds();
   }
 
+  std::array<double, 3> position(const char* record) const {
+    std::array<double, 3> position{};
+    for (std::size_t axis = 0; axis < (has_z_ ? 3 : 2); ++axis)
+      position[axis] = axes_[axis](las_value<std::int32_t>(record + 4 * axis));
+    return position;
+  }
+
   void read(const char* records, std::size_t count, CloudBlock& block) {
     const std::size_t length = header_.length, dimension = in_space_ ? 3 : 2;
     for (std::size_t axis = 0; axis < dimension; ++axis) block.column[axis].resize(count);
@@ -158,10 +186,9 @@ class LasCloud final : public Cloud {
     for (std::size_t i = 0; i < count; ++i) {
       const char* const record = records + i * length;
       if (selection_ && !is_selected(record)) continue;
-      if (selection_) {
-        append_fields(selection_->column_values(), block);
-        block.index.push_back(first_ + i);
-      }
+      if (filter_ && !filter_->keeps(position(record))) continue;
+      if (selection_) append_fields(selection_->column_values(), block);
+      if (selection_ || filter_) block.index.push_back(first_ + i);
       x[taken] = axes_[0](las_value<std::int32_t>(record));
       y[taken] = axes_[1](las_value<std::int32_t>(record + 4));
       if (z != nullptr) z[taken] = axes_[2](las_value<std::int32_t>(record + 8));
@@ -179,6 +206,7 @@ class LasCloud final : public Cloud {
       for (std::vector<double>& column : block.column) column.resize(std::min(column.size(), taken));
     block.heights.resize(std::min(block.heights.size(), taken));
     block.count = taken;
+    taken_ += taken;
   }
 
   void settle(const LasCount& count) {
@@ -209,7 +237,9 @@ class LasCloud final : public Cloud {
   std::vector<LasPlace> places_ = {};
   std::optional<LasField> withheld_ = std::nullopt, red_ = std::nullopt;  // green and blue follow red
   std::optional<LasField> class_ = std::nullopt, return_ = std::nullopt;  // if they are counted
-  std::size_t first_ = 0, count_ = 0, withheld_points_ = 0;
+  PointWindow window_ = {};
+  std::optional<WindowFilter> filter_ = std::nullopt;  // for the window, if it selects
+  std::size_t first_ = 0, count_ = 0, taken_ = 0, withheld_points_ = 0;
   std::uint16_t greatest_channel_ = 0;
   bool is_settled_ = false, ended_ = false;
 };

@@ -245,11 +245,11 @@ void visit(std::string_view bytes, std::size_t at, std::size_t end, std::size_t 
 
 }  // namespace
 
-std::string_view laszip_record(std::string_view before, const LasHeader& header) {
+std::string_view las_record(std::string_view before, const LasHeader& header, std::string_view user, unsigned number) {
   std::string_view found;
   visit(before, header.size, std::min(header.begin, before.size()), header.records, false,
-        [&](std::string_view user, unsigned number, std::string_view data) {
-          if (user == "laszip encoded" && number == 22204) found = data;
+        [&](std::string_view its_user, unsigned its_number, std::string_view data) {
+          if (its_user == user && its_number == number && found.empty()) found = data;
         });
   return found;
 }

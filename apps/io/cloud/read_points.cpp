@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -19,13 +20,38 @@
 namespace rbpa::app {
 namespace {
 
+/// Returns `file` without the points that are not in `window`. Throws BadInput.
+PointFile in_window(PointFile file, const std::string& name, const PointWindow& window) {
+  if (!window.selects()) return file;
+  if (file.z.empty() && window.bounds && window.bounds->has_heights()) refuse_flat_points(name);
+  WindowFilter filter(window, false, true);
+  const std::size_t all = file.points.size();
+  std::vector<std::uint32_t> index;
+  for (std::size_t i = 0; i < all; ++i) {
+    if (!filter.keeps({file.points[i].x, file.points[i].y, file.z.empty() ? 0 : file.z[i]})) continue;
+    const std::size_t to = index.size();
+    index.push_back(file.index.empty() ? static_cast<std::uint32_t>(i) : file.index[i]);
+    file.points[to] = file.points[i];
+    if (!file.z.empty()) file.z[to] = file.z[i];
+    for (std::vector<double>& field : file.fields) field[to] = field[i];
+  }
+  file.points.resize(index.size());
+  if (!file.z.empty()) file.z.resize(index.size());
+  for (std::vector<double>& field : file.fields) field.resize(index.size());
+  file.all_points = std::max(file.all_points, all);
+  file.warnings.push_back(warning_on_window(window, index.size(), all));
+  file.index = unless_identity(std::move(index));
+  return file;
+}
+
 /// Reads points by the reader of their format; geometries and pixels, which are not columns, have readers of their own.
 PointFile parse(std::string_view bytes, const std::string& name, const PointSource& source) {
   const Format format = source.format;
-  if (format == Format::png) return {{}, read_png_points(bytes, name, source.pixels)};
-  if (format == Format::pgm) return {{}, read_pgm_points(bytes, name, source.pixels)};
-  if (format == Format::geojson) return read_geojson_points(bytes, name, source.vertices, source.properties);
-  if (format == Format::wkt) return read_wkt_points(bytes, name, source.vertices);
+  const auto within = [&](PointFile file) { return in_window(std::move(file), name, source.window); };
+  if (format == Format::png) return within({{}, read_png_points(bytes, name, source.pixels)});
+  if (format == Format::pgm) return within({{}, read_pgm_points(bytes, name, source.pixels)});
+  if (format == Format::geojson) return within(read_geojson_points(bytes, name, source.vertices, source.properties));
+  if (format == Format::wkt) return within(read_wkt_points(bytes, name, source.vertices));
   return read_plane_points(*open_plane_cloud(Content(bytes, name), source));
 }
 
@@ -78,14 +104,20 @@ PointFile settled(PointFile file, const std::string& name, const PointSource& so
 
 std::unique_ptr<Cloud> open_plane_cloud(Content content, const PointSource& source) {
   if (content.size() == 0) bad_input(content.name(), "an empty file", "points");
-  return cloud_format(source.format)
-      ->open(std::move(content), {.columns = source.columns,
-                                  .where = source.where,
-                                  .heights = source.heights,
-                                  .skip_invalid = source.skip_invalid,
-                                  .vertices = source.vertices,
-                                  .scan_counts = source.scan_counts,
-                                  .threads = source.threads});
+  return open_cloud(*cloud_format(source.format), std::move(content),
+                    {.columns = source.columns,
+                     .where = source.where,
+                     .heights = source.heights,
+                     .skip_invalid = source.skip_invalid,
+                     .vertices = source.vertices,
+                     .window = source.window,
+                     .scan_counts = source.scan_counts,
+                     .threads = source.threads});
+}
+
+bool reads_parts(const std::string& path, Format format, const PointWindow& window) {
+  std::error_code error;
+  return window.selects() && is_las(format) && std::filesystem::is_regular_file(path, error);
 }
 
 PointFile read_plane_points(Cloud& cloud) {
@@ -153,7 +185,11 @@ void require_readable_input(Use use, Format format, bool columns, bool skip_inva
 
 PointFile read_points(const PointSource& source) {
   if (source.format == Format::ogr)
-    return settled(read_ogr_points(source.path, source.layer, source.vertices), source.path, source);
+    return settled(in_window(read_ogr_points(source.path, source.layer, source.vertices), source.path, source.window),
+                   source.path, source);
+  if (reads_parts(source.path, source.format, source.window))
+    return settled(read_plane_points(*open_plane_cloud(Content::of_file(source.path, true), source)), source.path,
+                   source);
   const InputBytes input(source.path, "a file of points",
                          decompression_of(source.format, source.path,
                                           " (rbpa stream reads " + streamed_formats() + " a block at a time)"));

@@ -29,6 +29,7 @@ struct PointSource {
   std::optional<Crs> crs = std::nullopt;          ///< coordinate system of the points; overrides that of the file
   std::optional<std::string> layer = std::nullopt;  ///< name of the layer, if a source of OGR has several
   bool shift_longitude = false;                     ///< add 360 to longitudes below 0
+  PointWindow window = {};                          ///< as CloudRequest::window
   bool scan_counts = false;                         ///< as CloudRequest::scan_counts
   unsigned threads = 0;                             ///< as CloudRequest::threads
 };
@@ -62,6 +63,9 @@ void settle_crs(PointFile& file, const std::optional<Crs>& said);
 /// Reads points from `bytes`, the content of a file; `name` stands for it in messages, and source.path is ignored.
 /// Throws as read_points().
 PointFile points_in(std::string_view bytes, const std::string& name, const PointSource& source);
+
+/// Returns whether the file may be a COPC file of which only a part is needed, so that it is not read into memory.
+bool reads_parts(const std::string& path, Format format, const PointWindow& window);
 
 /// Opens content. Requires: source.format has a cloud_format(). Throws as read_points(), and BadInput if the content is
 /// empty.

@@ -71,9 +71,22 @@ void require_directions(const SpacePoints& file, const std::string& name) {
       bad_input(name + ": normal of point " + std::to_string(i), "'0 0 0'", "a vector of another length than 0");
 }
 
+/// Reads the points of `content`, which is not empty.
+SpacePoints read_content(const Content& content, Format format, const CloudRequest& request) {
+  CloudRequest in_space = request;
+  in_space.in_space = true;
+  const CloudFormat& known = *cloud_format(format);
+  std::optional<SpacePoints> file = read_cloud(*open_cloud(known, content.again(), in_space));
+  in_space.last_are_normals = true;
+  if (!file) file = read_cloud(*open_cloud(known, content.again(), in_space));
+  require_directions(*file, content.name());
+  return std::move(*file);
+}
+
 }  // namespace
 
 SpacePoints read_space_points(const std::string& path, Format format, const CloudRequest& request) {
+  if (reads_parts(path, format, request.window)) return read_content(Content::of_file(path, true), format, request);
   const InputBytes input(path, "a file of points", decompression_of(format, path));
   if (format == Format::by_content) {
     format = format_of_content(Use::space, input.bytes(), input.name(), Format::text);
@@ -86,16 +99,9 @@ SpacePoints space_points_in(std::string_view bytes, const std::string& name, For
                             const CloudRequest& request) {
   // Refuse an empty file, the result of an earlier command that failed; a file without points may be intended.
   if (bytes.empty()) bad_input(name, "an empty file", "points");
-  CloudRequest in_space = request;
-  in_space.in_space = true;
-  const CloudFormat& known = *cloud_format(format);
   std::string room;
   if (!is_table(format)) bytes = plain_text(bytes, name, format, room);
-  std::optional<SpacePoints> file = read_cloud(*known.open(Content(bytes, name), in_space));
-  in_space.last_are_normals = true;
-  if (!file) file = read_cloud(*known.open(Content(bytes, name), in_space));
-  require_directions(*file, name);
-  return std::move(*file);
+  return read_content(Content(bytes, name), format, request);
 }
 
 }  // namespace rbpa::app

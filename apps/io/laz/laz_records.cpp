@@ -1,6 +1,7 @@
 #include "io/laz/laz_records.h"
 
 #include <algorithm>
+#include <functional>
 #include <thread>
 #include <utility>
 
@@ -106,9 +107,38 @@ LazRecords::LazRecords(const Content& content, std::size_t begin, LazFormat form
     if (is_windowed() && format_.chunk_size == LazFormat::varying)
       bad_input(byte_of(content, begin), "chunks of various sizes without a table", "one behind them");
   }
+  if (choice_.nodes) choose_chunks();
   content_.skip(place_);
   if (threads_ > 1 && table_ && table_->size() > 1)
     batches_ = std::make_unique<ReadAhead<Batch>>(1, [this](Batch& batch) { return make(batch); });
+}
+
+void LazRecords::choose_chunks() {
+  if (!table_) bad_input(byte_of(content_, place_), "no table of chunks", "one behind the points, as COPC has");
+  is_wanted_.resize(table_->size());
+  left_ = 0;
+  std::uint64_t place = place_;
+  std::size_t k = 0;  // chunk
+  for (const LazNode& node : *choice_.nodes) {
+    while (k < table_->size() && place < node.begin) place += (*table_)[k++].size;
+    if (k == table_->size() || place != node.begin || (*table_)[k].size != node.size ||
+        (*table_)[k].points != node.points || is_wanted_[k])
+      bad_input(byte_of(content_, node.entry),
+                "a node of " + counted(node.points, "point") + " in " + counted(node.size, "byte") + " from byte " +
+                    std::to_string(node.begin) + " on",
+                "a chunk of the table, once (without --bounds and --resolution the hierarchy is not read)");
+    is_wanted_[k] = true;
+    left_ += node.points;
+  }
+}
+
+std::uint64_t LazRecords::place_of(const char* at) const {
+  for (std::size_t i = 0; i < in_use_; ++i) {
+    const std::string_view bytes = slots_[i].bytes;
+    if (!slots_[i].copy.empty() && !std::less<>()(at, bytes.data()) && !std::less<>()(bytes.data() + bytes.size(), at))
+      return slots_[i].place + static_cast<std::uint64_t>(at - bytes.data());
+  }
+  return place_ + static_cast<std::uint64_t>(at - window_.data());
 }
 
 std::string_view LazRecords::ahead() {
@@ -149,8 +179,7 @@ bool LazRecords::make(Batch& batch) {
     place_ += size;
     if (all_decoded) in_use_ = 0;
   } catch (const BadStream& fault) {
-    const auto at = static_cast<std::uint64_t>(fault.at - window_.data());
-    const std::string where = byte_of(content_, place_ + at);
+    const std::string where = byte_of(content_, place_of(fault.at));
     if (!choice_.skip_invalid) bad_input(where, fault.found, fault.expected);
     batch.fault = where + ": found " + fault.found;
     ended_ = true;
@@ -162,21 +191,25 @@ bool LazRecords::make(Batch& batch) {
 
 void LazRecords::begin_chunks() {
   if (table_) {
-    std::uint64_t size = 0;
-    std::size_t count = 0, bytes = 0;
-    for (; next_chunk_ + count < table_->size() && count < threads_; ++count) {
-      const LazChunk& chunk = (*table_)[next_chunk_ + count];
-      const std::size_t more = chunk.points * format_.length;
-      if (count > 0 && (std::max(more, bytes) > piece_bytes || bytes + more > batch_bytes)) break;
+    for (std::size_t bytes = 0; next_chunk_ < table_->size() && in_use_ < threads_; ++next_chunk_) {
+      const LazChunk& chunk = (*table_)[next_chunk_];
+      const bool is_wanted = is_wanted_.empty() || is_wanted_[next_chunk_];
+      const std::size_t more = is_wanted ? chunk.points * format_.length : 0;
+      if (in_use_ > 0 && (std::max(more, bytes) > piece_bytes || bytes + more > batch_bytes)) break;
       bytes += more;
-      size += chunk.size;
+      if (is_wanted) {
+        const std::string_view found = require_ahead(chunk.size);
+        begin(chunk.points, {});
+        Slot& slot = slots_[in_use_ - 1];
+        slot.copy.assign(found.begin(), found.end());  // as the next chunk may be elsewhere
+        slot.bytes = {slot.copy.data(), slot.copy.size()};
+      } else {
+        first_ += chunk.points;
+      }
+      content_.skip(chunk.size);
+      place_ += chunk.size;
     }
-    window_ = require_ahead(size);
-    for (std::size_t at = 0; count > 0; --count) {
-      const LazChunk& chunk = (*table_)[next_chunk_++];
-      begin(chunk.points, window_.substr(at, chunk.size));
-      at += chunk.size;
-    }
+    window_ = {};
   } else if (format_.is_layered) {
     window_ = require_ahead(format_.head());
     const LazChunk chunk = layered_chunk(format_, window_);
@@ -200,8 +233,12 @@ void LazRecords::begin(std::size_t points, std::string_view bytes) {
   if (in_use_ == slots_.size()) slots_.push_back({.decoder = std::make_unique<ChunkDecoder>(format_, choice_.wanted)});
   Slot& slot = slots_[in_use_++];
   slot.bytes = bytes;
+  slot.copy.clear();
+  slot.place = place_;
+  slot.first = first_;
   slot.points = slot.left = points;
   left_ -= points;
+  first_ += points;
 }
 
 std::size_t LazRecords::most_at_once() const {
@@ -211,7 +248,7 @@ std::size_t LazRecords::most_at_once() const {
 
 LazRecords::Piece LazRecords::decode(Slot& slot) const {
   const std::size_t length = format_.length, count = std::min(slot.left, most_at_once());
-  Piece piece;
+  Piece piece{.first = slot.first + slot.points - slot.left};
   piece.records.resize(count * length);
   std::size_t done = 0;
   try {

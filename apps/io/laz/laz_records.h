@@ -19,10 +19,19 @@
 
 namespace rbpa::app {
 
+/// A chunk that the hierarchy of a COPC file names.
+struct LazNode {
+  std::uint64_t begin, size;  ///< its place in the file, in bytes
+  std::size_t points;
+  std::uint64_t entry;  ///< the byte of its entry in the hierarchy
+};
+
 struct LazChoice {
   std::vector<bool> wanted;   ///< see ChunkDecoder
   bool skip_invalid = false;  ///< the records end without an exception where they cannot be decoded
   unsigned threads = 0;       ///< the most that decode; 0: one for each processor
+  /// The chunks to decode, ordered by their places; absent: all.
+  std::optional<std::vector<LazNode>> nodes = std::nullopt;
 };
 
 class LazRecords {
@@ -33,6 +42,8 @@ class LazRecords {
   /// Returns the next records, at least one, unless there are no more; they are valid until the next call. Throws
   /// BadInput that names the byte, unless LazChoice::skip_invalid; Failure, Cancelled.
   std::string_view ahead();
+  /// Returns the number, among the points of the file, of the first record that ahead() returned.
+  std::uint64_t first() const { return batch_.pieces[piece_].first + skipped_ / format_.length; }
   /// Skips `size` bytes of those that ahead() returned.
   void skip(std::size_t size) { skipped_ += size; }
 
@@ -44,6 +55,7 @@ class LazRecords {
   /// Consecutive records, decoded by one thread up to the fault, if there is one.
   struct Piece {
     std::vector<char> records = {};
+    std::uint64_t first = 0;  // number of its first record
     std::optional<BadStream> fault = std::nullopt;
   };
   struct Batch {
@@ -55,6 +67,8 @@ class LazRecords {
   struct Slot {
     std::unique_ptr<ChunkDecoder> decoder;
     std::string_view bytes = {};
+    std::vector<char> copy = {};         // has `bytes`, unless they are in window_
+    std::uint64_t place = 0, first = 0;  // of the chunk in the file, in bytes and in points
     std::size_t points = 0, left = 0;
   };
 
@@ -62,6 +76,10 @@ class LazRecords {
   bool make(Batch& batch);
   /// Fills slots_: with the next chunk, or with one chunk for each thread.
   void begin_chunks();
+  /// Requires that the chunks of the choice are some of the table, and marks them in is_wanted_. Throws BadInput.
+  void choose_chunks();
+  /// Returns the place in the file of a byte that a decoder names.
+  std::uint64_t place_of(const char* at) const;
   /// Returns the next `size` bytes of the file. Throws BadStream if there are fewer.
   std::string_view require_ahead(std::uint64_t size);
   /// Gives a chunk to the next slot.
@@ -76,7 +94,9 @@ class LazRecords {
   LazFormat format_;
   LazChoice choice_;
   std::optional<std::vector<LazChunk>> table_ = std::nullopt;
-  std::size_t next_chunk_ = 0, left_;  // left_: points in chunks that are not begun
+  std::vector<bool> is_wanted_ = {};   // for each chunk of table_, if some are chosen
+  std::size_t next_chunk_ = 0, left_;  // left_: points in chunks that are not begun, and are wanted
+  std::uint64_t first_ = 0;            // number of the first point of the next chunk
   std::string_view window_ = {};       // the bytes that are being decoded; those of all slots
   std::uint64_t place_;                // of window_ in the file
   std::size_t threads_;

@@ -23,6 +23,8 @@ def read_points(
     format: Optional[str] = None,
     skip_invalid: bool = False,
     vertices: bool = False,
+    bounds: Optional[Sequence[float]] = None,
+    resolution: Optional[float] = None,
 ) -> PointFile:
     """Reads points from a file, as the program `rbpa` does: LAS and LAZ, tables in text, PLY, OFF, .npy, GeoJSON, well-known
     text, the foreground of an image; in space also PCD, OBJ and molecules. Files compressed by gzip are decompressed.
@@ -49,6 +51,12 @@ def read_points(
         Leave out lines of text, and records of LAS, that are not points; `PointFile.warnings` counts them.
     vertices : bool
         Take the vertices of lines and polygons as points.
+    bounds : sequence of 4 or 6 numbers, optional
+        Take the points in the box x0, y0, x1, y1 or x0, y0, x1, y1, z0, z1, its boundary included. Of COPC only the nodes
+        that meet the box are read.
+    resolution : float, optional
+        Take fewer points: of COPC the levels down to the first whose spacing is at most this length, of other files the
+        first point in each cell with this side.
 
     Raises
     ------
@@ -80,8 +88,10 @@ def read_points(
     for text, option in ((where, "where"), (format, "format")):
         if text is not None:
             _require_text(text, option)
+    box = None if bounds is None else np.asarray(bounds, dtype=float).ravel().tolist()
+    length = None if resolution is None else float(resolution)
     try:
-        read = _core.read_points(os.fsencode(path), space, named, where, columns, format, skip_invalid, vertices)
+        read = _core.read_points(os.fsencode(path), space, named, where, columns, format, skip_invalid, vertices, box, length)
     except InvalidInput as error:
         if not os.path.exists(path):
             raise FileNotFoundError(str(error)) from None

@@ -43,7 +43,8 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
                      .pixels = parse_pixel_rule(arguments.pixels),
                      .skip_invalid = arguments.skip_invalid,
                      .vertices = arguments.vertices,
-                     .shift_longitude = arguments.shift_longitude};
+                     .shift_longitude = arguments.shift_longitude,
+                     .window = parse_window(arguments.bounds, arguments.resolution)};
   if (arguments.columns) source.columns = parse_columns(*arguments.columns);
   if (arguments.crs) source.crs = parse_crs(*arguments.crs);
   source.layer = arguments.layer;
@@ -78,6 +79,7 @@ SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::v
                           .format = parse_format(Use::space, arguments.points, arguments.format, "POINTS")};
   if (arguments.columns) source.choice.columns = parse_space_columns(*arguments.columns);
   source.choice.skip_invalid = arguments.skip_invalid;
+  source.choice.window = parse_window(arguments.bounds, arguments.resolution);
   source.choice.waters = arguments.waters ? Waters::counted : Waters::left_out;
   if (arguments.waters) require_molecule(source.format, "--waters", "without atoms");
   const std::optional<FieldNames> names = fields_of(source.format);

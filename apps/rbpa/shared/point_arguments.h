@@ -17,8 +17,13 @@ struct PixelArguments {
   std::optional<std::string> threshold;
 };
 
+/// The options about the places of points, as text.
+struct WindowArguments {
+  std::optional<std::string> bounds, resolution;
+};
+
 /// The options about points of the plane, as text.
-struct PointArguments {
+struct PointArguments : WindowArguments {
   std::string points;  ///< path of the file; "-" is standard input
   std::optional<std::string> format;
   std::optional<std::string> columns;
@@ -32,7 +37,7 @@ struct PointArguments {
 };
 
 /// The options about points in space, as text.
-struct SpacePointArguments {
+struct SpacePointArguments : WindowArguments {
   std::string points;  ///< path of the file; "-" is standard input
   std::optional<std::string> format;
   std::optional<std::string> columns;

@@ -27,6 +27,13 @@ void add_selection_options(CLI::App& verb, Arguments& arguments) {
                   "Take only points that fulfill a condition on fields of LAS, PLY or PCD, or on columns of text: "
                   "\"classification == 6 and z > 3\", or for texts \"group in ('A', 'B')\"")
       ->type_name("CONDITION");
+  verb.add_option("--bounds", arguments.bounds,
+                  "Take only points in this box, boundary included; of COPC only nodes that meet it are read")
+      ->type_name("X0,Y0,X1,Y1[,Z0,Z1]");
+  verb.add_option("--resolution", arguments.resolution,
+                  "Take fewer points: of COPC the levels down to the first whose spacing is at most R, of other files "
+                  "the first point in each cell of side R")
+      ->type_name("R");
 }
 
 inline void add_waters_option(CLI::App& verb, bool& waters) {

@@ -34,6 +34,8 @@ SpacePointSource parse_space_points(const RadiiArguments& arguments) {
   points.format = arguments.format;
   points.columns = arguments.columns;
   points.where = arguments.where;
+  points.bounds = arguments.bounds;
+  points.resolution = arguments.resolution;
   points.skip_invalid = arguments.skip_invalid;
   points.waters = arguments.waters;
   return parse_space_source(points);

@@ -57,6 +57,7 @@ std::string reading_options(const PointArguments& arguments) {
   };
   add("--format", arguments.format);
   add("--columns", arguments.columns);
+  add("--bounds", arguments.bounds);
   add("--foreground", arguments.pixels.foreground);
   add("--threshold", arguments.pixels.threshold);
   add("--where", arguments.where);
@@ -89,6 +90,8 @@ StreamRequest parse_request(const StreamArguments& arguments) {
   refuse_given({{arguments.min_part_area.has_value(), "--min-part-area"}},
                "cannot be combined with rbpa stream, which writes all parts (use rbpa shape if the points fit into "
                "memory, or a larger --alpha)");
+  refuse_given({{arguments.resolution.has_value(), "--resolution"}},
+               "cannot be combined with rbpa stream, whose memory would grow with the number of cells");
   if (arguments.tile_size)
     request.tile_size = parse_whole("--tile-size", *arguments.tile_size, {.least = least_tile}, "points");
   if (arguments.scratch && arguments.scratch->empty()) bad_usage("--scratch", "an empty name", "a folder");
