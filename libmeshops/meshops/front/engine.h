@@ -19,10 +19,10 @@
 namespace meshops {
 
 /// Advances the active front until no active halfedge is left, then inserts a seed and continues, until seed() returns
-/// nothing, or once more the seed that was refused last, and no triangle was inserted or detached since. Deferred edges
-/// get their turn again before the next seed, when no other edge is active and a triangle was inserted or detached since
-/// they were deferred; without a seed they are frozen, and seed() is called once more. An edge is frozen when the policy
-/// proposes nothing for it, when its proposal is refused, or when the triangles proposed for it leave it on the
+/// nothing, or again the seed that was refused last, without a triangle inserted or detached since. Deferred edges get
+/// their turn again before the next seed, when no other edge is active and a triangle was inserted or detached since
+/// they were deferred; without a seed they are frozen, and seed() is called once more. An edge is frozen when the
+/// policy proposes nothing for it, when its proposal is refused, or when the triangles proposed for it leave it on the
 /// boundary.
 /// Throws: whatever the policy or the visitor throws, including the comparisons and moves of keys. The mesh is then
 ///         sound, the edges that were active or being processed are active, and another advance() continues with them

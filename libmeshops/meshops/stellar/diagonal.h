@@ -31,8 +31,8 @@ struct RemoveDiagonalEffect {
 
 /// Returns why no diagonal can join the starts of `from` and `to`, or nothing when one can. The reasons: a halfedge
 /// does not exist or is deleted; the two are not sides of one face, or are one halfedge; the two corners are neighbors
-/// (a face of two sides would be left) or one vertex (a loop); with Keep::simplicial, an edge joins the corners already,
-/// or the diagonal would make two triangles with the same corners, in a quadrangle that touches itself.
+/// (a face of two sides would be left) or one vertex (a loop); with Keep::simplicial, an edge joins the corners
+/// already, or the diagonal would make two triangles with the same corners, in a quadrangle that touches itself.
 /// Cost: constant; Keep::simplicial: the lesser degree of the two corners.
 MESHOPS_API std::optional<Blocker> insert_diagonal_blocker(const Connectivity& mesh, Halfedge from, Halfedge to,
                                                            Keep keep = Keep::simplicial);
