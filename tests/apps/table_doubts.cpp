@@ -343,6 +343,7 @@ TEST_SUITE("table doubts") {
       CHECK(warnings(text, far) == 0);
     CHECK(warnings("3,51E+06;5,68E+06\n3,51E+06;5,68E+06\n3,51E+06;5,68E+06\n",
                    "all 3 points are (3510000, 5680000): were") == 1);
+    CHECK(warnings("0 0\n0 0\n0 0\n", "all 3 points are (0, 0): were") == 1);
     CHECK(warnings("1 2\n1 2\n", "were digits lost") == 0);
   }
 }

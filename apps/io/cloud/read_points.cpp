@@ -62,6 +62,11 @@ void warn_of_odd_points(PointFile& file) {
     constexpr double signs[] = {0, 999, 9999, 99999, 999999};
     return p.x == p.y && std::find(std::begin(signs), std::end(signs), std::abs(p.x)) != std::end(signs);
   };
+  const Point first = file.points.empty() ? Point{} : file.points.front();
+  if (file.points.size() > 2 &&
+      std::all_of(file.points.begin(), file.points.end(), [&](const Point& p) { return p == first; }))
+    return file.warnings.push_back("all " + std::to_string(file.points.size()) + " points are (" + text_of(first.x) +
+                                   ", " + text_of(first.y) + "): were digits lost?");
   std::vector<Point> odd;
   Point least = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   Point greatest = {-least.x, -least.y};
@@ -73,11 +78,7 @@ void warn_of_odd_points(PointFile& file) {
     least = {std::min(least.x, p.x), std::min(least.y, p.y)};
     greatest = {std::max(greatest.x, p.x), std::max(greatest.y, p.y)};
   }
-  const std::size_t others = file.points.size() - odd.size();
-  if (others > 2 && odd.empty() && least == greatest)
-    file.warnings.push_back("all " + std::to_string(others) + " points are (" + text_of(least.x) + ", " +
-                            text_of(least.y) + "): were digits lost?");
-  if (others < 3) return;
+  if (file.points.size() < odd.size() + 3) return;
   const double side = std::max(greatest.x - least.x, greatest.y - least.y);
   std::erase_if(odd, [&](const Point& p) {
     return std::max({least.x - p.x, p.x - greatest.x, least.y - p.y, p.y - greatest.y}) <= side;
