@@ -27,8 +27,11 @@ DecimatedMesh decimate(const MeshFile& mesh, const DecimationChoice& choice) {
     places.push_back({x, y, z});
   }
   meshops::request_status(halfedges);
-  result.report =
-      rbpa::decimate(halfedges, places, {.faces = choice.faces_of(mesh.soup.faces()), .go_on = until_interrupted()});
+  result.report = rbpa::decimate(halfedges, places,
+                                 {.faces = choice.faces_of(mesh.soup.faces()),
+                                  .error = choice.error,
+                                  .measured = true,
+                                  .go_on = until_interrupted()});
   std::vector<std::uint32_t> number(places.size());
   for (const meshops::Vertex v : meshops::live_vertices(halfedges)) {
     const Point3& p = places[static_cast<std::size_t>(v.idx())];

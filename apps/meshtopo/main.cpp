@@ -87,8 +87,9 @@ int main(int argc, char** argv) {
       ->type_name("L");
   app.add_option("--decimate", arguments.decimate,
                  "Collapse edges of a mesh of triangles until N faces are left, or P percent, moving vertices so that "
-                 "the surface changes least. What is closed stays closed, and the topology the same")
-      ->type_name("N|P%");
+                 "the surface changes least; error=E: as long as no point of it is farther than E from the faces "
+                 "before, which is certified. What is closed stays closed, and the topology the same")
+      ->type_name("N|P%|error=E");
   app.add_option("--check", arguments.checks,
                  "Check properties of each mesh, such as closed,manifold,oriented,genus=0,components=1; print a line "
                  "on standard error for each that does not hold, and exit with code 4. Check the changed mesh, and a "

@@ -8,10 +8,24 @@
 #include "io/words.h"
 
 namespace rbpa::app {
+namespace {
+
+/// Returns a number with six digits that is not less than the value.
+std::string rounded_up(double value) {
+  const std::string nearest = rounded(value, 6);
+  return parse_whole_number(nearest).value >= value ? nearest : rounded(value * 1.00001, 6);
+}
+
+}  // namespace
 
 DecimationChoice parse_decimation(const std::string& option, const std::string& text) {
+  constexpr std::string_view error = "error=";
   DecimationChoice choice;
-  if (text.ends_with('%')) {
+  if (text.starts_with(error)) {
+    const ParsedNumber number = parse_whole_number(std::string_view(text).substr(error.size()));
+    choice.error = number.value;
+    if (number.fault == NumberFault::none && number.value >= 0) return choice;
+  } else if (text.ends_with('%')) {
     const ParsedNumber number = parse_whole_number(std::string_view(text).substr(0, text.size() - 1));
     choice.percent = number.value;
     if (number.fault == NumberFault::none && number.value > 0 && number.value <= 100) return choice;
@@ -19,13 +33,18 @@ DecimationChoice parse_decimation(const std::string& option, const std::string& 
     choice.faces = parse_count(text).value_or(0);
     if (choice.faces > 0) return choice;
   }
-  bad_usage(option, in_quotes(text), "a number of triangles, such as 10000, or a share, such as 10%");
+  bad_usage(option, in_quotes(text),
+            "a number of triangles, such as 10000, a share, such as 10%, or a distance, such as error=0.5");
 }
 
 std::string decimated_text(const Decimation& counts) {
   return "decimated from " + std::to_string(counts.given) + " to " + counted(counts.left, "triangle") +
-         (counts.is_exhausted ? ", no further: every collapse left would change the topology or turn a triangle over"
-                              : "");
+         (counts.distance ? ", at most " + rounded_up(*counts.distance) + " from those before" : "") +
+         (counts.is_exhausted
+              ? std::string(", no further: every collapse left would change the topology") +
+                    (counts.refused.contains(Decimation::too_far) ? ", turn a triangle over or be too far"
+                                                                  : " or turn a triangle over")
+              : "");
 }
 
 nlohmann::ordered_json as_json(const Decimation& counts) {
@@ -34,6 +53,7 @@ nlohmann::ordered_json as_json(const Decimation& counts) {
   return {{"triangles_before", counts.given},
           {"triangles", counts.left},
           {"collapses", counts.collapses},
+          {"distance", counts.distance ? nlohmann::ordered_json(*counts.distance) : nlohmann::ordered_json(nullptr)},
           {"refused", refused}};
 }
 

@@ -10,10 +10,11 @@
 
 namespace rbpa::app {
 
-/// A number of triangles, or a share of those that there are.
+/// A number of triangles, a share of those that there are, or a distance that is kept.
 struct DecimationChoice {
   std::size_t faces = 0;
   std::optional<double> percent = {};
+  std::optional<double> error = {};
 
   /// Returns the number of triangles to leave of `given`.
   std::size_t faces_of(std::size_t given) const {
@@ -21,13 +22,14 @@ struct DecimationChoice {
   }
 };
 
-/// Parses "10000", at least 1, or "10%", above 0 and at most 100. Throws WrongUsage that names the option.
+/// Parses "10000", at least 1, "10%", above 0 and at most 100, or "error=0.5", at least 0. Throws WrongUsage that names the option.
 DecimationChoice parse_decimation(const std::string& option, const std::string& text);
 
-/// Returns "decimated from 5856 to 586 triangles", and if more are left than were wanted, why.
+/// Returns "decimated from 5856 to 586 triangles, at most 0.5 from those before", rounded up, and if no edge is left to
+/// collapse, why.
 std::string decimated_text(const Decimation& counts);
 
-/// Returns {"triangles_before", "triangles", "collapses", "refused": {"double_edge": 3, ...}}.
+/// Returns {"triangles_before", "triangles", "collapses", "distance": 0.5, "refused": {"double_edge": 3, ...}}.
 nlohmann::ordered_json as_json(const Decimation& counts);
 
 }  // namespace rbpa::app

@@ -93,8 +93,9 @@ TEST_SUITE("meshtopo --decimate") {
     CHECK(folder.content("o.off") == folder.content("one.off"));
     const Outcome least = folder.meshtopo(data + "/m3_spot.off --decimate 1 -o o.off");
     CHECK(least.code == 0);
-    CHECK(least.out.find("\n  decimated from 1654 to 4 triangles, no further: every collapse left would change the "
-                         "topology or turn a triangle over\n") != std::string::npos);
+    CHECK(least.out.find("\n  decimated from 1654 to 4 triangles, at most ") != std::string::npos);
+    CHECK(least.out.find(" from those before, no further: every collapse left would change the topology or turn a "
+                         "triangle over\n") != std::string::npos);
     CHECK(changed(folder, data + "/m3_spot.off --decimate 0.01% -o o.off")["result"]["faces"] == 4);
   }
 
@@ -109,6 +110,26 @@ TEST_SUITE("meshtopo --decimate") {
     CHECK(report["changes"]["decimate"]["triangles"] == 2);
   }
 
+  TEST_CASE("an error is kept, and certified in the report; a larger one leaves fewer faces") {
+    const Folder folder;
+    std::size_t before = 4609;
+    for (const double error : {0.0, 1e-3, 1e-2, 0.1}) {
+      const json report =
+          changed(folder, data + "/m3_torus.off --decimate error=" + std::to_string(error) + " -o part.ply");
+      const json& counts = report["changes"]["decimate"];
+      CHECK(counts["distance"].get<double>() <= error);
+      CHECK(counts["triangles"].get<std::size_t>() < before);
+      if (error > 0) CHECK(counts["distance"].get<double>() > error / 4);
+      if (error < 0.1) CHECK(counts["refused"].contains("too_far"));
+      before = counts["triangles"].get<std::size_t>();
+      check_same_topology(report);
+    }
+    CHECK(before < 300);
+    const Outcome outcome = folder.meshtopo(data + "/m3_torus.off --decimate error=0.01 -o part.ply");
+    CHECK(outcome.out.find(" from those before, no further: every collapse left would change the topology, turn a "
+                           "triangle over or be too far\n") != std::string::npos);
+  }
+
   TEST_CASE("holes are filled before, and checks are those of the result") {
     const Folder folder;
     const Outcome outcome = folder.meshtopo(data + "/m3_cube_no_bottom.off --fill-holes rims --decimate 12 -o o.off " +
@@ -121,12 +142,15 @@ TEST_SUITE("meshtopo --decimate") {
   TEST_CASE("wrong numbers, polygons, meshes with defects and a missing file to write are refused, nothing written") {
     const Folder folder;
     folder.file("p.off", pyramid_off);
-    for (const std::string wrong : {"0", "-5", "x", "10 %", "0%", "101%", "%", "nan%", "1e3", "5.5"}) {
+    for (const std::string wrong : {"0", "-5", "x", "10 %", "0%", "101%", "%", "nan%", "1e3", "5.5",
+                                    "error=", "error=-1", "error=nan", "error=inf", "error=1%"}) {
       CAPTURE(wrong);
       const Outcome outcome = folder.meshtopo("p.off --decimate='" + wrong + "' -o o.off");
       CHECK(outcome.code == 2);
-      CHECK(outcome.err == "meshtopo: --decimate: found '" + wrong +
-                               "', expected a number of triangles, such as 10000, or a share, such as 10%\n");
+      CHECK(outcome.err ==
+            "meshtopo: --decimate: found '" + wrong +
+                "', expected a number of triangles, such as 10000, a share, such as 10%, or a distance, such as "
+                "error=0.5\n");
     }
     Outcome outcome = folder.meshtopo("p.off --decimate 4 -o o.off");
     CHECK(outcome.code == 3);
@@ -158,7 +182,7 @@ TEST_SUITE("surface") {
     CHECK(report["decimated"]["triangles"] == 300);
     CHECK(report["watertight"] == true);
     CHECK(report["component_list"][0]["triangles"] == 300);
-    CHECK(outcome.err.find("\nrbpa: decimated from 1796 to 300 triangles\n") != std::string::npos);
+    CHECK(outcome.err.find("\nrbpa: decimated from 1796 to 300 triangles, at most ") != std::string::npos);
     CHECK(outcome.err.find(": 300 triangles, 1 component, 0 boundary curves, genus 0 -> m.ply\n") != std::string::npos);
     CHECK(folder.meshtopo("m.ply -q --check closed,oriented,faces=300,vertices=152").code == 0);
 

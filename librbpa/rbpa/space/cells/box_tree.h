@@ -1,11 +1,13 @@
-// What: a tree of boxes that finds those that meet a given box.
+// What: a tree of boxes that finds those that meet a given box, and what is nearest to a point.
 // Cost: n log n to build; a query visits only nodes near the box.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "meshops/core/progress.h"
@@ -36,6 +38,38 @@ class BoxTree {
       for (std::uint32_t k = node.first; k < node.last; ++k)
         if (boxes_[k].meets(box)) visit(numbers_[k]);
     }
+  }
+
+  /// Returns the least i with the least squared(i), the squared distance of a point from something in box i, and this
+  /// number; nothing if it is above `most`.
+  template <typename Squared>
+  std::optional<std::pair<std::uint32_t, double>> nearest(const Point3& p, double most, const Squared& squared) const {
+    std::optional<std::pair<std::uint32_t, double>> best;
+    if (nodes_.empty()) return best;
+    std::array<std::pair<std::uint32_t, double>, 64> waiting{};
+    std::size_t count = 0;
+    waiting[count++] = {0, nodes_[0].box.squared_distance(p)};
+    while (count > 0) {
+      const auto [number, distance] = waiting[--count];
+      if (!(distance <= most)) continue;
+      const Node& node = nodes_[number];
+      if (node.second == 0) {
+        for (std::uint32_t k = node.first; k < node.last; ++k) {
+          if (!(boxes_[k].squared_distance(p) <= most)) continue;
+          const double found = squared(numbers_[k]);
+          if (!(found <= most) || (best && found == best->second && numbers_[k] > best->first)) continue;
+          best = {numbers_[k], found};
+          most = found;
+        }
+        continue;
+      }
+      std::pair<std::uint32_t, double> near = {number + 1, nodes_[number + 1].box.squared_distance(p)};
+      std::pair<std::uint32_t, double> far = {node.second, nodes_[node.second].box.squared_distance(p)};
+      if (far.second < near.second) std::swap(near, far);
+      waiting[count++] = far;
+      waiting[count++] = near;
+    }
+    return best;
   }
 
  private:

@@ -23,6 +23,12 @@ struct Box {
     return low.x <= box.high.x && box.low.x <= high.x && low.y <= box.high.y && box.low.y <= high.y &&
            low.z <= box.high.z && box.low.z <= high.z;
   }
+  /// Returns the squared distance of a point from the box, rounded.
+  double squared_distance(const Point3& p) const {
+    const double x = std::max({low.x - p.x, p.x - high.x, 0.0}), y = std::max({low.y - p.y, p.y - high.y, 0.0}),
+                 z = std::max({low.z - p.z, p.z - high.z, 0.0});
+    return x * x + y * y + z * z;
+  }
 };
 
 /// Returns the box of a range of points.

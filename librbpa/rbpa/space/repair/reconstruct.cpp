@@ -336,6 +336,7 @@ class Reconstructing {
     DecimatedSurface left =
         rbpa::decimate(cloud_.places(), made_.surface,
                        {.faces = *options_.faces,
+                        .measured = true,
                         .go_on = go_on_of(run_.progress, cloud_.points.size(), made_.surface.triangles.size())});
     made_.decimated = std::move(left.counts);
     if (!made_.filled.empty()) {

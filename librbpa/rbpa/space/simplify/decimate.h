@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,10 @@ namespace rbpa {
 
 struct DecimationOptions {
   std::size_t faces = 0;  ///< the run ends as soon as at most this many triangles are left
+  /// No edge collapses unless it is certified that no point of its triangles is farther than this from a triangle of
+  /// the beginning. Absent: no limit.
+  std::optional<double> error = {};
+  bool measured = false;  ///< bounds the distance from the triangles of the beginning; implied by `error`
   GoOn go_on = {};        ///< progress; false ends the run with Cancelled
 };
 
@@ -33,11 +38,17 @@ struct Decimation {
   std::size_t collapses = 0;  ///< number of collapsed edges
   bool is_exhausted = false;  ///< whether the run ended because no edge was left that could collapse
   /// The number of refused collapses by reason: the names of meshops::BlockerKind, if the topology would change, and
-  /// `turned`. An edge may be refused several times, as it is tried again after a change near it.
+  /// `turned` and `too_far`. An edge may be refused several times, as it is tried again after a change near it.
   std::map<std::string, std::size_t> refused = {};
 
-  /// The key in `refused` for: a triangle would turn by a right angle or more, or lose its area.
+  /// A distance from the triangles of the beginning that no point of the result exceeds, rounding included; at most
+  /// 1.05 times the greatest distance, with rare exceptions. Present if `measured`.
+  std::optional<double> distance = {};
+
+  /// The keys in `refused` for: a triangle would turn by a right angle or more or lose its area, or is not certified to
+  /// be within `error`.
   static constexpr const char* turned = "turned triangle";
+  static constexpr const char* too_far = "too far";
 };
 
 /// The result of decimate(), with the duplicates of the given surface.
@@ -48,8 +59,9 @@ struct DecimatedSurface : Surface {
 
 /// Decimates a surface. Corners are points of the given surface: of each collapsed edge the end with the less error
 /// stays where it is. Triangles keep their levels.
-/// Requires: `surface` is a surface of `points`; its corners are finite.
-/// Throws:   as surface_mesh(); InvalidInput when a corner is not finite; Cancelled.
+/// Requires: `surface` is a surface of `points`; its corners are finite; options.error, if present, is not NaN.
+/// Throws:   as surface_mesh(); InvalidInput when a corner is not finite; ContractViolation when the error is NaN;
+///           Cancelled.
 RBPA_API DecimatedSurface decimate(std::span<const Point3> points, const Surface& surface,
                                    const DecimationOptions& options);
 

@@ -1,0 +1,65 @@
+// What:   bounds the distance of a triangle from a set of triangles from above: no point of it is farther.
+// How:    the distance from one convex triangle is a convex function, so that on a convex piece it is greatest at a
+//         corner. A triangle is cut into convex pieces, each compared with one of the given triangles: a piece is cut
+//         along the prism that stands on the given triangle nearest to its middle, or in two halves.
+// Law:    conservative: rounding errors are added to each bound (docs/explanation/surfaces.md, section 25). A
+//         function of the set of given triangles, not of any order.
+// Cost:   to build, a sort; for a triangle, some searches in a tree of boxes for each given triangle near it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "meshops/core/progress.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/cells/box_tree.h"
+#include "rbpa/space/predicate/vector3.h"
+
+namespace rbpa::space {
+
+class SurfaceDistance {
+ public:
+  using Corners = std::array<Point3, 3>;
+
+  /// Takes a copy of the triangles. Requires: finite points; corners are indices of points. Throws: Cancelled.
+  SurfaceDistance(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
+                  const meshops::GoOn& go_on = {});
+
+  /// Returns whether every point of the triangle is certified to be within `limit` of a given triangle. It may be false
+  /// for triangles that are within it, but only just.
+  bool is_within(const Corners& triangle, double limit) const;
+
+  /// Returns the greatest distance of the corners and the middle of the triangle from the given triangles: the greatest
+  /// distance of a point of the triangle is at least that, up to rounding.
+  double least(const Corners& triangle) const;
+  /// Returns a number that the distance of no point of the triangle exceeds. It is at most 1.05 times the greatest
+  /// distance or 1.05 times `least`, whichever is more, unless more pieces are needed than a limit of the work allows.
+  double greatest(const Corners& triangle, double least) const;
+
+ private:
+  using Vector = Vector3<double>;
+  struct Given {
+    Vector a, ab, ac;
+  };
+  struct Nearest {
+    std::uint32_t number;
+    double squared;
+  };
+  struct Piece;
+  class Bounding;
+
+  Vector local(const Point3& p) const;
+  double squared_distance(const Vector& p, std::uint32_t number) const;
+  std::optional<Nearest> nearest(const Vector& p, double most_squared) const;
+  std::array<Vector, 3> local(const Corners& triangle) const;
+
+  std::vector<Given> given_;  // in lexicographic order of corners, each from its least corner on
+  BoxTree tree_;
+  Point3 center_ = {};
+  double scale_ = 1;  // a power of two; local coordinates of given points are at most 1
+};
+
+}  // namespace rbpa::space
