@@ -20,10 +20,9 @@
 namespace rbpa::python {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Returns the simplices with their values, and the persistence pairs.
 py::dict arrays_of(SolidFiltration&& filtration, const std::vector<SolidPair>& all) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<std::vector<std::array<double, 2>>, 3> values;
   std::array<std::vector<std::array<std::uint32_t, 2>>, 3> simplices;
   for (const SolidPair& pair : all) {
@@ -60,6 +59,7 @@ py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::
     std::vector<SolidPair> pairs;
     double least, automatic;
   };
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   Made made = watched(input.size(), progress, [&](Watch& watch) {
     Made all{.filtration = solid_filtration(input, {.threads = threads, .progress = watch.progress()}),
              .pairs = {},
@@ -118,10 +118,10 @@ py::list solid_representatives_of(const Doubles& points, int dimension, double m
     std::vector<std::array<std::uint32_t, 2>> edges;
     if (dimension < 2)
       for (const std::uint32_t edge : one.cells) edges.push_back(made.filtration.edges[edge]);
-    list.append(py::make_tuple(dimension, made.pairs[i].birth, made.pairs[i].death.value_or(infinity),
-                               rows<std::int32_t>(std::move(edges)), rows<std::int32_t>(std::move(one.faces)),
-                               line<std::int32_t>(std::move(one.tetrahedra)), one.length, one.area, one.volume,
-                               one.is_shortest));
+    list.append(py::make_tuple(
+        dimension, made.pairs[i].birth, made.pairs[i].death.value_or(std::numeric_limits<double>::infinity()),
+        rows<std::int32_t>(std::move(edges)), rows<std::int32_t>(std::move(one.faces)),
+        line<std::int32_t>(std::move(one.tetrahedra)), one.length, one.area, one.volume, one.is_shortest));
   }
   return list;
 }

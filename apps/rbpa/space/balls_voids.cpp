@@ -19,9 +19,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Sizes of the mouths of a pocket together.
-struct Mouths {
+struct MouthSizes {
   double area = 0, radius = 0;
-  explicit Mouths(const BallVoid& pocket) {
+  explicit MouthSizes(const BallVoid& pocket) {
     for (const BallMouth& mouth : pocket.mouths) {
       area += mouth.area;
       radius = std::max(radius, mouth.radius);
@@ -30,7 +30,7 @@ struct Mouths {
 };
 
 /// Returns the triangles with only one of the tetrahedra at them, counter-clockwise seen from outside of these.
-std::vector<Triangle> surface_of(const BallVoid& hollow, const RegularTriangulation& regular) {
+std::vector<Triangle> outer_triangles(const BallVoid& hollow, const RegularTriangulation& regular) {
   std::set<std::uint32_t> inside(hollow.tetrahedra.begin(), hollow.tetrahedra.end());
   std::vector<Triangle> triangles;
   for (const std::uint32_t t : hollow.tetrahedra)
@@ -89,7 +89,7 @@ void BallVoidRows::write_row(const MeasuredAtoms& frame, const BallVoid& hollow,
   file_.write_all(",", hollow.area, ",", hollow.center.x, ",", hollow.center.y, ",", hollow.center.z, ",",
                   hollow.radius);
   if (of_pockets_) {
-    const Mouths mouths(hollow);
+    const MouthSizes mouths(hollow);
     file_.write_all(",", hollow.mouths.size(), ",", mouths.area, ",", mouths.radius);
   }
   const char* before = ",\"";
@@ -126,7 +126,7 @@ void BallVoidRows::write_json(const MeasuredAtoms& frame, const BallVoid& hollow
 void BallVoidRows::write_surface(const MeasuredAtoms& frame, const BallVoid& hollow, std::uint64_t number) {
   file_.write("g " + (has_frames_ ? "frame_" + std::to_string(frame.number) + "_" : std::string()) +
               (of_pockets_ ? "pocket_" : "void_") + std::to_string(number) + "\n");
-  const std::vector<Triangle> triangles = surface_of(hollow, frame.cells);
+  const std::vector<Triangle> triangles = outer_triangles(hollow, frame.cells);
   std::unordered_map<std::uint32_t, std::uint64_t> vertex;  // number, from 1, of each ball
   for (const Triangle& triangle : triangles)
     for (const std::uint32_t ball : triangle) {

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/error.h"
@@ -15,15 +16,13 @@
 namespace rbpa {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Balls by their indices, ascending, and the numbers of those of both groups.
-struct Part {
+/// The balls of one group or of two: indices, ascending, centers and radii.
+struct GroupBalls {
   std::vector<std::uint32_t> balls;
   std::vector<Point3> centers;
   std::vector<double> radii;
 
-  Part(std::vector<std::uint32_t> indices, std::span<const Point3> all, std::span<const double> all_radii)
+  GroupBalls(std::vector<std::uint32_t> indices, std::span<const Point3> all, std::span<const double> all_radii)
       : balls(std::move(indices)) {
     for (const std::uint32_t i : balls) {
       centers.push_back(all[i]);
@@ -34,10 +33,11 @@ struct Part {
 };
 
 /// A box around balls with the probe, rounded outward.
-struct Box {
+struct GroupBox {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
 
-  Box(const Part& part, double probe) {
+  GroupBox(const GroupBalls& part, double probe) {
     for (std::size_t i = 0; i < part.balls.size(); ++i) {
       const std::array<double, 3> center = {part.centers[i].x, part.centers[i].y, part.centers[i].z};
       const double radius = part.radii[i] + probe;
@@ -47,16 +47,16 @@ struct Box {
       }
     }
   }
-  bool meets(const Box& other) const {
+  bool meets(const GroupBox& other) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
       if (low[axis] > other.high[axis] || other.low[axis] > high[axis]) return false;
     return true;
   }
 };
 
-std::vector<BallMeasures> measured(const std::vector<Part>& parts, MeasureBallsOptions options, bool contacts) {
+std::vector<BallMeasures> measured(const std::vector<GroupBalls>& parts, MeasureBallsOptions options, bool contacts) {
   std::vector<BallFrame> frames;
-  for (const Part& part : parts) frames.push_back(part.frame());
+  for (const GroupBalls& part : parts) frames.push_back(part.frame());
   options.contacts = contacts;
   options.derivatives = false;
   return measure_ball_frames(frames, options);
@@ -78,8 +78,8 @@ BallInterfaces ball_interfaces(std::span<const Point3> centers, std::span<const 
     if (groups[i] != no_group)
       members[static_cast<std::size_t>(std::lower_bound(numbers.begin(), numbers.end(), groups[i]) - numbers.begin())]
           .push_back(i);
-  std::vector<Part> parts;
-  std::vector<Box> boxes;
+  std::vector<GroupBalls> parts;
+  std::vector<GroupBox> boxes;
   for (std::vector<std::uint32_t>& of_group : members) {
     parts.emplace_back(std::move(of_group), centers, radii);
     boxes.emplace_back(parts.back(), options.probe);
@@ -91,7 +91,7 @@ BallInterfaces ball_interfaces(std::span<const Point3> centers, std::span<const 
     for (std::size_t i = 0; i < parts[g].balls.size(); ++i) result.areas_alone[parts[g].balls[i]] = alone[g].areas[i];
 
   std::vector<std::array<std::size_t, 2>> pairs;
-  std::vector<Part> unions;
+  std::vector<GroupBalls> unions;
   for (std::size_t a = 0; a < parts.size(); ++a)
     for (std::size_t b = a + 1; b < parts.size(); ++b) {
       if (!boxes[a].meets(boxes[b])) continue;
