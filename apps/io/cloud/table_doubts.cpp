@@ -54,7 +54,7 @@ bool is_numbered(const TableSample& sample, bool is_apart) {
     if (!number || !numbers.insert(*number).second) return false;
     follow = follow && *number == *numbers.begin() + i;
     differ = differ || sample.field(i, 1) != sample.field(0, 1);
-    for (const std::size_t column : {1U, 2U}) decimals += is_decimal(sample.field(i, column)) ? 1 : 0;
+    for (const std::size_t column : {1U, 2U}) decimals += is_decimal(sample.field(i, column)) ? 1U : 0U;
   }
   return differ && (is_apart ? decimals > sample.lines() : follow);
 }

@@ -191,7 +191,7 @@ bool is_above_numbers(const FieldTexts& fields, const TableSample& sample, std::
 void refuse_unknown_names(const TableBeginning& table, const TableSample& sample) {
   std::size_t numbers = 0;
   for (std::size_t i = 0; i < table.fields.size() && sample.lines() > 1; ++i)
-    numbers += is_number(sample.field(1, i)) ? 1 : 0;
+    numbers += is_number(sample.field(1, i)) ? 1U : 0U;
   if (table.fields.size() == 2 || numbers < 2 || !table.choice.first_fits) return;
   throw WholeRefusal(here(table) + ": found " + in_quotes(table.lines.line()) +
                      ", expected known names of coordinates, such as x and y (--columns " +
