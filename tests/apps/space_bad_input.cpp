@@ -100,7 +100,7 @@ TEST_SUITE("bad points of space") {
     CHECK(table("# x\n0 0 0\n1 0\n") == "p:3: found 2 columns ('1 0'), expected 3 as in line 2" + skip);
     CHECK(table("0 0 0\n1 0 0 0\n") == "p:2: found 4 columns ('1 0 0 0'), expected 3 as in line 1" + skip);
     CHECK(table("0,0,0,1,1,1\n1,0,0\n") == "p:2: found 3 columns ('1,0,0'), expected 6 as in line 1" + skip);
-    CHECK(table("x,y,z\n1,0\n") == "p:2: found 2 columns ('1,0'), expected 3 as in line 1" + skip);
+    CHECK(table("x,y,z\n1,0\n") == "p:2: found 2 columns ('1,0'), expected 3 as in line 1");
     CHECK(npy("(2, 2)", numbers({0., 0., 0., 0.})) == "p: found shape '(2, 2)', expected (n, 3) or (n, 6)");
     CHECK(npy("(1, 4)", numbers({0., 0., 0., 0.})) == "p: found shape '(1, 4)', expected (n, 3) or (n, 6)");
     CHECK(off("OFF\n2 0 0\n0 0 0\n1 0\n") == "p:4: found '1 0', expected one more number");
@@ -135,7 +135,7 @@ TEST_SUITE("bad points of space") {
     CHECK(table("0 0 0\n1 2 -inf\n") == "p:2: found '-inf', expected a finite number" + skip);
     CHECK(table("0,0,0\n1,,3\n") == "p:2: found '', expected a number" + skip);
     CHECK(table("0 0 0\n1 2 1e999\n") ==
-          "p:2: found '1e999', expected a number within the range of a double (up to 1.8e308)" + skip);
+          "p:2: found '1e999', expected a number within the range of a double (up to 1.8e308; " + skip.substr(2));
     CHECK(table("0 0 0 0 0 1\n0 0 0 0 nan 1\n") == "p:2: found 'nan', expected a finite number" + skip);
     CHECK(table("0.5;1;2\n0,5;1;2\n") ==
           "p:2: found '0,5', expected a number with a decimal point, as in lines before" + skip);
