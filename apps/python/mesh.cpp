@@ -236,7 +236,7 @@ meshops::TopologyReport report(Mesh& mesh, const std::optional<std::vector<std::
 
 /// Decimates a copy of the mesh, which then takes its place, so that a run that ends early changes nothing. Returns the
 /// places of the vertices, and counts.
-std::tuple<Doubles, std::size_t, std::size_t, std::size_t, std::map<std::string, std::size_t>> decimated(
+std::tuple<Doubles, std::size_t, std::size_t, std::size_t, std::map<std::string, std::size_t>> decimate_copy(
     Mesh& mesh, const Doubles& points, std::size_t faces, const py::object& progress) {
   const auto input = points3_of(points, "points");
   std::vector<Point3> places(input.begin(), input.end());
@@ -313,7 +313,7 @@ void bind_mesh(py::module_& module) {
   bind_navigation(mesh);
   bind_topology(mesh);
   bind_mesh_operators(module, mesh);
-  mesh.def("_decimate", &decimated, as_is("points"), arg("faces"), arg("progress"));
+  mesh.def("_decimate", &decimate_copy, as_is("points"), arg("faces"), arg("progress"));
   mesh.def(py::pickle(&state_of, [](const py::tuple& state) {
     return mesh_of(state[0].cast<Indices>(), state[1].cast<Indices>(), state[2].cast<Indices>(),
                    state[3].cast<Indices>());
