@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/crs.h"
+#include "io/point_columns.h"
 #include "rbpa/base/point.h"
 
 namespace rbpa::app {
@@ -48,6 +49,7 @@ struct PointFacts {
       {};                      ///< number of each among all points of the file; empty if points[i] has index i
   std::size_t all_points = 0;  ///< number of points of the file, including those that are left out
   std::optional<Crs> crs = std::nullopt;         ///< the coordinate system; absent if the file names none
+  std::vector<PointColumn> kept = {};            ///< fields, in the order of the file, a value for each point
   std::optional<ScanFacts> scan = std::nullopt;  ///< absent unless the format is LAS or LAZ
   std::vector<std::vector<double>> fields =
       {};  ///< a column for each of the condition's columns(), a value for each point

@@ -65,6 +65,7 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
       ->type_name("N|auto");
   add_switch(verb, "--moved", arguments.moved, "Write the points as moved by --scale-space");
   add_output_options(verb, arguments, endings(Use::surface));
+  add_fields_option(verb, arguments.fields);
   add_switch(verb, "--compact", arguments.compact,
              "Leave out vertices that no triangle uses (.npy keeps input indices)");
   add_switch(verb, "--manifold", arguments.manifold,
@@ -150,6 +151,7 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
                   "closed. auto: the cell of a molecule's file")
       ->type_name("LX,LY,LZ|auto");
   add_output_options(verb, arguments, endings(Use::solid));
+  add_fields_option(verb, arguments.fields);
   verb.add_option("--boundary", arguments.boundary,
                   "Write the boundary as a closed surface, with a vertex for each side where the solid touches "
                   "itself: " +

@@ -15,6 +15,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
   add_group_options(verb, arguments, "Make triangles");
   add_alpha_options(verb, arguments);
   add_output_options(verb, arguments, endings(Use::triangles));
+  add_fields_option(verb, arguments.fields);
   add_switch(verb, "--compact", arguments.compact, "Leave out vertices that nothing uses (.npy keeps input indices)");
   verb.add_option(
           "--complex", arguments.complex,

@@ -201,8 +201,11 @@ class WindowCloud final : public Cloud {
 
   bool next(CloudBlock& block) override {
     block.count = 0;
-    while (block.count == 0 && cloud_->next(block_)) {
+    while (block.count == 0) {
+      if (!cloud_->next(block_)) break;
+      const std::size_t before = selected_;
       select();
+      keep_values(facts().file.kept, before, kept_);
       std::swap(block, block_);
     }
     return block.count > 0;

@@ -22,6 +22,7 @@
 #include "io/bytes/scalar.h"
 #include "io/cloud/point_window.h"
 #include "io/formats.h"
+#include "io/point_columns.h"
 #include "io/point_file.h"
 #include "io/text/columns.h"
 #include "io/text/condition.h"
@@ -47,9 +48,10 @@ struct CloudRequest {
   bool vertices = false;                          ///< take the vertices of lines and polygons in a column of geometries
   Waters waters = Waters::noted;
   bool last_are_normals = false;  ///< columns 4 to 6 of an unnamed table are normals, whatever their values
-  PointWindow window = {};        ///< selects points by their places
-  bool scan_counts = false;       ///< count points of LAS by class and by return in PointFacts::scan
-  unsigned threads = 0;           ///< the most threads that decompress points; 0: one for each processor
+  std::optional<FieldChoice> keeps = std::nullopt;  ///< fields that are kept in PointFacts::kept; absent: none
+  PointWindow window = {};                          ///< selects points by their places
+  bool scan_counts = false;                         ///< count points of LAS by class and by return in PointFacts::scan
+  unsigned threads = 0;  ///< the most threads that decompress points; 0: one for each processor
 };
 
 /// Consecutive points of a file, by columns. Columns that the file does not have are empty.

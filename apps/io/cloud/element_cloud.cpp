@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -59,6 +60,7 @@ class ElementCloud final : public Cloud {
         condition_.push_back(find_field(vertex_, field, request.where->option_of(field), name_));
       fields_.resize(condition_.size());
     }
+    if (request.keeps) choose_fields(*request.keeps);
     if (header_.binary) {
       binary_.emplace(header_, name_);
     } else {
@@ -90,7 +92,14 @@ class ElementCloud final : public Cloud {
       else
         read_rows(block);
       const std::size_t first = std::exchange(first_, first_ + block.count);
+      const std::size_t count = block.count;
       selection_ ? select_points(*selection_, block, fields_, first, name_) : require_finite(block, first, name_);
+      if (selection_ && !kept_.empty()) {
+        std::vector<std::uint8_t> kept(count);
+        for (const std::uint64_t i : block.index) kept[i - first] = 1;
+        keep_values(facts_.file.kept, taken_, kept);
+      }
+      taken_ += block.count;
     }
     if (block.count == 0 && binary_) pass_rest();
     if (block.count == 0 && layout_.colors_behind) colors_.settle(vertex_.count > 0, facts_);
@@ -103,6 +112,42 @@ class ElementCloud final : public Cloud {
   }
 
  private:
+  /// Chooses the numbers beside those of the layout that are kept.
+  void choose_fields(const FieldChoice& choice) {
+    for (std::size_t k = 0; k < vertex_.properties.size(); ++k) {
+      const PlyProperty& property = vertex_.properties[k];
+      const bool is_used = std::any_of(layout_.columns.begin(), layout_.columns.end(),
+                                       [&](const auto& column) { return column.second == k; });
+      if (is_used || layout_.height == k || layout_.color == k || property.count_type || property.count != 1 ||
+          property.name == "_" || !choice.has(property.name))
+        continue;
+      facts_.file.kept.push_back({.name = property.name, .type = property.type});
+      kept_.push_back(k);
+    }
+  }
+  /// Appends a value of a binary file to a column that is kept.
+  void keep(std::size_t k, const char* at) {
+    PointColumn& column = facts_.file.kept[k];
+    with_type(column.type, [&](auto value) { column.append(load<decltype(value)>(at, *header_.binary)); });
+  }
+  /// Appends a word of text to a column that is kept; leaves out the column if the word is not of its type.
+  void keep_word(std::size_t k, std::string_view word) {
+    PointColumn& column = facts_.file.kept[k];
+    if (!column.fault.empty()) return;
+    with_type(column.type, [&](auto value) {
+      using Value = decltype(value);
+      if constexpr (std::is_integral_v<Value>) {
+        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (error == std::errc() && end == word.data() + word.size()) return column.append(value);
+      } else {
+        const ParsedNumber number = parse_whole_number(word);
+        if (number.fault == NumberFault::none || number.fault == NumberFault::not_finite)
+          return column.append(static_cast<Value>(number.value));
+      }
+      column.fault = here() + ": found " + in_quotes(word) + ", expected a number of its type";
+    });
+  }
+
   bool looks_at_heights() const { return layout_.height && (keeps_heights_ || !facts_.file.heights.differ()); }
   void take_height(CloudBlock& block, std::size_t i, double z) {
     facts_.file.heights.take(z);
@@ -136,6 +181,8 @@ class ElementCloud final : public Cloud {
     };
     for (const auto& [column, property] : layout_.columns) load_all(block.column[column], property);
     for (std::size_t k = 0; k < fields_.size(); ++k) load_all(fields_[k], condition_[k]);
+    for (std::size_t k = 0; k < kept_.size(); ++k)
+      for (std::size_t i = 0; i < block.count; ++i) keep(k, strips[kept_[k]].first + i * strips[kept_[k]].stride);
     for (std::size_t i = 0; layout_.color && i < block.count; ++i) {
       const Strip& color = strips[*layout_.color];
       append_color(load<std::uint32_t>(color.first + i * color.stride, *header_.binary), block);
@@ -154,6 +201,7 @@ class ElementCloud final : public Cloud {
       };
       for (const auto& [column, property] : layout_.columns) block.column[column][i - first_] = number(property);
       for (std::size_t k = 0; k < fields_.size(); ++k) fields_[k][i - first_] = number(condition_[k]);
+      for (std::size_t k = 0; k < kept_.size(); ++k) keep(k, at[kept_[k]]);
       if (looks_at_heights()) take_height(block, i, number(*layout_.height));
     });
   }
@@ -168,10 +216,13 @@ class ElementCloud final : public Cloud {
     if (takes_z) target[*layout_.height] = block.heights.data();
     std::vector<char> is_channel(target.size(), 0);
     for (const auto& [column, property] : layout_.columns) is_channel[property] = column >= CloudBlock::color ? 1 : 0;
+    std::vector<std::size_t> kept(target.size(), kept_.size());  // for each property its column, or the number of them
+    for (std::size_t k = 0; k < kept_.size(); ++k) kept[kept_[k]] = k;
     const std::size_t size = target.size(), first = first_;
     text_->pass(vertex_, first, first + block.count, [&](std::size_t i, std::string_view& rest) {
       for (std::size_t k = 0; k < size; ++k) {
         const bool is_wanted = target[k] != nullptr;
+        if (std::string_view copy = rest; kept[k] < kept_.size()) keep_word(kept[k], take_word(copy));
         if (is_wanted) target[k][i - first] = take_coordinate(rest, text_->lines(), name_);
         if (is_channel[k] != 0) require_channel(target[k][i - first]);
         if (k == layout_.height && !takes_z && looks_at_heights()) find_height(block, i, rest);
@@ -216,6 +267,8 @@ class ElementCloud final : public Cloud {
   const PlyElement& vertex_;
   std::vector<std::size_t> condition_ = {};       // properties that the condition reads
   std::vector<std::vector<double>> fields_ = {};  // their columns
+  std::vector<std::size_t> kept_ = {};            // properties that are kept
+  std::size_t taken_ = 0;                         // points in earlier blocks
   bool keeps_heights_;
   std::optional<Selection> selection_ = std::nullopt;
   std::optional<PlyBinary> binary_ = std::nullopt;

@@ -25,6 +25,9 @@ void require_range(const LasHeader& header, std::size_t axis, const std::string&
               "coordinates within the range of a double");
 }
 
+/// Returns whether the field is a channel of the colors, which points in space have already.
+bool is_color(std::string_view name) { return name == "red" || name == "green" || name == "blue"; }
+
 class LasCloud final : public Cloud {
  public:
   LasCloud(Content content, const CloudRequest& request)
@@ -58,6 +61,13 @@ class LasCloud final : public Cloud {
       if (red_) facts_.colors = Channels::bytes;
     }
     if (header_.is_compressed) laz = read_laz_format(laszip_record(first, header_), header_.length, name);
+    if (request.keeps)
+      for (NamedLasField& field :
+           all_las_fields(header_.format, header_.minor, header_.length, las_record(first, header_, "LASF_Spec", 4)))
+        if (request.keeps->has(field.name) && !(red_ && !request.keeps->names && is_color(field.name))) {
+          facts_.file.kept.push_back({.name = std::move(field.name), .type = field.field.kept_type()});
+          kept_.push_back(field.field);
+        }
     const std::string_view copc = laz ? las_record(first, header_, "copc", 1) : std::string_view();
     facts_.file.scan = ScanFacts{.minor = header_.minor,
                                  .format = header_.format,
@@ -147,6 +157,7 @@ class LasCloud final : public Cloud {
     for (const LasPlace& place : places_) want(place.field.offset, size_of(place.field.type));
     if (withheld_) want(withheld_->offset, 1);
     if (red_) want(red_->offset, 6);
+    for (const LasField& field : kept_) want(field.offset, size_of(field.type));
     for (const std::optional<LasField>& field : {class_, return_})
       if (field) want(field->offset, 1);
     return wanted;
@@ -198,6 +209,7 @@ class LasCloud final : public Cloud {
         block.column[CloudBlock::color + k][taken] = channel;
       }
       if (withheld_ && withheld_->value(record) != 0) ++withheld_points_;
+      for (std::size_t k = 0; k < kept_.size(); ++k) kept_[k].append_to(facts_.file.kept[k], record);
       if (class_) ++facts_.file.scan->classes[static_cast<std::size_t>(class_->value(record))];
       if (return_) ++facts_.file.scan->returns[static_cast<std::size_t>(return_->value(record))];
       ++taken;
@@ -235,6 +247,7 @@ class LasCloud final : public Cloud {
   std::optional<LazRecords> laz_ = std::nullopt;  // the records, if they are compressed
   std::optional<Selection> selection_ = std::nullopt;
   std::vector<LasPlace> places_ = {};
+  std::vector<LasField> kept_ = {};
   std::optional<LasField> withheld_ = std::nullopt, red_ = std::nullopt;  // green and blue follow red
   std::optional<LasField> class_ = std::nullopt, return_ = std::nullopt;  // if they are counted
   PointWindow window_ = {};

@@ -92,7 +92,15 @@ double LasField::value(const char* record) const {
     const unsigned byte = load<std::uint8_t>(record + offset, std::endian::little);
     return static_cast<double>(byte >> first_bit & ((1U << bits) - 1));
   }
-  return load_number(type, record + offset, std::endian::little) * unit;
+  return load_number(type, record + offset, std::endian::little) * unit + shift;
+}
+
+void LasField::append_to(PointColumn& column, const char* record) const {
+  with_type(kept_type(), [&](auto number) {
+    using Number = decltype(number);
+    column.append(bits > 0 || unit != 1 || shift != 0 ? static_cast<Number>(value(record))
+                                                      : load<Number>(record + offset, std::endian::little));
+  });
 }
 
 std::optional<LasField> find_las_field(std::string_view name, unsigned format, unsigned minor) {
@@ -111,6 +119,33 @@ std::optional<LasField> find_las_field(std::string_view name, unsigned format, u
     return found;
   }
   return std::nullopt;
+}
+
+std::vector<NamedLasField> all_las_fields(unsigned format, unsigned minor, std::size_t length, std::string_view extra) {
+  std::vector<NamedLasField> fields;
+  for (const Known& known : known_fields)
+    if (const std::optional<LasField> field = find_las_field(known.name, format, minor))
+      fields.push_back({std::string(known.name), *field});
+  constexpr std::size_t entry = 192;
+  constexpr Scalar types[] = {Scalar::uint8, Scalar::int8,   Scalar::uint16, Scalar::int16,   Scalar::uint32,
+                              Scalar::int32, Scalar::uint64, Scalar::int64,  Scalar::float32, Scalar::float64};
+  std::size_t offset = las_record_size(format);
+  for (; extra.size() >= entry; extra.remove_prefix(entry)) {
+    const unsigned type = static_cast<unsigned char>(extra[2]), options = static_cast<unsigned char>(extra[3]);
+    constexpr unsigned most = 30, has_scale = 8, has_offset = 16;
+    if (type > most) break;  // what follows is somewhere else
+    const Scalar scalar = types[type == 0 ? 0 : (type - 1) % std::size(types)];
+    const std::size_t count = type == 0 ? options : 1 + (type - 1) / std::size(types);  // 11 to 30: lists of 2 and 3
+    const std::size_t size = count * size_of(scalar);
+    if (size > length - offset) break;
+    const std::string_view name = extra.substr(4, 32);
+    LasField field{.offset = offset, .type = scalar};
+    if ((options & has_scale) != 0) field.unit = load<double>(&extra[112], std::endian::little);
+    if ((options & has_offset) != 0) field.shift = load<double>(&extra[136], std::endian::little);
+    if (type > 0 && count == 1) fields.push_back({std::string(name.substr(0, name.find('\0'))), field});
+    offset += size;
+  }
+  return fields;
 }
 
 namespace {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/bytes/scalar.h"
+#include "io/point_columns.h"
 #include "io/text/condition.h"
 
 namespace rbpa::app {
@@ -26,9 +27,23 @@ struct LasField {
   Scalar type;
   unsigned first_bit = 0, bits = 0;  ///< bits = 0: the field is the whole number
   double unit = 1;                   ///< factor by which the number is multiplied
+  double shift = 0;                  ///< is added then
 
   double value(const char* record) const;
+  /// Returns the type that holds all values.
+  Scalar kept_type() const { return bits > 0 ? Scalar::uint8 : unit != 1 || shift != 0 ? Scalar::float64 : type; }
+  /// Appends the value to a column of kept_type().
+  void append_to(PointColumn& column, const char* record) const;
 };
+
+struct NamedLasField {
+  std::string name;
+  LasField field;
+};
+
+/// Returns the fields of records of `length` bytes, in their order: those of the format in a file of version 1.minor,
+/// and those that `extra`, the data of the record about extra bytes, describes, except lists and bytes without a type.
+std::vector<NamedLasField> all_las_fields(unsigned format, unsigned minor, std::size_t length, std::string_view extra);
 
 /// Returns the field called `name`; case and underscores do not count: "ReturnNumber" is return_number. Returns nothing
 /// if the format, in a file of version 1.minor, has no such field.

@@ -76,8 +76,8 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
 /// checks x and y; the caller checks z if it is requested.
 void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name);
 
-/// Returns the data of the record number `number` of a user, such as "copc"; empty without it. `before` is the file up to
-/// its points at least.
+/// Returns the data of the record number `number` of a user, such as "copc"; empty without it. `before` is the file up
+/// to its points at least.
 std::string_view las_record(std::string_view before, const LasHeader& header, std::string_view user, unsigned number);
 /// Returns the record by which LASzip says how points are compressed.
 inline std::string_view laszip_record(std::string_view before, const LasHeader& header) {

@@ -91,6 +91,7 @@ void warn_of_odd_points(PointFile& file) {
 
 PointFile settled(PointFile file, const std::string& name, const PointSource& source) {
   settle_crs(file, source.crs);
+  if (source.keeps) settle_columns(file.kept, *source.keeps, name, file.warnings);
   if (source.shift_longitude) {
     shift_longitude(file.points, name);
     file.degrees = true;
@@ -111,6 +112,7 @@ std::unique_ptr<Cloud> open_plane_cloud(Content content, const PointSource& sour
                      .heights = source.heights,
                      .skip_invalid = source.skip_invalid,
                      .vertices = source.vertices,
+                     .keeps = source.keeps,
                      .window = source.window,
                      .scan_counts = source.scan_counts,
                      .threads = source.threads});

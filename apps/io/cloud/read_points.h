@@ -29,6 +29,7 @@ struct PointSource {
   std::optional<Crs> crs = std::nullopt;          ///< coordinate system of the points; overrides that of the file
   std::optional<std::string> layer = std::nullopt;  ///< name of the layer, if a source of OGR has several
   bool shift_longitude = false;                     ///< add 360 to longitudes below 0
+  std::optional<FieldChoice> keeps = std::nullopt;  ///< as CloudRequest::keeps
   PointWindow window = {};                          ///< as CloudRequest::window
   bool scan_counts = false;                         ///< as CloudRequest::scan_counts
   unsigned threads = 0;                             ///< as CloudRequest::threads

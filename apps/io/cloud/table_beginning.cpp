@@ -329,6 +329,8 @@ class Starter {
     start_.separator = separator;
     start_.first_line = lines_.number();
     selection_.find_columns(start_.layout.names, lines_.lines(), lines_.name());
+    std::string room;
+    for (const std::string_view name : start_.layout.names) start_.names.emplace_back(text_of_field(name, room));
     start_.layout.names.clear();  // they view a line that is replaced next
     lines_.set_layout(separator, start_.layout.width.to_last_text);
     if (!start_.layout.wkt) lines_.set_coordinates(start_.layout.numbers, start_.layout.width, separator);

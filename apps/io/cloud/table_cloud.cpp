@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 #include <utility>
 
 #include "io/bytes/number.h"
@@ -13,6 +14,7 @@
 #include "io/polygon/wkt.h"
 #include "io/text/fields.h"
 #include "io/text/line_selection.h"
+#include "io/text/typed_words.h"
 #include "io/text/written.h"
 
 namespace rbpa::app {
@@ -91,11 +93,11 @@ class TableCloud final : public Cloud {
     separator_ = start.separator;
     width_ = start.layout.width;
     header_ = std::move(start.header);
-    lay_out(start.layout);
+    lay_out(start.layout, start.names);
     if (header_.empty()) index_ = selection_.skipped();
     if (has_line_) selection_.settle_kinds(lines_.line(), lines_.lines(), separator_);
     first_point_ = lines_.number();
-    is_plain_ = !wkt_ && !facts_.colors && !selection_.has_condition();
+    is_plain_ = !wkt_ && !facts_.colors && !selection_.has_condition() && kept_.empty();
     if (!has_line_ || !lines_.content().is_in_memory()) return;
     // Estimate the room: a point takes at least two characters for each number. Unused room costs nothing.
     const std::string_view rest = lines_.rest();
@@ -104,7 +106,7 @@ class TableCloud final : public Cloud {
     warn(doubt_last_line(lines_, separator_));
   }
 
-  void lay_out(const TableLayout& layout) {
+  void lay_out(const TableLayout& layout, const std::vector<std::string>& names) {
     const auto is = [&](std::size_t column, std::size_t role) {
       if (column >= role_.size()) role_.resize(column + 1, nothing);
       role_[column] = static_cast<std::uint8_t>(role);
@@ -114,6 +116,15 @@ class TableCloud final : public Cloud {
       for (std::size_t k = 0; k < numbers_; ++k) is(layout.numbers[k], k);
     for (std::size_t k = 0; k < layout.colors.size(); ++k) is(layout.colors[k], first_color + k);
     if (layout.height) is(*layout.height, height);
+    for (std::size_t k = 0; request_.keeps && k < names.size(); ++k) {
+      const std::string& name = names[k];
+      if (name.empty() || !request_.keeps->has(name) || k == wkt_ || (k < role_.size() && role_[k] != nothing))
+        continue;
+      kept_.push_back(k);
+      facts_.file.kept.push_back({.name = name, .type = Scalar::int64});
+    }
+    words_.resize(kept_.size());
+    numbers_of_texts_.resize(kept_.size());
     has_heights_ = request_.heights && (layout.height || wkt_);
     facts_.normals = numbers_ == 6;
     if (!layout.colors.empty()) facts_.colors = Channels::bytes;
@@ -137,6 +148,7 @@ class TableCloud final : public Cloud {
     if (is_by_content_) last_.take({value[3], value[4], value[5]});
     for (std::size_t k = 0; k < numbers_; ++k) block.column[k][block.count] = value[k];
     append_fields(selection_.column_values(), block);
+    for (std::size_t k = 0; k < kept_.size(); ++k) append_word(facts_.file.kept[k], words_[k], numbers_of_texts_[k]);
     if (has_heights_) block.heights[block.count] = z_;
     if (request_.skip_invalid || selection_.has_condition()) block.index.push_back(index_);
     ++index_;
@@ -240,12 +252,29 @@ class TableCloud final : public Cloud {
     }
   }
 
+  /// Sets words_ by the current line.
+  void keep_words() {
+    if (kept_.empty()) return;
+    for (std::string& word : words_) word.clear();
+    std::size_t column = 0, k = 0;
+    for (Fields fields(lines_.line(), separator_); !fields.at_end() && k < kept_.size(); ++column) {
+      const std::string_view field = fields.take();
+      if (column != kept_[k]) continue;
+      std::string room;
+      words_[k] = text_of_field(field, room);
+      if (separator_ != ',' && comma_.is_used() && is_number(words_[k]))
+        std::replace(words_[k].begin(), words_[k].end(), ',', '.');
+      ++k;
+    }
+  }
+
   void read_point(CloudBlock& block) {
     z_ = none;
     Fields fields(lines_.line(), separator_);
     Numbers value{};
     std::array<std::string_view, 3> color;
     FieldCount count;
+    keep_words();
     while (!fields.at_end()) {
       const std::uint8_t role = count.all < role_.size() ? role_[count.all] : nothing;
       if (role < numbers_) {
@@ -288,6 +317,7 @@ class TableCloud final : public Cloud {
     Fields fields(lines_.line(), separator_);
     std::string_view text;
     FieldCount count;
+    keep_words();
     while (!fields.at_end()) {
       const std::string_view field = without_quotes(fields.take());
       if (count.all == *wkt_) text = field;
@@ -400,14 +430,17 @@ class TableCloud final : public Cloud {
   std::size_t numbers_ = 0;                        // how many numbers a point has
   std::vector<std::uint8_t> role_ = {};            // role of each column
   std::optional<std::size_t> wkt_ = std::nullopt;  // the column of geometries, in place of x and y
-  std::size_t first_line_ = 0;                     // number of the line that sets the number of columns
-  FieldCount width_ = {};                          // the number of columns
-  std::size_t plain_width_ = 0;                    // number of fields of the previous plain line; 0: there was none
-  std::string header_ = {};                        // line of the header; empty if there is none
-  std::size_t first_point_ = 0;                    // number of the line of the first point
-  bool is_plain_ = false;                          // read_plain_lines() may succeed
-  CloudBlock* current_ = nullptr;                  // the block that is being filled
-  bool all_whole_ = true;                          // all numbers of earlier blocks without a comma are whole
+  std::vector<std::size_t> kept_ = {};             // columns that are kept, ascending
+  std::vector<std::string> words_ = {};            // their fields in the current line
+  std::vector<std::unordered_map<std::string, std::int32_t>> numbers_of_texts_ = {};
+  std::size_t first_line_ = 0;     // number of the line that sets the number of columns
+  FieldCount width_ = {};          // the number of columns
+  std::size_t plain_width_ = 0;    // number of fields of the previous plain line; 0: there was none
+  std::string header_ = {};        // line of the header; empty if there is none
+  std::size_t first_point_ = 0;    // number of the line of the first point
+  bool is_plain_ = false;          // read_plain_lines() may succeed
+  CloudBlock* current_ = nullptr;  // the block that is being filled
+  bool all_whole_ = true;          // all numbers of earlier blocks without a comma are whole
   DecimalComma comma_ = {};
   LineSelection selection_;
   TextColors colors_ = TextColors(widest_channel);

@@ -72,15 +72,16 @@ void write_obj(OutputFile& file, const Mesh& mesh) {
 
 /// Writes binary little-endian PLY. A mesh may have more properties of a vertex: properties() returns their lines of
 /// the header, with line ends, and write_properties(file, i) writes their values; face_properties() and
-/// write_face_properties(file, f) do so for a face. The number of corners of a face is a byte, which every reader
-/// supports, unless a face has more than 255 corners.
+/// write_face_properties(file, f) do so for a face; comments() returns lines before the elements. The number of corners
+/// of a face is a byte, which every reader supports, unless a face has more than 255 corners.
 template <typename Mesh>
 void write_ply(OutputFile& file, const Mesh& mesh) {
   bool long_faces = false;
   for (std::size_t f = 0; f < mesh.faces() && !long_faces; ++f)
     long_faces = mesh.face(f).size() > std::numeric_limits<std::uint8_t>::max();
-  file.write_all("ply\nformat binary_little_endian 1.0\nelement vertex ", mesh.points(),
-                 "\nproperty double x\nproperty double y\nproperty double z\n");
+  file.write("ply\nformat binary_little_endian 1.0\n");
+  if constexpr (requires { mesh.comments(); }) file.write(mesh.comments());
+  file.write_all("element vertex ", mesh.points(), "\nproperty double x\nproperty double y\nproperty double z\n");
   if constexpr (requires { mesh.properties(); }) file.write(mesh.properties());
   file.write_all("element face ", mesh.faces(), "\nproperty list ", long_faces ? "uint" : "uchar",
                  " int vertex_indices\n");

@@ -25,6 +25,8 @@ class VerticesOfPoints {
         colors_(values_at(of_points.colors, point)),
         confidence_(values_at(of_points.confidence, point)),
         points_(names_points ? renumbered(point, of_points.index) : std::vector<std::uint32_t>()),
+        columns_(of_points.fields.columns),
+        rows_(columns_.empty() ? std::vector<std::uint32_t>() : renumbered(point, of_points.fields.rows)),
         triangles_(triangles),
         shift_(of_points.shift) {}
 
@@ -36,7 +38,8 @@ class VerticesOfPoints {
             .colors = colors_,
             .points = points_,
             .confidence = confidence_,
-            .shift = shift_};
+            .shift = shift_,
+            .fields = {columns_, rows_}};
   }
 
  private:
@@ -44,6 +47,8 @@ class VerticesOfPoints {
   std::vector<std::array<std::uint8_t, 3>> colors_;
   std::vector<double> confidence_;
   std::vector<std::uint32_t> points_;
+  std::span<const PointColumn> columns_;
+  std::vector<std::uint32_t> rows_;
   std::span<const std::array<std::uint32_t, 3>> triangles_;
   std::optional<Shift> shift_;
 };

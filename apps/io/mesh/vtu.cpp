@@ -1,5 +1,9 @@
 #include "io/mesh/vtu.h"
 
+#include <algorithm>
+
+#include "io/text/markup.h"
+
 namespace rbpa::app {
 namespace {
 
@@ -42,7 +46,37 @@ void write_array(OutputFile& file, const VtuArray& array) {
   array.write(file);
 }
 
+std::string_view vtk_name(Scalar type) {
+  constexpr std::string_view names[] = {"Int8",   "UInt8", "Int16",  "UInt16",  "Int32",
+                                        "UInt32", "Int64", "UInt64", "Float32", "Float64"};
+  return names[static_cast<std::size_t>(type)];
+}
+
 }  // namespace
+
+void add_fields(const VertexFields& fields, VtuGrid& grid) {
+  const std::size_t vertices = grid.positions.rows;
+  for (const PointColumn& column : fields.columns) {
+    const std::string name = untaken(markup_escaped(column.name), [&](const std::string& taken) {
+      return std::any_of(grid.of_points.begin(), grid.of_points.end(),
+                         [&](const VtuArray& array) { return array.name == taken; });
+    });
+    grid.of_points.push_back({.type = vtk_name(column.type),
+                              .name = name,
+                              .rows = vertices,
+                              .bytes = vertices * size_of(column.type),
+                              .write = [&column, fields, vertices](OutputFile& file) {
+                                with_type(column.type, [&](auto value) {
+                                  for (std::size_t i = 0; i < vertices; ++i)
+                                    file.write_binary(column.value<decltype(value)>(fields.row(i)));
+                                });
+                              }});
+    if (!column.is_text) continue;
+    std::string comment = markup_escaped(column.name + ": " + legend_of(column));
+    for (std::size_t at = 0; (at = comment.find("--", at)) != std::string::npos;) comment.insert(at + 1, " ");
+    grid.comments.push_back(comment);
+  }
+}
 
 void write_vtu(OutputFile& file, const VtuGrid& grid) {
   const Cells kinds[] = {{vtk_tetrahedron, 4, grid.tetrahedra.size()},
@@ -54,8 +88,10 @@ void write_vtu(OutputFile& file, const VtuGrid& grid) {
   const std::uint64_t of_corners = corners * sizeof(std::uint32_t), of_ends = cells * sizeof(std::uint64_t);
   file.write_all(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-      "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"",
-      grid.positions.rows, "\" NumberOfCells=\"", cells, "\">\n<Points>\n");
+      "header_type=\"UInt64\">\n");
+  for (const std::string& comment : grid.comments) file.write_all("<!-- ", comment, " -->\n");
+  file.write_all("<UnstructuredGrid>\n<Piece NumberOfPoints=\"", grid.positions.rows, "\" NumberOfCells=\"", cells,
+                 "\">\n<Points>\n");
   Declarations all(file);
   all.declare("Float64", "NumberOfComponents=\"3\"", grid.positions.bytes);
   file.write("</Points>\n<Cells>\n");

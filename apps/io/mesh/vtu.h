@@ -14,6 +14,7 @@
 
 #include "io/bytes/output_file.h"
 #include "io/mesh/equal_positions.h"
+#include "io/point_columns.h"
 
 namespace rbpa::app {
 
@@ -55,12 +56,17 @@ struct VtuGrid {
   std::span<const std::array<std::uint32_t, 2>> edges = {};
   std::span<const std::uint32_t> vertices = {};
   std::vector<VtuArray> of_points = {}, of_cells = {};
+  std::vector<std::string> comments = {};  ///< lines before the arrays
   /// XML attributes that name the arrays which programs show first: `Scalars="feature"`.
   std::string shown_of_points = {}, shown_of_cells = {};
 };
 
 /// Returns VtuGrid::positions for `points`, which must outlive the array.
 inline VtuArray vtu_positions(std::span<const Point3> points) { return vtu_array("", points, position_of); }
+
+/// Appends the fields of the vertices to grid.of_points, with distinct names, and to grid.comments which numbers stand
+/// for texts. Requires: grid.positions is set, and `fields` views data that outlive the grid.
+void add_fields(const VertexFields& fields, VtuGrid& grid);
 
 void write_vtu(OutputFile& file, const VtuGrid& grid);
 

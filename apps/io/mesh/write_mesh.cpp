@@ -11,6 +11,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/mesh/fan_triangles.h"
+#include "io/mesh/ply_fields.h"
 #include "io/mesh/polygon_files.h"
 #include "io/mesh/vtu.h"
 
@@ -30,9 +31,11 @@ struct SoupPolygons {
 /// A SpaceMesh as the `Mesh` of polygon_files.h.
 struct SurfacePolygons {
   const SpaceMesh& mesh;
+  PlyFields fields{mesh.fields};
 
   std::size_t points() const { return mesh.vertices.size(); }
   std::size_t faces() const { return mesh.triangles.size(); }
+  std::string comments() const { return fields.comments(); }
   Position point(std::size_t i) const { return position_of(mesh.vertices[i]); }
   std::span<const std::uint32_t> face(std::size_t f) const { return mesh.triangles[f]; }
 
@@ -42,13 +45,14 @@ struct SurfacePolygons {
     if (!mesh.colors.empty()) lines += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
     if (!mesh.points.empty()) lines += "property uint point\n";
     if (!mesh.confidence.empty()) lines += "property double confidence\n";
-    return lines;
+    return lines + fields.lines();
   }
   void write_properties(OutputFile& file, std::size_t i) const {
     if (!mesh.normals.empty()) file.write_binary(position_of(mesh.normals[i]));
     if (!mesh.colors.empty()) file.write_binary(mesh.colors[i]);
     if (!mesh.points.empty()) file.write_binary(mesh.points[i]);
     if (!mesh.confidence.empty()) file.write_binary(mesh.confidence[i]);
+    fields.write(file, i);
   }
 };
 
@@ -113,7 +117,7 @@ void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh) {
   if (format == Format::npy) return write_npy_rows(file, mesh.triangles, mesh.index);
   if (format == Format::vtu) return write_vtu(file, mesh);
   if (format == Format::glb) return write_glb(file, mesh);
-  write_polygons(file, format, SurfacePolygons{mesh});
+  write_polygons(file, format, SurfacePolygons{.mesh = mesh});
 }
 
 namespace {
@@ -204,7 +208,9 @@ void write_solid(OutputFile& file, Format format, const SolidMesh& mesh) {
   if (format == Format::npy) return write_npy_rows(file, mesh.tetrahedra, mesh.index);
   if (format == Format::medit) return write_medit(file, mesh);
   if (format == Format::gmsh) return write_gmsh(file, mesh);
-  write_vtu(file, {.positions = vtu_positions(mesh.vertices), .tetrahedra = mesh.tetrahedra});
+  VtuGrid grid{.positions = vtu_positions(mesh.vertices), .tetrahedra = mesh.tetrahedra};
+  add_fields(mesh.fields, grid);
+  write_vtu(file, grid);
 }
 
 }  // namespace rbpa::app

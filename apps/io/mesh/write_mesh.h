@@ -13,6 +13,7 @@
 #include "io/bytes/output_file.h"
 #include "io/formats.h"
 #include "io/mesh/single_precision.h"
+#include "io/point_columns.h"
 #include "meshops/topology/polygon_soup.h"
 #include "rbpa/base/point3.h"
 
@@ -43,6 +44,7 @@ struct SpaceMesh {
   std::span<const double> confidence = {};     ///< confidence in the normals
   std::optional<Shift> shift = std::nullopt;   ///< shift of positions in STL and GLB
   std::span<const std::uint32_t> index = {};   ///< input index of each vertex; empty if vertex i has index i
+  VertexFields fields = {};                    ///< written to PLY and VTU
 };
 
 /// Returns the positions as STL or GLB stores them. Throws Failure if triangles would lose their area or vertices
@@ -50,14 +52,14 @@ struct SpaceMesh {
 SinglePositions kept_positions(const OutputFile& file, Format format, const SpaceMesh& mesh);
 
 /// Writes OFF, OBJ; PLY (binary little-endian) with normals as double, colors as uchar, points as uint `point` and
-/// confidences as double `confidence`; STL (binary, single precision, a shift in its header); VTU, GLB (below); or the
-/// triangles as an .npy array of uint32 with shape (n, 3), of input indices if mesh.index is not empty. Throws, before
-/// anything is written, BadInput if a coordinate is too large for STL or GLB, and Failure if single precision does not
-/// keep the triangles. Requires: not a picture format.
+/// confidences as double `confidence`, and fields (ply_fields.h); STL (binary, single precision, a shift in its
+/// header); VTU, GLB (below); or the triangles as an .npy array of uint32 with shape (n, 3), of input indices if
+/// mesh.index is not empty. Throws, before anything is written, BadInput if a coordinate is too large for STL or GLB,
+/// and Failure if single precision does not keep the triangles. Requires: not a picture format.
 void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh);
 
 /// Writes VTU with normals as point data `Normals`, colors as `RGB`, input indices as `point`, confidences as
-/// `confidence`.
+/// `confidence`, and the fields.
 void write_vtu(OutputFile& file, const SpaceMesh& mesh);
 
 /// Writes GLB: one double-sided mesh. Positions are in single precision, less the shift, which, unless it is 0, is the
@@ -79,6 +81,7 @@ struct SolidMesh {
   std::span<const Point3> vertices;
   std::span<const std::array<std::uint32_t, 4>> tetrahedra;
   std::span<const std::uint32_t> index = {};  ///< input index of each vertex; empty if vertex i has index i
+  VertexFields fields = {};                   ///< written to VTU
 };
 
 /// Writes VTU with appended raw data; Medit's .mesh or Gmsh's .msh, version 2.2, both text with vertices numbered from

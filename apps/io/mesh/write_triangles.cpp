@@ -3,6 +3,7 @@
 #include <string>
 
 #include "io/bytes/npy.h"
+#include "io/mesh/ply_fields.h"
 #include "io/mesh/polygon_files.h"
 
 namespace rbpa::app {
@@ -26,7 +27,8 @@ CompactMesh::CompactMesh(const TriangleMesh& mesh)
       edges_(mesh.edges.begin(), mesh.edges.end()),
       points_(mesh.points.begin(), mesh.points.end()),
       features_(mesh.features),
-      levels_(mesh.levels) {
+      levels_(mesh.levels),
+      columns_(mesh.fields.columns) {
   std::vector<bool> used(mesh.vertices.size(), false);
   for_each_index(triangles_, edges_, points_, [&](std::uint32_t i) { used[i] = true; });
   std::vector<std::uint32_t> renumbered(mesh.vertices.size());
@@ -35,6 +37,7 @@ CompactMesh::CompactMesh(const TriangleMesh& mesh)
     renumbered[i] = static_cast<std::uint32_t>(vertices_.size());
     vertices_.push_back(mesh.vertices[i]);
     if (!mesh.z.empty()) z_.push_back(mesh.z[i]);
+    if (!columns_.empty()) rows_.push_back(static_cast<std::uint32_t>(mesh.fields.row(i)));
   }
   for_each_index(triangles_, edges_, points_, [&](std::uint32_t& i) { i = renumbered[i]; });
 }
@@ -44,11 +47,15 @@ namespace {
 /// A TriangleMesh as the `Mesh` of polygon_files.h; z is 0 if the mesh has no heights.
 struct WithHeights {
   const TriangleMesh& mesh;
+  PlyFields fields{mesh.fields};
 
   std::size_t points() const { return mesh.vertices.size(); }
   std::size_t faces() const { return mesh.triangles.size(); }
   std::array<double, 3> point(std::size_t i) const { return mesh.position(i); }
   std::span<const std::uint32_t> face(std::size_t f) const { return mesh.triangles[f]; }
+  std::string comments() const { return fields.comments(); }
+  std::string properties() const { return fields.lines(); }
+  void write_properties(OutputFile& file, std::size_t i) const { fields.write(file, i); }
   std::string face_properties() const {
     return mesh.features == nullptr ? "" : "property uint " + mesh.features->name + "\n";
   }
@@ -58,7 +65,7 @@ struct WithHeights {
 };
 
 void write_obj_with_all(OutputFile& file, const TriangleMesh& mesh) {
-  write_obj(file, WithHeights{mesh});
+  write_obj(file, WithHeights{.mesh = mesh});
   for (const Edge& edge : mesh.edges) {
     file.write("l");
     write_corners(file, edge, 1);
@@ -115,7 +122,7 @@ void write_triangles(OutputFile& file, Format format, const TriangleMesh& mesh) 
   if (format == Format::npy) return write_npy_rows(file, mesh.triangles, mesh.index);
   if (format == Format::npy_edges) return write_npy_rows(file, mesh.edges, mesh.index);
   if (format == Format::vtu) return write_vtu(file, mesh);
-  if (format != Format::npy_points) return write_polygons(file, format, WithHeights{mesh});
+  if (format != Format::npy_points) return write_polygons(file, format, WithHeights{.mesh = mesh});
   file.write(npy_header("<u4", mesh.points.size(), ","));
   file.write_binary(std::span<const std::uint32_t>(renumbered(mesh.points, mesh.index)));
 }

@@ -11,6 +11,7 @@
 
 #include "io/bytes/output_file.h"
 #include "io/formats.h"
+#include "io/point_columns.h"
 #include "io/polygon/shape_files.h"
 #include "rbpa/base/point.h"
 
@@ -44,6 +45,7 @@ struct TriangleMesh {
   std::span<const std::uint16_t> levels = {};  ///< level of each triangle; empty if there are edges or points
   std::span<const double> z = {};              ///< height of each vertex; empty if all are 0
   std::span<const std::uint32_t> index = {};   ///< input index of each vertex; empty if vertex i has index i
+  VertexFields fields = {};                    ///< written to PLY and VTU
 
   std::array<double, 3> position(std::size_t i) const { return {vertices[i].x, vertices[i].y, z.empty() ? 0 : z[i]}; }
 };
@@ -53,7 +55,9 @@ struct TriangleMesh {
 class CompactMesh {
  public:
   explicit CompactMesh(const TriangleMesh& mesh);
-  TriangleMesh mesh() const { return {vertices_, triangles_, edges_, points_, features_, levels_, z_}; }
+  TriangleMesh mesh() const {
+    return {vertices_, triangles_, edges_, points_, features_, levels_, z_, {}, {columns_, rows_}};
+  }
 
  private:
   std::vector<Point> vertices_;
@@ -63,12 +67,15 @@ class CompactMesh {
   std::vector<std::uint32_t> points_;
   const TriangleFeatures* features_;       // views the original mesh
   std::span<const std::uint16_t> levels_;  // views the original mesh
+  std::span<const PointColumn> columns_;   // views the original mesh
+  std::vector<std::uint32_t> rows_;
 };
 
 /// Writes OFF, PLY (binary little-endian, coordinates as double), OBJ or VTU (write_vtu() below); or an .npy array of
 /// uint32: triangles with shape (n, 3), edges with shape (n, 2) or points with shape (n). In PLY each face has the
-/// number of its feature as a property called features->name. OBJ, as lines f, l and p, and VTU have triangles, edges
-/// and points; OFF and PLY have triangles only. Requires: not a picture format.
+/// number of its feature as a property called features->name, and each vertex its fields (ply_fields.h). OBJ, as lines
+/// f, l and p, and VTU have triangles, edges and points; OFF and PLY have triangles only. Requires: not a picture
+/// format.
 void write_triangles(OutputFile& file, Format format, const TriangleMesh& mesh);
 
 /// Returns the triangles for geographic information systems: attributes of each are the number or name of its feature,

@@ -20,10 +20,9 @@ std::vector<VtuArray> arrays_of(const TriangleFeatures& features) {
   const std::span<const std::uint32_t> of_triangle = features.of_triangle;
   std::vector<VtuArray> arrays = {vtu_array(features.name, of_triangle)};
   for (const FeatureNumbers& numbers : features.numbers) {
-    const std::string name = markup_escaped(numbers.name);
-    std::string unique = name;
-    const auto is_taken = [&](const VtuArray& array) { return array.name == unique; };
-    for (int i = 2; std::any_of(arrays.begin(), arrays.end(), is_taken); ++i) unique = name + "_" + std::to_string(i);
+    const std::string unique = untaken(markup_escaped(numbers.name), [&](const std::string& name) {
+      return std::any_of(arrays.begin(), arrays.end(), [&](const VtuArray& array) { return array.name == name; });
+    });
     arrays.push_back(
         vtu_array(unique, of_triangle, [values = numbers.values](std::uint32_t feature) { return values[feature]; }));
   }
@@ -46,6 +45,7 @@ void write_vtu(OutputFile& file, const TriangleMesh& mesh) {
     grid.of_cells.push_back(vtu_array("level", mesh.levels));
     grid.shown_of_cells = "Scalars=\"level\"";
   }
+  add_fields(mesh.fields, grid);
   write_vtu(file, grid);
 }
 
@@ -59,6 +59,7 @@ void write_vtu(OutputFile& file, const SpaceMesh& mesh) {
   add(vtu_array("RGB", mesh.colors));
   add(vtu_array("point", mesh.points));
   add(vtu_array("confidence", mesh.confidence));
+  add_fields(mesh.fields, grid);
   write_vtu(file, grid);
 }
 

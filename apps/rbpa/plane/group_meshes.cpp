@@ -19,6 +19,7 @@ void require_of_groups(const MeshArguments& arguments, const ComplexRequest& req
                        const std::vector<Target>& targets) {
   refuse_given({{arguments.levels.has_value(), "--levels"},
                 {arguments.complex != "solid", "--complex full"},
+                {arguments.fields.has_value(), "--fields"},
                 {request.method.leaf_capacity.has_value(), "--method hrbpa"},
                 {request.method.by_paper, "--search paper"}},
                not_with_groups);

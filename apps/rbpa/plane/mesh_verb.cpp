@@ -39,8 +39,8 @@ void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Bu
                    bool compacted) {
   const ProgressLine line = run.writing();
   const AlphaComplex& made = built.complex;
-  const TriangleMesh whole{run.points(), made.triangles, made.edges, made.points,
-                           nullptr,      built.level,    run.file.z, run.file.index};
+  const TriangleMesh whole{run.points(), made.triangles, made.edges,     made.points,        nullptr,
+                           built.level,  run.file.z,     run.file.index, {run.file.kept, {}}};
   std::optional<CompactMesh> compact;
   std::optional<Drawing> drawing;
   for (const Target& target : targets) {
@@ -72,12 +72,14 @@ void run_mesh(const MeshArguments& arguments) {
       std::any_of(targets.begin(), targets.end(), [](const Target& target) { return is_picture(target.format); });
 
   request.source.heights = any_has_vertices(targets);
+  request.source.keeps = parse_fields_of(arguments.fields, targets);
   ComplexRun run(request, arguments);
   const Links links = any_picture ? Links::neighbors : arguments.stats ? Links::boundary : Links::none;
   const Built built = build(run.points(), run.alpha, request.method, kind, links, run.options(), levels.has_value());
   const AlphaComplex& made = built.complex;
   run.stats.build_seconds = run.lap();
 
+  run.warning_on_fields(run.file.kept, targets, made.duplicates.size());
   write_targets(run, targets, built, kind, arguments.compact);
   if (levels)
     run.add(*arguments.levels, [&](OutputFile& file) { write_levels(file, *levels, *built.mesh, request.method); });

@@ -7,6 +7,7 @@
 #include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
+#include "io/mesh/ply_fields.h"
 #include "io/polygon/ogr.h"
 #include "picture/scene.h"
 
@@ -129,6 +130,26 @@ std::vector<std::string> ogr_paths(const Target& target) {
       is_own ? target.path.substr(0, target.path.size() - ending(target.path).size() - 1) : target.path;
   for (const std::string& part : endings) paths.push_back(part == endings.front() ? target.path : stem + "." + part);
   return paths;
+}
+
+std::optional<FieldChoice> parse_fields_of(const std::optional<std::string>& text, const std::vector<Target>& targets) {
+  const bool any_holds = std::any_of(targets.begin(), targets.end(), [](const Target& target) {
+    return target.format == Format::ply || target.format == Format::vtu;
+  });
+  if (!text) return any_holds ? std::optional(FieldChoice{}) : std::nullopt;
+  std::optional<FieldChoice> choice = parse_fields(*text);
+  if (choice && !any_holds) throw WrongUsage("--fields requires a mesh in ply or vtu, which hold fields");
+  return choice;
+}
+
+std::vector<std::string> fields_left_out(const std::vector<PointColumn>& columns, const std::vector<Target>& targets) {
+  std::vector<std::string> warnings;
+  for (const Target& target : targets)
+    for (const PointColumn& column : columns)
+      if (target.format == Format::ply && !ply_type(column))
+        warnings.push_back("field " + in_quotes(column.name) + " is left out of " + output_name(target.path) +
+                           ": no number of PLY holds integers beyond 2^53 (.vtu does)");
+  return warnings;
 }
 
 std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, const std::vector<Target>& targets) {

@@ -9,6 +9,7 @@
 
 #include "io/formats.h"
 #include "io/mesh/single_precision.h"
+#include "io/point_columns.h"
 #include "rbpa/plane/alpha_complex.h"
 
 namespace rbpa::app {
@@ -55,6 +56,13 @@ bool any_has_vertices(const std::vector<Target>& targets);
 /// Returns the paths of the files that GDAL writes for a target, in the order of ogr_endings(): the target itself
 /// first.
 std::vector<std::string> ogr_paths(const Target& target);
+
+/// Parses --fields; by default all fields are kept if any target holds them, and otherwise none. Throws WrongUsage if
+/// fields are requested, and no target holds them.
+std::optional<FieldChoice> parse_fields_of(const std::optional<std::string>& text, const std::vector<Target>& targets);
+
+/// Returns, for warnings, the 64-bit integers of `columns` that a target cannot hold; empty if it holds all.
+std::vector<std::string> fields_left_out(const std::vector<PointColumn>& columns, const std::vector<Target>& targets);
 
 /// Parses --shift; nothing if it is absent. Throws WrongUsage unless a target is in single precision.
 std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, const std::vector<Target>& targets);

@@ -41,6 +41,14 @@ SpacePoints Run::read_points(const SpacePointSource& source) const {
   return file;
 }
 
+void Run::warning_on_fields(const std::vector<PointColumn>& columns, const std::vector<Target>& targets,
+                            std::size_t duplicates) const {
+  warning(fields_left_out(columns, targets));
+  if (!columns.empty() && duplicates > 0)
+    warning(counted(duplicates, "point") + (duplicates == 1 ? " lies" : " lie") +
+            " on others: triangles have the fields of the first point of each place");
+}
+
 void Run::complete_heights(std::vector<double>& z) const {
   const auto has_none = [](double height) { return !std::isfinite(height); };
   const auto without = static_cast<std::size_t>(std::count_if(z.begin(), z.end(), has_none));

@@ -70,6 +70,10 @@ class Run {
   PointFile read_points(const PointSource& source) const;
   /// Reads points in space, and prints, unless quiet, the warnings about them. Throws as read_space_points().
   SpacePoints read_points(const SpacePointSource& source) const;
+  /// Prints, unless quiet, which fields a target cannot hold, and that points lie on others, whose fields a mesh does
+  /// not use.
+  void warning_on_fields(const std::vector<PointColumn>& columns, const std::vector<Target>& targets,
+                         std::size_t duplicates) const;
   /// Replaces missing heights in `z`, which are not finite, by 0, and prints, unless quiet, how many they are. If all
   /// are missing, `z` becomes empty.
   void complete_heights(std::vector<double>& z) const;

@@ -36,6 +36,12 @@ void add_selection_options(CLI::App& verb, Arguments& arguments) {
       ->type_name("R");
 }
 
+inline void add_fields_option(CLI::App& verb, std::optional<std::string>& fields) {
+  verb.add_option("--fields", fields,
+                  "Keep these fields of the points, or all, or none, at the vertices of .ply and .vtu (default all)")
+      ->type_name("NAMES");
+}
+
 inline void add_waters_option(CLI::App& verb, bool& waters) {
   add_switch(verb, "--waters", waters,
              "Read the atoms of water of a molecule too (by default they are left out, unless --where uses "

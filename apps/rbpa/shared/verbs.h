@@ -18,7 +18,7 @@ namespace rbpa::app {
 /// The arguments of `rbpa mesh`: from a file of points to files of triangles and pictures.
 struct MeshArguments : ComplexArguments {
   std::string complex = "solid";
-  std::optional<std::string> levels;
+  std::optional<std::string> levels, fields;
   bool compact = false;
 };
 void run_mesh(const MeshArguments& arguments);
@@ -107,6 +107,7 @@ struct SurfaceArguments : SpacePointArguments, OutputArguments {
   std::optional<std::string> scale_space;
   bool moved = false;
   std::optional<std::string> holes;
+  std::optional<std::string> fields;
   std::optional<std::string> shell;
   std::optional<std::string> keep_largest;
   std::optional<std::string> drop_small;
@@ -128,7 +129,7 @@ void run_surface(const SurfaceArguments& arguments);
 struct SolidArguments : SpacePointArguments, OutputArguments {
   std::string alpha;
   std::optional<std::string> cover;  ///< share of the points that `auto` and `min` cover
-  std::optional<std::string> box, boundary, shift, voids, complex;
+  std::optional<std::string> box, boundary, shift, voids, complex, fields;
   std::optional<std::string> pockets, voids_above, top;
   bool void_radii = false;
   std::string width = "1200";

@@ -96,6 +96,12 @@ SolidRequest parse(const SolidArguments& arguments) {
   std::vector<std::string> reports = given({arguments.stats, arguments.boundary, arguments.voids, arguments.pockets});
   if (arguments.json) reports.emplace_back("-");
   request.targets = parse_targets(Use::solid, arguments, arguments.points, reports);
+  std::vector<Target> meshes = request.targets;
+  if (request.boundary) meshes.push_back(*request.boundary);
+  if (!request.box)
+    request.source.choice.keeps = parse_fields_of(arguments.fields, meshes);
+  else if (arguments.fields)
+    throw WrongUsage("--fields cannot be combined with --box");
   return request;
 }
 

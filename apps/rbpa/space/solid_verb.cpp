@@ -125,7 +125,8 @@ void SolidRun::write_boundary(OutputFile& file, Format format, const Surface& su
                                    .triangles = {},
                                    .colors = file_.colors,
                                    .shift = request_.shift,
-                                   .index = file_.index},
+                                   .index = file_.index,
+                                   .fields = {file_.kept, {}}},
                                   fans.triangles, fans.point, true);
   write_surface(file, format, vertices.mesh());
 }
@@ -151,7 +152,10 @@ void SolidRun::write(const SolidFacts& facts) {
       write_picture(file, facts);
     else
       write_solid(file, target.format,
-                  {.vertices = file_.points, .tetrahedra = facts.solid.simplices, .index = file_.index});
+                  {.vertices = file_.points,
+                   .tetrahedra = facts.solid.simplices,
+                   .index = file_.index,
+                   .fields = {file_.kept, {}}});
   });
   if (request_.boundary)
     add(request_.boundary->path,
@@ -194,6 +198,9 @@ void SolidRun::run() {
               ": no range of alpha stands out, and the longest one may be chance");
   if (has_lives()) find_lives(facts);
   facts.count_seconds = lap();
+  std::vector<Target> meshes = request_.targets;
+  if (request_.boundary) meshes.push_back(*request_.boundary);
+  warning_on_fields(file_.kept, meshes, facts.solid.duplicates.size());
   write(facts);
   facts.write_seconds = lap();
   if (arguments_.json) add("-", [&](OutputFile& file) { write_solid_json(file, facts, PointNames(file_)); });

@@ -56,7 +56,8 @@ void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
                  .colors = colors,
                  .confidence = facts.confidence,
                  .shift = shift,
-                 .index = index};
+                 .index = index,
+                 .fields = {fields, {}}};
   SplitFans used;
   std::optional<VerticesOfPoints> own;
   const bool splits = facts.manifold || format == Format::glb;  // no other file uses the vertices of a scene

@@ -10,6 +10,7 @@
 #include "io/bytes/output_file.h"
 #include "io/formats.h"
 #include "io/mesh/single_precision.h"
+#include "io/point_columns.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/space/surface/split_fans.h"
 #include "space/surface_report.h"
@@ -26,6 +27,7 @@ struct SurfaceFiles {
   bool compact;
   std::optional<Shift> shift = std::nullopt;  ///< subtracted from coordinates of STL and GLB
   std::span<const std::uint32_t> index = {};  ///< input index of each point; empty if point i has index i
+  std::span<const PointColumn> fields = {};
 
   /// Writes a mesh or a picture; `width` is the width of the picture in pixels. Throws as write_surface() and
   /// write_surface_png().

@@ -132,6 +132,7 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   std::vector<std::string> reports = given({arguments.stats, arguments.holes});
   if (arguments.json) reports.emplace_back("-");
   request.targets = parse_targets(Use::surface, arguments, arguments.points, reports);
+  request.source.choice.keeps = parse_fields_of(arguments.fields, request.targets);
   request.shift = parse_shift_of(arguments.shift, request.targets);
   if (arguments.refine) {
     if (!how.filled && !how.watertight) throw WrongUsage("--refine requires --fill-holes or --watertight");

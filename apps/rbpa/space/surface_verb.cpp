@@ -165,6 +165,7 @@ void add_colors(std::vector<std::array<std::uint8_t, 3>>& colors, const AddedPoi
 void SurfaceRun::write(SurfaceFacts& facts, const SplitFans& fans, SpacePoints& file) {
   const ProgressLine line = writing();
   add_colors(file.colors, facts.added);
+  append_between(file.kept, facts.points, facts.added.between);
   for (std::size_t next = file.all_points; !file.index.empty() && file.index.size() < facts.points.size(); ++next)
     file.index.push_back(static_cast<std::uint32_t>(next));  // numbers of the added points
   if (request_.colors_normals) file.colors = colors_of(facts.confidence);
@@ -178,7 +179,8 @@ void SurfaceRun::write(SurfaceFacts& facts, const SplitFans& fans, SpacePoints& 
                            .colors = file.colors,
                            .compact = arguments_.compact || arguments_.faces.has_value(),
                            .shift = request_.shift,
-                           .index = file.index};
+                           .index = file.index,
+                           .fields = file.kept};
   add(request_.targets,
       [&](OutputFile& out, const Target& target) { files.write(out, target.format, request_.width); });
   if (arguments_.holes) add(*arguments_.holes, [&](OutputFile& out) { files.write_curves(out); });
@@ -218,6 +220,7 @@ void SurfaceRun::run() {
   count(facts, fans);
   facts.build_seconds = lap();
 
+  warning_on_fields(file.kept, request_.targets, facts.surface.duplicates.size());
   std::vector<std::string> lines;
   for (const Target& target : request_.targets)
     lines.push_back(text_of_shift(target.format, facts.points, facts.surface.triangles, request_.shift, target.path));

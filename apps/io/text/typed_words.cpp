@@ -1,0 +1,78 @@
+#include "io/text/typed_words.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "io/bytes/number.h"
+#include "io/text/fields.h"
+#include "io/words.h"
+
+namespace rbpa::app {
+namespace {
+
+/// Returns the integer of a text without sign +, zeros before it, or blanks; nothing for any other text.
+std::optional<std::int64_t> integer_of(std::string_view word) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size() || std::to_string(value) != word) return std::nullopt;
+  return value;
+}
+
+std::optional<double> number_of(std::string_view word) {
+  if (is_missing(word)) return std::numeric_limits<double>::quiet_NaN();
+  const ParsedNumber number = parse_whole_number(word);
+  const bool has_zeros = word.size() > 1 && word.front() == '0' && is_digit(word[1]);  // a label, such as 007
+  if (has_zeros || (number.fault != NumberFault::none && number.fault != NumberFault::not_finite)) return std::nullopt;
+  return number.value;
+}
+
+/// Makes numbers of integers. Returns false, and changes nothing, if doubles do not represent one of them.
+bool become_numbers(PointColumn& column) {
+  PointColumn numbers{.name = column.name};
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    const auto value = column.value<std::int64_t>(i);
+    if (!is_exact_in_double(value)) return false;
+    numbers.append(static_cast<double>(value));
+  }
+  column = std::move(numbers);
+  return true;
+}
+
+std::int32_t number_of(PointColumn& column, std::string_view text,
+                       std::unordered_map<std::string, std::int32_t>& numbers) {
+  const auto [place, is_new] = numbers.try_emplace(std::string(text), static_cast<std::int32_t>(column.texts.size()));
+  if (is_new) column.texts.emplace_back(text);
+  return place->second;
+}
+
+void become_texts(PointColumn& column, std::unordered_map<std::string, std::int32_t>& numbers) {
+  PointColumn texts{.name = column.name, .type = Scalar::int32, .is_text = true};
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    std::string text;
+    if (column.type == Scalar::int64)
+      text = std::to_string(column.value<std::int64_t>(i));
+    else if (const double value = column.value<double>(i); !std::isnan(value))
+      text = text_of(value);
+    texts.append(number_of(texts, text, numbers));
+  }
+  column = std::move(texts);
+}
+
+}  // namespace
+
+void append_word(PointColumn& column, std::string_view word, std::unordered_map<std::string, std::int32_t>& numbers) {
+  if (column.type == Scalar::int64) {
+    if (const std::optional<std::int64_t> value = integer_of(word)) return column.append(*value);
+    if (!number_of(word) || !become_numbers(column)) become_texts(column, numbers);
+  }
+  if (!column.is_text) {
+    if (const std::optional<double> value = number_of(word)) return column.append(*value);
+    become_texts(column, numbers);
+  }
+  column.append(number_of(column, word, numbers));
+}
+
+}  // namespace rbpa::app
