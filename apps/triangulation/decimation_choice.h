@@ -22,7 +22,8 @@ struct DecimationChoice {
   }
 };
 
-/// Parses "10000", at least 1, "10%", above 0 and at most 100, or "error=0.5", at least 0. Throws WrongUsage that names the option.
+/// Parses "10000", at least 1, "10%", above 0 and at most 100, or "error=0.5", at least 0. Throws WrongUsage that names
+/// the option.
 DecimationChoice parse_decimation(const std::string& option, const std::string& text);
 
 /// Returns "decimated from 5856 to 586 triangles, at most 0.5 from those before", rounded up, and if no edge is left to

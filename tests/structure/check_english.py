@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-BOUND = 30  # places in the whole tree
+BOUND = 20  # places in the whole tree
 COLUMNS = 120
 
 # A comment does not begin with a word that leans on the code below it.

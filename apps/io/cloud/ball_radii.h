@@ -26,8 +26,8 @@ struct UsedRadii {
 class BallRadii {
  public:
   /// `choice`: "bondi", "protor", "column:NAME", or a file of radii, with Bondi's for all that it does not name.
-  /// Absent: the radii of the file of atoms, else Bondi's. `otherwise`: the radius of atoms that have none. Throws BadInput for
-  /// a file that is not one of radii; WrongUsage.
+  /// Absent: the radii of the file of atoms, else Bondi's. `otherwise`: the radius of atoms that have none. Throws
+  /// BadInput for a file that is not one of radii; WrongUsage.
   explicit BallRadii(const std::optional<std::string>& choice, std::optional<double> otherwise = std::nullopt);
 
   /// Sets the radius of an element, for choices with a table. Throws WrongUsage.

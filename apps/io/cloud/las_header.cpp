@@ -229,8 +229,8 @@ void take_note(Found& found, std::string_view user, unsigned number, std::string
   if (number == 34735) found.keys = crs_of_keys(data);
 }
 
-/// Calls take(user, number, data) for `count` records from `at` to `end`. The header of a record has reserved bytes (2),
-/// user (16), number (2), length (2; 8 in an extended record) and description (32).
+/// Calls take(user, number, data) for `count` records from `at` to `end`. The header of a record has reserved bytes
+/// (2), user (16), number (2), length (2; 8 in an extended record) and description (32).
 template <typename Take>
 void visit(std::string_view bytes, std::size_t at, std::size_t end, std::size_t count, bool extended, Take take) {
   const std::size_t frame = extended ? 60 : 54;

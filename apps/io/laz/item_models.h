@@ -74,7 +74,8 @@ class StreamingMedian {
 };
 
 /// Decodes coordinates: x and y as differences to the last place, predicted by medians of the last differences in each
-/// of `contexts` contexts; z as the difference to the last z of the same level, for as many returns after it in a pulse.
+/// of `contexts` contexts; z as the difference to the last z of the same level, for as many returns after it in a
+/// pulse.
 template <std::size_t contexts>
 class PlaceDecoder {
  public:

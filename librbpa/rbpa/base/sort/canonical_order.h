@@ -70,8 +70,8 @@ class CanonicalOrder {
     idle_.push_back(writer);
   }
 
-  /// Returns all triangles in order. Nothing may be added afterwards. Calls `checkpoint`, if any, after each bucket, one
-  /// call at a time; it may throw.
+  /// Returns all triangles in order. Nothing may be added afterwards. Calls `checkpoint`, if any, after each bucket,
+  /// one call at a time; it may throw.
   std::vector<Triangle> sorted(Threads& threads, const Checkpoint& checkpoint = {});
   /// Returns all triangles in order, as sorted(). rank[n] becomes the place of the triangle with number n.
   /// Requires: NumberedTriangle, with the numbers from 0 on, each once; `rank` has a place for each.

@@ -24,8 +24,8 @@ using FixedVector = Vector3<std::int64_t>;  // each below 2^61 in size
 /// Returns the sign of u × v · w.
 int volume_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w);
 
-/// Returns the sign of the volume of u, v, w times the power of p with respect to the sphere through 0, u, v, w. Weights
-/// of balls at u, v, w, p, if given, are below 2^122 in size and subtracted from the squares.
+/// Returns the sign of the volume of u, v, w times the power of p with respect to the sphere through 0, u, v, w.
+/// Weights of balls at u, v, w, p, if given, are below 2^122 in size and subtracted from the squares.
 int power_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w, const FixedVector& p);
 int power_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w, const FixedVector& p,
                const std::array<Integer128, 4>& weights);

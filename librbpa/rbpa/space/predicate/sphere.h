@@ -47,7 +47,8 @@ class BeyondFilter {
   explicit BeyondFilter(const Spread& spread) : exact_below_(spread.exact_below(5)), is_exact_(spread.is_exact) {}
 
   /// Returns whether q is inside the perturbed sphere. `value` and `error` are the computed determinant and its error.
-  /// Requires: five distinct points of the spread and their radii, scaled by it where it is exact; orientation(a, b, c, d) > 0.
+  /// Requires: five distinct points of the spread and their radii, scaled by it where it is exact; orientation(a, b, c,
+  ///           d) > 0.
   bool is_inside(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q, double value,
                  double error, const FiveRadii* radii = nullptr) const;
 

@@ -52,8 +52,8 @@ struct WeightedSpoke : Spoke {
 /// Returns the difference of the weights of two balls, R² − S², with three roundings.
 inline double weight_difference(double R, double S) { return (R - S) * (R + S); }
 
-/// A bound for the error of V(q): constant + slope |q − d|², or with the difference of weights by absolute value in place
-/// of 0: constant + slope (|q − d|² + |difference|). Stored as the first 32 bits of two doubles, rounded up.
+/// A bound for the error of V(q): constant + slope |q − d|², or with the difference of weights by absolute value in
+/// place of 0: constant + slope (|q − d|² + |difference|). Stored as the first 32 bits of two doubles, rounded up.
 class ErrorBound {
  public:
   ErrorBound() = default;

@@ -60,7 +60,8 @@ class Squares {
   std::vector<std::vector<std::uint32_t>> squares_;
 };
 
-/// Returns whether p is on the triangle or its sides. Requires: p is in the plane and in the bounding box of the triangle.
+/// Returns whether p is on the triangle or its sides. Requires: p is in the plane and in the bounding box of the
+/// triangle.
 bool is_on(const std::array<Point3, 3>& t, const Point3& p) {
   for (const int axis : {0, 1, 2}) {
     const auto [low, high] =

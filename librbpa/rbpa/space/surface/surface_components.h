@@ -92,8 +92,8 @@ struct DroppedComponents {
 };
 
 /// Counts the components that are not kept, their triangles, and the points that are in no other triangle.
-/// Requires: `surface` is a surface of `points`; `components` are its components, and `kept` says for each whether it is
-///           kept.
+/// Requires: `surface` is a surface of `points`; `components` are its components, and `kept` says for each whether it
+///           is kept.
 /// Throws:   ContractViolation when `kept` does not have one value for each component, when a corner is no point, or as
 ///           genus_of(); Cancelled.
 /// Cost:     linear.

@@ -151,10 +151,10 @@ bool BasicInsertion<weighted>::decide_ghost(const Tetrahedron& ghost, Vertex v) 
   return is_inside(behind, v, estimate(behind, vertex_[v]));
 }
 
-/// Walks to a tetrahedron whose sphere contains the point; for a hidden ball, to one that contains its center. The powers
-/// with respect to the spheres of two neighbors are equal on the plane of their common face. So the power of the point
-/// decreases from a tetrahedron to the neighbor on the point's side of a face; the walk takes the step of greatest
-/// decrease.
+/// Walks to a tetrahedron whose sphere contains the point; for a hidden ball, to one that contains its center. The
+/// powers with respect to the spheres of two neighbors are equal on the plane of their common face. So the power of the
+/// point decreases from a tetrahedron to the neighbor on the point's side of a face; the walk takes the step of
+/// greatest decrease.
 template <bool weighted>
 std::uint32_t BasicInsertion<weighted>::locate(Vertex v) const {
   const Inserted& q = vertex_[v];

@@ -35,8 +35,8 @@ namespace rbpa::space {
 template <bool weighted>
 class BasicInsertion {
  public:
-  /// Makes point order[i] vertex i + 1; begin() exchanges some (see index()). Keeps the spans of points and radii, whose
-  /// values must outlive this object.
+  /// Makes point order[i] vertex i + 1; begin() exchanges some (see index()). Keeps the spans of points and radii,
+  /// whose values must outlive this object.
   /// Requires: `order` has indices of distinct, finite points, fewer than 2^32 − 1; `scaled` are the points multiplied
   ///           by the power of two of `spread` (spread.h), `scaled_radii` likewise; radii are given for balls only, and
   ///           the spread has them.
