@@ -44,7 +44,8 @@ void require_surface(const std::string& option, const Findings& findings,
 /// Throws BadInput if a face is not a triangle.
 void require_triangles(const MeshFile& mesh, const MeshSource& source) {
   if (const std::size_t polygons = polygons_in(mesh); polygons > 0)
-    bad_input(name_of(source), counted(polygons, "face") + (polygons == 1 ? " that is" : " that are") + " no triangle",
+    bad_input(name_of(source),
+              app::counted(polygons, "face") + (polygons == 1 ? " that is" : " that are") + " no triangle",
               "triangles, as --decimate requires (--repair OUT.stl writes triangles)");
 }
 
