@@ -121,7 +121,7 @@ Json base(const SurfaceFacts& facts) {
             {"triangle_share", dropped.triangle_share()},
             {"area_share", dropped.area_share()}}},
           {"filled", filled_as_json(facts.filling)},
-          {"decimated", facts.decimated ? as_json(*facts.decimated) : Json(nullptr)},
+          {"decimated", facts.decimated ? app::as_json(*facts.decimated) : Json(nullptr)},
           {"suggested_repairs", facts.has_repairs ? counts_as_json(facts.repairs) : Json(nullptr)},
           {"manifold", facts.manifold},
           {"watertight", facts.watertight ? Json(true) : Json(nullptr)},
