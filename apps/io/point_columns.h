@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/bytes/scalar.h"
+#include "io/scalar.h"
 #include "rbpa/base/point3.h"
 
 namespace rbpa::app {

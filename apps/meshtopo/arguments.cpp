@@ -4,10 +4,10 @@
 #include <cctype>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/mesh/write_mesh.h"
+#include "io/number.h"
 #include "meshtopo/check.h"
 
 namespace rbpa::app {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "io/bytes/number.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "meshtopo/places.h"
 
 namespace rbpa::app {

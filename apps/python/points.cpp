@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/cloud/read_points.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "io/polygon/ogr.h"
 #include "python/file_errors.h"
 #include "python/module.h"

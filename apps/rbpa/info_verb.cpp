@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "io/polygon/shape_files.h"
 #include "io/sort.h"
 #include "plane/named_groups.h"

@@ -6,9 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "stream/input_blocks.h"
 #include "stream/pass_progress.h"
 #include "stream/plan_tiles.h"

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "stream/scratch_file.h"
 
 namespace rbpa::app {

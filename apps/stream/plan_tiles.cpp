@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 
 namespace rbpa::app {
 namespace {

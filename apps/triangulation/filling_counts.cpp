@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "triangulation/list_of_causes.h"
 
 namespace rbpa::app {

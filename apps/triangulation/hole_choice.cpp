@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/words.h"
 
 namespace rbpa::app {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/polygon/geojson.h"
 #include "support/program.h"
 

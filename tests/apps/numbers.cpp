@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/bytes/number.h"
+#include "io/number.h"
 #include "support/arguments.h"
 
 using rbpa::app::NumberFault;

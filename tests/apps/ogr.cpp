@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "io/bytes/number.h"
+#include "io/number.h"
 #include "io/polygon/ogr.h"
 #include "support/program.h"
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/cloud/cloud.h"
 #include "io/cloud/read_points.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/text/columns.h"
 #include "io/text/fields.h"
 #include "io/text/written.h"

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/cloud/cloud.h"
 #include "io/cloud/read_points.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/text/fields.h"
 #include "support/program.h"
 #include "support/read_table.h"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/cloud/read_points.h"
 #include "io/failure.h"
+#include "io/number.h"
 
 using rbpa::Point;
 using Columns = std::vector<rbpa::app::Column>;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/cloud/read_points.h"
+#include "io/number.h"
 #include "support/generate.h"
 #include "support/npy_file.h"
 #include "support/program.h"

@@ -106,7 +106,7 @@ set(allowed
   # Programs: folders of ours first, then what each uses of the libraries.
   "apps/examples: meshops meshops/core meshops/front meshops/graph meshops/topology rbpa/plane rbpa/space/repair
     rbpa/space/surface"
-  "apps/io: apps/io/bytes rbpa/base"
+  "apps/io: rbpa/base"
   "apps/io/bytes: apps/io meshops/core"
   "apps/io/cloud: apps/io apps/io/bytes apps/io/laz apps/io/polygon apps/io/text rbpa/base"
   "apps/io/laz: apps/io apps/io/bytes rbpa/base"

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/bytes/scalar.h"
+#include "io/scalar.h"
 
 namespace rbpa::app {
 

@@ -9,10 +9,10 @@
 #include <cstring>
 #include <system_error>
 
-#include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 
 namespace rbpa::app {
 

@@ -7,11 +7,11 @@
 #include <tuple>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/cloud/elements.h"
 #include "io/cloud/read_space_points.h"
 #include "io/cloud/table_beginning.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/text/plain_text.h"
 #include "io/text/signature.h"
 

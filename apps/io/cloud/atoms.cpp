@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/text/line_selection.h"
 
 namespace rbpa::app {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include "io/bytes/number.h"
 #include "io/cloud/elements.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/text/lines.h"
 #include "io/text/plain_text.h"
 

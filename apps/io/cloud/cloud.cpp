@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/words.h"
 #include "rbpa/base/triangle.h"
 

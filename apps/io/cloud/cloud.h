@@ -19,11 +19,11 @@
 
 #include "io/bytes/content.h"
 #include "io/bytes/input_bytes.h"
-#include "io/bytes/scalar.h"
 #include "io/cloud/point_window.h"
 #include "io/formats.h"
 #include "io/point_columns.h"
 #include "io/point_file.h"
+#include "io/scalar.h"
 #include "io/text/columns.h"
 #include "io/text/condition.h"
 

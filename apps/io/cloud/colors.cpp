@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/text/lines.h"
 
 namespace rbpa::app {

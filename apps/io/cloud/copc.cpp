@@ -6,10 +6,10 @@
 #include <string>
 #include <unordered_set>
 
-#include "io/bytes/number.h"
-#include "io/bytes/scalar.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
+#include "io/scalar.h"
 
 namespace rbpa::app {
 namespace {

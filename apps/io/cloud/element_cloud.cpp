@@ -8,10 +8,10 @@
 #include <limits>
 #include <string>
 
-#include "io/bytes/number.h"
 #include "io/cloud/colors.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "io/text/vertex_lines.h"
 
 namespace rbpa::app {

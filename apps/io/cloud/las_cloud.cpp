@@ -2,7 +2,6 @@
 #include <cmath>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/cloud/cloud.h"
 #include "io/cloud/copc.h"
 #include "io/cloud/las_fields.h"
@@ -10,6 +9,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/laz/laz_records.h"
+#include "io/number.h"
 
 namespace rbpa::app {
 namespace {

@@ -10,8 +10,8 @@
 #include <optional>
 #include <string_view>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 
 namespace rbpa::app {
 namespace {

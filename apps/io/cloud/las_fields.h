@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/bytes/scalar.h"
 #include "io/point_columns.h"
+#include "io/scalar.h"
 #include "io/text/condition.h"
 
 namespace rbpa::app {

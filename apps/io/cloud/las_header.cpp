@@ -4,10 +4,10 @@
 #include <cmath>
 #include <string>
 
-#include "io/bytes/number.h"
 #include "io/cloud/las_fields.h"
 #include "io/cloud/units.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/words.h"
 
 namespace rbpa::app {

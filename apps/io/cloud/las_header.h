@@ -14,8 +14,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/bytes/scalar.h"
 #include "io/crs.h"
+#include "io/scalar.h"
 
 namespace rbpa::app {
 

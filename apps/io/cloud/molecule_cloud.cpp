@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/cloud/atoms.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "io/text/fields.h"
 #include "io/text/line_selection.h"
 #include "io/text/lines.h"

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "io/bytes/available_memory.h"
-#include "io/bytes/scalar.h"
 #include "io/cloud/element_cloud.h"
 #include "io/failure.h"
+#include "io/scalar.h"
 #include "io/text/lines.h"
 #include "io/text/vertex_lines.h"
 

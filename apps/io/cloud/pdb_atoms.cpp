@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/cloud/atoms.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/text/lines.h"
 
 namespace rbpa::app {

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/bytes/scalar.h"
 #include "io/interrupt.h"
+#include "io/scalar.h"
 #include "io/text/lines.h"
 
 namespace rbpa::app {

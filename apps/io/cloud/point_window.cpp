@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 
 namespace rbpa::app {
 

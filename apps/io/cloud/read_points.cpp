@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "io/bytes/input_bytes.h"
-#include "io/bytes/number.h"
 #include "io/cloud/units.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/polygon/geojson.h"
 #include "io/polygon/ogr.h"
 #include "io/polygon/wkt.h"

@@ -5,10 +5,10 @@
 #include <initializer_list>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/cloud/atoms.h"
 #include "io/cloud/table_beginning.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/text/fields.h"
 #include "io/text/lines.h"
 

@@ -4,13 +4,13 @@
 #include <unordered_map>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/cloud/colors.h"
 #include "io/cloud/table_beginning.h"
 #include "io/cloud/table_doubts.h"
 #include "io/cloud/table_lines.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "io/polygon/wkt.h"
 #include "io/text/fields.h"
 #include "io/text/line_selection.h"

@@ -8,8 +8,8 @@
 #include <iterator>
 #include <string>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/words.h"
 
 namespace rbpa::app {

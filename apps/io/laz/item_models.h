@@ -10,9 +10,9 @@
 #include <cstring>
 #include <memory>
 
-#include "io/bytes/scalar.h"
 #include "io/laz/arithmetic_decoder.h"
 #include "io/laz/integer_decoder.h"
+#include "io/scalar.h"
 
 namespace rbpa::app {
 

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/cloud/colors.h"
 #include "io/failure.h"
 #include "io/mesh/read_mesh.h"
+#include "io/number.h"
 #include "io/text/vertex_lines.h"
 #include "rbpa/base/point3.h"
 

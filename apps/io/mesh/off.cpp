@@ -1,10 +1,10 @@
 // What: reads points and meshes of ASCII OFF files.
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/cloud/element_cloud.h"
 #include "io/failure.h"
 #include "io/mesh/read_mesh.h"
+#include "io/number.h"
 #include "io/text/vertex_lines.h"
 
 namespace rbpa::app {

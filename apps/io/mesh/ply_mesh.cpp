@@ -2,11 +2,11 @@
 #include <cmath>
 #include <optional>
 
-#include "io/bytes/number.h"
 #include "io/cloud/cloud.h"
 #include "io/cloud/ply.h"
 #include "io/failure.h"
 #include "io/mesh/read_mesh.h"
+#include "io/number.h"
 #include "io/text/vertex_lines.h"
 
 namespace rbpa::app {

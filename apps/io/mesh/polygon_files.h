@@ -11,9 +11,9 @@
 #include <string_view>
 
 #include "io/bytes/npy.h"
-#include "io/bytes/number.h"
 #include "io/bytes/output_file.h"
 #include "io/formats.h"
+#include "io/number.h"
 #include "io/values_at.h"
 
 namespace rbpa::app {

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/mesh/zero_area.h"
+#include "io/number.h"
 
 namespace rbpa::app {
 namespace {

@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <optional>
 
-#include "io/bytes/number.h"
-#include "io/bytes/scalar.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/mesh/equal_positions.h"
 #include "io/mesh/read_mesh.h"
+#include "io/number.h"
+#include "io/scalar.h"
 #include "io/text/vertex_lines.h"
 
 namespace rbpa::app {

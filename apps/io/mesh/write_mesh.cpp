@@ -7,13 +7,13 @@
 #include <string>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/mesh/fan_triangles.h"
 #include "io/mesh/ply_fields.h"
 #include "io/mesh/polygon_files.h"
 #include "io/mesh/vtu.h"
+#include "io/number.h"
 
 namespace rbpa::app {
 namespace {

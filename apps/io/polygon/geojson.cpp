@@ -14,12 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "io/bytes/number.h"
-#include "io/bytes/scalar.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "io/polygon/geojson_geometry.h"
 #include "io/polygon/json_id.h"
+#include "io/scalar.h"
 #include "io/text/lines.h"
 
 namespace rbpa::app {

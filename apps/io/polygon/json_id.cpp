@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "io/bytes/number.h"
+#include "io/number.h"
 
 namespace rbpa::app {
 namespace {

@@ -1,5 +1,5 @@
 #include "io/polygon/ogr.h"
-#include "io/bytes/number.h"
+#include "io/number.h"
 
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>

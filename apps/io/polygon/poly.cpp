@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "io/polygon/read_polygons.h"
 #include "io/text/lines.h"
 #include "rbpa/base/error.h"

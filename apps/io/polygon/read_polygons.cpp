@@ -4,8 +4,8 @@
 #include <array>
 
 #include "io/bytes/input_bytes.h"
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/polygon/geojson.h"
 #include "io/polygon/wkt.h"
 #include "io/text/fields.h"

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "io/values_at.h"
 #include "io/words.h"
 

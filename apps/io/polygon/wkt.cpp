@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "io/text/lines.h"
 
 namespace rbpa::app {

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <string>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/text/lines.h"
 
 namespace rbpa::app {

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/text/lines.h"
 
 namespace rbpa::app {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <iterator>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/text/written.h"
 
 namespace rbpa::app {

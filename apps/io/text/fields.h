@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/bytes/number.h"
+#include "io/number.h"
 #include "io/text/lines.h"
 
 namespace rbpa::app {

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/text/condition.h"
 #include "io/text/fields.h"
 

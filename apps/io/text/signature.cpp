@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
-#include "io/bytes/number.h"
-#include "io/bytes/scalar.h"
 #include "io/failure.h"
+#include "io/number.h"
+#include "io/scalar.h"
 #include "io/text/fields.h"
 #include "io/text/lines.h"
 #include "io/text/plain_text.h"

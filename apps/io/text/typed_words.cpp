@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "io/bytes/number.h"
+#include "io/number.h"
 #include "io/text/fields.h"
 #include "io/words.h"
 

@@ -3,8 +3,8 @@
 #include <charconv>
 #include <optional>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 
 namespace rbpa::app {
 namespace {

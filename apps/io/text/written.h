@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/bytes/number.h"
+#include "io/number.h"
 
 namespace rbpa::app {
 

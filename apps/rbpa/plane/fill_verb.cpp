@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "io/bytes/available_memory.h"
-#include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/mesh/write_triangles.h"
+#include "io/number.h"
 #include "io/polygon/read_polygons.h"
 #include "picture/picture.h"
 #include "plane/triangle_outputs.h"

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "io/polygon/shape_files.h"
 #include "io/words.h"
 #include "plane/named_groups.h"

@@ -2,9 +2,9 @@
 #include <string>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/mesh/write_triangles.h"
+#include "io/number.h"
 #include "picture/picture.h"
 #include "plane/group_run.h"
 #include "plane/triangle_outputs.h"

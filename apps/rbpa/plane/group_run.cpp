@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "rbpa/rbpa.h"
 #include "shared/arguments.h"
 

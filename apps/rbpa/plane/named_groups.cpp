@@ -9,11 +9,11 @@
 #include <unordered_map>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
 #include "io/cloud/cloud.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "io/values_at.h"
 #include "shared/arguments.h"
 

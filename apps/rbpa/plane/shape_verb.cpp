@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "io/polygon/ogr.h"
 #include "io/polygon/shape_files.h"
 #include "picture/picture.h"

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "rbpa/base/error.h"
 #include "rbpa/plane/choose_alpha.h"
 #include "shared/method.h"

@@ -7,10 +7,10 @@
 #include <string_view>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/formats.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "shared/alpha_option.h"
 
 namespace rbpa::app {

@@ -4,10 +4,10 @@
 #include <iterator>
 #include <limits>
 
-#include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/mesh/ply_fields.h"
+#include "io/number.h"
 #include "io/polygon/ogr.h"
 #include "picture/scene.h"
 

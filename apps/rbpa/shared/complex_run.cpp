@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "io/bytes/available_memory.h"
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "rbpa/plane/collinear.h"
 #include "rbpa/rbpa.h"
 #include "shared/arguments.h"

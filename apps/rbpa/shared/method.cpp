@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "rbpa/paper.h"
 #include "rbpa/plane/link_triangles.h"
 #include "rbpa/plane/triangles_by_level.h"

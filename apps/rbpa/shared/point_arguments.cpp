@@ -1,8 +1,8 @@
 #include "shared/point_arguments.h"
 
-#include "io/bytes/number.h"
 #include "io/cloud/atoms.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "shared/arguments.h"
 
 namespace rbpa::app {

@@ -8,10 +8,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/mesh/vtu.h"
+#include "io/number.h"
 #include "io/polygon/shape_files.h"
 #include "io/values_at.h"
 #include "rbpa/plane/triangles_by_level.h"

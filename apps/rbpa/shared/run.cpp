@@ -4,8 +4,8 @@
 #include <cmath>
 #include <thread>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "shared/point_arguments.h"
 
 namespace rbpa::app {

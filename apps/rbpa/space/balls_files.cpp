@@ -7,9 +7,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "io/words.h"
 
 namespace rbpa::app {

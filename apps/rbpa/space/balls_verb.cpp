@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/bytes/write_json.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "rbpa/base/error.h"
 #include "rbpa/space/balls/measure_ball_frames.h"
 #include "shared/run.h"

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "io/bytes/number.h"
 #include "io/bytes/write_json.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "shared/stats.h"
 #include "space/void_files.h"
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "picture/picture.h"
 #include "shared/alpha_option.h"
 #include "shared/progress.h"

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/mesh/vertices_of_points.h"
 #include "io/mesh/write_mesh.h"
+#include "io/number.h"
 #include "picture/picture.h"
 #include "picture/surface_picture.h"
 #include "rbpa/base/error.h"

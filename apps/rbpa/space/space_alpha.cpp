@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
 #include "io/bytes/write_json.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "picture/filtration_plot.h"
 #include "rbpa/base/pair_choice.h"
 #include "rbpa/space/persistence/solid_representatives.h"

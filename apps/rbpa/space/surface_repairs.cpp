@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <nlohmann/json.hpp>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "triangulation/filling_counts.h"
 #include "triangulation/list_of_causes.h"
 

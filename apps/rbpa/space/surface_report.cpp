@@ -6,10 +6,10 @@
 #include <numeric>
 #include <optional>
 
-#include "io/bytes/number.h"
 #include "io/bytes/write_json.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "rbpa/space/repair/watertight.h"
 #include "shared/stats.h"
 #include "space/surface_repairs.h"

@@ -5,8 +5,8 @@
 #include <limits>
 #include <string_view>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "shared/point_arguments.h"
 #include "triangulation/component_choice.h"
 #include "triangulation/hole_choice.h"

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "io/bytes/number.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "picture/picture.h"
 #include "rbpa/base/error.h"
 #include "rbpa/space/repair/reconstruct.h"

@@ -7,9 +7,9 @@
 #include <map>
 #include <system_error>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
 #include "io/formats.h"
+#include "io/number.h"
 #include "io/polygon/ogr.h"
 #include "stream/budget.h"
 

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "io/bytes/number.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "rbpa/plane/collinear.h"
 #include "shared/arguments.h"
 #include "shared/stats.h"

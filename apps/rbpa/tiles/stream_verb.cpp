@@ -2,9 +2,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "io/bytes/number.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
+#include "io/number.h"
 #include "io/progress_line.h"
 #include "shared/run.h"
 #include "shared/verbs.h"

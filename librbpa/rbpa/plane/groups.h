@@ -17,6 +17,7 @@
 
 #include "rbpa/base/alpha_choice.h"
 #include "rbpa/base/api.h"
+#include "rbpa/base/no_group.h"
 #include "rbpa/base/point.h"
 #include "rbpa/base/triangle.h"
 #include "rbpa/plane/outline_polygons.h"
@@ -34,9 +35,6 @@ struct Groups {
     return std::span(members).subspan(offsets[group], offsets[group + 1] - offsets[group]);
   }
 };
-
-/// The label of a point that is in no group.
-inline constexpr std::uint32_t no_group = 0xffffffff;
 
 /// Returns the groups 0 to count − 1: point i is in group labels[i]. A group may be empty.
 /// Throws: InvalidInput when a label is neither below `count` nor no_group, or there are more than 357,913,941 labels.

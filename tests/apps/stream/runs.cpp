@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "io/bytes/number.h"
+#include "io/number.h"
 #include "shared/verbs.h"
 
 namespace stream_test {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "rbpa/base/api.h"
+#include "rbpa/base/no_group.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/space/balls/measure_balls.h"
 
@@ -33,10 +34,7 @@ struct BallInterfaces {
   std::vector<BallInterface> all;  ///< ascending by groups
 };
 
-/// The group of a ball that is left out.
-inline constexpr std::uint32_t no_group = 0xffffffff;
-
-/// Computes the interfaces. `groups` has a number for each ball; equal spheres of two groups count for the one of the
+/// Computes the interfaces. `groups` has a number for each ball, or no_group; equal spheres of two groups count for the one of the
 /// ball of lower index. Of `options`, contacts and derivatives are ignored; Progress counts groups, then pairs.
 /// Requires: as measure_balls(); one group for each center.
 /// Throws:   as measure_balls().

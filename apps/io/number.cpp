@@ -1,4 +1,4 @@
-#include "io/bytes/number.h"
+#include "io/number.h"
 
 #include <algorithm>
 #include <charconv>
