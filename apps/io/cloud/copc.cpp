@@ -37,7 +37,7 @@ struct Key {
   }
   std::string text() const {
     std::string text = std::to_string(level);
-    for (const std::int32_t k : place) text += "-" + std::to_string(k);
+    for (const std::int32_t k : place) (text += '-') += std::to_string(k);
     return text;
   }
 };

@@ -73,7 +73,7 @@ void add_fields(const VertexFields& fields, VtuGrid& grid) {
                               }});
     if (!column.is_text) continue;
     std::string comment = markup_escaped(column.name + ": " + legend_of(column));
-    for (std::size_t at = 0; (at = comment.find("--", at)) != std::string::npos;) comment.insert(at + 1, " ");
+    for (std::size_t at = 0; (at = comment.find("--", at)) != std::string::npos;) comment.insert(at + 1, 1, ' ');
     grid.comments.push_back(comment);
   }
 }

@@ -360,7 +360,7 @@ class WrongCalls {
           case 7:
             return void(history.split_edge(other_, h));
           case 8:
-            return history.destroy_triangle(face());
+            return void(history.destroy_triangle(face()));
           default:
             return history.undo_to(choices_.below(8));
         }
