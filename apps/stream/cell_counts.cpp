@@ -33,7 +33,7 @@ double CellCounts::side() const { return std::ldexp(1.0, exponent_); }
 /// Sets the size of cells by the first points; for later points it may become larger.
 void CellCounts::begin() {
   const double extent = std::max(greatest_.x / 2 - least_.x / 2, greatest_.y / 2 - least_.y / 2);
-  constexpr int cells_across = 12;  // 2 to this power
+  constexpr int cells_across = 12;  // binary logarithm of the number of cells across the first points
   exponent_ = extent > 0 ? std::max(std::ilogb(extent) + 1 - cells_across, least_exponent) : least_exponent;
 }
 

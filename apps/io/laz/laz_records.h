@@ -68,7 +68,7 @@ class LazRecords {
     std::unique_ptr<ChunkDecoder> decoder;
     std::string_view bytes = {};
     std::vector<char> copy = {};         // has `bytes`, unless they are in window_
-    std::uint64_t place = 0, first = 0;  // of the chunk in the file, in bytes and in points
+    std::uint64_t place = 0, first = 0;  // offset of the chunk in the file, in bytes; number of its first point
     std::size_t points = 0, left = 0;
   };
 

@@ -32,7 +32,7 @@ struct RadiiRun : Run {
 
   /// Writes the report of --stats. Call it after all other files are written, so that their time counts.
   void write_stats(OutputFile& file);
-  /// If there is no radius, prints why, also if quiet.
+  /// Prints why there is no radius, also if quiet; prints nothing if there is a radius.
   void say_empty() const;
 
   PointFile file;

@@ -1,4 +1,4 @@
-// What: the map from sites to the vertices of a mesh: none on a site, or one for each fan of faces there.
+// What: maps each site to the vertices of a mesh on it: one for each fan of faces there, or none.
 // Law:  for_each(s) visits each vertex that stands on s and has faces, once, and no vertex without faces.
 #pragma once
 
@@ -81,12 +81,13 @@ class MESHOPS_API SiteVertices {
 
   /// Returns an isolated vertex for another fan on the site, and lists it there. A vertex that waits at the site keeps
   /// its properties; any other, new or released elsewhere, gets those of first(s), if that is valid.
-  /// Requires: the site exists; not checked. Throws ContractViolation if other code marked the returned vertex deleted,
-  ///           or took the faces of first(s).
+  /// Requires: the site exists, and no other code has added vertices to the mesh; not checked.
+  /// Throws:   ContractViolation if other code marked the returned vertex deleted, or took the faces of first(s).
   Vertex take(Site s);
   /// Releases a vertex that is isolated again. A first vertex waits at its site for the next fan; so does the last
   /// vertex of a site without a first vertex. Others can serve any site, and are marked deleted meanwhile if the mesh
   /// has status. Throws ContractViolation if other code changed the mesh so that the vertex is not listed at its site.
+  /// Cost: the number of fans on the site.
   void release(Vertex v);
 
   // announce(), vertices() and list_announced() are for callers that lay many triangles and list their fans at the end.

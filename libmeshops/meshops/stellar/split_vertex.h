@@ -1,6 +1,7 @@
 // What:   the operator that makes two vertices of one, with an edge between them; the inverse of collapse().
 // Law:    collapse(split_vertex(left, right).halfedge) restores every live record of the mesh.
-// Source: Lewiner et al., section on stellar operators; Hoppe, Progressive meshes (1996).
+// Source: Lewiner, Lopes, Medeiros, Tavares, Velho, Topological mesh operators (2010), section on stellar operators;
+//         Hoppe, Progressive meshes (1996).
 #pragma once
 
 #include <optional>

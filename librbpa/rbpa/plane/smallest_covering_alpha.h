@@ -2,8 +2,9 @@
 //         outliers may be left out.
 // Law:    with share 1 the result equals smallest_covering(filtration, max_components). The result never falls when the
 //         share rises or K falls. It is exact, and a function of the set of points, the share and K.
-// Cost:   with a filtration, linear in its steps if components are not limited or share is 1. Otherwise n log n in the
-//         triangles; if share is 1, only triangles above the radius that covers all points are sorted.
+// Cost:   with a filtration, linear in its steps if components are not limited or share is 1. All other calls: n log n
+//         in the triangles. Without a filtration and with share 1, only triangles above the radius that covers all
+//         points are sorted.
 // Source: docs/explanation/filtration_and_persistence.md, section 4.
 #pragma once
 
@@ -31,9 +32,10 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
 }
 
 /// Returns the least alpha at which the share of the distinct points is in triangles. With `max_components` K, the
-/// share must also remain when all solid components but the K largest are removed with all their points. The size of a
-/// component is its number of vertices in rbpa()'s mesh, where a point at which several fans meet counts once for each
-/// fan. Returns nothing if there is no such alpha: all points are on a line, as fewer than three always are, or K is 0.
+/// number of these points less the sizes of all solid components but the K largest must also be this share. The size of
+/// a component is its number of vertices in rbpa()'s mesh, where a point at which several fans meet counts once for
+/// each fan. Returns nothing if there is no such alpha: all points are on a line, as fewer than three always are, or K
+/// is 0.
 /// Requires: `filtration` is filtration(delaunay), of which only the numbers of triangles and points are checked.
 /// Throws:   ContractViolation when one of these numbers differs, or the share is out of its bounds; Cancelled.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,

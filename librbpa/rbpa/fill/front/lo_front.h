@@ -44,7 +44,7 @@ class LoFront {
   /// Returns the places of all sites, including those that the mesher added.
   const std::vector<Point>& places() const { return places_; }
   std::size_t retreats() const { return retreated_; }
-  /// Returns the number of triangles of the unfilled region that were crossed or made: the work of finding empty ones.
+  /// Returns a measure of the work: the number of triangles that searches passed, of triangles added, and of flips.
   std::size_t passed() const { return unfilled_.passed(); }
 
   /// Returns the length of an edge: the shortest is first.

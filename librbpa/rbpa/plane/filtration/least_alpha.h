@@ -1,5 +1,6 @@
-// What: the circumradius of a triangle, or half the length of an edge, rounded up to a double: the least alpha at which
-//       the triangle is in the complex, or the edge, if no point is inside its diametral circle.
+// What: computes the least alpha at which a triangle is in the complex: its circumradius, rounded up to a double. For
+//       an edge: half its length, rounded up likewise, which is its least alpha if no point is inside its diametral
+//       circle.
 // Law:  exact: least_alpha(a, b, c) ≤ alpha if and only if the circumradius of (a, b, c) is ≤ alpha, for every double
 //       alpha > 0. A complex "at alpha" is therefore the cells whose least alpha is ≤ alpha, compared as plain doubles.
 // How:  computes an interval around the radius in long double. For fourteen triangles of fifteen, both ends of the

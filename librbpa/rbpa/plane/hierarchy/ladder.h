@@ -60,7 +60,7 @@ class Ladder {
   int end_ = 0;
 };
 
-/// The radii in the scale of the points in a window.
+/// The radii of a ladder in the scale of a window.
 class ScaledLadder {
  public:
   /// Keeps a reference to the ladder. Cost: linear in the levels.

@@ -63,7 +63,7 @@ struct PartialState {
   std::vector<Chain> chains = {};            // by first edge
   std::vector<Pinch> pinches = {};           // sorted by members
   std::vector<CornerPolygon> held = {};      // finished, but at pinches whose first polygon is unknown; in order
-  std::vector<CornerPolygon> polygons = {};  // finished
+  std::vector<CornerPolygon> polygons = {};  // finished, in any order
 };
 
 }  // namespace rbpa

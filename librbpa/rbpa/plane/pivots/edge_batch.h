@@ -14,8 +14,8 @@ struct EdgeBatch {
   static constexpr std::size_t rows_at_once = 3,
                                row_length = 16;  ///< rows of cells, and points of one, in the first window
 
-  /// The ends of each edge, and the radius to try first: the circumradius of the triangle behind the edge. There is one
-  /// more entry, so that a loop may write before it tests.
+  /// The ends of each edge, and the radius to try first: the circumradius of the triangle behind the edge. Arrays have
+  /// one entry more than `size`: a loop may write an entry before it tests whether the entry counts.
   alignas(64) std::int32_t a[size + 1], b[size + 1];
   alignas(64) float expected[size + 1];
 

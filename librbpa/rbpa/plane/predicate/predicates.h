@@ -22,7 +22,7 @@ namespace rbpa {
 
 /// The predicates on coordinates whose products stay within the exponents of `Real`:
 ///   double       coordinates for which fits_double() holds;
-///   long double  every coordinate (its exponent has 15 bits or more, which degree six in doubles does not leave).
+///   long double  every coordinate: with an exponent of 15 bits or more, products of six doubles stay in range.
 template <typename Real>
 class Predicates {
   static_assert(std::numeric_limits<Real>::is_iec559);

@@ -34,8 +34,9 @@ struct BallInterfaces {
   std::vector<BallInterface> all;  ///< ascending by groups
 };
 
-/// Computes the interfaces. `groups` has a number for each ball, or no_group; equal spheres of two groups count for the one of the
-/// ball of lower index. Of `options`, contacts and derivatives are ignored; Progress counts groups, then pairs.
+/// Computes the interfaces. `groups` has a number for each ball, or no_group; equal spheres of two groups count for the
+/// one of the ball of lower index. Of `options`, contacts and derivatives are ignored; Progress counts groups, then
+/// pairs.
 /// Requires: as measure_balls(); one group for each center.
 /// Throws:   as measure_balls().
 RBPA_API BallInterfaces ball_interfaces(std::span<const Point3> centers, std::span<const double> radii,

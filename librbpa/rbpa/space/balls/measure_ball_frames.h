@@ -1,5 +1,5 @@
 // What:   measures many sets of balls at once, such as the frames of a simulation.
-// How:    a frame is measured by one thread; by several where there are fewer frames than threads.
+// How:    a frame is measured by one thread; by several if there are at least twice as many threads as frames.
 // Law:    the measures of a frame are those of measure_balls(), whatever the other frames and the threads are.
 // Cost:   that of measure_balls() for each frame, shared among the threads.
 #pragma once

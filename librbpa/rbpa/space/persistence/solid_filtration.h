@@ -6,7 +6,7 @@
 //         simplex. A function of the set of points; only the indices of corners, and the order of corners in a row,
 //         depend on the numbering of the points.
 // Cost:   that of solid(), and about as much again (docs/explanation/filtration_and_persistence.md, sections 9 to 12);
-//         radii are shared among threads.
+//         threads share the computation of the radii.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4;
 //         docs/explanation/filtration_and_persistence.md, sections 9 to 12.
 #pragma once
@@ -30,8 +30,10 @@ struct SolidFiltration {
   /// order, so that nearby tetrahedra and their faces are near in memory. Rows are positively oriented and begin with
   /// any corner. There are none if all points are in a plane.
   Solid delaunay;
-  std::vector<double> tetrahedron_alpha;            ///< the radius of each tetrahedron
-  std::vector<Triangle> triangles;                  ///< corners ascending; in the order of their first tetrahedra
+  std::vector<double> tetrahedron_alpha;  ///< the radius of each tetrahedron
+  /// Corners ascending; in the order of their first tetrahedra. Without tetrahedra, triangles and edges are in no
+  /// documented order.
+  std::vector<Triangle> triangles;
   std::vector<double> triangle_alpha;               ///< the radius of each triangle
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< corners ascending; in the order of their first triangles
   std::vector<double> edge_alpha;                   ///< the radius of each edge

@@ -17,16 +17,18 @@
 
 namespace rbpa {
 
-/// The result of close_surface(): closed if every hole is filled. Old triangles are the kept ones, in the given order.
+/// The result of close_surface(): closed if every hole is filled. Old triangles are the kept ones, in the given order;
+/// `holes` has the outcomes for surface_curves() of these, glued by indexable_surface().
 struct ClosedSurface : FilledSurface {
   std::vector<bool> kept = {};  ///< for each triangle of the given surface, whether it is kept
   std::size_t given_up = 0;     ///< number of triangles removed; 0 unless the surface is closed
 };
 
 /// Fills all boundary curves. Triangles are removed only if their removal closes the surface; if the filled surface is
-/// closed anyway, only if it touches itself at fewer points without them. At most a twentieth of the triangles are
-/// removed, with the components that are islands() then. A round is dropped, and is the last one, if the surface would
-/// have more components than the given one; no round begins while a curve of more than 256 edges is open.
+/// closed anyway, only if it touches itself at fewer points without them. Components that thereby become islands() are
+/// removed, too; in all, at most a twentieth of the triangles are removed. A round is dropped, and is the last one, if
+/// the surface would have more components than the given one; no round begins while a curve of more than 256 edges is
+/// open.
 /// Requires: `surface` is an indexable_surface() (split_fans.h) of `points`.
 /// Throws:   as fill_holes() of curves.
 RBPA_API ClosedSurface close_surface(std::span<const Point3> points, const Surface& surface,
@@ -34,6 +36,7 @@ RBPA_API ClosedSurface close_surface(std::span<const Point3> points, const Surfa
 
 /// Returns for each point, by index, whether several fans of triangles meet there, so that the surface touches itself.
 /// Throws: as split_fans(); ContractViolation when a corner is not an index of a point.
+/// Cost:   that of split_fans().
 RBPA_API std::vector<bool> touching_points(std::span<const Point3> points, const Surface& surface,
                                            const GoOn& go_on = {});
 

@@ -1,7 +1,9 @@
 // What: fills holes of a halfedge mesh in space in place; no new triangle crosses another.
 // Law:  the new triangles are those of fill_holes() of the same triangles (fill_holes.h). Old elements keep their
-//       handles and properties. If a filling merges vertices at one place, all of them but one are marked deleted.
-// Cost: that of fill_holes(), and linear.
+//       handles and properties, except where a filling merges vertices at one place: all of these but the lowest, and
+//       one of two edges that become one, are marked deleted. The mesh may have additional vertices afterwards, all
+//       marked deleted.
+// Cost: that of fill_holes(), and a sort of the boundary edges.
 #pragma once
 
 #include <span>
@@ -19,7 +21,7 @@ namespace rbpa {
 
 struct FilledMesh {
   std::vector<HoleFill> holes;       ///< the outcome for each given curve
-  std::vector<meshops::Face> faces;  ///< the new faces
+  std::vector<meshops::Face> faces;  ///< the new faces, in the order of HoleFilling::triangles
 };
 
 /// Fills the given boundary curves of a mesh; boundary_curves(mesh) returns all, including the outer rim of a sheet.

@@ -6,7 +6,8 @@
 //         coordinates are such multiples, moving all points by one such multiple changes only offsets and positions.
 // How:    the points with their images around the box form one solid, of which one image of each tetrahedron is kept.
 //         docs/explanation/space.md, section 23.
-// Cost:   that of solid() for the points and the images that are within twice the largest radius of the box.
+// Cost:   that of solid() for the points and the images at most 2r outside of the box. r is first twice the mean
+//         spacing of points; the search is repeated with 2r until the tetrahedra fill the space, or r is alpha.
 // Source: Caroli and Teillaud, Computing 3D periodic triangulations (2009).
 #pragma once
 
@@ -52,7 +53,8 @@ struct PeriodicSolid {
 };
 
 /// Computes the Delaunay tetrahedra of circumradius at most alpha, of the points and all their images; for an infinite
-/// alpha, all Delaunay tetrahedra. Points may be anywhere: coordinates count modulo the box.
+/// alpha, all Delaunay tetrahedra. Points may be anywhere: coordinates count modulo the box. Progress counts the points
+/// and images of one search, and begins again with the next.
 /// Requires: what solid() requires of the points and the images that are needed; sides of the box from 2⁻⁹⁰⁰ to 2⁹⁰⁰;
 ///           alpha below half of the least side, or so many points that no ball of half that side is empty.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.

@@ -54,7 +54,8 @@ struct Hole {
 /// Requires: `surface` is the surface() of these points, normals and radii.
 /// Throws:   InvalidInput as surface(); ContractViolation when `surface` is visibly of other points, normals or radii;
 ///           Cancelled.
-/// Cost:     for each radius, the cost of the exposed triangles of the points near the boundary.
+/// Cost:     for each radius, a sort of all points, a pass over the surface, and the exposed triangles of the points
+///           near the boundary.
 RBPA_API std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> normals,
                                  std::span<const double> radii, const Surface& surface,
                                  const SurfaceOptions& options = {});

@@ -4,7 +4,8 @@
 //       is at least the radius away from all points. Winding numbers are exact; the center is rounded. If the radius is
 //       above 10⁻⁹ of the coordinates, rounding can matter only at triangles whose circumcircle is nearly a great
 //       circle of the ball. docs/explanation/surfaces.md, section 21.
-// Cost: a sort of the triangles, and for each triangle a test of the shells whose centers are in its range of y.
+// Cost: a sort of the triangles, and for each triangle a test of the centers of balls, one for each shell, that are in
+//       its range of y.
 #pragma once
 
 #include <array>
@@ -30,8 +31,8 @@ RBPA_API std::vector<bool> outer_shells(std::span<const Point3> points, double r
 
 /// Returns for each closed surface in how many others it lies, exactly: 0 for a body outside of all others, 1 for the
 /// wall of a cavity, or for a body within a body. The decision is made by a ray from the lexicographically least corner
-/// that is on no other surface. A surface without a triangle lies in none. A surface with every corner on another one
-/// does not lie in that one.
+/// that is on no other surface. If every corner is on some other surface, the least corner decides, and the surfaces on
+/// which it lies do not count. A surface without a triangle lies in none.
 /// Requires: finite points; each surface is closed, with its triangles in any order and orientation; not checked.
 /// Throws:   ContractViolation when a corner is not an index of a point; Cancelled.
 /// Cost:     for each triangle, a test of the rays in its range of y, z; n log n if few surfaces overlap there.

@@ -35,7 +35,8 @@ struct UnusedPoint {
 /// Requires: `surface` is the surface() of these points, normals and radii; or, if `normals` is empty, the
 ///           exposed_triangles() of one radius. Only sizes, indices and gluing are checked.
 /// Throws:   InvalidInput as surface(); ContractViolation as require_linked() (triangle_arrays.h); Cancelled.
-/// Cost:     for each radius, that of the exposed triangles of the points near the unused ones.
+/// Cost:     linear; while points have a cause other than `blocked`, for each radius also a sort of all points and the
+///           exposed triangles of the points near the unused ones.
 RBPA_API std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span<const Point3> normals,
                                                 std::span<const double> radii, const Surface& surface,
                                                 const SurfaceOptions& options = {});

@@ -184,7 +184,7 @@ TEST_CASE("a decimated surface is a surface of the same points, in canonical ord
     for (std::uint32_t i = 0; i < surface.levels.size(); ++i) surface.levels[i] = i;
     const auto left = rbpa::decimate(t.points, surface, {.faces = t.corners.size() / 3});
     CHECK(left.levels == left.given);
-    // The same triangles come of a shuffled surface.
+    // A shuffled surface gives the same triangles.
     const Triangles other = shuffled(t, random);
     const auto again =
         rbpa::decimate(other.points, rbpa::surface_of(other.points, other.corners), {.faces = t.corners.size() / 3});

@@ -33,8 +33,9 @@ class SimplexRule {
   virtual bool has_edge(std::span<const EdgeAt> ring) const = 0;
 };
 
-/// Returns whether the center of ball i is in its cell, so that a ball in no edge of the dual complex is in it as a
-/// vertex. `star` has the tetrahedra at the ball. Requires: a regular triangulation of balls with these radii.
+/// Returns whether the center of ball i is in its power cell. A ball in no edge of the dual complex is a vertex of the
+/// complex if this is true. `star` has the tetrahedra at the ball. Requires: a regular triangulation of balls with
+/// these radii.
 bool is_center_in_cell(const Triangulated& regular, std::span<const double> ball_radii, std::uint32_t i,
                        std::span<const std::uint32_t> star);
 

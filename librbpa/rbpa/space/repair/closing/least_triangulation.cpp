@@ -64,7 +64,7 @@ class Search {
     std::vector<float> turn;
     std::vector<double> area;
   };
-  /// The search for the best triangulation of a part.
+  /// The best triangulation of a part so far, and the bound at which the search ends.
   struct Best {
     FillingWeight weight{.turn = impossible, .area = 0};
     Part part{};

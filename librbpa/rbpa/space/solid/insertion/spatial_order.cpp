@@ -79,7 +79,7 @@ std::uint64_t scrambled(std::uint64_t i) {
   return i ^ (i >> 31U);
 }
 
-/// Returns the round, counted from the last, of the point at a place of the curve.
+/// Returns the insertion round of the point at a place on the curve; 0 is the last round.
 unsigned round_of(std::size_t place) {
   return static_cast<unsigned>(std::countr_zero(scrambled(place) | std::uint64_t{1} << 63U)) / bits_of_round;
 }
