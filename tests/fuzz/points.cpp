@@ -100,7 +100,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (format == Format::png) file->bytes = with_check_sums(file->bytes);
     const PointSource source = source_of(*format, file->options);
     const std::vector<rbpa::Point> points = points_in(file->bytes, "FILE", source).points;
-    fuzz::require(std::all_of(points.begin(), points.end(), rbpa::is_finite), "points are finite");
+    fuzz::require(std::all_of(points.begin(), points.end(), [](const rbpa::Point& p) { return is_finite(p); }),
+                  "points are finite");
   } catch (const BadInput& refusal) {
     fuzz::is_a_sentence(refusal.what());
   } catch (const WrongUsage& refusal) {
