@@ -130,7 +130,7 @@ TEST_SUITE("surface") {
         CHECK(stats[member.key()] == member.value());
         ++shared;
       }
-    CHECK(shared == 25);
+    CHECK(shared == 26);
     CHECK(report.size() == shared + 3);
     CHECK(report["unused"] == 2);
     const int last = report["points"].get<int>() - 1;
