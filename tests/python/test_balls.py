@@ -197,7 +197,7 @@ def test_atoms_of_other_packages_have_positions_and_radii():
     [
         (lambda: rbpa.balls([[0, 0, 0]], [1, 2]), r"radii: found an array of shape \(2,\), expected \(1,\), one for each center"),
         (lambda: rbpa.balls([[0, 0, 0]], [-1]), "radius 0: found -1 with the probe 0, expected a finite sum of at least 0"),
-        (lambda: rbpa.balls(numpy.zeros((3, 2, 3)), -1), "frame 0: radius 0 is -1"),
+        (lambda: rbpa.balls(numpy.zeros((3, 2, 3)), -1), "frame 0: radius 0: found -1"),
         (lambda: rbpa.balls([[0, 0]], 1), r"centers: found an array of shape \(1, 2\)"),
         (lambda: rbpa.balls([[0, 0, math.nan]], 1), "nan"),
         (lambda: rbpa.balls([[0, 0, 0]], 1, "x"), "probe: found 'x', expected a finite number"),

@@ -7,6 +7,7 @@
 #include "io/bytes/available_memory.h"
 #include "io/cloud/table_separator.h"
 #include "io/failure.h"
+#include "io/text/line_selection.h"
 #include "io/text/plain_text.h"
 
 namespace rbpa::app {
@@ -144,13 +145,13 @@ bool TableLines::next_text(std::size_t at_least) {
   return !text.empty();
 }
 
-/// Throws BadInput if memory does not suffice for a line of more than `size` bytes.
+/// Throws WholeRefusal if memory does not suffice for a line of more than `size` bytes.
 void TableLines::require_memory(std::size_t size) const {
   constexpr double bytes_for_each = 5;  // the text, its copy when it grows, and the points
   const std::optional<double> there = available_memory();
   if (there && bytes_for_each * static_cast<double>(size) > *there)
-    bad_input(name(), "a line of more than " + bytes_text(static_cast<double>(size)),
-              "at most a fifth of the available memory (a table has a line for each point)");
+    throw WholeRefusal(name() + ": found a line of more than " + bytes_text(static_cast<double>(size)) +
+                       ", expected at most a fifth of the available memory (a table has a line for each point)");
 }
 
 std::string_view TableLines::line_before() const {

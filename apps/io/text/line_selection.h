@@ -36,7 +36,8 @@ class TextNumbers {
   std::unordered_map<std::string, std::size_t> numbers_ = {};
 };
 
-/// A refusal of a table whose points would be wrong if --skip-invalid left out lines.
+/// A refusal of a table that --skip-invalid does not mend: the points would be wrong without the refused lines, or there
+/// is no end of a line.
 struct WholeRefusal : BadInput {
   using BadInput::BadInput;
 };
