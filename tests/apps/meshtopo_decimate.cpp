@@ -171,7 +171,7 @@ TEST_SUITE("meshtopo --decimate") {
 }
 
 TEST_SUITE("surface") {
-  TEST_CASE("--faces decimates a surface between its points, closed stays closed, and the summary says so") {
+  TEST_CASE("--faces decimates a surface between its points, closed stays closed, and the summary has the counts") {
     const Folder folder;
     folder.file("s.xyz", ball(900));
     const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.2 --watertight --faces 300 -o m.ply --json");

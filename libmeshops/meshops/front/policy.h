@@ -48,7 +48,7 @@ class Proposal {
     return proposal;
   }
 
-  // What is proposed. When all four are empty or false, the proposal is to freeze the edge.
+  // The proposal. If all four are empty or false, it is to freeze the edge.
   const std::optional<Site>& apex() const { return apex_; }
   const std::optional<Face>& detached() const { return detached_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }

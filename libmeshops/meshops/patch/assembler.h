@@ -26,7 +26,8 @@ namespace meshops {
 /// patch that runs between the same sites in the opposite direction.
 /// Requires: the triangles of all patches form an oriented complex, and their corners are below the number of sites;
 ///           a side is marked `nothing` only if no patch has a triangle across; a site around which triangles close has
-///           no other fan, as is always the case in the plane; nobody else changes the mesh until join(). Not checked.
+///           no other fan, as is always the case in the plane; no other code changes the mesh until join(). Not
+///           checked.
 class MESHOPS_API PatchAssembler {
  public:
   /// Adds `sites` isolated vertices to an empty mesh, vertex i on site i. Keeps a reference to the mesh.
