@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/space/balls/measure_ball_frames.h"
 #include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/predicate/bounding_box.h"
 
 namespace rbpa {
 namespace {
@@ -32,27 +32,19 @@ struct GroupBalls {
   BallFrame frame() const { return {centers, radii}; }
 };
 
-/// A box around balls with the probe, rounded outward.
-struct GroupBox {
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  std::array<double, 3> low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
-
-  GroupBox(const GroupBalls& part, double probe) {
-    for (std::size_t i = 0; i < part.balls.size(); ++i) {
-      const std::array<double, 3> center = {part.centers[i].x, part.centers[i].y, part.centers[i].z};
-      const double radius = part.radii[i] + probe;
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], std::nextafter(center[axis] - radius, -infinity));
-        high[axis] = std::max(high[axis], std::nextafter(center[axis] + radius, infinity));
-      }
-    }
+/// Returns the box around balls with the probe, rounded outward.
+space::Box box_around(const GroupBalls& part, double probe) {
+  constexpr double infinity = space::Box::infinity;
+  space::Box box;
+  for (std::size_t i = 0; i < part.balls.size(); ++i) {
+    const double radius = part.radii[i] + probe;
+    const auto low = [&](double at) { return std::nextafter(at - radius, -infinity); };
+    const auto high = [&](double at) { return std::nextafter(at + radius, infinity); };
+    const Point3& p = part.centers[i];
+    box.include(space::Box{{low(p.x), low(p.y), low(p.z)}, {high(p.x), high(p.y), high(p.z)}});
   }
-  bool meets(const GroupBox& other) const {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (low[axis] > other.high[axis] || other.low[axis] > high[axis]) return false;
-    return true;
-  }
-};
+  return box;
+}
 
 std::vector<BallMeasures> measured(const std::vector<GroupBalls>& parts, MeasureBallsOptions options, bool contacts) {
   std::vector<BallFrame> frames;
@@ -79,10 +71,10 @@ BallInterfaces ball_interfaces(std::span<const Point3> centers, std::span<const 
       members[static_cast<std::size_t>(std::lower_bound(numbers.begin(), numbers.end(), groups[i]) - numbers.begin())]
           .push_back(i);
   std::vector<GroupBalls> parts;
-  std::vector<GroupBox> boxes;
+  std::vector<space::Box> boxes;
   for (std::vector<std::uint32_t>& of_group : members) {
     parts.emplace_back(std::move(of_group), centers, radii);
-    boxes.emplace_back(parts.back(), options.probe);
+    boxes.push_back(box_around(parts.back(), options.probe));
   }
   const std::vector<BallMeasures> alone = measured(parts, options, false);
   BallInterfaces result;
