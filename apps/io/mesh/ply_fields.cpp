@@ -68,13 +68,13 @@ PlyFields::PlyFields(const VertexFields& fields) : fields_(fields) {
 
 void PlyFields::write(OutputFile& file, std::size_t vertex) const {
   const std::size_t row = fields_.row(vertex);
-  for (const auto& [column, type] : properties_)
-    with_type(column->type, [&](auto zero) {
-      const auto value = column->value<decltype(zero)>(row);
-      if (type == column->type)
+  for (const Property& property : properties_)
+    with_type(property.column->type, [&](auto zero) {
+      const auto value = property.column->value<decltype(zero)>(row);
+      if (property.type == property.column->type)
         file.write_binary(value);
       else
-        with_type(type, [&](auto to) { file.write_binary(static_cast<decltype(to)>(value)); });
+        with_type(property.type, [&](auto to) { file.write_binary(static_cast<decltype(to)>(value)); });
     });
 }
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <ranges>
 #include <span>
 #include <string>
 #include <utility>
@@ -32,8 +31,10 @@ std::vector<VtuArray> arrays_of(const TriangleFeatures& features) {
 }  // namespace
 
 void write_vtu(OutputFile& file, const TriangleMesh& mesh) {
-  VtuGrid grid{.positions = vtu_array("", std::views::iota(std::size_t{0}, mesh.vertices.size()),
-                                      [&](std::size_t i) { return mesh.position(i); }),
+  const auto position_of_vertex = [&](const Point& p) {
+    return mesh.position(static_cast<std::size_t>(&p - mesh.vertices.data()));
+  };
+  VtuGrid grid{.positions = vtu_array("", mesh.vertices, position_of_vertex),
                .triangles = mesh.triangles,
                .edges = mesh.edges,
                .vertices = mesh.points};

@@ -135,7 +135,7 @@ class Exact {
     const int bits = static_cast<int>(msb(quotient)) + 1;
     const int dropped = std::max(bits - digits, std::numeric_limits<double>::min_exponent - digits - exponent);
     Integer kept = quotient >> static_cast<unsigned>(dropped);
-    is_rounded |= kept << static_cast<unsigned>(dropped) != quotient;
+    is_rounded |= Integer(kept << static_cast<unsigned>(dropped)) != quotient;
     if (is_rounded && !is_negative) ++kept;
     const double size = std::ldexp(kept.convert_to<double>(), exponent + dropped);
     return is_negative ? 0 - std::min(size, std::numeric_limits<double>::max()) : size;

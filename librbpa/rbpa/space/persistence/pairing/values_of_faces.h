@@ -34,7 +34,8 @@ inline constexpr std::size_t faces_at_a_time = 1u << 12;
 template <typename Rule>
 std::vector<double> values_of_triangles(const Rule& rule, const Solid& delaunay, std::span<const double> values,
                                         const NumberedTriangles& triangles, Threads& threads, const GoOn& go_on) {
-  const auto& [simplices, neighbors, duplicates, isolated, distinct] = delaunay;
+  const auto& simplices = delaunay.simplices;
+  const auto& neighbors = delaunay.neighbors;
   const auto value = [&](std::uint32_t number, std::uint32_t t, std::size_t k) {
     const auto face = rule.triangle(triangles.corners[number]);
     double least = values[t];

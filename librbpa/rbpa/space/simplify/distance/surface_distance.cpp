@@ -239,8 +239,8 @@ std::array<Vector, 3> SurfaceDistance::local(const Corners& triangle) const {
 /// Returns the squared distance of a point from a point of the given triangle, mostly from the nearest one (Ericson,
 /// Real-time collision detection, 5.1.5).
 double SurfaceDistance::squared_distance(const Vector& p, std::uint32_t number) const {
-  const auto& [a, ab, ac] = given_[number];
-  const Vector ap = minus(p, a);
+  const Given& given = given_[number];
+  const Vector ap = minus(p, given.a), ab = given.ab, ac = given.ac;
   const auto at = [&](double s, double t) { return squared(minus(ap, plus(times(s, ab), times(t, ac)))); };
   const auto share = [](double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0; };
   const double d1 = dot(ab, ap), d2 = dot(ac, ap);
