@@ -118,7 +118,8 @@ TEST_SUITE("antimeridian") {
              {"shape east.csv --crs EPSG:4258 --alpha 0.2 -o o.geojson", "o.geojson", 1, 2, 1},
              {"shape east.csv --group-by-file --alpha 0.2 -o o.geojson", "o.geojson", 1, 2, 1},
              {"stream p.csv --shift-longitude --alpha 0.2 -o o.geojson", "o.geojson", 1, 2, 1}}) {
-      CAPTURE(arguments);
+      const auto& shown_arguments = arguments;
+      CAPTURE(shown_arguments);
       REQUIRE(folder.rbpa(arguments + " -q").code == 0);
       const Seen seen = look(folder, name);
       CHECK(seen.features == features);

@@ -315,7 +315,8 @@ TEST_SUITE("atoms") {
           {"t\n1\n    1ALA     CA    1   0.126  -1.639   0.679\n1 2\n",
            "m:4: found '1 2', expected the box, three or nine numbers"},
           {"\n", "m: found no atom, expected the atoms of a file in GROMACS' .gro format"}}) {
-      CAPTURE(text);
+      const auto& shown_text = text;
+      CAPTURE(shown_text);
       CHECK(refusal(text, Format::gro) == says);
     }
   }
@@ -367,7 +368,8 @@ TEST_SUITE("atoms") {
           {one + dump(square, "x y z\n1 2 3\n1 2 3\n"),
            "m:20: found other columns than in the first frame, expected id, x, y, z, c_s"},
           {"\n", "m: found no atom, expected frames of atoms"}}) {
-      CAPTURE(text);
+      const auto& shown_text = text;
+      CAPTURE(shown_text);
       CHECK(refusal(text, Format::dump) == says);
     }
     CHECK(refusal(one, Format::dump, {.radius = "radius"}) ==

@@ -149,7 +149,8 @@ TEST_SUITE("balls") {
     const std::vector<Row> atoms = rows_of(folder.content("a.csv")), contacts = rows_of(folder.content("c.csv"));
     for (const auto& [group, column, count] :
          {std::tuple("residue", "resseq", 129U), {"chain", "chain", 1U}, {"column:element", "element", 4U}}) {
-      CAPTURE(group);
+      const auto& shown_group = group;
+      CAPTURE(shown_group);
       REQUIRE(folder.rbpa("balls " + lysozyme + " --probe 1.4 -o g.csv --contacts d.csv -q --group " + group).code ==
               0);
       const std::vector<Row> groups = rows_of(folder.content("g.csv")), between = rows_of(folder.content("d.csv"));

@@ -211,7 +211,8 @@ TEST_SUITE("COPC") {
     const std::string path = folder.file("p.laz", copc.bytes);
     for (const auto& [resolution, levels] :
          {std::pair(5., 1), {1., 1}, {0.99, 2}, {0.5, 2}, {0.49, 3}, {0.25, 3}, {1e-300, 3}}) {
-      CAPTURE(resolution);
+      const auto& shown_resolution = resolution;
+      CAPTURE(shown_resolution);
       std::size_t points = 0;
       for (const Entry& node : copc.nodes)
         if (node.key[0] < levels) points += static_cast<std::size_t>(node.points);

@@ -89,7 +89,8 @@ TEST_SUITE("integers beyond 2^53") {
          {most + 1, -most - 1, std::int64_t{9223372036854775807}, -std::int64_t{1234567890123456789}})
       for (const auto& [name, content] : files_with(x)) {
         const Folder folder;
-        CAPTURE(name);
+        const auto& shown_name = name;
+        CAPTURE(shown_name);
         CAPTURE(x);
         folder.file(name, content);
         const Outcome outcome = folder.rbpa("surface " + name + " --radius 1 -o o.off -q");
@@ -120,7 +121,8 @@ TEST_SUITE("integers beyond 2^53") {
     for (const std::int64_t x : {most, most - 1, -most, std::int64_t{12}})
       for (const auto& [name, content] : files_with(x)) {
         const Folder folder;
-        CAPTURE(name);
+        const auto& shown_name = name;
+        CAPTURE(shown_name);
         CAPTURE(x);
         folder.file(name, content);
         CHECK(folder.rbpa("surface " + name + " --radius 1e17 --normals none -o o.off -q").code == 0);

@@ -115,7 +115,8 @@ TEST_SUITE("molecules") {
                                         {"not (kind == 'b' or size > 1)", 1U},
                                         {"x and (y or kind == 'b')", 1U},
                                         {"2 and kind == 'a'", 2U}}) {
-      CAPTURE(where);
+      const auto& shown_where = where;
+      CAPTURE(shown_where);
       CHECK(count(where) == points);
     }
     CHECK_THROWS_AS(read(table, Format::text, "size > 1 and kind == 'a'"), rbpa::app::BadInput);
@@ -174,7 +175,8 @@ TEST_SUITE("molecules") {
                                         {"resseq == 10002 and icode == 'A'", 1U},
                                         {"resseq == -1 and icode == 'B'", 1U},
                                         {"resseq == 2436111", 1U}}) {
-      CAPTURE(where);
+      const auto& shown_where = where;
+      CAPTURE(shown_where);
       CHECK(read(text, Format::pdb, where).points.size() == points);
     }
   }
@@ -351,8 +353,10 @@ TEST_SUITE("molecules") {
           {tiny, "resseq == 175", 0U},
           {tiny, "resname != 'HOH' and resseq == 195", 1U},
           {tiny, "resname == 'HOH' and resseq == 401", 1U}}) {
-      CAPTURE(name);
-      CAPTURE(where);
+      const auto& shown_name = name;
+      CAPTURE(shown_name);
+      const auto& shown_where = where;
+      CAPTURE(shown_where);
       CHECK(count(name, where) == atoms);
     }
     CHECK(rbpa::app::read_space_points(data + "case_cif_models_counted_wrong/two_models.cif", Format::cif).warnings ==

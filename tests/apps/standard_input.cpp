@@ -59,7 +59,8 @@ TEST_SUITE("standard input") {
                                                                     {"p.png", folder.content("t.png")},
                                                                     {"p.pgm", "P2\n2 2\n1\n0 1\n1 0\n"}};
     for (const auto& [name, bytes] : plane) {
-      CAPTURE(name);
+      const auto& shown_name = name;
+      CAPTURE(shown_name);
       folder.file(name, bytes);
       folder.file(name + ".gz", compressed(bytes));
       const Outcome by_name = folder.rbpa("info " + name);

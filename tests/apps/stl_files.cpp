@@ -58,7 +58,8 @@ TEST_SUITE("STL: after the last facet") {
              {std::string(50, '\xFF'), "50 bytes after the last facet are"}}) {
       for (const std::string& head : {std::string(), std::string("solid of a program\n")}) {
         const Folder folder;
-        CAPTURE(said);
+        const auto& shown_said = said;
+        CAPTURE(shown_said);
         std::string content = cube + tail;
         content.replace(0, head.size(), head);
         folder.file("m.stl", content);

@@ -142,7 +142,8 @@ TEST_SUITE("systems of coordinates") {
              {"EPSG:+5703", "none"},
              {"EPSG:", "none"},
              {"6339", "none"}}) {
-      CAPTURE(name);
+      const auto& shown_name = name;
+      CAPTURE(shown_name);
       CHECK(text_of(crs_of_name(name)) == crs);
     }
   }
@@ -157,7 +158,8 @@ TEST_SUITE("systems of coordinates") {
                                                           {"gis_las_compound_crs/i_compft.las", "EPSG:2229"},
                                                           {"case_las_vertical_crs/wkt_no_code.las", "none"},
                                                           {"case_las_vertical_crs/vertical_only.las", "none"}}) {
-      CAPTURE(file);
+      const auto& shown_file = file;
+      CAPTURE(shown_file);
       CHECK(crs_of(folder, findings + file) == crs);
     }
     const Outcome none = folder.rbpa("shape " + findings + "case_las_vertical_crs/wkt_no_code.las --alpha 1 -o o.ewkt");

@@ -135,7 +135,8 @@ TEST_SUITE("table doubts") {
              {"\u7ECF\u5EA6", "\u7EAC\u5EA6"},
              {"\u7D4C\u5EA6", "\u7DEF\u5EA6"},
              {"\u039C\u03AE\u03BA\u03BF\u03C2", "\u03A0\u03BB\u03AC\u03C4\u03BF\u03C2"}}) {
-      CAPTURE(x);
+      const auto& shown_x = x;
+      CAPTURE(shown_x);
       CHECK(read_table("id;" + y + ";" + x + ";val\n1;0;0;7\n2;0;4;7\n3;3;0;7\n").points == corners);
     }
     CHECK(read_table("id,lat_wgs84,lon_wgs84\n1,0,0\n").degrees);

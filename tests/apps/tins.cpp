@@ -135,7 +135,8 @@ TEST_SUITE("heights of triangles") {
   TEST_CASE("every format with a third coordinate keeps it in every format with vertices") {
     for (const auto& [name, content] : inputs()) {
       const Folder folder;
-      CAPTURE(name);
+      const auto& shown_name = name;
+      CAPTURE(shown_name);
       folder.file(name, content);
       const Outcome outcome = folder.rbpa("mesh " + name + " --alpha inf --fields none" + all_writers());
       REQUIRE(outcome.code == 0);

@@ -368,7 +368,8 @@ TEST_SUITE("contracts") {
         {"open_curve", open_curve_blocker(mesh, Face(0))},
         {"remove_diagonal", remove_diagonal_blocker(mesh, b[0])}};
     for (const auto& [name, blocker] : blockers) {
-      CAPTURE(name);
+      const auto& shown_name = name;
+      CAPTURE(shown_name);
       const auto found = std::ranges::find(all, name, [](const auto& one) { return one.first; });
       REQUIRE(blocker);
       CHECK(found->second == name + ": " + describe(*blocker));

@@ -71,7 +71,8 @@ TEST_SUITE("walk") {
     }
     CHECK(sum.size() == 57);
     for (const auto& [name, tally] : sum) {
-      INFO(name, ": ", tally.done, " done, ", tally.refused, " refused");
+      const std::string counts = name + ": " + std::to_string(tally.done) + " done, " + std::to_string(tally.refused);
+      INFO(counts, " refused");
       const bool is_never_done = name.find("again") != std::string::npos ||
                                  name.find("hook that throws") != std::string::npos ||
                                  name.find("of another mesh") != std::string::npos || name == "build_mesh";

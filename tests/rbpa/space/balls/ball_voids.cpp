@@ -136,9 +136,9 @@ void check_by_random_points(const Balls& balls, int samples, std::uint64_t seed)
     std::vector<double> up_to;
     double sum = 0, area = 0;
     for (const std::uint32_t t : hollow.tetrahedra) {
-      const auto& [a, b, c, d] = regular.simplices[t];
-      const auto to = [&](std::uint32_t i) { return minus(balls.centers[i], balls.centers[a]); };
-      up_to.push_back(sum += det(to(b), to(c), to(d)) / 6);
+      const auto& row = regular.simplices[t];
+      const auto to = [&](std::size_t k) { return minus(balls.centers[row[k]], balls.centers[row[0]]); };
+      up_to.push_back(sum += det(to(1), to(2), to(3)) / 6);
     }
     CHECK(hollow.volume_of_tetrahedra == Approx(sum).epsilon(1e-12));
     int outside = 0;

@@ -63,7 +63,8 @@ Point3 around(const Point3& center, double distance, Random& random) {
 /// Compares each ball's share with random points in it and on its sphere. Deviations in standard errors must not exceed
 /// five for any of them, and three for the sums; their squares must be about 1.
 void check_by_random_points(const Balls& balls, int samples, std::uint64_t seed) {
-  const auto& [centers, radii] = balls;
+  const auto& centers = balls.centers;
+  const auto& radii = balls.radii;
   const BallMeasures found = measure_balls(centers, radii);
   Random random(seed);
   struct Sum {

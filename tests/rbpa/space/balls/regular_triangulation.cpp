@@ -263,8 +263,10 @@ TEST_CASE("an inner ball is hidden exactly if the others' common orthogonal sphe
                                                                {1.0, 0.0, false},
                                                                {2.5, 1.8, true},
                                                                {2.5, 1.81, false}}) {
-    CAPTURE(corner_radius);
-    CAPTURE(inner_radius);
+    const auto& shown_corner_radius = corner_radius;
+    CAPTURE(shown_corner_radius);
+    const auto& shown_inner_radius = inner_radius;
+    CAPTURE(shown_inner_radius);
     const Balls balls = {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}, {0, 0, 0}},
                          {corner_radius, corner_radius, corner_radius, corner_radius, inner_radius}};
     const RegularTriangulation found = triangulated(balls);

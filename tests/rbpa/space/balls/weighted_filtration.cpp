@@ -63,7 +63,8 @@ Values values_of(const SolidFiltration& filtration) {
 Values by_definition(const Balls& balls, const Values& simplices, bool roots) {
   Values expected;
   for (std::size_t corners = 4; corners > 0; --corners)
-    for (const auto& [simplex, value] : simplices) {
+    for (const auto& entry : simplices) {
+      const auto& simplex = entry.first;
       if (simplex.size() != corners) continue;
       std::vector<Ball> own;
       for (const std::uint32_t i : simplex) own.push_back({balls.centers[i], balls.radii[i]});

@@ -73,7 +73,7 @@ void check_rounded_up(const Rational& power, double value, bool is_root) {
 }
 
 void check(const std::array<Ball, 5>& balls) {
-  const auto& [a, b, c, d, q] = balls;
+  const Ball &a = balls[0], &b = balls[1], &c = balls[2], &d = balls[3], &q = balls[4];
   Vector x;
   const auto expected_power = [&] { return power(x, a).sign(); };
   const auto expected_conflict = [&] { return power(x, q) < power(x, a); };

@@ -111,9 +111,11 @@ std::string end_of(const std::function<void()>& call) {
 
 TEST_CASE("every function of surfaces refuses invalid ones, and takes one without triangles") {
   for (const auto& [name, call] : calls_on_surfaces()) {
-    CAPTURE(std::string(name));
+    const auto& shown_name = name;
+    CAPTURE(std::string(shown_name));
     for (const auto& [what, surface] : broken_surfaces()) {
-      CAPTURE(std::string(what));
+      const auto& shown_what = what;
+      CAPTURE(std::string(shown_what));
       const auto& given = surface;
       const auto& called = call;
       const bool has_no_points = std::string(name) == "split_fans" || std::string(name) == "indexable_surface" ||
@@ -142,7 +144,8 @@ TEST_CASE("every function of curves refuses those of another surface") {
   add("a point that is not there", [](rbpa::RimEdge& e) { e.from = 4; });
   add("a point far away", [](rbpa::RimEdge& e) { e.from = none; });
   for (const auto& [what, hole] : wrong) {
-    CAPTURE(std::string(what));
+    const auto& shown_what = what;
+    CAPTURE(std::string(shown_what));
     const std::vector<Hole> curves = {hole};
     CHECK(end_of([&] { rbpa::fill_holes(places, surface, curves); }) == "refused");
     CHECK(end_of([&] { rbpa::curve_kinds(places, components, curves); }) == "refused");
