@@ -24,12 +24,24 @@ using AlphaShape = CGAL::Alpha_shape_3<Delaunay, IsExact>;
 
 }  // namespace
 
-DanglingByCgal dangling_by_cgal(std::span<const rbpa::Point3> points, double alpha) {
+struct AlphaShapeByCgal::Shape {
+  explicit Shape(Delaunay& delaunay) : shape(delaunay, 0, AlphaShape::GENERAL) {}
+  AlphaShape shape;
+};
+
+AlphaShapeByCgal::AlphaShapeByCgal(std::span<const rbpa::Point3> points) {
   std::vector<std::pair<Kernel::Point_3, std::uint32_t>> named;
   for (std::uint32_t i = 0; i < points.size(); ++i)
     named.emplace_back(Kernel::Point_3(points[i].x, points[i].y, points[i].z), i);
   Delaunay delaunay(named.begin(), named.end());
-  const AlphaShape shape(delaunay, alpha * alpha, AlphaShape::GENERAL);
+  shape_ = std::make_unique<Shape>(delaunay);
+}
+
+AlphaShapeByCgal::~AlphaShapeByCgal() = default;
+
+DanglingByCgal AlphaShapeByCgal::dangling(double alpha) {
+  AlphaShape& shape = shape_->shape;
+  shape.set_alpha(alpha * alpha);
   DanglingByCgal result;
   for (auto f = shape.finite_facets_begin(); f != shape.finite_facets_end(); ++f) {
     if (shape.classify(*f) != AlphaShape::SINGULAR) continue;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -19,7 +20,20 @@ struct DanglingByCgal {
   std::vector<std::uint32_t> points;
 };
 
-/// Finds the dangling simplices. Requires: distinct points, not all in a plane; an alpha whose square is a double.
-DanglingByCgal dangling_by_cgal(std::span<const rbpa::Point3> points, double alpha);
+/// The alpha shapes of points at any alpha. Requires: distinct points, not all in a plane.
+class AlphaShapeByCgal {
+ public:
+  explicit AlphaShapeByCgal(std::span<const rbpa::Point3> points);
+  ~AlphaShapeByCgal();
+  AlphaShapeByCgal(const AlphaShapeByCgal&) = delete;
+  AlphaShapeByCgal& operator=(const AlphaShapeByCgal&) = delete;
+
+  /// Returns the dangling simplices. Requires: an alpha whose square is a double.
+  DanglingByCgal dangling(double alpha);
+
+ private:
+  struct Shape;
+  std::unique_ptr<Shape> shape_;
+};
 
 }  // namespace rbpa_test

@@ -43,7 +43,7 @@ std::size_t check(const Points3& points) {
     const double alpha = static_cast<double>(static_cast<float>(share == 0 ? 0.7 * radius : radius));
     if (!(alpha > 1e-30 && alpha < 1e30)) continue;
     CAPTURE(alpha);
-    const DanglingByCgal expected = dangling_by_cgal(points, alpha);
+    const DanglingByCgal expected = AlphaShapeByCgal(points).dangling(alpha);
     const rbpa::DanglingFaces found = rbpa::dangling_faces(points, delaunay, radii, alpha);
     CHECK(found.triangles == expected.triangles);
     CHECK(found.edges == expected.edges);

@@ -87,7 +87,8 @@ std::size_t rank(const std::vector<Boxes>& vectors) {
 /// Returns for each void of the full complex the numbers of its tetrahedra and of the directions in which it
 /// percolates, sorted: by CGAL's triangulation of 27 images and its classification of their triangles, and by
 /// union–find over the cells in the box, each with its place. Requires: tetrahedra that fill the box.
-std::vector<std::array<std::size_t, 2>> voids_by_images(const AllImages& all, double alpha) {
+std::vector<std::array<std::size_t, 2>> voids_by_images(const AllImages& all, const DelaunayByCgal& delaunay,
+                                                        AlphaShapeByCgal& shape, double alpha) {
   const auto named = [&](const auto& corners) {
     Vertices vertices;
     for (const std::uint32_t corner : corners) vertices.push_back(all.vertices[corner]);
@@ -95,11 +96,10 @@ std::vector<std::array<std::size_t, 2>> voids_by_images(const AllImages& all, do
     return vertices;
   };
   const auto is_in_box = [](const Vertices& corners) { return boxes_of(corners[0]) == Boxes{}; };
-  const DelaunayByCgal delaunay(all.positions);
   std::set<Vertices> filled, walls;
   for (const auto& row : delaunay.within(alpha).simplices)
     if (const Vertices corners = named(row); is_in_box(corners)) filled.insert(corners);
-  for (const auto& triangle : dangling_by_cgal(all.positions, alpha).triangles)
+  for (const auto& triangle : shape.dangling(alpha).triangles)
     if (const Vertices corners = named(triangle); is_in_box(corners)) walls.insert(corners);
   std::vector<Vertices> cells;  // cells outside the complex
   std::map<Vertices, std::vector<std::pair<std::size_t, Boxes>>> at_face;
@@ -214,6 +214,8 @@ TEST_CASE("voids of periodic full complexes are those of CGAL's triangles of 27 
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
     const AllImages all = all_images(points, delaunay.box);
+    const DelaunayByCgal expected(all.positions);
+    AlphaShapeByCgal shape(all.positions);
     for (const double share : {0.1, 0.3, 0.6, 0.9}) {
       std::vector<double> sorted = radii;
       std::sort(sorted.begin(), sorted.end());
@@ -227,7 +229,7 @@ TEST_CASE("voids of periodic full complexes are those of CGAL's triangles of 27 
         ++dimensions[hollow.dimension];
       }
       std::sort(found.begin(), found.end());
-      if (found != voids_by_images(all, alpha)) FAIL_CHECK(text(set) << ", alpha " << alpha);
+      if (found != voids_by_images(all, expected, shape, alpha)) FAIL_CHECK(text(set) << ", alpha " << alpha);
       const auto solid = rbpa::periodic_topology(delaunay, radii, alpha, rbpa::ComplexKind::solid);
       only_full += found.size() > solid.voids.size() ? 1u : 0u;
       ++compared;
