@@ -1,7 +1,7 @@
 # Compiles the sources of a test program sixteen at a time, so that their includes are parsed once for each batch.
 # Helpers of two sources may have the same name: each source is included into a namespace of its own, behind the
 # includes of all. Compiled separately: main.cpp, sources that open a named namespace or instantiate a template of
-# another one, and those with their own compile options. The preset debug compiles all sources separately
+# another one, and those with their own compile options. The preset clang compiles all sources separately
 # (RBPA_COMPILE_TOGETHER), so that a missing include is found.
 #   rbpa_compile_together(program)
 function(rbpa_compile_together program)
