@@ -1,9 +1,7 @@
 #include "space/balls_voids.h"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -28,19 +26,6 @@ struct MouthSizes {
     }
   }
 };
-
-/// Returns the triangles with only one of the tetrahedra at them, counter-clockwise seen from outside of these.
-std::vector<Triangle> outer_triangles(const BallVoid& hollow, const RegularTriangulation& regular) {
-  std::set<std::uint32_t> inside(hollow.tetrahedra.begin(), hollow.tetrahedra.end());
-  std::vector<Triangle> triangles;
-  for (const std::uint32_t t : hollow.tetrahedra)
-    for (std::size_t k = 0; k < 4; ++k) {
-      if (inside.contains(regular.neighbors[t][k])) continue;
-      const auto& [a, b, c, d] = regular.simplices[t];
-      triangles.push_back(std::array<Triangle, 4>{{{b, c, d}, {a, d, c}, {a, b, d}, {a, c, b}}}[k]);
-    }
-  return triangles;
-}
 
 }  // namespace
 
@@ -126,7 +111,7 @@ void BallVoidRows::write_json(const MeasuredAtoms& frame, const BallVoid& hollow
 void BallVoidRows::write_surface(const MeasuredAtoms& frame, const BallVoid& hollow, std::uint64_t number) {
   file_.write("g " + (has_frames_ ? "frame_" + std::to_string(frame.number) + "_" : std::string()) +
               (of_pockets_ ? "pocket_" : "void_") + std::to_string(number) + "\n");
-  const std::vector<Triangle> triangles = outer_triangles(hollow, frame.cells);
+  const std::vector<Triangle> triangles = boundary_of(hollow, frame.cells);
   std::unordered_map<std::uint32_t, std::uint64_t> vertex;  // number, from 1, of each ball
   for (const Triangle& triangle : triangles)
     for (const std::uint32_t ball : triangle) {

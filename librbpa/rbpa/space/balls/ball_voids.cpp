@@ -359,4 +359,13 @@ BallVoids ball_voids(std::span<const Point3> centers, std::span<const double> ra
   return Finder(centers, radii, regular, options).find();
 }
 
+std::vector<Triangle> boundary_of(const BallVoid& hollow, const RegularTriangulation& regular) {
+  std::vector<Triangle> triangles;
+  for (const std::uint32_t t : hollow.tetrahedra)
+    for (std::size_t k = 0; k < 4; ++k)
+      if (!std::binary_search(hollow.tetrahedra.begin(), hollow.tetrahedra.end(), regular.neighbors[t][k]))
+        triangles.push_back(space::outer_face(regular.simplices[t], k));
+  return triangles;
+}
+
 }  // namespace rbpa

@@ -80,4 +80,9 @@ struct BallVoids {
 RBPA_API BallVoids ball_voids(std::span<const Point3> centers, std::span<const double> radii,
                               const RegularTriangulation& regular, const BallVoidsOptions& options = {});
 
+/// Returns the triangles between the tetrahedra of a void or pocket and all others or the outside, in the order of the
+/// tetrahedra, with their corners counter-clockwise seen from outside of the void.
+/// Requires: the void is one of ball_voids() with `regular`; this is not checked.
+RBPA_API std::vector<Triangle> boundary_of(const BallVoid& hollow, const RegularTriangulation& regular);
+
 }  // namespace rbpa
