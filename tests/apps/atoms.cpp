@@ -352,7 +352,7 @@ TEST_SUITE("atoms") {
           {"ITEM: TIMESTEP\n", "m: found the end of the file behind line 1, expected the value of 'TIMESTEP'"},
           {"ITEM: NUMBER OF ATOMS\n-1\n", "m:2: found '-1', expected the number of atoms, at least 1"},
           {"ITEM: ATOMS x y z\n1 2 3\n",
-           "m:1: found atoms without ITEM: NUMBER OF ATOMS before them, expected their number"},
+           "m:1: found atoms without their number, expected 'ITEM: NUMBER OF ATOMS' before them"},
           {dump("pp pp pp\n0 1\n0 x\n0 1\n", "x y z\n"), "m:7: found '0 x', expected two bounds of the box"},
           {dump("abc origin pp pp pp\n", ""),
            "m:5: found a general box, expected bounds, of LAMMPS without triclinic/general"},

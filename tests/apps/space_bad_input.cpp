@@ -107,9 +107,9 @@ TEST_SUITE("bad points of space") {
     CHECK(off("NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0\n") == "p:4: found '1 0 0', expected one more number");
     CHECK(obj("v 0 0\n") == "p:1: found 'v 0 0', expected one more number");
     CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 11111111 1\n") ==
-          "p:15: found '11111111', expected a channel of a color, from 0 to 255");
+          "p:15: found '11111111', expected a channel of a color: a whole number from 0 to 255");
     CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 11 256 1\n") ==
-          "p:15: found '256', expected a channel of a color, from 0 to 255");
+          "p:15: found '256', expected a channel of a color: a whole number from 0 to 255");
   }
 
   TEST_CASE("missing or repeated columns are refused") {
@@ -146,7 +146,7 @@ TEST_SUITE("bad points of space") {
     CHECK(obj("v 0 0 0\nvn 0 nan 1\n") == "p:2: found 'nan', expected a finite number");
     CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 nan 0 0 1 1 1 1\n") == "p:15: found 'nan', expected a finite number");
     CHECK(ply("0 0 0 0 0 1 1 1 1\n0 0 0 0 0 1 1 1 1.5\n") ==
-          "p:15: found '1.5', expected a channel of a color, from 0 to 255");
+          "p:15: found '1.5', expected a channel of a color: a whole number from 0 to 255");
     CHECK(pcd(numbers({0.F, 0.F, 0.F, 0.F, 0.F, static_cast<float>(no_number)})) ==
           "p: point 1: found 'nan', expected a finite number");
     CHECK(npy("(1, 3)", numbers({0., -inf, 0.})) == "p: point 0: found '-inf', expected a finite number");

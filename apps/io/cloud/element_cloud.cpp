@@ -242,7 +242,7 @@ class ElementCloud final : public Cloud {
 
   void require_channel(double number) const {
     if (!(number >= 0 && number <= 255 && number == std::floor(number)))
-      bad_input(here(), in_quotes(text_of(number)), "a channel of a color, from 0 to 255");
+      bad_input(here(), in_quotes(text_of(number)), "a channel of a color: a whole number from 0 to 255");
   }
 
   /// Notes the height in the next word, if it is a number.

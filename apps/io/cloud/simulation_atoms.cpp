@@ -229,7 +229,7 @@ class DumpAtoms final : public NamedAtoms {
       if (!item.starts_with("ITEM: ")) bad_input(here(), in_quotes(item), "a line that begins with ITEM:");
       item.remove_prefix(6);
       if (item.starts_with("ATOMS")) {
-        if (!has_count) bad_input(here(), "atoms without ITEM: NUMBER OF ATOMS before them", "their number");
+        if (!has_count) bad_input(here(), "atoms without their number", "'ITEM: NUMBER OF ATOMS' before them");
         return read_names(item.substr(5), has_box);
       }
       if (item.starts_with("BOX BOUNDS")) {

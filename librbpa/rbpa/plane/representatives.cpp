@@ -4,10 +4,12 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
 #include <tuple>
 #include <utility>
 
 #include "meshops/core/contract.h"
+#include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/plane/filtration/elder_rule.h"
 #include "rbpa/plane/filtration/filtered_cells.h"
@@ -211,8 +213,10 @@ std::vector<Representative> level_representatives(const Delaunay& delaunay, cons
                                                   const PairChoice& choice, const GoOn& go_on) {
   require_same(filtration, delaunay.triangulation(), "level_representatives");
   for (std::size_t i = 0; i < levels.size(); ++i)
-    meshops::require(levels[i] > (i == 0 ? 0 : levels[i - 1]),
-                     "level_representatives: expected radii above 0, ascending, none twice");
+    if (!(levels[i] > (i == 0 ? 0 : levels[i - 1])))
+      throw meshops::ContractViolation("level_representatives: found radius " + text(levels[i]) +
+                                       (i == 0 ? "" : " after " + text(levels[i - 1])) +
+                                       ", expected radii above 0 that strictly ascend");
   return representatives_of(delaunay, filtration, levels, kind, choice, go_on);
 }
 

@@ -68,8 +68,10 @@ void zip(meshops::Connectivity& mesh, std::span<const meshops::Site> site_of) {
 
 FilledMesh fill_holes(meshops::Connectivity& mesh, std::span<const Point3> places,
                       std::span<const meshops::BoundaryCurve> curves, const SurfaceOptions& options) {
-  meshops::require(places.size() >= mesh.n_vertices(),
-                   "fill_holes: there are fewer places than vertices, expected one for each");
+  if (places.size() < mesh.n_vertices())
+    throw meshops::ContractViolation("fill_holes: found " + std::to_string(places.size()) + " places for " +
+                                     std::to_string(mesh.n_vertices()) +
+                                     " vertices with the deleted ones, expected one for each");
   const std::vector<Triangle> triangles = triangles_of(mesh);
   std::vector<std::vector<std::uint32_t>> loops;
   for (const meshops::BoundaryCurve& curve : curves) loops.push_back(loop_of(mesh, curve));

@@ -328,15 +328,6 @@ TEST_CASE("balls of every kind have voids and pockets with sizes, which do not d
   CHECK(regions > 40);
 }
 
-TEST_CASE("lysozyme has ten voids for a probe of 1.4") {
-  const Balls atoms = lysozyme(1.4);
-  const BallVoids found = find_voids(atoms);
-  CHECK(found.voids.size() == 10);
-  CHECK(found.pockets.size() == 7);
-  CHECK(found.voids[0].volume == Approx(4.75455).epsilon(1e-5));
-  check_by_random_points(atoms, 2000, 1);
-}
-
 TEST_CASE("balls in a plane have no voids, and invalid arguments are refused") {
   CHECK(find_voids({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {0.6, 0.6, 0.7, 0}}).voids.empty());
   CHECK(find_voids({{}, {}}).voids.empty());

@@ -205,4 +205,13 @@ TEST_CASE("what the balls leave of all tetrahedra sums up to what their union le
   }
 }
 
+TEST_CASE("lysozyme has ten voids for a probe of 1.4") {
+  const Balls atoms = lysozyme(1.4);
+  const BallVoids found = find_voids(atoms);
+  CHECK(found.voids.size() == 10);
+  CHECK(found.pockets.size() == 7);
+  CHECK(found.voids[0].volume == Approx(4.75455).epsilon(1e-5));
+  check_by_random_points(atoms, 2000, 1);
+}
+
 TEST_SUITE_END();
