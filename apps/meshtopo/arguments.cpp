@@ -122,7 +122,11 @@ TopologyPlan plan(TopologyArguments arguments) {
   if (arguments.close_tunnels_below)
     plan.tunnels_below =
         parse_real("--close-tunnels-below", *arguments.close_tunnels_below, above_0, "a length, such as 2.5");
-  if (arguments.decimate) plan.decimate = parse_decimation("--decimate", *arguments.decimate);
+  if (arguments.no_crossings && !arguments.decimate) throw WrongUsage("--no-crossings requires --decimate");
+  if (arguments.decimate) {
+    plan.decimate = parse_decimation("--decimate", *arguments.decimate);
+    plan.decimate->no_crossings = arguments.no_crossings;
+  }
   for (const std::string& list : arguments.checks)
     for (Check& check : parse_checks(list)) plan.checks.push_back(std::move(check));
   const bool output_is_mesh = arguments.output && writes_mesh(arguments);

@@ -29,6 +29,7 @@ struct TopologyArguments {
   std::optional<std::string> fill_holes;
   std::optional<std::string> close_tunnels_below;
   std::optional<std::string> decimate;
+  bool no_crossings = false;
   bool repair = false;
   std::string repaired;  ///< path OUT of --repair; empty if -o names it
   std::optional<std::string> generators;
@@ -54,7 +55,7 @@ struct TopologyPlan {
   bool repair = false;
   std::optional<HoleChoice> fill = std::nullopt;
   std::optional<double> tunnels_below = std::nullopt;
-  std::optional<DecimationChoice> decimate = std::nullopt;
+  std::optional<DecimationOptions> decimate = std::nullopt;
   std::optional<TopologyTarget> report = std::nullopt;
   std::optional<TopologyTarget> written = std::nullopt;  ///< the file for the mesh, edited and repaired as requested
   std::optional<Shift> shift = std::nullopt;             ///< what is subtracted from positions for STL

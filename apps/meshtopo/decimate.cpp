@@ -18,7 +18,7 @@ std::size_t polygons_in(const MeshFile& mesh) {
   return count;
 }
 
-DecimatedMesh decimate(const MeshFile& mesh, const DecimationChoice& choice) {
+DecimatedMesh decimate(const MeshFile& mesh, const DecimationOptions& choice) {
   DecimatedMesh result;
   OpenMesh::PolyConnectivity halfedges;
   std::vector<Point3> places;
@@ -27,11 +27,10 @@ DecimatedMesh decimate(const MeshFile& mesh, const DecimationChoice& choice) {
     places.push_back({x, y, z});
   }
   meshops::request_status(halfedges);
-  result.report = rbpa::decimate(halfedges, places,
-                                 {.faces = choice.faces_of(mesh.soup.faces()),
-                                  .error = choice.error,
-                                  .measured = true,
-                                  .go_on = until_interrupted()});
+  DecimationOptions options = choice;
+  options.measured = true;
+  options.go_on = until_interrupted();
+  result.report = rbpa::decimate(halfedges, places, options);
   std::vector<std::uint32_t> number(places.size());
   for (const meshops::Vertex v : meshops::live_vertices(halfedges)) {
     const Point3& p = places[static_cast<std::size_t>(v.idx())];

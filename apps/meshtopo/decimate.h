@@ -17,7 +17,7 @@ struct DecimatedMesh {
 
 /// Decimates a copy of `mesh`. Requires: `mesh` is a surface of triangles without defects other than pinches. Throws
 /// Cancelled.
-DecimatedMesh decimate(const MeshFile& mesh, const DecimationChoice& choice);
+DecimatedMesh decimate(const MeshFile& mesh, const DecimationOptions& choice);
 
 /// Returns the number of faces of `mesh` that are not triangles.
 std::size_t polygons_in(const MeshFile& mesh);

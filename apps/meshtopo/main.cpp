@@ -90,6 +90,9 @@ int main(int argc, char** argv) {
                  "the surface changes least; error=E: as long as no point of it is farther than E from the faces "
                  "before, which is certified. What is closed stays closed, and the topology the same")
       ->type_name("N|P%|error=E");
+  app.add_flag("--no-crossings", arguments.no_crossings,
+               "With --decimate, collapse no edge by which faces would cross or touch that did not before; exact")
+      ->disable_flag_override();
   app.add_option("--check", arguments.checks,
                  "Check properties of each mesh, such as closed,manifold,oriented,genus=0,components=1; print a line "
                  "on standard error for each that does not hold, and exit with code 4. Check the changed mesh, and a "

@@ -236,8 +236,8 @@ meshops::TopologyReport report(Mesh& mesh, const std::optional<std::vector<std::
 
 /// Decimates a copy of the mesh, which then takes its place, so that a run that ends early changes nothing. Returns the
 /// places of the vertices, and counts.
-std::tuple<Doubles, std::size_t, std::size_t, std::size_t, std::map<std::string, std::size_t>> decimate_copy(
-    Mesh& mesh, const Doubles& points, std::size_t faces, const py::object& progress) {
+auto decimate_copy(Mesh& mesh, const Doubles& points, std::size_t faces, std::optional<double> error, bool no_crossings,
+                   const py::object& progress) {
   const auto input = points3_of(points, "points");
   std::vector<Point3> places(input.begin(), input.end());
   MeshKernel copy = mesh.kernel();
@@ -247,12 +247,17 @@ std::tuple<Doubles, std::size_t, std::size_t, std::size_t, std::map<std::string,
     const std::size_t given = copy.n_faces();
     return watched(given, progress, [&](Watch& watch) {
       const OnProgress report = watch.progress();
-      return decimate(copy, places, {.faces = faces, .go_on = go_on_of(report, places.size(), given)});
+      return decimate(copy, places,
+                      {.faces = faces,
+                       .error = error,
+                       .no_crossings = no_crossings,
+                       .go_on = go_on_of(report, places.size(), given)});
     });
   }();
   mesh.changed();
   mesh.kernel() = std::move(copy);
-  return {rows<double>(std::move(places)), counts.given, counts.left, counts.collapses, counts.refused};
+  return std::make_tuple(rows<double>(std::move(places)), counts.given, counts.left, counts.collapses, counts.refused,
+                         counts.distance);
 }
 
 void bind_topology(py::class_<Mesh>& mesh) {
@@ -313,7 +318,8 @@ void bind_mesh(py::module_& module) {
   bind_navigation(mesh);
   bind_topology(mesh);
   bind_mesh_operators(module, mesh);
-  mesh.def("_decimate", &decimate_copy, as_is("points"), arg("faces"), arg("progress"));
+  mesh.def("_decimate", &decimate_copy, as_is("points"), arg("faces"), arg("error"), arg("no_crossings"),
+           arg("progress"));
   mesh.def(py::pickle(&state_of, [](const py::tuple& state) {
     return mesh_of(state[0].cast<Indices>(), state[1].cast<Indices>(), state[2].cast<Indices>(),
                    state[3].cast<Indices>());

@@ -99,10 +99,15 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
              "Add points inside the fillings of --fill-holes or --watertight, so that they are as fine and "
              "smooth as the surface around them");
   verb.add_option("--faces", arguments.faces,
-                  "Decimate the surface, after everything else, until N triangles are left, between points of the "
-                  "input. What is closed stays closed, and the topology the same. Leave out unused vertices (.npy "
-                  "keeps input indices). Boundary curves are reported, and written by --holes, as they were before")
-      ->type_name("N");
+                  "Decimate the surface, after everything else, until N triangles are left, or P percent, between "
+                  "points of the input; error=E: as long as no point of it is farther than E from the surface before, "
+                  "which is certified. What is closed stays closed, and the topology the same; with --watertight no "
+                  "triangles begin to cross. Leave out unused vertices (.npy keeps input indices). Boundary curves "
+                  "are reported, and written by --holes, as they were before")
+      ->type_name("N|P%|error=E");
+  add_switch(verb, "--no-crossings", arguments.no_crossings,
+             "With --faces, collapse no edge by which triangles would cross or touch that did not before; --watertight "
+             "implies it");
   verb.add_option("--holes", arguments.holes,
                   "Write the boundary curves as polylines, .obj, in groups 'rim', 'hole' and 'island'")
       ->type_name("FILE");

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <utility>
 
 #include "io/failure.h"
 #include "io/number.h"
@@ -18,16 +19,16 @@ std::string rounded_up(double value) {
 
 }  // namespace
 
-DecimationChoice parse_decimation(const std::string& option, const std::string& text) {
+DecimationOptions parse_decimation(const std::string& option, const std::string& text) {
   constexpr std::string_view error = "error=";
-  DecimationChoice choice;
+  DecimationOptions choice;
   if (text.starts_with(error)) {
     const ParsedNumber number = parse_whole_number(std::string_view(text).substr(error.size()));
     choice.error = number.value;
     if (number.fault == NumberFault::none && number.value >= 0) return choice;
   } else if (text.ends_with('%')) {
     const ParsedNumber number = parse_whole_number(std::string_view(text).substr(0, text.size() - 1));
-    choice.percent = number.value;
+    choice.share = number.value / 100;
     if (number.fault == NumberFault::none && number.value > 0 && number.value <= 100) return choice;
   } else {
     choice.faces = parse_count(text).value_or(0);
@@ -38,13 +39,15 @@ DecimationChoice parse_decimation(const std::string& option, const std::string& 
 }
 
 std::string decimated_text(const Decimation& counts) {
+  std::string end, last = "change the topology";
+  for (const auto& [reason, what] : {std::pair(Decimation::turned, "turn a triangle over"),
+                                     {Decimation::crossing, "make triangles cross"},
+                                     {Decimation::too_far, "be too far"}})
+    if (counts.refused.contains(reason)) end += (end.empty() ? "" : ", ") + std::exchange(last, what);
   return "decimated from " + std::to_string(counts.given) + " to " + counted(counts.left, "triangle") +
          (counts.distance ? ", at most " + rounded_up(*counts.distance) + " from those before" : "") +
-         (counts.is_exhausted
-              ? std::string(", no further: every collapse left would change the topology") +
-                    (counts.refused.contains(Decimation::too_far) ? ", turn a triangle over or be too far"
-                                                                  : " or turn a triangle over")
-              : "");
+         (counts.is_exhausted ? ", no further: every collapse left would " + end + (end.empty() ? "" : " or ") + last
+                              : "");
 }
 
 nlohmann::ordered_json as_json(const Decimation& counts) {

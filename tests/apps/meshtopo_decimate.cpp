@@ -23,14 +23,15 @@ void check_same_topology(const json& report) {
   }
 }
 
-/// Lines of points of a sphere of radius 1, each with its normal.
-std::string ball(int count) {
+/// Lines of points of a sphere, each with its normal, which points outward or inward.
+std::string ball(int count, double radius = 1, double outward = 1) {
   std::string text;
   for (int i = 0; i < count; ++i) {
     const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, r = std::sqrt(1 - z * z);
-    const std::string p =
-        std::to_string(r * std::cos(around)) + " " + std::to_string(r * std::sin(around)) + " " + std::to_string(z);
-    text += p + " " + p + "\n";
+    for (const double scale : {radius, outward})
+      text += std::to_string(scale * r * std::cos(around)) + " " + std::to_string(scale * r * std::sin(around)) + " " +
+              std::to_string(scale * z) + " ";
+    text.back() = '\n';
   }
   return text;
 }
@@ -130,6 +131,16 @@ TEST_SUITE("meshtopo --decimate") {
                            "triangle over or be too far\n") != std::string::npos);
   }
 
+  TEST_CASE("--no-crossings lets no faces cross, and is refused without --decimate") {
+    const Folder folder;
+    Outcome outcome = folder.meshtopo(data + "/m3_spot.off --decimate 4 --no-crossings -o o.off --json");
+    CHECK(json::parse(outcome.out)["changes"]["decimate"]["refused"].contains("crossing_triangles"));
+    CHECK(folder.meshtopo("o.off -q --check closed,genus=0").code == 0);
+    outcome = folder.meshtopo(data + "/m3_spot.off --no-crossings -o o.txt");
+    CHECK(outcome.code == 2);
+    CHECK(outcome.err == "meshtopo: --no-crossings requires --decimate\n");
+  }
+
   TEST_CASE("holes are filled before, and checks are those of the result") {
     const Folder folder;
     const Outcome outcome = folder.meshtopo(data + "/m3_cube_no_bottom.off --fill-holes rims --decimate 12 -o o.off " +
@@ -192,14 +203,38 @@ TEST_SUITE("surface") {
     CHECK(json::parse(folder.rbpa("surface s.xyz --radius 0.2 --json -q").out)["decimated"].is_null());
   }
 
+  TEST_CASE("--faces takes a share or an error, and with --watertight no triangles cross") {
+    const Folder folder;
+    folder.file("s.xyz", ball(900) + ball(900, 0.98, -1));
+    const std::string surface = "surface s.xyz --radius 0.2 --watertight -o m.ply --json -q ";
+    json report = json::parse(folder.rbpa(surface + "--faces 10%").out);
+    CHECK(report["watertight"] == true);
+    CHECK(report["decimated"]["triangles_before"] == 3592);
+    CHECK(report["decimated"]["refused"]["crossing_triangles"].get<std::size_t>() > 0);
+    CHECK(folder.meshtopo("m.ply -q --check closed,oriented,components=2,genus=0").code == 0);
+    report = json::parse(folder.rbpa(surface + "--faces error=0.01").out);
+    CHECK(report["decimated"]["distance"].get<double>() <= 0.01);
+    CHECK(report["decimated"]["distance"].get<double>() > 0.002);
+    CHECK(report["triangles"].get<std::size_t>() < 3592);
+    // Without --watertight, crossings are refused on request.
+    const std::string open = "surface s.xyz --radius 0.2 -o n.ply --json -q --faces 300 ";
+    CHECK_FALSE(json::parse(folder.rbpa(open).out)["decimated"]["refused"].contains("crossing_triangles"));
+    CHECK(json::parse(folder.rbpa(open + "--no-crossings").out)["decimated"]["refused"].contains("crossing_triangles"));
+  }
+
   TEST_CASE("a wrong number of --faces is refused") {
     const Folder folder;
     folder.file("s.xyz", ball(50));
-    for (const std::string wrong : {"0", "-5", "x", "10%", "nan"}) {
+    for (const std::string wrong : {"0", "-5", "x", "101%", "nan", "error=-1"}) {
       const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.9 --faces='" + wrong + "' -o o.off");
       CHECK(outcome.code == 2);
-      CHECK(outcome.err == "rbpa: --faces: found '" + wrong + "', expected a whole number of triangles from 1\n");
+      CHECK(outcome.err ==
+            "rbpa: --faces: found '" + wrong +
+                "', expected a number of triangles, such as 10000, a share, such as 10%, or a distance, such as "
+                "error=0.5\n");
     }
+    CHECK(folder.rbpa("surface s.xyz --radius 0.9 --no-crossings -o o.off").err ==
+          "rbpa: --no-crossings requires --faces\n");
     CHECK_FALSE(folder.has("o.off"));
   }
 }

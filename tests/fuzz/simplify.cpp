@@ -105,7 +105,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     check_same(mesh, before);
     return 0;
   }
-  rbpa::DecimationOptions options{.faces = choices.below(20), .measured = choices.one_in(2)};
+  rbpa::DecimationOptions options{
+      .faces = choices.below(20), .measured = choices.one_in(2), .no_crossings = choices.one_in(2)};
   if (choices.one_in(2)) options.error = choices.below(256) / 64.0;
   const std::vector<rbpa::Point3> given = places;
   const rbpa::Decimation counts = rbpa::decimate(mesh, places, options, {.at_ends = choices.one_in(2)});

@@ -1,5 +1,7 @@
 """Surface.decimated() and meshops.Mesh.decimate(): fewer triangles, the same topology."""
 
+import math
+
 import numpy as np
 import pytest
 
@@ -56,6 +58,25 @@ def test_a_mesh_is_decimated_in_place_and_vertices_move():
     small = rbpa.meshops.Mesh(mesh.triangles())
     assert small.n_faces == 100 and topology(small) == before and len(again.points[kept]) == small.n_vertices
     assert small.split_face(0).delta.faces == 2
+
+
+def test_an_error_is_kept_and_certified_and_triangles_of_near_sheets_do_not_cross():
+    normals = np.vstack((ball(), -ball()))
+    points = normals * np.repeat((1, -0.98), 900)[:, None]  # a thin shell
+    whole = rbpa.surface(points, normals, 0.2)
+    assert topology(whole.mesh())[0] == (2, 0, 2)
+    for limits in ({"error": 0.02}, {"faces": 300, "error": 0.02}, {"faces": 200}):
+        mesh = whole.mesh()
+        made = mesh.decimate(points[mesh.point_of_vertex], **limits, no_crossings=True)
+        assert made.refused["crossing triangles"] > 0 and made.faces == mesh.n_faces
+        assert 0 < made.distance <= 0.02 if "error" in limits else made.distance is None
+        part = whole.decimated(**limits, no_crossings=True)
+        assert len(part.triangles) < len(whole.triangles) / 2 and topology(part.mesh()) == topology(whole.mesh())
+        assert len(part.triangles) >= limits.get("faces", 0) - 1
+    assert len(whole.decimated(error=0).triangles) > 3000
+    for wrong in ({}, {"error": -1}, {"error": math.nan}, {"error": "x"}, {"faces": 0, "error": 1}):
+        with pytest.raises(rbpa.InvalidInput, match="error|faces"):
+            whole.decimated(**wrong)
 
 
 def test_what_cannot_be_decimated_is_refused_and_the_mesh_stays():

@@ -1,5 +1,7 @@
 """A user's program for type checking: checked by mypy --strict, and never executed."""
 
+from typing import Optional
+
 import numpy as np
 import numpy.typing as npt
 import rbpa
@@ -30,6 +32,8 @@ steps_of_repair: list[rbpa.meshops.RepairStep] = rbpa.meshops.repair(shape.simpl
 scanned: rbpa.Surface = rbpa.surface(np.zeros((5, 3)), "estimate", [0.5, 1.0], progress=lambda t, p: None)
 smaller: rbpa.Surface = scanned.decimated(faces=100)
 fewer: rbpa.meshops.Decimation = mesh.decimate(np.zeros((3, 3)), 1, progress=lambda t, p: None)
+nearer: rbpa.Surface = scanned.decimated(error=0.1, no_crossings=True)
+certified: Optional[float] = mesh.decimate(np.zeros((3, 3)), error=0.1).distance
 moved: npt.NDArray[np.float64] = fewer.points
 refusals: dict[str, int] = fewer.refused
 normals: npt.NDArray[np.float64] = rbpa.estimate_normals([[0, 0, 0]], 8)

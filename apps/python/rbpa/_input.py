@@ -155,6 +155,15 @@ def as_number(value: Any, name: str, expected: str) -> float:
         raise InvalidInput(f"{name}: found a number beyond float64, expected {expected}; math.inf is one") from None
 
 
+def as_limits(faces: Optional[int], error: Optional[float]) -> tuple[int, Optional[float]]:
+    """Converts the limits of a decimation: a number of triangles, 0 if there is none, and a distance, perhaps None."""
+    if faces is None and error is None:
+        raise InvalidInput("faces: found None, and no error, expected a number of triangles, or a distance as error")
+    if error is not None and not (error := as_number(error, "error", "a distance, at least 0")) >= 0:
+        raise InvalidInput(f"error: found {error}, expected a distance, at least 0")
+    return 0 if faces is None else as_count(faces, "faces", 1), error
+
+
 def as_numbers(values: Any, name: str, expected: str) -> Floats:
     """Converts numbers to a float64 array of any shape."""
     if is_number(as_scalar(values)):

@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from rbpa import _core, meshops
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, aligned, as_count, as_numbers, as_points, as_threads, index_of, shown
+from rbpa._input import Floats, Indices, Progress, aligned, as_count, as_limits, as_numbers, as_points, as_threads, index_of, shown
 from rbpa._plot import draw_triangles
 from rbpa._result import Result, freeze
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRepair
@@ -459,18 +459,31 @@ class Surface(Result):
         freeze(points, *([] if normals is None else [normals]))
         return self._with_filled(of, ~new, points, normals)
 
-    def decimated(self, faces: int, *, progress: Progress = None) -> Surface:
+    def decimated(
+        self,
+        faces: Optional[int] = None,
+        *,
+        error: Optional[float] = None,
+        no_crossings: bool = False,
+        progress: Progress = None,
+    ) -> Surface:
         """Returns the surface with at most `faces` triangles, between some of the same points: edges collapse, the least
         quadric error first.
 
         The topology stays: what is closed stays closed, boundary curves, handles and components stay; if that needs
-        more triangles, more are left. No triangle turns over in one collapse. Triangles may cross where sheets are
-        closer to each other than the error. `rbpa.meshops.Mesh.decimate` moves vertices, which is more accurate.
+        more triangles, more are left. No triangle turns over in one collapse. `rbpa.meshops.Mesh.decimate` moves
+        vertices, which is more accurate.
 
         Parameters
         ----------
-        faces : int
-            The number of triangles to leave, at least 1.
+        faces : int, optional
+            The number of triangles to leave, at least 1; by default as few as `error` admits.
+        error : float, optional
+            No point of the result is farther than this from the surface, which is certified. `faces`, `error` or both
+            are required.
+        no_crossings : bool
+            Whether collapses by which triangles would cross, or touch, that did not before are refused; exact. Without,
+            triangles may cross where sheets are closer to each other than the error.
         progress
             As for `surface`; called with the triangles before.
 
@@ -480,7 +493,9 @@ class Surface(Result):
             A surface of given triangles: ``given[t]`` is the number of triangle t before. Its holes have no causes.
         """
         self._require_unchanged()
-        of = _core.decimate_surface(self.points, self.triangles, self.neighbors, as_count(faces, "faces", 1), progress)
+        of = _core.decimate_surface(
+            self.points, self.triangles, self.neighbors, *as_limits(faces, error), bool(no_crossings), progress
+        )
         of["levels"] = self.levels[of["given"]]
         return Surface(self.points, self.normals, self.radii, {**of, "duplicates": self.duplicates})
 

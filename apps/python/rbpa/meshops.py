@@ -31,7 +31,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import ComponentReport, Defect, Delta, InvalidInput, RepairStep, Report
-from rbpa._input import Floats, Indices, Integers, Progress, as_count, as_points
+from rbpa._input import Floats, Indices, Integers, Progress, as_count, as_limits, as_points
 from rbpa._result import short_repr
 
 __all__ = ["ComponentReport", "Decimation", "Defect", "Delta", "Mesh", "Repair", "RepairStep", "Report", "find_defects", "repair", "report"]
@@ -72,7 +72,15 @@ class Mesh(_core.Mesh):
         return corners.reshape(-1, 3)
 
 
-    def decimate(self, points: npt.ArrayLike, faces: int, *, progress: Progress = None) -> Decimation:
+    def decimate(
+        self,
+        points: npt.ArrayLike,
+        faces: Optional[int] = None,
+        *,
+        error: Optional[float] = None,
+        no_crossings: bool = False,
+        progress: Progress = None,
+    ) -> Decimation:
         """Decimates the mesh in place: collapses edges, the least quadric error first, until `faces` triangles are left.
 
         The topology stays: what is closed stays closed, boundary curves, handles and components stay. No triangle turns
@@ -82,8 +90,8 @@ class Mesh(_core.Mesh):
         ----------
         points : array_like of shape (vertex_bound, 3)
             The position of each vertex; finite for those that are not deleted.
-        faces : int
-            The number of triangles to leave, at least 1.
+        faces, error, no_crossings
+            As for `rbpa.Surface.decimated`.
         progress
             As for `alpha_shape`.
 
@@ -108,7 +116,7 @@ class Mesh(_core.Mesh):
         (8, 12, 8, (1, 0, 1))
         """
         array = as_points(points, columns=3)
-        return Decimation(*self._decimate(array, as_count(faces, "faces", 1), progress))
+        return Decimation(*self._decimate(array, *as_limits(faces, error), bool(no_crossings), progress))
 
 
 class Decimation(NamedTuple):
@@ -123,6 +131,8 @@ class Decimation(NamedTuple):
     refused: dict[str, int]
     """The number of refused collapses by reason: 'double edge', 'turned triangle', ... An edge may be refused several
     times."""
+    distance: Optional[float]
+    """With `error`, a distance from the triangles before that no point of the result exceeds; else None."""
 
     def __repr__(self) -> str:
         return short_repr(self)

@@ -114,6 +114,7 @@ struct SurfaceArguments : SpacePointArguments, OutputArguments {
   std::optional<std::string> fill_holes;
   bool refine = false;
   std::optional<std::string> faces;
+  bool no_crossings = false;
   bool repairs = false;
   std::string width = "1200";
   bool compact = false;

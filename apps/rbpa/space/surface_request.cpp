@@ -9,6 +9,7 @@
 #include "io/number.h"
 #include "shared/point_arguments.h"
 #include "triangulation/component_choice.h"
+#include "triangulation/decimation_choice.h"
 #include "triangulation/hole_choice.h"
 
 namespace rbpa::app {
@@ -96,7 +97,11 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   how.manifold = arguments.manifold;
   how.watertight = arguments.watertight;
   how.refine = arguments.refine;
-  if (arguments.faces) how.faces = parse_whole("--faces", *arguments.faces, {.least = 1}, "triangles");
+  if (arguments.no_crossings && !arguments.faces) throw WrongUsage("--no-crossings requires --faces");
+  if (arguments.faces) {
+    how.decimation = parse_decimation("--faces", *arguments.faces);
+    how.decimation->no_crossings = arguments.no_crossings;
+  }
   request.width = parse_width(arguments.width);
   request.run = parse_run(arguments.run);
   if (how.source == NormalSource::none && how.radii.size() > 1)

@@ -51,4 +51,30 @@ void BoxTree::build(std::span<const Box> boxes, std::uint32_t first, std::uint32
   build(boxes, half, last, step);
 }
 
+void BoxTree::replace(std::uint32_t i, const Box& box) {
+  if (position_.empty()) {
+    position_.resize(numbers_.size());
+    for (std::uint32_t k = 0; k < numbers_.size(); ++k) position_[numbers_[k]] = k;
+  }
+  const std::uint32_t k = position_[i];
+  if (boxes_[k] == box) return;
+  boxes_[k] = box;
+  std::array<std::uint32_t, 64> above{};
+  std::size_t count = 0;
+  std::uint32_t at = 0;
+  while (nodes_[at].second != 0) {
+    above[count++] = at;
+    at = k < nodes_[nodes_[at].second].first ? at + 1 : nodes_[at].second;
+  }
+  Box whole;
+  for (std::uint32_t j = nodes_[at].first; j < nodes_[at].last; ++j) whole.include(boxes_[j]);
+  while (whole != nodes_[at].box) {
+    nodes_[at].box = whole;
+    if (count == 0) return;
+    at = above[--count];
+    whole = nodes_[at + 1].box;
+    whole.include(nodes_[nodes_[at].second].box);
+  }
+}
+
 }  // namespace rbpa::space

@@ -21,6 +21,9 @@ class BoxTree {
   /// Builds the tree. Throws: Cancelled.
   BoxTree(std::span<const Box> boxes, meshops::Steps& step);
 
+  /// Replaces box i. Cost: the depth of the tree; the first call is linear in the number of boxes.
+  void replace(std::uint32_t i, const Box& box);
+
   /// Calls visit(i) for each box i that meets `box`, in some order.
   template <typename Visit>
   void for_each_meeting(const Box& box, const Visit& visit) const {
@@ -84,7 +87,8 @@ class BoxTree {
 
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> numbers_;
-  std::vector<Box> boxes_;  // the boxes, in the order of numbers_
+  std::vector<Box> boxes_;               // the boxes, in the order of numbers_
+  std::vector<std::uint32_t> position_;  // for each box, its place in numbers_; empty until a box is replaced
 };
 
 }  // namespace rbpa::space

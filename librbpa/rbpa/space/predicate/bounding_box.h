@@ -18,6 +18,7 @@ struct Box {
     low = {std::min(low.x, box.low.x), std::min(low.y, box.low.y), std::min(low.z, box.low.z)};
     high = {std::max(high.x, box.high.x), std::max(high.y, box.high.y), std::max(high.z, box.high.z)};
   }
+  friend bool operator==(const Box&, const Box&) = default;
   /// Returns whether the boxes overlap or touch.
   bool meets(const Box& box) const {
     return low.x <= box.high.x && box.low.x <= high.x && low.y <= box.high.y && box.low.y <= high.y &&

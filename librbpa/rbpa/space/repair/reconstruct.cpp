@@ -161,7 +161,7 @@ class Reconstructing {
         made_.components = surface_components(cloud_.places(), made_.surface, counting());
     }
     if (options_.repairs) made_.repairs = repairs_.of(made_.holes, made_.kinds);
-    if (options_.faces) decimate();
+    if (options_.decimation) decimate();
     return finished();
   }
 
@@ -333,11 +333,11 @@ class Reconstructing {
 
   void decimate() {
     begin(Step::decimating);
-    DecimatedSurface left =
-        rbpa::decimate(cloud_.places(), made_.surface,
-                       {.faces = *options_.faces,
-                        .measured = true,
-                        .go_on = go_on_of(run_.progress, cloud_.points.size(), made_.surface.triangles.size())});
+    DecimationOptions options = *options_.decimation;
+    options.measured = true;
+    options.no_crossings = options.no_crossings || options_.watertight;
+    options.go_on = go_on_of(run_.progress, cloud_.points.size(), made_.surface.triangles.size());
+    DecimatedSurface left = rbpa::decimate(cloud_.places(), made_.surface, options);
     made_.decimated = std::move(left.counts);
     if (!made_.filled.empty()) {
       std::vector<bool> filled;
@@ -347,10 +347,7 @@ class Reconstructing {
     made_.surface = std::move(left);
     if (!made_.components.all.empty())
       made_.components = surface_components(cloud_.places(), made_.surface, counting());
-    if (!options_.watertight || !made_.is_watertight()) return;
-    made_.crossing = crossing_triangles(cloud_.places(), made_.surface.triangles, most_crossing_pairs, run_);
-    made_.inside.clear();
-    if (made_.is_watertight())
+    if (options_.watertight && made_.is_watertight())
       made_.inside = nesting_depths(cloud_.places(), made_.surface, made_.components, counting());
   }
 

@@ -83,10 +83,10 @@ struct ReconstructionOptions {
   std::optional<HoleChoice> filled = {};  ///< fills these holes; absent: none
   bool watertight = false;                ///< calls make_watertight() for the kept components; then `filled` is ignored
   bool refine = false;                    ///< refines the fillings of `filled` or `watertight` by refine_filling()
-  /// Decimates the surface to at most this many triangles, as far as edges can collapse. `holes`, `kinds`, `repairs`
-  /// and `fillings` of the result are those before, and so is `crossing`, unless the surface was watertight; triangle
-  /// numbers in them are those before.
-  std::optional<std::size_t> faces = {};
+  /// Decimates the surface by these options; `go_on` is not used, and with `watertight` no crossings are made, so that
+  /// the surface stays watertight. `holes`, `kinds`, `repairs`, `fillings` and `crossing` of the result are those
+  /// before, and so are triangle numbers in them.
+  std::optional<DecimationOptions> decimation = {};
   MaxThreads threads = 0;
   /// Called repeatedly by the functions of the steps, with Progress as each says. Returning false cancels the run.
   OnProgress progress = {};
@@ -125,7 +125,7 @@ struct Reconstruction {
   /// The outcome for each hole that was to be filled, in the order of the boundary curves before filling.
   std::vector<HoleFill> fillings = {};
   std::vector<bool> filled = {};  ///< for each triangle, whether it fills a hole; empty: no hole was to be filled
-  std::optional<Decimation> decimated = {};  ///< counts of the decimation, if `faces` is set
+  std::optional<Decimation> decimated = {};  ///< counts of the decimation, if there was one
   std::size_t given_up = 0;  ///< number of triangles that `watertight` removed from components that stay
   AddedPoints added = {};    ///< points that refining added
   /// With `watertight`, the pairs of triangles that cross, sorted; at most most_crossing_pairs (watertight.h).

@@ -10,9 +10,12 @@
 #include "meshops/core/live.h"
 #include "meshops/core/live_range.h"
 #include "meshops/simplify/simplify.h"
+#include "meshops/topology/build_mesh.h"
 #include "rbpa/base/error.h"
+#include "rbpa/base/triangle.h"
 #include "rbpa/space/simplify/decimate_mesh.h"
 #include "rbpa/space/simplify/distance/surface_distance.h"
+#include "rbpa/space/simplify/moving/moved_triangles.h"
 #include "rbpa/space/surface/surface_mesh.h"
 
 namespace rbpa {
@@ -23,45 +26,33 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Policy that also allows only collapses after which every triangle is certified to be near the given ones.
 struct CertifiedPolicy : QuadricPolicy {
   using QuadricPolicy::QuadricPolicy;
-  const space::SurfaceDistance* given = nullptr;
+  const space::SurfaceDistance* given = nullptr;  // absent: no limit
   double error = 0;
-  std::size_t too_far = 0;
+  const char* why = nullptr;  // the key in Decimation::refused of what was forbidden last
 
   bool allows(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) {
-    if (!QuadricPolicy::allows(mesh, e, place)) return false;
-    const meshops::Halfedge h = mesh.halfedge_handle(e, 0);
-    const meshops::Vertex a = mesh.from_vertex_handle(h), b = mesh.to_vertex_handle(h);
-    if (is_near(mesh, a, b, place) && is_near(mesh, b, a, place)) return true;
-    ++too_far;
-    return false;
+    why = turns(mesh, e, place)     ? Decimation::turned
+          : crosses(mesh, e, place) ? Decimation::crossing
+          : is_far(mesh, e, place)  ? Decimation::too_far
+                                    : nullptr;
+    return why == nullptr;
   }
 
  private:
-  bool is_near(const meshops::Connectivity& mesh, meshops::Vertex moved, meshops::Vertex other,
-               const Point3& place) const {
-    const auto at = [&](meshops::Vertex v) { return places()[static_cast<std::size_t>(v.idx())]; };
-    if (at(moved) == place) return true;  // its other triangles stay, and are certified
-    for (const meshops::Halfedge out : mesh.voh_range(moved)) {
-      const meshops::Vertex second = mesh.to_vertex_handle(out),
-                            third = mesh.to_vertex_handle(mesh.next_halfedge_handle(out));
-      if (mesh.is_boundary(out) || second == other || third == other) continue;
-      if (!given->is_within({place, at(second), at(third)}, error)) return false;
-    }
-    return true;
+  bool is_far(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const {
+    return given != nullptr &&
+           !space::for_each_moved_triangle(mesh, e, places(), place,
+                                           [&](const Point3&, const Point3& second, const Point3& third) {
+                                             return given->is_within({place, second, third}, error);
+                                           });
   }
 };
 
 /// Returns the corners of the triangles of a mesh.
-std::vector<std::array<std::uint32_t, 3>> corners_of(const meshops::Connectivity& mesh) {
-  std::vector<std::array<std::uint32_t, 3>> all;
-  for (const meshops::Face f : meshops::live_faces(mesh)) {
-    auto& corners = all.emplace_back();
-    meshops::Halfedge h = mesh.halfedge_handle(f);
-    for (std::uint32_t& corner : corners) {
-      corner = static_cast<std::uint32_t>(mesh.to_vertex_handle(h).idx());
-      h = mesh.next_halfedge_handle(h);
-    }
-  }
+std::vector<Triangle> triangles_of(const meshops::Connectivity& mesh) {
+  const std::vector<std::uint32_t> corners = meshops::soup_of(mesh).corners;
+  std::vector<Triangle> all;
+  for (std::size_t i = 0; i < corners.size(); i += 3) all.push_back({corners[i], corners[i + 1], corners[i + 2]});
   return all;
 }
 
@@ -71,7 +62,7 @@ double distance_of(const meshops::Connectivity& mesh, const std::vector<Point3>&
   meshops::Steps step(go_on);
   std::vector<space::SurfaceDistance::Corners> triangles;
   double least = 0, greatest = 0;
-  for (const auto& [a, b, c] : corners_of(mesh)) {
+  for (const auto& [a, b, c] : triangles_of(mesh)) {
     auto& corners = triangles.emplace_back(std::array{places[a], places[b], places[c]});
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     least = std::max(least, given.least(corners));
@@ -86,13 +77,14 @@ double distance_of(const meshops::Connectivity& mesh, const std::vector<Point3>&
 
 /// Counts the collapses that are refused.
 struct Refusals : meshops::SimplifyVisitor {
-  explicit Refusals(Decimation& all) : counts(all) {}
+  Refusals(Decimation& all, const CertifiedPolicy& of) : counts(all), policy(of) {}
   void refused(const meshops::Connectivity&, meshops::Edge, const meshops::Blocker& why) {
     ++counts.refused[std::string(meshops::name(why.kind))];
   }
-  void disallowed(const meshops::Connectivity&, meshops::Edge) { ++counts.refused[Decimation::turned]; }
+  void disallowed(const meshops::Connectivity&, meshops::Edge) { ++counts.refused[policy.why]; }
 
   Decimation& counts;
+  const CertifiedPolicy& policy;
 };
 
 void require_finite(const meshops::Connectivity& mesh, const std::vector<Point3>& places) {
@@ -106,7 +98,7 @@ void require_finite(const meshops::Connectivity& mesh, const std::vector<Point3>
 }  // namespace
 
 Decimation decimate(meshops::Connectivity& mesh, std::vector<Point3>& places, const DecimationOptions& options,
-                    const QuadricOptions& quadrics) {
+                    QuadricOptions quadrics) {
   meshops::detail::enforce("decimate", meshops::simplify_blocker(mesh));
   require_finite(mesh, places);
   Decimation counts;
@@ -114,29 +106,25 @@ Decimation decimate(meshops::Connectivity& mesh, std::vector<Point3>& places, co
   counts.left = counts.given;
   meshops::require(!options.error || !std::isnan(*options.error),
                    "decimate: options.error is NaN, expected a distance");
-  if (counts.given <= options.faces) {
-    if (options.error || options.measured) counts.distance = 0;
+  meshops::require(!options.share || (*options.share >= 0 && *options.share <= 1),
+                   "decimate: options.share is outside of the range from 0 to 1, or NaN");
+  const auto of_share = static_cast<std::size_t>(static_cast<double>(counts.given) * options.share.value_or(0));
+  const meshops::SimplifyOptions limits{.faces = std::max(options.faces, of_share), .go_on = options.go_on};
+  const bool is_measured = options.error || options.measured;
+  if (counts.given <= limits.faces) {
+    if (is_measured) counts.distance = 0;
     return counts;
   }
   std::optional<space::SurfaceDistance> beginning;
-  if (options.error || options.measured) beginning.emplace(places, corners_of(mesh), options.go_on);
+  if (is_measured) beginning.emplace(places, triangles_of(mesh), options.go_on);
+  quadrics.no_crossings = quadrics.no_crossings || options.no_crossings;
   CertifiedPolicy policy(mesh, places, quadrics);
-  const meshops::SimplifyOptions limits{.faces = options.faces, .go_on = options.go_on};
-  meshops::SimplifyResult made;
-  if (options.error) {
-    policy.given = &*beginning;
-    policy.error = *options.error;
-    made = meshops::simplify(mesh, policy, limits, Refusals(counts));
-  } else {
-    made = meshops::simplify(mesh, static_cast<QuadricPolicy&>(policy), limits, Refusals(counts));
-  }
+  if (options.error) policy.given = &*beginning;
+  policy.error = options.error.value_or(0);
+  const meshops::SimplifyResult made = meshops::simplify(mesh, policy, limits, Refusals(counts, policy));
   counts.left = made.faces;
   counts.collapses = made.collapses;
   counts.is_exhausted = made.end == meshops::SimplifyEnd::exhausted;
-  if (policy.too_far > 0) {
-    counts.refused[Decimation::too_far] = policy.too_far;
-    if ((counts.refused[Decimation::turned] -= policy.too_far) == 0) counts.refused.erase(Decimation::turned);
-  }
   if (beginning)
     counts.distance =
         std::min(distance_of(mesh, policy.places(), *beginning, options.go_on), options.error.value_or(infinity));

@@ -1,8 +1,9 @@
 // What:   decimates a surface: collapses edges, the least quadric error first, until few triangles are left; for
 //         halfedge meshes see decimate_mesh.h.
 // Law:    components, genus, orientation and Betti numbers stay, and each boundary curve stays one curve; what is
-//         closed stays closed. No triangle turns by a right angle or more in one collapse. Both are decided exactly;
-//         errors are rounded. A function of the points and the surface.
+//         closed stays closed. No triangle turns by a right angle or more in one collapse, and on request none begins
+//         to cross another one. All this is decided exactly; errors are rounded. A function of the points and the
+//         surface.
 // Cost:   n log n for n triangles; microseconds for each collapse.
 // Source: Garland and Heckbert, Surface simplification using quadric error metrics (1997).
 #pragma once
@@ -24,11 +25,14 @@ namespace rbpa {
 
 struct DecimationOptions {
   std::size_t faces = 0;  ///< the run ends as soon as at most this many triangles are left
+  /// The run ends, too, as soon as at most this share of the triangles is left, rounded down.
+  std::optional<double> share = {};
   /// No edge collapses unless it is certified that no point of its triangles is farther than this from a triangle of
   /// the beginning. Absent: no limit.
   std::optional<double> error = {};
-  bool measured = false;  ///< bounds the distance from the triangles of the beginning; implied by `error`
-  GoOn go_on = {};        ///< progress; false ends the run with Cancelled
+  bool measured = false;      ///< bounds the distance from the triangles of the beginning; implied by `error`
+  bool no_crossings = false;  ///< as QuadricOptions::no_crossings
+  GoOn go_on = {};            ///< progress; false ends the run with Cancelled
 };
 
 /// Counts of a run.
@@ -38,16 +42,18 @@ struct Decimation {
   std::size_t collapses = 0;  ///< number of collapsed edges
   bool is_exhausted = false;  ///< whether the run ended because no edge was left that could collapse
   /// The number of refused collapses by reason: the names of meshops::BlockerKind, if the topology would change, and
-  /// `turned` and `too_far`. An edge may be refused several times, as it is tried again after a change near it.
+  /// `turned`, `crossing` and `too_far`. An edge may be refused several times, as it is tried again after a change
+  /// near it.
   std::map<std::string, std::size_t> refused = {};
 
   /// A distance from the triangles of the beginning that no point of the result exceeds, rounding included; at most
   /// 1.05 times the greatest distance, with rare exceptions. Present if `measured`.
   std::optional<double> distance = {};
 
-  /// The keys in `refused` for: a triangle would turn by a right angle or more or lose its area, or is not certified to
-  /// be within `error`.
+  /// The keys in `refused` for: a triangle would turn by a right angle or more or lose its area, would cross another
+  /// one, or is not certified to be within `error`.
   static constexpr const char* turned = "turned triangle";
+  static constexpr const char* crossing = "crossing triangles";
   static constexpr const char* too_far = "too far";
 };
 
@@ -59,9 +65,10 @@ struct DecimatedSurface : Surface {
 
 /// Decimates a surface. Corners are points of the given surface: of each collapsed edge the end with the less error
 /// stays where it is. Triangles keep their levels.
-/// Requires: `surface` is a surface of `points`; its corners are finite; options.error, if present, is not NaN.
-/// Throws:   as surface_mesh(); InvalidInput when a corner is not finite; ContractViolation when the error is NaN;
-///           Cancelled.
+/// Requires: `surface` is a surface of `points`; its corners are finite; options.error, if present, is not NaN;
+///           options.share, if present, is from 0 to 1.
+/// Throws:   as surface_mesh(); InvalidInput when a corner is not finite; ContractViolation when the error is NaN or
+///           the share out of range; Cancelled.
 RBPA_API DecimatedSurface decimate(std::span<const Point3> points, const Surface& surface,
                                    const DecimationOptions& options);
 

@@ -20,6 +20,6 @@ namespace rbpa {
 ///           place for each vertex, with the mesh untouched; Cancelled, with the mesh as after the last collapse and
 ///           `places` untouched; ContractViolation as meshops::simplify().
 RBPA_API Decimation decimate(meshops::Connectivity& mesh, std::vector<Point3>& places, const DecimationOptions& options,
-                             const QuadricOptions& quadrics = {});
+                             QuadricOptions quadrics = {});
 
 }  // namespace rbpa

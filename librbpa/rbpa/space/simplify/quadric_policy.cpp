@@ -11,6 +11,8 @@
 #include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/predicate/normal_sign.h"
 #include "rbpa/space/predicate/vector3.h"
+#include "rbpa/space/simplify/moving/live_triangles.h"
+#include "rbpa/space/simplify/moving/moved_triangles.h"
 
 namespace rbpa {
 namespace {
@@ -132,7 +134,11 @@ QuadricPolicy::QuadricPolicy(const Connectivity& mesh, std::vector<Point3> place
   std::transform(places_.begin(), places_.end(), at.begin(), [&](const Point3& p) { return local(p); });
   const Sums sums{mesh, at, rank_, options_};
   for (const Vertex v : meshops::live_vertices(mesh)) quadrics_[index(v)] = sums.around(v);
+  if (options.no_crossings) triangles_ = std::make_unique<space::LiveTriangles>(mesh, places_);
 }
+
+QuadricPolicy::QuadricPolicy(QuadricPolicy&&) noexcept = default;
+QuadricPolicy::~QuadricPolicy() = default;
 
 Point3 QuadricPolicy::local(const Point3& p) const {
   return {(p.x - center_.x) * scale_, (p.y - center_.y) * scale_, (p.z - center_.z) * scale_};
@@ -170,23 +176,17 @@ double QuadricPolicy::cost(const Connectivity& mesh, Edge e) const { return targ
 
 Point3 QuadricPolicy::place(const Connectivity& mesh, Edge e) const { return target(mesh, e).place; }
 
-bool QuadricPolicy::allows(const Connectivity& mesh, Edge e, const Point3& place) const {
-  const auto [a, b] = ends(mesh, e);
-  return keeps_directions(mesh, a, b, place) && keeps_directions(mesh, b, a, place);
+bool QuadricPolicy::turns(const Connectivity& mesh, Edge e, const Point3& place) const {
+  return !space::for_each_moved_triangle(
+      mesh, e, places_, place, [&](const Point3& old, const Point3& p, const Point3& q) {
+        if (place == p || place == q) return false;
+        const int sign = space::compare_normals(old, p, q, place, p, q);
+        return sign > 0 || (sign == 0 && space::compare_normals(old, p, q, old, p, q) <= 0);
+      });
 }
 
-bool QuadricPolicy::keeps_directions(const Connectivity& mesh, Vertex moved, Vertex other, const Point3& place) const {
-  const Point3& old = places_[index(moved)];
-  if (old == place) return true;
-  for (const Halfedge out : mesh.voh_range(moved)) {
-    const Vertex second = mesh.to_vertex_handle(out), third = mesh.to_vertex_handle(mesh.next_halfedge_handle(out));
-    if (mesh.is_boundary(out) || second == other || third == other) continue;
-    const Point3 &p = places_[index(second)], &q = places_[index(third)];
-    if (place == p || place == q) return false;
-    const int sign = space::compare_normals(old, p, q, place, p, q);
-    if (sign < 0 || (sign == 0 && space::compare_normals(old, p, q, old, p, q) > 0)) return false;
-  }
-  return true;
+bool QuadricPolicy::crosses(const Connectivity& mesh, Edge e, const Point3& place) const {
+  return triangles_ && triangles_->would_cross(mesh, e, places_, place);
 }
 
 Vertex QuadricPolicy::survivor(const Connectivity& mesh, Edge e, const Point3& place) const {
@@ -194,9 +194,10 @@ Vertex QuadricPolicy::survivor(const Connectivity& mesh, Edge e, const Point3& p
   return places_[index(b)] == place && places_[index(a)] != place ? b : a;
 }
 
-void QuadricPolicy::merge(const Connectivity&, const meshops::WeldEffect& effect, const Point3& place) {
+void QuadricPolicy::merge(const Connectivity& mesh, const meshops::WeldEffect& effect, const Point3& place) {
   quadrics_[index(effect.survivor)] += quadrics_[index(effect.removed.vertex)];
   places_[index(effect.survivor)] = place;
+  if (triangles_) triangles_->update(mesh, effect, places_);
 }
 
 }  // namespace rbpa

@@ -1,13 +1,14 @@
 // What:   simplifies a triangle mesh in space by quadric errors: fewer triangles, near the old ones.
 // Law:    topology as meshops::simplify() keeps it. No triangle turns by a right angle or more in one collapse, decided
-//         exactly on the points that the mesh gets. The result does not depend on the numbers of vertices and faces, if
-//         no two vertices lie on one point.
+//         exactly on the points that the mesh gets; nor, on request, does any begin to cross another one. The result
+//         does not depend on the numbers of vertices and faces, if no two vertices lie on one point.
 // Cost:   that of meshops::simplify(), with some hundred operations for each cost, and microseconds for each collapse.
 // Source: Garland and Heckbert (1997); Trettner and Kobbelt (2020): see quadric.h.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -21,6 +22,10 @@
 #include "rbpa/space/surface/surface_mesh.h"
 
 namespace rbpa {
+
+namespace space {
+class LiveTriangles;
+}
 
 struct QuadricOptions {
   /// Weight of the planes that stand on boundary edges, as a multiple of the squared length of the edge; triangles
@@ -38,6 +43,9 @@ struct QuadricOptions {
   bool at_ends = false;
   /// Whether places are rounded to float, as for a mesh with such points.
   bool single_precision = false;
+  /// Forbids collapses by which a triangle would cross another one, or touch it elsewhere than in common corners and
+  /// sides, as crossing_triangles() finds them. An edge forbidden for this is tried again after a change near it.
+  bool no_crossings = false;
 };
 
 /// Policy of meshops::simplify() that keeps a place and a quadric for each vertex.
@@ -46,8 +54,10 @@ class RBPA_API QuadricPolicy {
   /// Computes the quadrics of a mesh of triangles.
   /// Requires: a sound mesh; `places` has a finite position for each vertex, by index; no option is negative.
   /// Throws:   ContractViolation unless there is one place for each vertex. A place that is not finite makes a cost
-  ///           that simplify() refuses. Cost: n log n.
+  ///           that simplify() refuses; with `no_crossings` it is refused here. Cost: n log n.
   QuadricPolicy(const meshops::Connectivity& mesh, std::vector<Point3> places, const QuadricOptions& options = {});
+  QuadricPolicy(QuadricPolicy&&) noexcept;
+  ~QuadricPolicy();
 
   /// Returns the error at the place of the edge: the sum over the triangles that went into its ends, up to three times
   /// each, of area · distance², and the terms of boundary and sharp edges and of `normal_deviation`. Lengths are
@@ -55,9 +65,15 @@ class RBPA_API QuadricPolicy {
   double cost(const meshops::Connectivity& mesh, meshops::Edge e) const;
   /// Returns the place to which the edge collapses, as `at_ends` says.
   Point3 place(const meshops::Connectivity& mesh, meshops::Edge e) const;
-  /// Returns whether no triangle at the ends of the edge turns by a right angle or more, loses its area, or gets two
+  /// Returns whether the collapse of the edge neither turns() a triangle nor crosses() one.
+  bool allows(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const {
+    return !turns(mesh, e, place) && !crosses(mesh, e, place);
+  }
+  /// Returns whether a triangle at the ends of the edge turns by a right angle or more, loses its area, or gets two
   /// corners at one place.
-  bool allows(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const;
+  bool turns(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const;
+  /// Returns whether a triangle at the ends of the edge would cross another one; false without `no_crossings`.
+  bool crosses(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const;
   /// Returns the rank of the vertex among all, by the points of the beginning; vertices on one point have one rank.
   std::uint32_t key(const meshops::Connectivity&, meshops::Vertex v) const { return rank_[index(v)]; }
   /// Returns the end of the edge that lies at the place, else the end of the lesser key.
@@ -82,8 +98,6 @@ class RBPA_API QuadricPolicy {
   static std::size_t index(meshops::Vertex v) { return static_cast<std::size_t>(v.idx()); }
   std::pair<meshops::Vertex, meshops::Vertex> ends(const meshops::Connectivity& mesh, meshops::Edge e) const;
   Target target(const meshops::Connectivity& mesh, meshops::Edge e) const;
-  bool keeps_directions(const meshops::Connectivity& mesh, meshops::Vertex moved, meshops::Vertex other,
-                        const Point3& place) const;
   Point3 local(const Point3& p) const;
   Point3 unscaled(const Point3& local) const;
 
@@ -91,6 +105,7 @@ class RBPA_API QuadricPolicy {
   std::vector<Point3> places_;
   std::vector<Quadric> quadrics_;
   std::vector<std::uint32_t> rank_;
+  std::unique_ptr<space::LiveTriangles> triangles_;  // with `no_crossings` only
   Point3 center_;
   double scale_ = 1;
 };
