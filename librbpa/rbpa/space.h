@@ -28,6 +28,7 @@
 #include "rbpa/space/repair/watertight.h"
 #include "rbpa/space/simplify/decimate.h"
 #include "rbpa/space/simplify/decimate_mesh.h"
+#include "rbpa/space/simplify/progressive_mesh.h"
 #include "rbpa/space/simplify/quadric.h"
 #include "rbpa/space/simplify/quadric_policy.h"
 #include "rbpa/space/solid/periodic_solid.h"

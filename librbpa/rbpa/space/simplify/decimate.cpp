@@ -28,6 +28,7 @@ struct CertifiedPolicy : QuadricPolicy {
   using QuadricPolicy::QuadricPolicy;
   const space::SurfaceDistance* given = nullptr;  // absent: no limit
   double error = 0;
+  std::vector<RecordedCollapse>* record = nullptr;
   const char* why = nullptr;  // the key in Decimation::refused of what was forbidden last
 
   bool allows(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) {
@@ -36,6 +37,11 @@ struct CertifiedPolicy : QuadricPolicy {
           : is_far(mesh, e, place)  ? Decimation::too_far
                                     : nullptr;
     return why == nullptr;
+  }
+  void merge(const meshops::Connectivity& mesh, const meshops::WeldEffect& effect, const Point3& place) {
+    if (record != nullptr)
+      record->push_back({effect, places()[static_cast<std::size_t>(effect.survivor.idx())], place});
+    QuadricPolicy::merge(mesh, effect, place);
   }
 
  private:
@@ -98,7 +104,7 @@ void require_finite(const meshops::Connectivity& mesh, const std::vector<Point3>
 }  // namespace
 
 Decimation decimate(meshops::Connectivity& mesh, std::vector<Point3>& places, const DecimationOptions& options,
-                    QuadricOptions quadrics) {
+                    QuadricOptions quadrics, std::vector<RecordedCollapse>* record) {
   meshops::detail::enforce("decimate", meshops::simplify_blocker(mesh));
   require_finite(mesh, places);
   Decimation counts;
@@ -121,6 +127,7 @@ Decimation decimate(meshops::Connectivity& mesh, std::vector<Point3>& places, co
   CertifiedPolicy policy(mesh, places, quadrics);
   if (options.error) policy.given = &*beginning;
   policy.error = options.error.value_or(0);
+  policy.record = record;
   const meshops::SimplifyResult made = meshops::simplify(mesh, policy, limits, Refusals(counts, policy));
   counts.left = made.faces;
   counts.collapses = made.collapses;
