@@ -13,11 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include "hollow_balls.h"
 #include "meshops/core/contract.h"
 #include "rbpa/space/balls/full_topology.h"
 #include "rbpa/space/balls/measure_balls.h"
 #include "rbpa/space/solid/solid_radii.h"
+#include "space/balls/hollow_balls.h"
 #include "support/solid_sets.h"
 
 using namespace rbpa_test;

@@ -8,13 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "hollow_balls.h"
 #include "rbpa/space/balls/full/faces_within.h"
 #include "rbpa/space/balls/full/far_points.h"
 #include "rbpa/space/balls/full/outside_of_balls.h"
 #include "rbpa/space/balls/measure_balls.h"
 #include "rbpa/space/predicate/orthosphere.h"
 #include "rbpa/space/predicate/vector3.h"
+#include "space/balls/hollow_balls.h"
 
 using namespace rbpa_test;
 using std::numbers::pi;
