@@ -1,5 +1,5 @@
 // What: exports the shape as GeoJSON and the view as SVG.
-// Law:  GeoJSON has the coordinates of the input, to the last bit.
+// Law:  GeoJSON has the coordinates of the input, to the last bit, except where it is cut at longitude 180.
 "use strict";
 
 /** Returns the shortest text that reads back to the number, with the sign of zero. */
@@ -8,15 +8,20 @@ function textOf(number) {
   return Object.is(number, -0) ? "-0" : String(number);
 }
 
-/** Returns a FeatureCollection with a Feature for each polygon, as `rbpa shape` writes it. */
-function geojsonOf(polygons, points) {
-  const at = (p) => `[${textOf(points[2 * p])},${textOf(points[2 * p + 1])}]`;
-  const ringText = (ring) => `[${[...ring, ring[0]].map(at).join(",")}]`;
-  const features = polygons.map(
-    ({ shell, holes, area, perimeter }) =>
+/** Returns a FeatureCollection with a Feature for each polygon of the first `count` triangles, as `rbpa shape` writes
+ *  it. With `cuts`, points are longitudes and latitudes, and polygons are cut at longitude 180. */
+function geojsonOf(complex, count, cuts) {
+  const split = splitterOf(complex, count, cuts);
+  const positionText = ([x, y]) => `[${textOf(x)},${textOf(y)}]`;
+  const partText = (rings) => `[${rings.map((ring) => `[${[...ring, ring[0]].map(positionText).join(",")}]`).join(",")}]`;
+  const features = polygonsAt(complex, count).map((polygon) => {
+    const parts = split(polygon).map(partText);
+    const { holes, area, perimeter } = polygon;
+    return (
       `{"type":"Feature","properties":{"area":${textOf(area)},"perimeter":${textOf(perimeter)},"holes":${holes.length}},` +
-      `"geometry":{"type":"Polygon","coordinates":[${[shell, ...holes].map(ringText).join(",")}]}}`,
-  );
+      `"geometry":{"type":"${parts.length > 1 ? "MultiPolygon" : "Polygon"}","coordinates":${parts.length > 1 ? `[${parts.join(",")}]` : parts[0]}}}`
+    );
+  });
   return `{"type":"FeatureCollection","features":[${features.map((text) => "\n" + text).join(",")}\n]}\n`;
 }
 

@@ -86,7 +86,8 @@ function polygonOf(points, rings) {
   return { shell: sorted[shell], holes, area: sum(ringArea), perimeter: sum(ringLength) };
 }
 
-/** Returns the polygons of the first `count` triangles. Rings are point numbers. */
+/** Returns the polygons of the first `count` triangles, each with the number of its solid component. Rings are point
+ *  numbers. */
 function polygonsAt(complex, count) {
   const { label, components } = complex.solidComponents(count);
   const rings = Array.from({ length: components }, () => []);
@@ -103,5 +104,5 @@ function polygonsAt(complex, count) {
     } while (side !== first);
     splitIntoRings(curve, place, rings[label[triangleOf(first)]]);
   }
-  return rings.map((of) => polygonOf(complex.data.points, of)).sort((a, b) => byFirstPoints(a.shell, b.shell));
+  return rings.map((of, component) => ({ ...polygonOf(complex.data.points, of), component })).sort((a, b) => byFirstPoints(a.shell, b.shell));
 }

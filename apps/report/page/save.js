@@ -2,7 +2,9 @@
 "use strict";
 
 function shapeAsGeojson({ complex, step }) {
-  return geojsonOf(polygonsAt(complex, complex.countAt(step)), complex.data.points);
+  const { points, facts } = complex.data;
+  const greatest = points.reduce((most, x, i) => (i % 2 === 0 ? Math.max(most, Math.abs(x)) : most), 0);
+  return geojsonOf(complex, complex.countAt(step), facts.unit === "degree" && greatest > 180 && greatest <= 360);
 }
 
 function viewAsSvg(page) {

@@ -89,7 +89,7 @@ for (const [name, complex] of Object.entries(complexes)) {
         ["components", "components"], ["holes", "holes"], ["covered", "covered"]])
         assert.equal(numbers[ours], critical[step][theirs]);
       const shape = JSON.parse(run("shape", sets[name], "--alpha", String(alpha), "-o", "-", "--output-format", "geojson", "-q"));
-      const mine = JSON.parse(page.geojsonOf(page.polygonsAt(complex, complex.countAt(step)), complex.data.points));
+      const mine = JSON.parse(page.geojsonOf(complex, complex.countAt(step), false));
       assert.equal(mine.features.length, numbers.solidComponents);
       assert.equal(mine.features.length, shape.features.length);
       shape.features.forEach((feature, i) => {
@@ -230,6 +230,31 @@ test("a view of the shape leaves out what is far off, and everything is a view a
   view.fit(complex.cornersAt(-1)); // no triangle: all
   assert(view.scale < 1e-5 * scale);
   assert.equal(seen(), 7);
+});
+
+test("GeoJSON is cut at longitude 180 as that of rbpa shape", () => {
+  const longitudes = [(x) => x, (x) => (x < 0 ? x + 360 : x), (x) => (x > 0 ? x - 360 : x)];
+  const ring = Array.from({ length: 400 }, () => [2 * Math.PI * next(), 0.6 + 0.4 * next()]);
+  const around = ring.map(([turn, r]) => [180 + 9.7 * r * Math.cos(turn), 7 * r * Math.sin(turn)]);
+  const grid = Array.from({ length: 90 }, (_, i) => [175 + (i % 10), Math.floor(i / 10)]); // with points on the line
+  const far = Array.from({ length: 30 }, () => [100 + next(), next()]);
+  for (const [name, points] of [["around", around], ["grid", grid], ["all", [...around, ...far]]])
+    for (const shown of longitudes) {
+      const path = join(folder, `${name}.csv`);
+      const within = (x) => (x > 180 ? x - 360 : x);
+      writeFileSync(path, ["lon,lat", ...points.map(([x, y]) => `${shown(within(x))},${y}`)].join("\n") + "\n");
+      const complex = complexOf(path);
+      const cuts = complex.data.points.some((x, i) => i % 2 === 0 && Math.abs(x) > 180);
+      for (const step of stepsOf(complex, 4)) {
+        const alpha = String(complex.numbersAt(step).alpha).replace("Infinity", "inf");
+        const wanted = JSON.parse(run("shape", path, "--alpha", alpha, "-o", "-", "--output-format", "geojson", "-q"));
+        const found = JSON.parse(page.geojsonOf(complex, complex.countAt(step), cuts));
+        const parts = ({ geometry }) =>
+          (geometry.type === "Polygon" ? [geometry.coordinates] : geometry.coordinates).map(([shell, ...holes]) => JSON.stringify([shell, ...holes.sort()])).sort();
+        assert.deepEqual(found.features.map(parts), wanted.features.map(parts));
+        if (cuts) for (const [, x] of JSON.stringify(found).matchAll(/\[(-?[\d.e-]+),/g)) assert(Math.abs(x) <= 180);
+      }
+    }
 });
 
 test("orientation is exact", () => {
