@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <functional>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <queue>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -122,19 +126,28 @@ class DualCycles {
 class Z2Span {
  public:
   /// Adds the row unless it is a sum of earlier rows. Returns: whether it was added.
-  bool add(Bits row) {
-    for (const auto& [lead, known] : rows_)
-      if ((row[lead / 64] >> lead % 64 & 1) != 0)
-        for (std::size_t w = 0; w < row.size(); ++w) row[w] ^= known[w];
-    for (std::size_t bit = 0; bit < 64 * row.size(); ++bit)
-      if ((row[bit / 64] >> bit % 64 & 1) != 0) {
-        rows_.emplace_back(bit, std::move(row));
-        return true;
-      }
-    return false;
+  bool add(Bits row, Steps& step) {
+    const auto lead = reduce(row, rows_.size(), step);
+    if (lead) rows_.emplace_back(*lead, std::move(row));
+    return lead.has_value();
   }
+  /// Returns whether the row is a sum of the first `count` rows.
+  bool contains(Bits row, std::size_t count, Steps& step) const { return !reduce(row, count, step); }
 
  private:
+  /// Subtracts the first `count` rows where their leading bits are set. Returns the first bit that is left, if any.
+  std::optional<std::size_t> reduce(Bits& row, std::size_t count, Steps& step) const {
+    step(1 + count * row.size() / 64);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& [lead, known] = rows_[i];
+      if ((row[lead / 64] >> lead % 64 & 1) == 0) continue;
+      for (std::size_t w = 0; w < row.size(); ++w) row[w] ^= known[w];
+    }
+    for (std::size_t w = 0; w < row.size(); ++w)
+      if (row[w] != 0) return 64 * w + static_cast<std::size_t>(std::countr_zero(row[w]));
+    return std::nullopt;
+  }
+
   std::vector<std::pair<std::size_t, Bits>> rows_;
 };
 
@@ -151,14 +164,30 @@ struct Candidate {
   }
 };
 
-/// Returns the candidates that are independent of those before them. Requires: `candidates` ascends.
-std::vector<Candidate> independent(std::vector<Candidate> candidates) {
-  Z2Span span;
-  std::vector<Candidate> chosen;
-  for (Candidate& candidate : candidates)
-    if (span.add(candidate.bits)) chosen.push_back(std::move(candidate));
-  return chosen;
-}
+/// The shortest loops of those seen so far, ascending, each independent of those before it.
+struct Basis {
+  std::vector<Candidate> loops;
+  Z2Span span;  // of the loops, in their order
+
+  /// Returns whether the candidate is a sum of loops before it, so that it is of no use.
+  bool spans(const Candidate& candidate, Steps& step) const {
+    const auto behind = std::upper_bound(loops.begin(), loops.end(), candidate,
+                                         [](const Candidate& a, const Candidate& b) { return a.is_before(b); });
+    return span.contains(candidate.bits, static_cast<std::size_t>(behind - loops.begin()), step);
+  }
+  /// Adds candidates, and removes loops that become a sum of those before them. Requires: `more` ascends.
+  void add(std::vector<Candidate> more, Steps& step) {
+    if (more.empty()) return;
+    std::vector<Candidate> all;
+    std::merge(std::make_move_iterator(loops.begin()), std::make_move_iterator(loops.end()),
+               std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()), std::back_inserter(all),
+               [](const Candidate& a, const Candidate& b) { return a.is_before(b); });
+    loops.clear();
+    span = {};
+    for (Candidate& candidate : all)
+      if (span.add(candidate.bits, step)) loops.push_back(std::move(candidate));
+  }
+};
 
 /// Searches shortest paths from one root after the other, as far as a loop may still be shorter than the known ones.
 class LoopSearch {
@@ -174,8 +203,8 @@ class LoopSearch {
 
   std::size_t loops() const { return signature_.loops; }
 
-  /// Returns the shortest independent loops from and to the root that are shorter than `limit`.
-  std::vector<Candidate> from(Vertex root, double limit) {
+  /// Adds to `known` the shortest independent loops from and to the root that are shorter than `limit`.
+  void add_from(Vertex root, double limit, Basis& known) {
     grow(root, limit);
     std::vector<Candidate> candidates;
     for (const Vertex v : settled_)
@@ -195,10 +224,17 @@ class LoopSearch {
       step_();
       return a.is_before(b);
     });
-    std::vector<Candidate> chosen = independent(std::move(candidates));
-    for (Candidate& candidate : chosen) candidate.loop = loop_of(mesh_.halfedge_handle(candidate.edge, 0));
+    // Most loops are homologous to a shorter one from the same root, or sums of known loops.
+    std::set<Bits> seen;
+    Z2Span found;
+    std::vector<Candidate> chosen;
+    for (Candidate& candidate : candidates)
+      if (seen.insert(candidate.bits).second && !known.spans(candidate, step_) && found.add(candidate.bits, step_)) {
+        candidate.loop = loop_of(mesh_.halfedge_handle(candidate.edge, 0));
+        chosen.push_back(std::move(candidate));
+      }
+    known.add(std::move(chosen), step_);
     forget();
-    return chosen;
   }
 
  private:
@@ -332,21 +368,15 @@ std::vector<Loop> shortest_homology_loops(const Connectivity& mesh, std::span<co
   // The search from the first root of a component finds a basis of all its loops. The search from each later root may
   // replace loops by shorter ones; loops that are not shorter than all known ones are of no use. With a finite limit
   // the known loops may be no basis, and then say nothing about longer loops.
-  std::vector<std::vector<Candidate>> best(mesh.n_vertices());  // by the least vertex of the component
+  std::vector<Basis> best(mesh.n_vertices());  // by the least vertex of the component
   for (const Vertex root : ends_of(mesh, known.cut_graph)) {
-    std::vector<Candidate>& chosen = best[component.find(number(root))];
-    const bool is_basis = below == std::numeric_limits<double>::infinity() && !chosen.empty();
-    std::vector<Candidate> more = search.from(root, is_basis ? chosen.back().length : below);
-    if (more.empty()) continue;
-    std::vector<Candidate> all;
-    std::merge(std::make_move_iterator(chosen.begin()), std::make_move_iterator(chosen.end()),
-               std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()), std::back_inserter(all),
-               [](const Candidate& a, const Candidate& b) { return a.is_before(b); });
-    chosen = independent(std::move(all));
+    Basis& basis = best[component.find(number(root))];
+    const bool is_basis = below == std::numeric_limits<double>::infinity() && !basis.loops.empty();
+    search.add_from(root, is_basis ? basis.loops.back().length : below, basis);
   }
   std::vector<Candidate> all;
-  for (std::vector<Candidate>& chosen : best)
-    all.insert(all.end(), std::make_move_iterator(chosen.begin()), std::make_move_iterator(chosen.end()));
+  for (Basis& basis : best)
+    all.insert(all.end(), std::make_move_iterator(basis.loops.begin()), std::make_move_iterator(basis.loops.end()));
   std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.is_before(b); });
   std::vector<Loop> loops;
   for (Candidate& candidate : all) loops.push_back(std::move(candidate.loop));
