@@ -58,11 +58,12 @@ class Closing {
           return !options.progress || options.progress({made_, points_.size()});
         }),
         work_(most_pairs(triangles.size()), go_on_),
-        loops_(space::simple_loops(points, loops)),
+        loops_(space::simple_loops(points, loops, work_.steps())),
         around_(points, triangles, loops_, work_.steps()),
         vertices_(points.size()),
         threads_(loops_.size() < 2 ? 1 : options.threads) {
     for (const SimpleLoop& loop : loops_) {
+      work_.steps()(loop.corners.size());
       std::vector<Point3> corners, across;
       for (const space::LoopCorner& corner : loop.corners) {
         corners.push_back(points[corner.in]);

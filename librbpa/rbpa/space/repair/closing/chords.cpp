@@ -1,10 +1,12 @@
 #include "rbpa/space/repair/closing/chords.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 
 #include "rbpa/base/run/steps.h"
+#include "rbpa/space/cells/box_tree.h"
 
 namespace rbpa::space {
 namespace {
@@ -13,19 +15,35 @@ constexpr std::size_t all_up_to = 256;  // corners; up to this number all chords
 constexpr std::size_t nearest = 24, along = 8;
 
 /// Adds the chords of one level: from each of `corners` to the 24 nearest of them, and to the next 8 along the rim.
+/// Requires: more than 24 corners.
 void add_level(const Rim& rim, std::span<const std::uint32_t> corners, std::vector<Chord>& chords,
                meshops::Steps& step) {
-  std::vector<std::pair<double, std::uint32_t>> others;
+  std::vector<Box> boxes(corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    step(corners.size() / 8 + 1);
-    others.clear();
-    for (const std::uint32_t other : corners) {
-      const Vector d = rim.places[other] - rim.places[corners[i]];
-      if (other != corners[i]) others.emplace_back(dot(d, d), other);
+    const Vector& at = rim.places[corners[i]];
+    boxes[i].include(Point3{at.x, at.y, at.z});
+  }
+  const BoxTree tree(boxes, step);
+  std::vector<std::pair<double, std::uint32_t>> others;
+  double reach = 1;  // for the first corner all; for each other one a bit more than the corner before needed
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto is_within = [&](const auto& other) { return other.first <= reach * reach; };
+    // The box is a bit wider than the reach, so that rounding leaves out no corner within it.
+    for (bool enough = false; !enough; reach *= enough ? 1 : 2) {
+      others.clear();
+      const double wide = reach * (1 + 0x1p-30);
+      const auto [x, y, z] = boxes[i].low;
+      tree.for_each_meeting({{x - wide, y - wide, z - wide}, {x + wide, y + wide, z + wide}}, [&](std::uint32_t k) {
+        step();
+        const Vector d = rim.places[corners[k]] - rim.places[corners[i]];
+        if (k != i) others.emplace_back(dot(d, d), corners[k]);
+      });
+      enough = static_cast<std::size_t>(std::count_if(others.begin(), others.end(), is_within)) >= nearest;
     }
-    const std::size_t count = std::min(nearest, others.size());
-    std::nth_element(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(count) - 1, others.end());
-    others.resize(count);
+    std::nth_element(others.begin(), others.begin() + nearest - 1, others.end());
+    others.resize(nearest);
+    constexpr double least = 0x1p-60;  // so that its square does not underflow
+    reach = std::max(1.25 * std::sqrt(others.back().first), least);
     for (std::size_t ahead = 1; ahead <= std::min(along, corners.size() - 1); ++ahead)
       others.emplace_back(0, corners[(i + ahead) % corners.size()]);
     for (const auto& [square, other] : others) chords.push_back(std::minmax(corners[i], other));

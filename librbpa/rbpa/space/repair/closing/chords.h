@@ -2,7 +2,7 @@
 // Why:  there are n²/2 chords, and n³/6 triangles on them. For a long rim the nearest chords suffice, on each of
 //       several levels: every second corner, every fourth and so on, so that wide parts get long chords.
 // Law:  a function of the places of the corners and of the corner at which the rim begins.
-// Cost: n² to find the nearest chords; some tens of chords a corner.
+// Cost: n log n unless the spacing of corners varies much along the rim, n² at most; some tens of chords a corner.
 #pragma once
 
 #include <cstddef>

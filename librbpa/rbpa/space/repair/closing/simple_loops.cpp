@@ -8,11 +8,13 @@ namespace rbpa::space {
 namespace {
 
 /// Returns the corner from which the sequence of the loop's points is lexicographically least.
-std::size_t canonical_start(std::span<const Point3> points, const std::vector<std::uint32_t>& loop) {
+std::size_t canonical_start(std::span<const Point3> points, const std::vector<std::uint32_t>& loop,
+                            meshops::Steps& step) {
   const auto at = [&](std::size_t i) -> const Point3& { return points[loop[i % loop.size()]]; };
   std::size_t best = 0;
   for (std::size_t start = 1; start < loop.size(); ++start)
     for (std::size_t k = 0; k < loop.size(); ++k) {
+      step();
       if (at(start + k) == at(best + k)) continue;
       if (at(start + k) < at(best + k)) best = start;
       break;
@@ -22,15 +24,16 @@ std::size_t canonical_start(std::span<const Point3> points, const std::vector<st
 
 }  // namespace
 
-std::vector<SimpleLoop> simple_loops(std::span<const Point3> points,
-                                     std::span<const std::vector<std::uint32_t>> loops) {
+std::vector<SimpleLoop> simple_loops(std::span<const Point3> points, std::span<const std::vector<std::uint32_t>> loops,
+                                     meshops::Steps& step) {
   std::vector<SimpleLoop> result;
   for (std::uint32_t l = 0; l < loops.size(); ++l) {
     const std::vector<std::uint32_t>& loop = loops[l];
-    const std::size_t start = canonical_start(points, loop);
+    const std::size_t start = canonical_start(points, loop, step);
     std::vector<LoopCorner> open;
     std::map<Point3, std::size_t> place;  // for each point: its position in `open`
     for (std::size_t k = 0; k < loop.size(); ++k) {
+      step(4);
       const auto edge = static_cast<std::uint32_t>((start + k) % loop.size());
       const std::uint32_t vertex = loop[edge];
       const auto [found, is_new] = place.try_emplace(points[vertex], open.size());
@@ -52,6 +55,7 @@ std::vector<SimpleLoop> simple_loops(std::span<const Point3> points,
   }
   const auto is_before = [&](const LoopCorner& c, const LoopCorner& d) { return points[c.in] < points[d.in]; };
   std::stable_sort(result.begin(), result.end(), [&](const SimpleLoop& p, const SimpleLoop& q) {
+    step();
     if (p.corners.size() != q.corners.size()) return p.corners.size() < q.corners.size();
     return std::lexicographical_compare(p.corners.begin(), p.corners.end(), q.corners.begin(), q.corners.end(),
                                         is_before);

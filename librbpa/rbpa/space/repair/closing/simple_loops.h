@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "meshops/core/progress.h"
 #include "rbpa/base/point3.h"
 
 namespace rbpa::space {
@@ -24,7 +25,8 @@ struct SimpleLoop {
 };
 
 /// Cuts each loop at points that it visits again: the part in between becomes a loop of its own, perhaps of two
-/// corners. Returns the simple loops, sorted by number of corners, then by their points.
-std::vector<SimpleLoop> simple_loops(std::span<const Point3> points, std::span<const std::vector<std::uint32_t>> loops);
+/// corners. Returns the simple loops, sorted by number of corners, then by their points. Throws: Cancelled.
+std::vector<SimpleLoop> simple_loops(std::span<const Point3> points, std::span<const std::vector<std::uint32_t>> loops,
+                                     meshops::Steps& step);
 
 }  // namespace rbpa::space
