@@ -1,7 +1,10 @@
 // What: stops a run between two steps after Ctrl-C (SIGINT), SIGTERM or SIGHUP, so that the run can clean up.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+
+#include "rbpa/base/progress.h"
 
 namespace rbpa::app {
 
@@ -31,5 +34,19 @@ std::function<bool()> until_interrupted();
 
 /// Throws Cancelled if interrupted(). Cost: two loads without an Interruption.
 void stop_if_interrupted();
+
+/// Counter of the steps of loops, as meshops::Steps: throws Cancelled if interrupted() after 16384 more steps.
+class InterruptibleSteps {
+ public:
+  InterruptibleSteps() = default;
+  InterruptibleSteps(const InterruptibleSteps&) = delete;
+  InterruptibleSteps& operator=(const InterruptibleSteps&) = delete;
+
+  void operator()(std::size_t steps = 1) { steps_(steps); }
+
+ private:
+  GoOn go_on_ = until_interrupted();
+  meshops::Steps steps_{go_on_};
+};
 
 }  // namespace rbpa::app

@@ -38,8 +38,9 @@ ParsedNumber parse_whole_number(std::string_view text) {
 
 ParsedNumber parse_written_number(std::string_view text) {
   constexpr std::string_view minus = "\xE2\x88\x92";
+  constexpr std::size_t longest = 4096;  // characters of a number with such signs
   const ParsedNumber number = parse_whole_number(text);
-  if (number.fault != NumberFault::not_a_number) return number;
+  if (number.fault != NumberFault::not_a_number || text.size() > longest) return number;
   std::string ascii;
   for (std::size_t at = 0; at < text.size(); ++at) {
     const bool is_minus = text.substr(at, minus.size()) == minus;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <functional>
 
 #include "io/interrupt.h"
@@ -12,9 +11,9 @@ namespace rbpa::app {
 /// Sorts `values`. Throws Cancelled after a signal; then the values are in any order.
 template <typename Values, typename Less = std::less<>>
 void sort(Values& values, Less less = {}) {
-  std::size_t compared = 0;
+  InterruptibleSteps step;
   std::sort(values.begin(), values.end(), [&](const auto& a, const auto& b) {
-    if (++compared % 65536 == 0) stop_if_interrupted();
+    step();
     return less(a, b);
   });
 }

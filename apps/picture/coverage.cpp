@@ -23,6 +23,7 @@ void AreaCoverage::add_piece(const Pixel& from, const Pixel& to) {
   const double y_end = std::min(bottom.y, static_cast<double>(height_));
   double x = x_at(y);
   while (y < y_end) {
+    step_();
     const double row = std::floor(y);
     const double y_next = std::min(row + 1, y_end);
     const double x_next = y_next == bottom.y ? std::clamp(bottom.x, 0.0, last_x) : x_at(y_next);
@@ -48,6 +49,7 @@ void AreaCoverage::add_row(float* row, double rise, double x_from, double x_to) 
   const double per_pixel = rise / (right - left);
   const double in_first = static_cast<double>(first) + 1 - left, in_last = right - static_cast<double>(last);
   double total = 0, before = 0;
+  step_((last - first) / 8);
   for (std::size_t i = first; i <= last; ++i) {
     double area = 0;  // covered area of pixel i
     if (i == first) {
@@ -68,6 +70,7 @@ std::vector<float> AreaCoverage::take() {
   std::vector<float> covered(width_ * height_);
   for (std::size_t y = 0; y < height_; ++y) {
     double sum = 0;
+    step_(width_);
     for (std::size_t x = 0; x < width_; ++x) {
       sum += static_cast<double>(change_[y * stride_ + x]);
       covered[y * width_ + x] = static_cast<float>(std::min(std::abs(sum), 1.0));
@@ -97,7 +100,9 @@ void LineCoverage::add_line(const Pixel& from, const Pixel& to, double line_widt
     }
     const double xa = from.x + t0 * dx, xb = from.x + t1 * dx;
     const int x_end = inside(std::ceil(std::max(xa, xb) + reach), width_);
-    for (int x = inside(std::floor(std::min(xa, xb) - reach), width_); x < x_end; ++x) {
+    const int x_begin = inside(std::floor(std::min(xa, xb) - reach), width_);
+    step_(1 + static_cast<std::size_t>(std::max(x_end - x_begin, 0)) / 4);
+    for (int x = x_begin; x < x_end; ++x) {
       const double px = x + 0.5 - from.x, py = row - from.y;
       const double t = length2 > 0 ? std::clamp((px * dx + py * dy) / length2, 0.0, 1.0) : 0;
       const double qx = px - t * dx, qy = py - t * dy, distance2 = qx * qx + qy * qy;

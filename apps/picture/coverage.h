@@ -1,12 +1,14 @@
 // What: computes how much of each pixel a shape covers, from 0 to 1.
 // How:  areas are exact for each pixel (signed trapezoids, summed along rows), so that shapes with a common edge leave
-//       no seam; a pixel of several lines has the largest of their coverages, so that crossings are not darker.
+//       no seam; a pixel of several lines has the largest of their coverages, so that crossings are not darker. Rows
+//       and pixels are steps: a few lines may cross a large canvas. All throw Cancelled after a signal.
 // Cost: linear in the pixels that the outlines touch, and one pass over the canvas.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
+#include "io/interrupt.h"
 #include "picture/scene.h"
 
 namespace rbpa::app {
@@ -27,6 +29,7 @@ class AreaCoverage {
   std::size_t height_;
   std::size_t stride_;
   std::vector<float> change_;
+  InterruptibleSteps step_;
 };
 
 /// The coverage of round-ended lines and dots. A line of width w < 1 pixel is drawn one pixel wide, with coverage of at
@@ -42,6 +45,7 @@ class LineCoverage {
   int width_;
   int height_;
   std::vector<float> covered_;
+  InterruptibleSteps step_;
 };
 
 }  // namespace rbpa::app

@@ -3,10 +3,16 @@
 #include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
+#include <csetjmp>
+#include <cstdio>
+#include <exception>
+#include <new>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/failure.h"
@@ -22,14 +28,15 @@ class Canvas {
   explicit Canvas(const Scene& scene)
       : bytes_(3 * static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height)) {
     for (std::size_t i = 0; i < bytes_.size(); i += 3) {
+      step_();
       bytes_[i] = background_color.red;
       bytes_[i + 1] = background_color.green;
       bytes_[i + 2] = background_color.blue;
     }
   }
   void paint(const std::vector<float>& coverage, const Color& color, float opacity = 1) {
-    stop_if_interrupted();
     for (std::size_t i = 0; i < coverage.size(); ++i) {
+      step_();
       if (coverage[i] <= 0) continue;
       const float share = opacity * std::min(coverage[i], 1.0F);  // outlines of groups may overlap
       mix(bytes_[3 * i], color.red, share);
@@ -37,7 +44,7 @@ class Canvas {
       mix(bytes_[3 * i + 2], color.blue, share);
     }
   }
-  const std::vector<std::uint8_t>& bytes() const { return bytes_; }
+  std::vector<std::uint8_t> take() { return std::move(bytes_); }
 
  private:
   static void mix(std::uint8_t& value, std::uint8_t color, float share) {
@@ -45,17 +52,15 @@ class Canvas {
     value = static_cast<std::uint8_t>(std::lround(mixed));
   }
   std::vector<std::uint8_t> bytes_;
+  InterruptibleSteps step_;
 };
 
 /// Calls visit(from, to) for every piece of the curves.
 template <typename Visit>
 void for_each_boundary_piece(const Scene& scene, std::span<const std::vector<std::uint32_t>> curves, Visit&& visit) {
-  std::size_t done = 0;
   for (const std::vector<std::uint32_t>& curve : curves)
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-      if (++done % 4096 == 0) stop_if_interrupted();
+    for (std::size_t i = 0; i < curve.size(); ++i)
       visit(scene.at[curve[i]], scene.at[curve[i + 1 == curve.size() ? 0 : i + 1]]);
-    }
 }
 template <typename Visit>
 void for_each_boundary_piece(const Scene& scene, Visit&& visit) {
@@ -81,18 +86,14 @@ void draw_groups(Canvas& canvas, const Scene& scene) {
 }
 
 void add_lines(LineCoverage& to, const Scene& scene, std::span<const Edge> edges, double width) {
-  std::size_t done = 0;
-  for (const Edge& edge : edges) {
-    if (++done % 4096 == 0) stop_if_interrupted();
-    to.add_line(scene.at[edge[0]], scene.at[edge[1]], width);
-  }
+  for (const Edge& edge : edges) to.add_line(scene.at[edge[0]], scene.at[edge[1]], width);
 }
 
-Canvas draw(const Scene& scene) {
+std::vector<std::uint8_t> draw(const Scene& scene) {
   Canvas canvas(scene);
   if (!scene.drawing->groups.empty()) {
     draw_groups(canvas, scene);
-    return canvas;
+    return canvas.take();
   }
   AreaCoverage solid(scene.width, scene.height);
   for_each_boundary_piece(scene, [&](const Pixel& a, const Pixel& b) { solid.add_piece(a, b); });
@@ -109,34 +110,86 @@ Canvas draw(const Scene& scene) {
   canvas.paint(boundary.values(), boundary_color);
 
   LineCoverage isolated(scene.width, scene.height);
-  std::size_t done = 0;
-  for (const std::uint32_t point : scene.drawing->isolated) {
-    if (++done % 4096 == 0) stop_if_interrupted();
-    isolated.add_dot(scene.at[point], scene.strokes.dot_radius);
-  }
+  for (const std::uint32_t point : scene.drawing->isolated) isolated.add_dot(scene.at[point], scene.strokes.dot_radius);
   canvas.paint(isolated.values(), isolated_color);
-  return canvas;
+  return canvas.take();
 }
+
+/// Encodes rows in memory by libpng. libpng reports an error by longjmp(), which must not skip a destructor: callbacks
+/// have no objects with destructors, and members return false after an error. No exception passes through libpng.
+class PngEncoder {
+ public:
+  PngEncoder() : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, this, fail, nullptr)) {
+    info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
+    if (info_ != nullptr) return;
+    png_destroy_write_struct(&png_, nullptr);
+    throw std::bad_alloc();
+  }
+  ~PngEncoder() { png_destroy_write_struct(&png_, &info_); }
+  PngEncoder(const PngEncoder&) = delete;
+  PngEncoder& operator=(const PngEncoder&) = delete;
+
+  bool begin(png_uint_32 width, png_uint_32 height) {
+    return attempt([&] {
+      png_set_write_fn(png_, this, keep, nullptr);
+      png_set_IHDR(png_, info_, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_BASE,
+                   PNG_FILTER_TYPE_BASE);
+      png_set_sRGB(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
+      png_write_info(png_, info_);
+    });
+  }
+  bool add_row(const png_byte* row) {
+    return attempt([&] { png_write_row(png_, row); });
+  }
+  bool end() {
+    return attempt([&] { png_write_end(png_, info_); });
+  }
+
+  std::string_view bytes() const { return bytes_; }
+  const char* message() const { return message_.data(); }  ///< libpng's message about the last error
+
+ private:
+  template <typename Step>
+  bool attempt(const Step& step) {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    step();
+    return true;
+  }
+  static void fail(png_struct* png, const char* message) {
+    auto& self = *static_cast<PngEncoder*>(png_get_error_ptr(png));
+    std::snprintf(self.message_.data(), self.message_.size(), "%s", message);
+    png_longjmp(png, 1);
+  }
+  static void keep(png_struct* png, png_byte* bytes, std::size_t size) {
+    bool is_kept = true;
+    try {
+      static_cast<PngEncoder*>(png_get_io_ptr(png))->bytes_.append(reinterpret_cast<const char*>(bytes), size);
+    } catch (const std::exception&) {
+      is_kept = false;
+    }
+    if (!is_kept) png_error(png, "out of memory");
+  }
+
+  png_struct* png_;
+  png_info* info_;
+  std::string bytes_;
+  std::array<char, 128> message_{};
+};
 
 }  // namespace
 
-void write_png(OutputFile& file, const Scene& scene) {
-  write_png(file, scene.width, scene.height, draw(scene).bytes());
-}
+void write_png(OutputFile& file, const Scene& scene) { write_png(file, scene.width, scene.height, draw(scene)); }
 
 void write_png(OutputFile& file, int width, int height, const std::vector<std::uint8_t>& pixels) {
-  png_image image;
-  std::memset(&image, 0, sizeof image);
-  image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(width);
-  image.height = static_cast<png_uint_32>(height);
-  image.format = PNG_FORMAT_RGB;
-  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
-  std::vector<char> encoded(size);
-  // Encode in memory: exceptions of the output file must not pass through libpng.
-  if (png_image_write_to_memory(&image, encoded.data(), &size, 0, pixels.data(), 0, nullptr) == 0)
-    throw Failure(file.name() + ": cannot encode the picture: " + image.message);
-  file.write({encoded.data(), size});
+  const std::size_t row_size = 3 * static_cast<std::size_t>(width);
+  PngEncoder encoder;
+  bool is_encoded = encoder.begin(static_cast<png_uint_32>(width), static_cast<png_uint_32>(height));
+  for (std::size_t at = 0; is_encoded && at < pixels.size(); at += row_size) {
+    stop_if_interrupted();
+    is_encoded = encoder.add_row(&pixels[at]);
+  }
+  if (!is_encoded || !encoder.end()) throw Failure(file.name() + ": cannot encode the picture: " + encoder.message());
+  file.write(encoder.bytes());
 }
 
 }  // namespace rbpa::app

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "io/sort.h"
+
 namespace rbpa::app {
 namespace {
 
@@ -59,7 +61,7 @@ Eigen::Matrix3d with_upright(const Vector& axis, const Vector& viewer) {
 /// the turn, so it stays at least 25 from it.
 Eigen::Matrix3d directions(std::vector<Vector> points) {
   // Sort, as sums of floating-point numbers depend on their order.
-  std::sort(points.begin(), points.end(), [](const Vector& a, const Vector& b) {
+  sort(points, [](const Vector& a, const Vector& b) {
     return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
   });
   Vector mean = Vector::Zero();

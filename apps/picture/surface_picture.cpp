@@ -47,7 +47,8 @@ class DepthCanvas {
     const int y_end = inside(std::ceil(std::max({a[1], b[1], c[1]})), height_);
     const int x_begin = inside(std::floor(std::min({a[0], b[0], c[0]})), width_);
     const int x_end = inside(std::ceil(std::max({a[0], b[0], c[0]})), width_);
-    for (int y = inside(std::floor(std::min({a[1], b[1], c[1]})), height_); y < y_end; ++y)
+    for (int y = inside(std::floor(std::min({a[1], b[1], c[1]})), height_); y < y_end; ++y) {
+      step_(1 + static_cast<std::size_t>(x_end - x_begin) / 8);
       for (int x = x_begin; x < x_end; ++x) {
         const double px = x + 0.5, py = y + 0.5;
         const double at_c = (b[0] - a[0]) * (py - a[1]) - (b[1] - a[1]) * (px - a[0]);
@@ -56,11 +57,13 @@ class DepthCanvas {
         if (sign * at_a < 0 || sign * at_b < 0 || sign * at_c < 0) continue;
         put(x, y, (at_a * a[2] + at_b * b[2] + at_c * c[2]) / area, color);
       }
+    }
   }
 
   void disc(const Place& center, double radius, const Color& color) {
     const int y_end = inside(std::ceil(center[1] + radius), height_),
               x_end = inside(std::ceil(center[0] + radius), width_);
+    step_(2 * static_cast<std::size_t>(radius));
     for (int y = inside(std::floor(center[1] - radius), height_); y < y_end; ++y)
       for (int x = inside(std::floor(center[0] - radius), width_); x < x_end; ++x) {
         const double dx = x + 0.5 - center[0], dy = y + 0.5 - center[1];
@@ -81,11 +84,12 @@ class DepthCanvas {
   }
 
   /// Returns the pixels; each is the mean of a square of `side` × `side` samples.
-  std::vector<std::uint8_t> pixels(int side) const {
+  std::vector<std::uint8_t> pixels(int side) {
     std::vector<std::uint8_t> bytes;
     bytes.reserve(depths_.size() * 3);
     for (int y = 0; y < height_; y += side)
       for (int x = 0; x < width_; x += side) {
+        step_();
         unsigned red = 0, green = 0, blue = 0;
         for (int j = 0; j < side; ++j)
           for (int i = 0; i < side; ++i) {
@@ -109,6 +113,7 @@ class DepthCanvas {
   int height_;
   std::vector<float> depths_;
   std::vector<Color> colors_;
+  InterruptibleSteps step_;
 };
 
 /// Returns the color of a triangle under light. The light comes from the viewer's upper left. As y points down, a
@@ -146,12 +151,9 @@ void write_surface_png(OutputFile& file, const SurfacePicture& picture, int widt
   for (Place& at : view.at)
     for (double& x : at) x *= side;
   DepthCanvas canvas(view.width * side, view.height * side);
-  std::size_t done = 0;
-  const auto go_on = [&] {
-    if (++done % 4096 == 0) stop_if_interrupted();
-  };
+  InterruptibleSteps step;
   for (std::size_t i = 0; i < picture.triangles.size(); ++i) {
-    go_on();
+    step();
     const auto& t = picture.triangles[i];
     const Place &a = view.at[t[0]], &b = view.at[t[1]], &c = view.at[t[2]];
     canvas.triangle(a, b, c, shade(a, b, c, own_color(picture, i)));
@@ -160,12 +162,12 @@ void write_surface_png(OutputFile& file, const SurfacePicture& picture, int widt
   const double radius = side * std::max(1.0, width / 700.0);
   const auto raised = [&](std::uint32_t i) { return Place{view.at[i][0], view.at[i][1], view.at[i][2] + 2 * radius}; };
   for (const std::uint32_t i : picture.unused) {
-    go_on();
+    step();
     canvas.disc(view.at[i], radius, boundary_color);
   }
   const auto draw = [&](std::span<const std::array<std::uint32_t, 2>> sides, const Color& color) {
     for (const auto& [from, to] : sides) {
-      go_on();
+      step();
       canvas.line(raised(from), raised(to), radius, color);
     }
   };

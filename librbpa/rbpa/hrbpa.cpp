@@ -46,7 +46,7 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
   Threads threads = threads_for(points.size(), options.threads);
   Assembly assembly(points, result.complex, threads, options.progress);
   const Sites& sites = assembly.sites();
-  if (assembly.are_collinear()) {
+  if (assembly.are_collinear(options.progress)) {
     assembly.finish(assembly.front());
     return result;
   }

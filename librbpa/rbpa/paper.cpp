@@ -16,7 +16,7 @@ SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Option
   Assembly assembly(points, complex, one, options.progress);
   Monitor monitor(options.progress, assembly.sites().size());
   meshops::Front front = assembly.front();
-  if (!assembly.are_collinear()) rbpa(assembly.sites().points(), Radius::of(alpha), front, monitor);
+  if (!assembly.are_collinear(options.progress)) rbpa(assembly.sites().points(), Radius::of(alpha), front, monitor);
   assembly.finish(front);
   return complex;
 }
@@ -31,7 +31,7 @@ Hierarchy hrbpa(std::span<const Point> points, double alpha, const HierarchyOpti
   const Sites& sites = assembly.sites();
   Monitor monitor(options.progress, sites.size());
   meshops::Front front = assembly.front();
-  if (!assembly.are_collinear()) {
+  if (!assembly.are_collinear(options.progress)) {
     LevelRecord record(alpha, options.level_ended, sites.input_index(), result);
     const auto level_ended = [&](const Level& level) {
       record.end({.number = level.number,

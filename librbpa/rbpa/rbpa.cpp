@@ -57,7 +57,7 @@ SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Option
   Assembly assembly(points, complex, threads, options.progress);
   const Sites& sites = assembly.sites();
   Monitor monitor(options.progress, sites.size());
-  if (assembly.are_collinear())
+  if (assembly.are_collinear(options.progress))
     assembly.finish(assembly.front());
   else
     assembly.finish(by_tiles(sites, Radius::of(alpha), assembly.assembler(), threads, monitor));

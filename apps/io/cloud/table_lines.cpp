@@ -159,7 +159,11 @@ std::string_view TableLines::line_before() const {
   before = before.substr(0, before.find_last_of('\n') + 1);  // up to the line, without blanks before it
   if (before.empty()) return {};
   before.remove_suffix(1);
-  return trimmed(before.substr(before.find_last_of('\n') + 1));
+  constexpr std::size_t longest = std::size_t{1} << 20U;  // no header is longer
+  const std::size_t cut = before.size() - std::min(before.size(), longest);
+  const std::size_t end = before.substr(cut).find_last_of('\n');
+  if (end == std::string_view::npos) return cut > 0 ? std::string_view() : trimmed(before);
+  return trimmed(before.substr(cut + end + 1));
 }
 
 std::string_view TableLines::comment_before() const {

@@ -118,7 +118,9 @@ std::optional<char> separator_hint(std::string_view line) {
 }
 
 bool is_number(std::string_view field) {
-  return parse_written_number(with_point(field)).fault != NumberFault::not_a_number;
+  const bool has_comma = field.find(',') != std::string_view::npos;
+  const ParsedNumber number = has_comma ? parse_written_number(with_point(field)) : parse_written_number(field);
+  return number.fault != NumberFault::not_a_number;
 }
 
 namespace {
@@ -176,14 +178,14 @@ bool begins_with_geometry(std::string_view field) {
                                         "TIN",        "POLYHEDRALSURFACE"};
   if (same_letters(field.substr(0, 5), "SRID=")) field.remove_prefix(std::min(field.find(';') + 1, field.size()));
   field = trimmed(field);
-  const std::size_t letters = std::min(field.find_first_of(" \t\n("), field.size());
-  std::string_view word = field.substr(0, letters);
-  const std::size_t behind = std::min(field.find_first_not_of(" \t\nzmZM", letters), field.size());
+  std::string_view word = field.substr(0, 32);  // longer than any kind
+  word = word.substr(0, word.find_first_of(" \t\n("));
   const auto is = [&](std::string_view kind) {
     return word.size() <= kind.size() + 2 && same_letters(word.substr(0, kind.size()), kind);
   };
   if (std::none_of(std::begin(kinds), std::end(kinds), is)) return false;
-  if (same_letters(trimmed(field.substr(letters)).substr(0, 5), "EMPTY")) return true;
+  if (same_letters(trimmed(field.substr(word.size())).substr(0, 5), "EMPTY")) return true;
+  const std::size_t behind = std::min(field.find_first_not_of(" \t\nzmZM", word.size()), field.size());
   return behind < field.size() && field[behind] == '(';
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/interrupt.h"
 #include "io/number.h"
 #include "io/text/lines.h"
 
@@ -53,6 +54,7 @@ class Fields {
       last = std::find(last, end_, separator_);
     }
     leave_field(last);
+    if (constexpr std::ptrdiff_t large = 1 << 20; last - first > large) stop_if_interrupted();
     std::string_view field = trimmed({first, static_cast<std::size_t>(last - first)});
     while (field.starts_with(no_break_space)) field = trimmed(field.substr(no_break_space.size()));
     while (field.ends_with(no_break_space)) field = trimmed(field.substr(0, field.size() - no_break_space.size()));

@@ -4,6 +4,7 @@
 
 #include "io/bytes/available_memory.h"
 #include "io/failure.h"
+#include "io/interrupt.h"
 #include "io/number.h"
 #include "rbpa/plane/collinear.h"
 #include "rbpa/rbpa.h"
@@ -56,7 +57,7 @@ void ComplexRun::finish() {
 }
 
 std::string ComplexRun::why_empty(std::size_t distinct) const {
-  return why_no_triangle(distinct, are_collinear(points()), alpha);
+  return why_no_triangle(distinct, are_collinear(points(), until_interrupted()), alpha);
 }
 
 void ComplexRun::summarize(std::size_t duplicates, const std::string& made, const std::string& targets) const {

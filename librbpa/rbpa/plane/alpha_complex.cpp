@@ -32,7 +32,7 @@ void triangulate_on_tiles(std::span<const Point> points, double alpha, const Alp
   std::optional<Sites> sites(std::in_place, points, threads, checkpoint_of(options.progress, points.size()));
   result.distinct = sites->size();
   result.duplicates = sites->duplicates();
-  const bool are_on_a_line = are_collinear(points);
+  const bool are_on_a_line = are_collinear(points, go_on_of(options.progress, points.size()));
   const auto find = [&](auto& list) {
     if (!are_on_a_line) find_triangles(*sites, Radius::of(alpha), options.progress, threads, list);
   };

@@ -50,7 +50,7 @@ TrianglesByLevel triangles_by_level(std::span<const Point> points, double alpha,
   std::optional<Sites> sites(std::in_place, points, threads, checkpoint_of(options.progress, points.size()));
   complex.distinct = sites->size();
   complex.duplicates = sites->duplicates();
-  if (are_collinear(points)) {
+  if (are_collinear(points, go_on_of(options.progress, points.size()))) {
     complex.isolated = isolated_in(complex, points.size());
     return result;
   }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -20,6 +21,15 @@ TEST_CASE("points on a line are distinguished from points a last bit off it") {
   CHECK(are_collinear(Points{{next, next}, {0, 0}, {5, 5}}));
   CHECK_FALSE(are_collinear(Points{{0, 0}, {5, 5}, {1, next}}));
   CHECK_FALSE(are_collinear(Points{{1e300, 0}, {-1e300, 0}, {0, 5e-324}}));
+}
+
+TEST_CASE("a test of many points on a line can be cancelled") {
+  Points points;
+  for (int i = 0; i < 100000; ++i) points.push_back({double(i), 3.0 * i});
+  std::size_t calls = 0;
+  CHECK(are_collinear(points, [&] { return ++calls > 0; }));
+  CHECK(calls >= 5);
+  CHECK_THROWS_AS(are_collinear(points, [] { return false; }), rbpa::Cancelled);
 }
 
 TEST_CASE("fewer than three distinct points are on a line") {

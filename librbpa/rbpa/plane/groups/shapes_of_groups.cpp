@@ -115,7 +115,7 @@ class GroupShaper {
     }
     if (!complex.triangles.empty()) return "no part has an area >= " + text(options_.filter.min_part_area);
     if (complex.distinct == 0) return "no points";
-    return why_no_triangle(complex.distinct, are_collinear(group.points), alpha);
+    return why_no_triangle(complex.distinct, are_collinear(group.points, go_on), alpha);
   }
 
   /// Returns the given radius of a group; nothing if a rule chooses it.

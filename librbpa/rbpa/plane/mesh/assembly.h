@@ -33,9 +33,11 @@ class Assembly {
   const Sites& sites() const { return sites_; }
   Mesh& mesh() { return complex_.mesh; }
   /// Returns whether all points are on a line, so that there is no triangle.
-  bool are_collinear() const {
-    return rbpa::are_collinear(sites_.beyond().empty() ? sites_.grid().points()
-                                                       : std::span<const Point>(sites_.points()));
+  /// Throws: Cancelled.
+  bool are_collinear(const OnProgress& progress) const {
+    return rbpa::are_collinear(
+        sites_.beyond().empty() ? sites_.grid().points() : std::span<const Point>(sites_.points()),
+        go_on_of(progress, sites_.size()));
   }
 
   /// Returns an assembler for patches on an empty mesh, a front on an empty mesh, or a front on assembled patches.

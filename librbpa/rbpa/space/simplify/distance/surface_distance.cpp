@@ -203,14 +203,19 @@ class SurfaceDistance::Bounding {
 
 SurfaceDistance::SurfaceDistance(std::span<const Point3> points,
                                  std::span<const std::array<std::uint32_t, 3>> triangles, const meshops::GoOn& go_on) {
+  meshops::Steps step(go_on);
   std::vector<Corners> sorted;
   Box box;
   for (const auto& [a, b, c] : triangles) {
+    step();
     Corners& corners = sorted.emplace_back(Corners{points[a], points[b], points[c]});
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     box.include(box_of(corners));
   }
-  std::sort(sorted.begin(), sorted.end());
+  std::sort(sorted.begin(), sorted.end(), [&](const Corners& s, const Corners& t) {
+    step();
+    return s < t;
+  });
   if (!sorted.empty()) {
     const auto middle = [](double low, double high) { return low / 2 + high / 2; };
     center_ = {middle(box.low.x, box.high.x), middle(box.low.y, box.high.y), middle(box.low.z, box.high.z)};
@@ -220,11 +225,11 @@ SurfaceDistance::SurfaceDistance(std::span<const Point3> points,
   }
   std::vector<Box> boxes;
   for (const Corners& corners : sorted) {
+    step();
     const std::array<Vector, 3> at = local(corners);
     given_.push_back({at[0], minus(at[1], at[0]), minus(at[2], at[0])});
     boxes.push_back(box_of(std::array{point(at[0]), point(at[1]), point(at[2])}));
   }
-  meshops::Steps step(go_on);
   tree_ = BoxTree(boxes, step);
 }
 
