@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <unordered_map>
 #include <utility>
@@ -8,6 +7,7 @@
 #include "io/cloud/table_beginning.h"
 #include "io/cloud/table_doubts.h"
 #include "io/cloud/table_lines.h"
+#include "io/cloud/table_numbers.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
@@ -45,9 +45,10 @@ class TableCloud final : public Cloud {
   bool next(CloudBlock& block) override {
     stop_if_interrupted();
     make_room(block);
+    reading_.begin_block(block, numbers_);
     while (has_line_ && block.count < points_at_once) {
       take_line(block);
-      if (is_plain_ && plain_width_ > 0) read_plain_lines(block);
+      if (is_plain_ && plain_width_ > 0 && !reading_.has_commas()) read_plain_lines(block);
       has_line_ = lines_.next();
       if (!has_line_ || point_lines_ != last_line_) continue;
       warn(check_after_atoms(*announced_, lines_, request_.skip_invalid));
@@ -56,7 +57,7 @@ class TableCloud final : public Cloud {
     for (std::size_t k = 0; k < numbers_; ++k) block.column[k].resize(block.count);
     block.heights.resize(has_heights_ ? block.count : 0);
     any_points_ = any_points_ || block.count > 0;
-    if (separator_ != ',') all_whole_ = all_whole_ && is_whole(block);
+    reading_.end_block();
     if (block.count == 0 && announced_)
       warn(check_announced(*std::exchange(announced_, std::nullopt), point_lines_, name_, request_.skip_invalid));
     if (block.count == 0 && any_points_ && !ended_) end();
@@ -96,7 +97,7 @@ class TableCloud final : public Cloud {
     lay_out(start.layout, start.names);
     if (header_.empty()) index_ = selection_.skipped();
     if (has_line_) selection_.settle_kinds(lines_.line(), lines_.lines(), separator_);
-    first_point_ = lines_.number();
+    reading_.begin(separator_, request_.in_space, header_);
     is_plain_ = !wkt_ && !facts_.colors && !selection_.has_condition() && kept_.empty();
     if (!has_line_ || !lines_.content().is_in_memory()) return;
     // Estimate the room: a point takes at least two characters for each number. Unused room costs nothing.
@@ -221,9 +222,8 @@ class TableCloud final : public Cloud {
     const std::size_t index = index_;
     const auto take_one = [&] {
       if (lines_.is_open()) bad_input(here(), "a text in quotes that does not end", "a closing quote");
-      const auto read = [this](Fields& fields) { return read_number(fields, of_where); };
+      const auto read = [this](Fields& fields) { return reading_.read(fields, of_where); };
       const auto take = [this](const FieldCount& count) { take_width(count); };
-      current_ = &block;
       try {
         if (selection_.is_selected(Fields(lines_.line(), separator_), read, take))
           wkt_ ? read_geometries(block) : read_point(block);
@@ -262,7 +262,7 @@ class TableCloud final : public Cloud {
       if (column != kept_[k]) continue;
       std::string room;
       words_[k] = text_of_field(field, room);
-      if (separator_ != ',' && comma_.is_used() && is_number(words_[k]))
+      if (separator_ != ',' && reading_.has_commas() && is_number(words_[k]))
         std::replace(words_[k].begin(), words_[k].end(), ',', '.');
       ++k;
     }
@@ -278,7 +278,7 @@ class TableCloud final : public Cloud {
     while (!fields.at_end()) {
       const std::uint8_t role = count.all < role_.size() ? role_[count.all] : nothing;
       if (role < numbers_) {
-        value[role] = read_number(fields, {}, role);
+        value[role] = reading_.read(fields, {}, role);
         count.add("a number");
         continue;
       }
@@ -348,67 +348,6 @@ class TableCloud final : public Cloud {
     }
   }
 
-  /// Returns the number in the next field. In messages `where` follows what is expected; it is empty for a coordinate
-  /// of a point, on `axis`.
-  double read_number(Fields& fields, std::string_view where = {}, std::size_t axis = 0) {
-    const ParsedNumber number = parse_number(fields.begin_of_field(), fields.end_of_line());
-    const bool whole_field = number.fault == NumberFault::none && !comma_.is_used() && fields.take_up_to(number.end);
-    if (whole_field) {
-      if (where.empty() && request_.in_space) all_whole_ = all_whole_ && std::trunc(number.value) == number.value;
-      return number.value;
-    }
-    const std::string_view field = trimmed(without_quotes(fields.take()));
-    if (const std::optional<Angle> angle = where.empty() && axis < 2 ? parse_angle(field) : std::nullopt)
-      if (angle->has_sign || facts_.file.degrees) return take_angle(*angle, field, axis);
-    if (separator_ != ',' && field.find(',') != std::string_view::npos) return read_decimal_comma(field);
-    comma_.refuse_point(field, here());
-    if (separator_ == ',' && field.find(',') != std::string_view::npos && is_number(field))
-      bad_input(here(), in_quotes(field),
-                "a number with a decimal point (export the table with semicolons: between commas no decimal comma is "
-                "read)");
-    const ParsedNumber whole = parse_written_number(field);
-    if (whole.fault == NumberFault::none) return whole.value;
-    const std::string expected = expected_for(field, whole.fault) + std::string(where),
-                      way = is_missing(field) || !where.empty() ? "" : hint(whole.fault);
-    bad_input(here(), in_quotes(field), way.empty() ? expected : with_way(expected, way));
-  }
-
-  /// Returns the degrees of an angle on an axis. Throws BadInput if its hemisphere is that of the other axis.
-  double take_angle(const Angle& angle, std::string_view field, std::size_t axis) {
-    const std::string_view letters = axis == 0 ? "EW" : "NS";
-    if (angle.hemisphere != '\0' && letters.find(angle.hemisphere) == std::string_view::npos)
-      bad_input(here(), in_quotes(field) + (axis == 0 ? " as x" : " as y"),
-                std::string(axis == 0 ? "a longitude" : "a latitude") + " (--columns chooses the order of columns)");
-    if (std::exchange(has_angles_, true) == false)
-      facts_.file.warnings.push_back(shown(field) + " is read as decimal degrees, " + text_of(angle.degrees));
-    facts_.file.degrees = true;
-    return angle.degrees;
-  }
-
-  /// Returns a number with a decimal comma. Throws BadInput if earlier numbers have a decimal point.
-  double read_decimal_comma(std::string_view field) {
-    const double value = comma_.read(field, here());
-    if (!comma_.is_used()) {
-      comma_.begin(field, lines_.number(), all_whole_ && is_whole(*current_), here(), facts_.file.warnings);
-      is_plain_ = false;
-    }
-    return value;
-  }
-
-  bool is_whole(const CloudBlock& block) const {
-    for (std::size_t k = 0; k < numbers_; ++k)
-      for (std::size_t i = 0; i < block.count; ++i)
-        if (const double value = block.column[k][i]; std::trunc(value) != value) return false;
-    return true;
-  }
-
-  /// Returns a hint to choose other columns if the first point has text in place of a number.
-  std::string hint(NumberFault fault) const {
-    if (request_.in_space || fault != NumberFault::not_a_number || lines_.number() != first_point_) return "";
-    if (count_fields(lines_.line(), separator_).all <= 2) return "";
-    return "--columns X,Y chooses other columns" + (header_.empty() ? "" : " of " + in_quotes(header_));
-  }
-
   // The end.
 
   void end() {
@@ -433,21 +372,18 @@ class TableCloud final : public Cloud {
   std::vector<std::size_t> kept_ = {};             // columns that are kept, ascending
   std::vector<std::string> words_ = {};            // their fields in the current line
   std::vector<std::unordered_map<std::string, std::int32_t>> numbers_of_texts_ = {};
-  std::size_t first_line_ = 0;     // number of the line that sets the number of columns
-  FieldCount width_ = {};          // the number of columns
-  std::size_t plain_width_ = 0;    // number of fields of the previous plain line; 0: there was none
-  std::string header_ = {};        // line of the header; empty if there is none
-  std::size_t first_point_ = 0;    // number of the line of the first point
-  bool is_plain_ = false;          // read_plain_lines() may succeed
-  CloudBlock* current_ = nullptr;  // the block that is being filled
-  bool all_whole_ = true;          // all numbers of earlier blocks without a comma are whole
-  DecimalComma comma_ = {};
+  std::size_t first_line_ = 0;   // number of the line that sets the number of columns
+  FieldCount width_ = {};        // the number of columns
+  std::size_t plain_width_ = 0;  // number of fields of the previous plain line; 0: there was none
+  std::string header_ = {};      // line of the header; empty if there is none
+  bool is_plain_ = false;        // read_plain_lines() may succeed
+  TableNumbers reading_ = TableNumbers(lines_, facts_.file);
   LineSelection selection_;
   TextColors colors_ = TextColors(widest_channel);
   bool is_unnamed_ = false,
        is_by_content_ = false;  // the last three columns have no names; their values show what they are
   LastColumns last_ = {};
-  bool has_crs_warning_ = false, has_angles_ = false;
+  bool has_crs_warning_ = false;
   bool has_heights_ = false;  // heights are requested, and there may be some
   double z_ = none;           // height of the point that is being read
 };

@@ -1,0 +1,55 @@
+// What: reads the numbers of points in the fields of a table: with a decimal point or a decimal comma, or as angles.
+// Law:  all numbers of a table have the same decimal sign (DecimalComma); a number that is read otherwise than it is
+//       written gives a warning, once.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "io/cloud/cloud.h"
+#include "io/cloud/table_lines.h"
+#include "io/text/fields.h"
+
+namespace rbpa::app {
+
+class TableNumbers {
+ public:
+  /// Adds warnings to `file`, whose `degrees` says that x is a longitude and y a latitude. Requires: `lines` and `file`
+  /// live as long.
+  TableNumbers(const TableLines& lines, PointFile& file) : lines_(lines), file_(file) {}
+
+  /// Begins with the current line as the first of points, below `header`, which is empty if there is none.
+  void begin(char separator, bool in_space, std::string_view header);
+  /// Sets the block whose first `numbers` columns hold the numbers that are read next.
+  void begin_block(const CloudBlock& block, std::size_t numbers);
+  /// Records the numbers of the block, which is complete.
+  void end_block();
+
+  /// Returns the number in the next of `fields`, a field of the current line. In messages `where` follows what is
+  /// expected; it is empty for a coordinate of a point, on `axis`. Throws BadInput.
+  double read(Fields& fields, std::string_view where = {}, std::size_t axis = 0);
+
+  bool has_commas() const { return comma_.is_used(); }  ///< a number had a decimal comma
+
+ private:
+  double read_angle(double degrees, char hemisphere, std::string_view field, std::size_t axis);
+  double read_decimal_comma(std::string_view field);
+  bool is_block_whole() const;
+  std::string other_columns() const;
+  std::string here() const;
+
+  const TableLines& lines_;
+  PointFile& file_;
+  char separator_ = blanks;
+  bool in_space_ = false;
+  std::string header_ = {};            // line of the header; empty if there is none
+  std::size_t first_point_ = 0;        // number of the line of the first point
+  const CloudBlock* block_ = nullptr;  // the block that is being filled
+  std::size_t numbers_ = 0;            // number of columns of the block
+  bool all_whole_ = true;              // all numbers of earlier blocks without a comma are whole
+  DecimalComma comma_ = {};
+  bool has_angles_ = false;
+};
+
+}  // namespace rbpa::app
