@@ -22,7 +22,10 @@ void refuse_given(std::initializer_list<std::pair<bool, const char*>> options, c
 }
 
 void refuse_to_open(const std::string& name, const std::string& expected) {
-  if (errno == ENOENT) bad_input(name, "no such file", expected);
+  const bool is_address = name.find("://") != std::string::npos;
+  if (errno == ENOENT)
+    bad_input(name, is_address ? "an address" : "no such file",
+              expected + (is_address ? " (download it first: curl -LO " + name + ")" : ""));
   throw BadInput(name + ": cannot open: " + std::strerror(errno));
 }
 

@@ -1,7 +1,9 @@
 #include "io/formats.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iterator>
+#include <system_error>
 
 #include "io/failure.h"
 #include "io/words.h"
@@ -16,11 +18,14 @@ bool is_there(const FormatRow& row) {
 }
 
 /// Returns a command that converts a file with that ending to a format that is read; empty if none is known.
-std::string conversion(std::string_view ending, const std::string& path) {
+/// `is_table`: a table is read.
+std::string conversion(std::string_view ending, const std::string& path, bool is_table) {
+  if (path.find("://") != std::string::npos) return "download it first: curl -LO " + path;
   if (const std::string command = cloud_conversion(path); !command.empty()) return command;
   if (is_word_of(ending, "xlsx xls ods dbf")) return "save the sheet as CSV, or ogr2ogr -f CSV points.csv " + path;
   if (is_word_of(ending, "shp gpkg fgb kml kmz gpx gml parquet gdb tab mif dxf osm pbf sqlite"))
     return "ogr2ogr -f GeoJSON points.geojson " + path;
+  if (is_table && is_word_of(ending.empty() ? "dat" : ending, "dat prn asc")) return "--format txt if it is a table";
   return "";
 }
 
@@ -75,10 +80,12 @@ void refuse_ending(const std::string& path, std::string_view known, const std::s
 }
 
 void refuse_input(const std::string& path, Use use, const std::string& option) {
+  if (std::error_code none; std::filesystem::is_directory(path, none))
+    throw WrongUsage(path + ": found a folder, expected a file");
   try {
     refuse_ending(path, endings(use), option);
   } catch (const WrongUsage& refusal) {
-    const std::string command = conversion(input_ending(path), path);
+    const std::string command = conversion(input_ending(path), path, find_format(use, "txt").has_value());
     throw WrongUsage(refusal.what() + (command.empty() ? "" : " (" + command + ")"));
   }
 }

@@ -83,11 +83,20 @@ std::vector<std::string_view> split_at_commas(std::string_view text) {
   return words;
 }
 
+namespace {
+
+bool has_decimal_comma(std::string text) {
+  std::replace(text.begin(), text.end(), ',', '.');
+  return text.find('.') < text.size() && parse_whole_number(text).fault == NumberFault::none;
+}
+
+}  // namespace
+
 double parse_real(const std::string& option, const std::string& text, Range allowed, const std::string& expected) {
   const auto [value, end, fault] = parse_whole_number(text);
   if ((fault != NumberFault::none && fault != NumberFault::not_finite) ||
       !(allowed.least <= value && value <= allowed.greatest))
-    bad_usage(option, in_quotes(text), expected);
+    bad_usage(option, in_quotes(text), expected + (has_decimal_comma(text) ? ", with a decimal point" : ""));
   return value;
 }
 

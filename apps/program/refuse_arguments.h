@@ -3,6 +3,7 @@
 
 #include <CLI/App.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/failure.h"
@@ -10,14 +11,33 @@
 
 namespace rbpa::app {
 
-/// Returns the message about an unknown `word` after `called`: the program, with its verb if one is given.
+/// Returns the message about an unknown `word` after `called`: the program, with its verb if one is given. An empty
+/// word is no word.
 inline std::string unexpected(const std::string& word, const CLI::App& app, const std::string& called) {
-  const std::string found = "found " + in_quotes(word) + ", expected ", way = " (see " + called + " --help)";
+  const std::string found = "found " + (word.empty() ? "no verb" : in_quotes(word)) + ", expected ",
+                    way = " (see " + called + " --help)";
   std::string verbs;
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
     verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
   if (app.get_subcommands().empty() && !verbs.empty()) return found + "one of " + verbs + way;
   return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + called + way;
+}
+
+/// Returns the message of CLI11 in our words: with what is expected in place of a missing value, and with the
+/// description of a missing option.
+inline std::string in_our_words(std::string message, const CLI::App& verb) {
+  constexpr std::string_view value = ": 1 required ", no_value = " missing", no_option = " is required",
+                             note = " (required)";
+  if (const std::size_t at = message.find(value); at != std::string::npos && message.ends_with(no_value)) {
+    message.resize(message.size() - no_value.size());
+    return message.replace(at, value.size(), ": found no value, expected ");
+  }
+  const CLI::Option* const option =
+      message.starts_with("--") ? verb.get_option_no_throw(message.substr(0, message.find(' '))) : nullptr;
+  if (option == nullptr || !message.ends_with(no_option)) return message;
+  std::string description = option->get_description();
+  if (const std::size_t at = description.find(note); at != std::string::npos) description.erase(at, note.size());
+  return message + ": " + description;
 }
 
 /// Prints on standard error what is wrong with the command line that `app` refused by `error`; returns wrong_usage.
@@ -26,9 +46,11 @@ inline int refuse_arguments(const CLI::App& app, const CLI::ParseError& error) {
   const std::string called = app.get_name() + (verbs.empty() ? "" : " " + verbs.front()->get_name());
   // A required option may be missing because its name is misspelled.
   const std::vector<std::string> unknown = app.remaining(true);
+  const bool lacks_verb = verbs.empty() && app.get_require_subcommand_min() > 0;
+  if (!unknown.empty() || lacks_verb)
+    return report(app.get_name(), unexpected(unknown.empty() ? "" : unknown.front(), app, called), wrong_usage);
   return report(app.get_name(),
-                unknown.empty() ? std::string(error.what()) + " (see " + called + " --help)"
-                                : unexpected(unknown.front(), app, called),
+                in_our_words(error.what(), verbs.empty() ? app : *verbs.front()) + " (see " + called + " --help)",
                 wrong_usage);
 }
 

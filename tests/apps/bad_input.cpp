@@ -148,6 +148,49 @@ TEST_SUITE("wrong usage") {
           "--alpha: found '" + alpha + "', expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K");
   }
 
+  TEST_CASE("common mistakes of a command line are refused with the way out") {
+    struct Mistake {
+      std::string arguments, found, way;
+    };
+    const Folder folder;
+    folder.file("p.csv", "x,y,sp\n0,0,a\n1,0,a\n0,1,b\n");
+    folder.file("p.dat", corner);
+    folder.file("p", corner);
+    const std::string shape = "shape p.csv --alpha 1 ";
+    for (const Mistake& mistake : std::initializer_list<Mistake>{
+             {"", "found no verb, expected one of mesh, alpha, shape", "(see rbpa --help)"},
+             {shape + "-o", "--output: found no value, expected OUT", "(see rbpa shape --help)"},
+             {"shape p.csv --alpha", "--alpha: found no value, expected R|", "(see rbpa shape --help)"},
+             {"shape p.csv --alpha 2,5 -o s.wkt", "--alpha: found '2,5', expected a radius", ", with a decimal point"},
+             {"surface p.csv -o s.ply", "--radius is required: Set the radius of the ball, in units",
+              "auto: choose them by the gaps between the points (see rbpa surface --help)"},
+             {"shape . --alpha 1 -o s.wkt", ".: found a folder, expected a file", ""},
+             {"shape p.dat --alpha 1 -o s.wkt", "p.dat: found the ending 'dat'",
+              "or --format (--format txt if it is a table)"},
+             {"solid p --alpha 1 -o s.ply", "p: found the ending ''", "or --format (--format txt if it is a table)"},
+             {"shape https://x.org/p.csv --alpha 1 -o s.wkt", "https://x.org/p.csv: found an address",
+              "(download it first: curl -LO https://x.org/p.csv)"},
+             {"shape https://x.org/p --alpha 1 -o s.wkt", "https://x.org/p: found the ending",
+              "(download it first: curl -LO https://x.org/p)"},
+             {shape + "-o s.gpx", "s.gpx: found the ending 'gpx'", "(write .geojson, of which ogr2ogr makes s.gpx)"},
+             {shape + "s.geojson", "POINTS: found 2 files, the last 's.geojson', expected one",
+              "(-o OUT names a file to write; a list such as X,Y has no blanks)"},
+             {shape + "-o s.wkt --columns x, y", "POINTS: found 2 files, the last 'y'",
+              "a list such as X,Y has no blanks)"},
+             {shape + "-o s.wkt --where 'sp = a'", "p.csv:1: found 'x,y,sp', expected a header with a column 'a'",
+              " (texts are in quotes: == \"a\")"},
+             {shape + "-o s.wkt --columns 2", "p.csv:2: found '0', expected a geometry",
+              "(--columns X,Y takes two columns)"}}) {
+      CAPTURE(mistake.arguments);
+      const Outcome outcome = folder.rbpa(mistake.arguments);
+      CAPTURE(outcome.err);
+      CHECK(outcome.code >= 2);
+      CHECK(outcome.err.starts_with("rbpa: " + mistake.found));
+      CHECK(outcome.err.ends_with(mistake.way + "\n"));
+      CHECK(folder.names().size() == 3);
+    }
+  }
+
   TEST_CASE("a missing alpha, a missing verb and an unknown option are refused") {
     const Folder folder;
     folder.file("p.xy", corner);
@@ -163,7 +206,8 @@ TEST_SUITE("wrong usage") {
               "found '--alhpa', expected an option of rbpa mesh (see rbpa mesh --help)");
     for (const std::string verb : {"shape p.xy q.xy --alpha 1 -o s.wkt", "mesh p.xy q.xy --alpha 1 -o s.ply"})
       refuses(folder, verb, 2,
-              "POINTS: found 2 files, expected one, or --group-by-file (each is a group), or --group-by COLUMN");
+              "POINTS: found 2 files, the last 'q.xy', expected one, or --group-by-file (each is a group), or "
+              "--group-by COLUMN (-o OUT names a file to write; a list such as X,Y has no blanks)");
     refuses(folder, "surface p.xy q.xy --radius 1 -o s.ply", 2,
             "found 'q.xy', expected no more arguments of rbpa surface (see rbpa surface --help)");
   }

@@ -256,8 +256,11 @@ TEST_SUITE("shape groups") {
           "group,points,alpha,area,perimeter,polygons,problem,geometry\n"
           "elk,3,inf,0.5,3.414213562373095,1,,\"MULTIPOLYGON (((5 5, 6 5, 5 6, 5 5)))\"\n"
           "ox,3,inf,0.5,3.414213562373095,1,,\"MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)))\"\n");
-    refuses(folder, "b.csv a.csv --alpha 1 -o s.csv",
-            "POINTS: found 2 files, expected one, or --group-by-file (each is a group), or --group-by COLUMN", 2);
+    refuses(
+        folder, "b.csv a.csv --alpha 1 -o s.csv",
+        "POINTS: found 2 files, the last 'a.csv', expected one, or --group-by-file (each is a group), or --group-by "
+        "COLUMN (-o OUT names a file to write; a list such as X,Y has no blanks)",
+        2);
     refuses(folder, "b.csv a.csv --group-by-file --group-by animal --alpha 1 -o s.csv",
             "--group-by-file cannot be combined with --group-by", 2);
     refuses(folder, "b.csv a.csv --group-by-file --alpha 1 -o a.csv",

@@ -217,7 +217,7 @@ bool has_column(const std::vector<std::string_view>& header, std::string_view wa
 }
 
 std::size_t find_column(const std::vector<std::string_view>& header, const std::string& wanted, const Lines& lines,
-                        const std::string& name) {
+                        const std::string& name, const std::string& way) {
   auto found = std::find(header.begin(), header.end(), wanted);
   if (found == header.end())
     found =
@@ -226,7 +226,7 @@ std::size_t find_column(const std::vector<std::string_view>& header, const std::
     bad_input(
         at_line(name, lines.number()), in_quotes(lines.line()),
         "a header with a column " + in_quotes(wanted) +
-            (printable(lines.line()) == lines.line() ? "" : " in UTF-8 (iconv -f CP1252 -t UTF-8; or by its number)"));
+            (printable(lines.line()) == lines.line() ? way : " in UTF-8 (iconv -f CP1252 -t UTF-8; or by its number)"));
   return static_cast<std::size_t>(found - header.begin());
 }
 

@@ -167,9 +167,10 @@ bool is_comment(std::string_view line);
 bool has_column(const std::vector<std::string_view>& header, std::string_view wanted);
 
 /// Returns the index of the first field of `header` that is `wanted`, else of the first that is `wanted` in letters of
-/// either case. Throws BadInput that quotes the current line of `lines`, the header of the file `name`.
+/// either case. Throws BadInput that quotes the current line of `lines`, the header of the file `name`, and ends in
+/// `way`.
 std::size_t find_column(const std::vector<std::string_view>& header, const std::string& wanted, const Lines& lines,
-                        const std::string& name);
+                        const std::string& name, const std::string& way = "");
 
 /// Reads numbers with decimal commas, and checks that no other number of the table has a decimal point.
 class DecimalComma {

@@ -24,7 +24,9 @@ void LineSelection::find_columns(const std::vector<std::string_view>& names, con
       continue;
     }
     require_header(is_column ? where_->option_of(field) : "--where");
-    places_.push_back(find_column(names, field, lines, name));
+    const bool may_be_text = i > where_->columns();  // as in species == oak
+    places_.push_back(
+        find_column(names, field, lines, name, may_be_text ? " (texts are in quotes: == \"" + field + "\")" : ""));
     is_any = true;
   }
   for (const Condition::Text& text : where_->texts()) {

@@ -28,7 +28,11 @@ std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool a
     std::optional<Format> known = path == "-" ? std::nullopt : find_format(use, ending(path));
     if (!known) known = otherwise;
     if (!known && path == "-") throw WrongUsage("-o - requires --output-format: one of " + known_formats);
-    if (!known) refuse_ending(path, known_formats, "--output-format");
+    const bool is_of_gdal = is_word_of(ending(path), "shp gpkg fgb kml gml gpx dxf parquet");
+    if (!known)
+      refuse_ending(path, known_formats,
+                    std::string("--output-format") +
+                        (is_of_gdal ? " (write .geojson, of which ogr2ogr makes " + path + ")" : ""));
     targets.push_back({path, *known});
   }
   return targets;

@@ -33,8 +33,10 @@ void require_molecule(Format format, const std::string& option, const std::strin
 bool GroupArguments::ask_for_groups() const {
   if (group_by && group_by_file) throw WrongUsage("--group-by-file cannot be combined with --group-by");
   if (inputs.size() > 1 && !group_by && !group_by_file)
-    bad_usage("POINTS", counted(inputs.size(), "file"),
-              "one, or --group-by-file (each is a group), or --group-by COLUMN");
+    bad_usage(
+        "POINTS", counted(inputs.size(), "file") + ", the last " + in_quotes(inputs.back()),
+        "one, or --group-by-file (each is a group), or --group-by COLUMN (-o OUT names a file to write; a list such "
+        "as X,Y has no blanks)");
   return group_by || group_by_file;
 }
 
