@@ -64,34 +64,33 @@ TEST_SUITE("first lines") {
       Point point = {};
       std::string way = skipping_hint;
     };
-    const Line first[] = {
-        {"1.0D0 2.0D0", "", {1, 2}},
-        {"1.5d+2 -2.5D-1", "", {150, -0.25}},
-        {"\xE2\x88\x92"
-         "1 \xE2\x88\x92"
-         "2",
-         "",
-         {-1, -2}},
-        {"\xE2\x88\x92"
-         "1.5e\xE2\x88\x92"
-         "3 2",
-         "",
-         {-1.5e-3, 2}},
-        {"1..2 3..4", "1..2"},
-        {"12o 13o", "12o"},
-        {"O 0", "O"},
-        {"\xE2\x80\x93"
-         "1 \xE2\x80\x93"
-         "2",
-         "\xE2\x80\x93"
-         "1"},
-        {"1'000 2'000",
-         "1'000",
-         {},
-         " without signs between thousands, 1000 (export the table with cells in a plain format; " + skipping_way},
-        {"<1 <2", "<1"},
-        {"0x1F 0x2F", "0x1F"},
-        {"1_0 2_0", "1_0"}};
+    const Line first[] = {{"1.0D0 2.0D0", "", {1, 2}},
+                          {"1.5d+2 -2.5D-1", "", {150, -0.25}},
+                          {"\xE2\x88\x92"
+                           "1 \xE2\x88\x92"
+                           "2",
+                           "",
+                           {-1, -2}},
+                          {"\xE2\x88\x92"
+                           "1.5e\xE2\x88\x92"
+                           "3 2",
+                           "",
+                           {-1.5e-3, 2}},
+                          {"1..2 3..4", "1..2"},
+                          {"12o 13o", "12o"},
+                          {"O 0", "O"},
+                          {"\xE2\x80\x93"
+                           "1 \xE2\x80\x93"
+                           "2",
+                           "\xE2\x80\x93"
+                           "1"},
+                          {"1'000 2'000",
+                           "1'000",
+                           {},
+                           " without signs between thousands, 1000 (export the table with cells in a plain format)"},
+                          {"<1 <2", "<1"},
+                          {"0x1F 0x2F", "0x1F"},
+                          {"1_0 2_0", "1_0"}};
     for (const Line& line : first) {
       CAPTURE(line.text);
       for (const bool is_first : {true, false}) {
@@ -256,7 +255,7 @@ TEST_SUITE("first lines") {
     CHECK(plane(text, {.columns = parse_columns("a,b")}).points == Points{{7, 8}, {7, 8}, {7, 8}});
     CHECK(plane("lon,lat,p\n0,0,POINT (9 9)\n1,0,POINT (9 9)\n0,1,POINT (9 9)\n").points == points);
     CHECK(refusal([&] { plane(text, {.columns = parse_columns("a")}); }) ==
-          "t.txt:2: found '7', expected a geometry, such as 'POINT (1 2)'");
+          "t.txt:2: found '7', expected a geometry, such as 'POINT (1 2)' (--columns X,Y takes two columns)");
   }
 
   TEST_CASE("files of atoms have a count, a comment, and lines of element and x y z") {

@@ -1,12 +1,14 @@
 // Tables whose numbers may not be the coordinates that they seem to be: read rightly, refused, or read with a warning.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <initializer_list>
 #include <string>
 #include <vector>
 
 #include "io/cloud/cloud.h"
 #include "io/cloud/read_points.h"
+#include "io/cloud/read_space_points.h"
 #include "io/failure.h"
 #include "io/number.h"
 #include "io/text/columns.h"
@@ -72,7 +74,11 @@ TEST_SUITE("table doubts") {
     CHECK(read_table("id,x,y\n\"#1\",0,0\n\"#2\",4,0\n\"//\",0,3\n").points == corners);
     CHECK(refusal_of_table("#1,0,0\n#2,4,0\n") ==
           "t: found 2 comments and no point, expected points (quotes around the first field of a line make it one)");
-    CHECK(refusal_of_table("id,x,y\n#1,0,0\n") ==
+    CHECK(
+        refusal_of_table("id,x,y\n#1,0,0\n") ==
+        "t:1: found 'id,x,y' and no line after it but comments, expected lines of points after a header (quotes around "
+        "the first field of a line make it one)");
+    CHECK(refusal_of_table("id,x,y\n#a\n") ==
           "t:1: found 'id,x,y' and no line after it but comments, expected lines of points after a header");
     CHECK(read_table("# no point\n# 3 of nothing\n").points.empty());
   }
@@ -106,9 +112,54 @@ TEST_SUITE("table doubts") {
       }
     CHECK(read_table("1,1.5,7.2\n2,,7.3\n5,1.9,NA\n", skipping).warnings.size() == 2);
     CHECK(read_table("1,1.5,7.2\n2,,7.3\n3,1.9,7.1\n", skipping).warnings.size() == 2);
-    for (const std::string text : {"0,1.5,7.2\n0,1.7,7.3\n10,1.9,7.4\n", "1.5,1.5,7.2\n2,1.7,7.3\n3,1.9,7.4\n",
+    for (const std::string text :
+         {"0,1.5,7.2\n0,1.7,7.3\n10,1.9,7.4\n", "1.0,11.5,48.1\n2.0,11.6,48.2\n3.0,11.7,48.1\n",
+          "1;11,5;48,1\n1;11,6;48,2\n0;11,7;48,1\n", "0.1 12.5 3.2\n0.2 12.7 3.9\n0.3 12.9 3.1\n",
+          "1606608000.75,12.5,3.2\n1606608001.25,12.7,3.9\n1606608007.75,12.9,3.1\n"})
+      CHECK(warnings_with(text, way).size() == 1);
+    for (const std::string text : {"1.5,1.5,7.2\n2,1.7,7.3\n3,1.9,7.4\n", "0.1,5.5,7.2\n0.2,5.5,7.3\n0.3,5.5,7.4\n",
                                    "10,1,2\n20,2,7\n30,5,2\n", "id,x,y\n1,1.5,2.5\n2,3.5,4.5\n3,5.5,6.5\n"})
       CHECK(warnings_with(text, way).empty());
+    const std::string second = "12.5,1,3.2\n12.7,2,3.9\n11.9,3,4.1\n";
+    CHECK(warnings_with(second, "y is column 2, which numbers the lines (--columns 1,3 leaves it out)").size() == 1);
+    CHECK(read_table(second, {.columns = parse_columns("1,3")}).warnings.empty());
+  }
+
+  TEST_CASE("numbers in the order of latitude and longitude give a warning without a header") {
+    const std::string way = "are they exchanged? (--columns 2,1 takes them in the other order)";
+    for (const std::string text :
+         {"47.6,-122.3\n47.7,-122.4\n", "35.6 139.7\n35.7 139.6\n", "47.6;-122.3\n48.1;11.5\n-33.9;151.2\n"})
+      CHECK(warnings_with(text, way).size() == 1);
+    for (const std::string text : {"-122.3,47.6\n-122.4,47.7\n", "5,3\n60,120\n", "100,-122\n5,6\n", "5,200\n6,190\n",
+                                   "x,y\n47.6,-122.3\n47.7,-122.4\n", "11.5,48.1\n11.6,48.2\n"})
+      CHECK(warnings_with(text, way).empty());
+  }
+
+  TEST_CASE("a first line that numbers the columns is no point") {
+    const Points points = {{1.5, 2.5}, {3.5, 4.5}, {5.5, 1.5}};
+    for (const std::string s : {",", ";", "\t", "|"})
+      for (const CloudRequest& request : {CloudRequest{}, skipping, CloudRequest{.columns = parse_columns("2,3")}}) {
+        std::string text = ",0,1\n0,1.5,2.5\n1,3.5,4.5\n2,5.5,1.5\n";
+        std::replace(text.begin(), text.end(), ',', s.front());
+        CAPTURE(text);
+        const PointFile file = read_table(text, request);
+        CHECK(file.points == points);
+        if (!request.columns)
+          CHECK(file.warnings == Texts{"the first line numbers the columns; x is column 2, y is column 3 (--columns "
+                                       "chooses others)"});
+      }
+    CHECK(read_table("    0    1\n0  1.5  2.5\n1  3.5  4.5\n2  5.5  1.5\n").points == points);  // pandas' to_string()
+    const SpacePoints space = space_points_in(",0,1,2\n0,1.5,2.5,3.5\n1,3.5,4.5,5.5\n2,1,2,3\n", "t", Format::text, {});
+    CHECK(space.points.size() == 3);
+    CHECK(space.points[1].z == 5.5);
+    // Without the empty name it may be a point.
+    const std::string doubt = "may be a header that numbers the columns (then delete it)";
+    for (const std::string text :
+         {"0,1\n1.5,2.5\n3.5,4.5\n", "1 2 3\n1.5 2.5 7\n3.5 4.5 8\n", "1;2\n1,5;2,5\n3,5;4,5\n"})
+      CHECK(warnings_with(text, doubt).size() == 1);
+    for (const std::string text : {"0,1\n1.5,2.5\n3,4.5\n", "0,1\n1,0\n2,5\n", "0,2\n1.5,2.5\n3.5,4.5\n"})
+      CHECK(warnings_with(text, doubt).empty());
+    CHECK(space_points_in("0 1 2\n1.5 2.5 7.5\n3.5 4.5 8.5\n", "t", Format::text, {}).warnings.size() == 1);
   }
 
   TEST_CASE("a word of a name is enough if one pair of columns has it") {
@@ -153,6 +204,9 @@ TEST_SUITE("table doubts") {
                                        {"a,b,c\n1,2,3\n", "a,b"},
                                        {"start_lat,start_lng,end_lat,end_lng\n1,2,3,4\n", "start_lng,start_lat"},
                                        {"time,latitudeE7,longitudeE7\n1,2,3\n", "longitudeE7,latitudeE7"},
+                                       {"id,lat,x\n1,48,11\n2,49,12\n", "x,lat"},
+                                       {"pt,c1,c2\n1,48.5,11\n2,49,12\n", "c1,c2"},
+                                       {"pt,c1,c2\n1,48,11\n2,48,11\n", "c1,c2"},
                                        {"id;px (m);py (m)\n1;0.5;0.5\n", "2,3"},
                                        {"id;L\xE4ngs;Quer\n1;0.5;0.5\n", "2,3"}}) {
       const std::string line = header.text.substr(0, header.text.find('\n'));
@@ -160,7 +214,7 @@ TEST_SUITE("table doubts") {
                                         ", expected known names of coordinates, such as x and y "
                                         "(--columns " +
                                         header.likely + " chooses columns)");
-      CHECK(read_table(header.text, {.columns = parse_columns(header.likely)}).points.size() == 1);
+      CHECK(read_table(header.text, {.columns = parse_columns(header.likely)}).points.size() > 0);
     }
     CHECK(read_table("name,a,b,2019\noak,0,0,1\noak,4,0,1\noak,0,3,1\n", {.columns = parse_columns("2,3")}).points ==
           corners);
@@ -189,7 +243,13 @@ TEST_SUITE("table doubts") {
       CHECK(read_table("\"x\"" + s + "\"y\"\n\"1\"" + s + "0" + s + "0\n\"2\"" + s + "4" + s + "0\n\"b\"" + s + "0" +
                        s + "3\n")
                 .points == corners);
-    CHECK(refusal_of_table("x y\n1 0 0\n2 4 0\n").starts_with("t:2: found 3 columns"));
+    for (const CloudRequest& request : {CloudRequest{}, skipping}) {  // write.table(quote = FALSE)
+      CHECK(read_table("x y\n1 0 0\n2 4 0\n3 0 3\n", request).points == corners);
+      CHECK(read_table("x\ty\noak\t0\t0\nelm\t4\t0\nash\t0\t3\n", request).points == corners);
+    }
+    for (const std::string text : {"x y\n1 0 0\n2 4 0\n3 0\n", "x y\n5 0 0\n6 4 0\n", "x y\n1.5 0 0\n2.5 4 0\n",
+                                   "x,y\n1,5,4\n2,5,3\n", "x y\n1 0 0\nb 4 0\n"})
+      CHECK(refusal_of_table(text).find("3 columns") != std::string::npos);
   }
 
   TEST_CASE("angles are read to the nearest double, by their letters, signs and minutes") {
@@ -210,15 +270,23 @@ TEST_SUITE("table doubts") {
                                         {"52 34 03.07", 189243.07 / 3600},
                                         {"-0 30 0", -0.5},
                                         {"52:00:12.5", 187212.5 / 3600},
-                                        {"52 30.125", 3150.125 / 60}}) {
+                                        {"52 30.125", 3150.125 / 60},
+                                        {"52\u02DA34'03.07\"N", 189243.07 / 3600, 'N'},
+                                        {"52 deg 34' 3.07\" S", -189243.07 / 3600, 'S'},
+                                        {"52d34'03.07\"N", 189243.07 / 3600, 'N'},
+                                        {"52d34m03.07s", 189243.07 / 3600},
+                                        {"52-34-03.07W", -189243.07 / 3600, 'W'},
+                                        {"52.5n", 52.5, 'N'},
+                                        {"52.5s", -52.5, 'S'}}) {
       CAPTURE(angle.text);
       const std::optional<Angle> read = parse_angle(angle.text);
       REQUIRE(read);
       CHECK(read->degrees == doctest::Approx(angle.degrees).epsilon(1e-15));
       CHECK(read->hemisphere == angle.hemisphere);
     }
-    for (const std::string text : {"", "N", "-", "52.5", "52 60 1", "52.5 30", "1 234", "5'678", "52 34 03 1", "N52E",
-                                   "--5\u00B0", "52 34x", "2024-05-01", "1e5N", "52 100"})
+    for (const std::string text : {"",       "N",          "-",    "52.5",      "52 60 1", "52.5 30",    "1 234",
+                                   "5'678",  "52 34 03 1", "N52E", "--5\u00B0", "52 34x",  "2024-05-01", "1e5N",
+                                   "52 100", "5m",         "5s3",  "e2",        "n 5",     "52m34d",     "12-5"})
       CHECK_FALSE(parse_angle(text));
     const std::string table = "id;lat;lon\n1;52\u00B034'03.07\"N;13\u00B030'E\n2;52:30;13 15\n3;52.5;13.25 W\n";
     CHECK(refusal_of_table(table) == "none");
@@ -240,12 +308,117 @@ TEST_SUITE("table doubts") {
     is_refused_whole("lat,NS,lon,EW\n5,N,1,E\n5,N,1,W\n", "t:1: found column 4 with 'W' for '1'");
     is_refused_whole("lat_deg,lat_min,lon_deg,lon_min\n52,30,13,15\n",
                      "t:1: found the column 'lat_min' beside whole degrees");
+    is_refused_whole("latdeg,latmin,londeg,lonmin\n48,6.1,11,30.7\n",
+                     "t:1: found the column 'latmin' beside whole degrees");
+    is_refused_whole("lat_d,lat_m,lon_d,lon_m\n48,6.1,11,30.7\n",
+                     "t:1: found the column 'lat_m' of minutes or seconds");
+    CHECK(read_table("lat [m],lon [m]\n52.5,13.25\n").points == Points{{13.25, 52.5}});
+    // Letters and ddmm.mmm without a header that names the columns.
+    for (const std::string s : {",", ";", " "}) {
+      const std::string west = "47.6" + s + "N" + s + "122.3" + s + "W\n",
+                        rmc = "A" + s + "4807.038" + s + "N" + s + "01131.000" + s + "E\n";
+      const auto refusal = [](const std::string& text, const std::string& columns) {
+        return refusal_of_table(text, {.columns = parse_columns(columns)});
+      };
+      CHECK(refusal_of_table(west).find("letter of a hemisphere") != std::string::npos);
+      CHECK(refusal_of_table(west).find("--columns") == std::string::npos);
+      CHECK(refusal(west, "3,1").starts_with("t:1: found column 4 with 'W' for '122.3'"));
+      CHECK(refusal("a" + s + "b" + s + "c" + s + "d\n" + west, "3,1").starts_with("t:1: found column 4 with 'W'"));
+      CHECK(refusal(rmc, "4,2").find("degrees and minutes in one number") != std::string::npos);
+      CHECK(refusal("47.6" + s + "N" + s + "122.3" + s + "E\n", "3,1") == "none");
+      CHECK(refusal("5334123.5" + s + "N" + s + "691234.5" + s + "E\n", "3,1") == "none");  // metres
+    }
     CHECK(read_table("lat,lon (W)\n52.5,-13.25\n").points == Points{{-13.25, 52.5}});
     CHECK(read_table("lat,NS,lon,EW\n5,N,1,E\n").points == Points{{1, 5}});
     CHECK(read_table("lat,lon,minutes\n52.5,13.25,7\n").points == Points{{13.25, 52.5}});
     CHECK(
         refusal_of_table("lat,ns,lon,ew\n5200.5,N,01300.5,E\n", {.columns = parse_columns("2,3")}).find("hemisphere") !=
         std::string::npos);
+  }
+
+  TEST_CASE("how a number is written is named, with the way to mend it") {
+    struct Field {
+      std::string text, expected;
+    };
+    const std::string plain = " (export the table with cells in a plain format)";
+    for (const Field& field :
+         std::initializer_list<Field>{{"48\u00B006'60.0\"N", "minutes and seconds below 60"},
+                                      {"1\xA0"
+                                       "234",
+                                       "a number in UTF-8 (iconv -f CP1252 -t UTF-8)"},
+                                      {"48\xB0"
+                                       "06'N",
+                                       "a number in UTF-8 (iconv -f CP1252 -t UTF-8)"},
+                                      {"48.1,11.5", "one number in each column (split this column into two)"},
+                                      {"Lat: 48.1", "a number without other characters, 48.1" + plain},
+                                      {"y=48.1", "a number without other characters, 48.1" + plain},
+                                      {"691234.5m", "a number without other characters, 691234.5" + plain},
+                                      {"122.3-", "a number with its sign before it, -122.3" + plain}})
+      for (const std::string header : {"id;x;y\n", ""}) {
+        const std::string text = header + "7;1;" + field.text + "\n", at = header.empty() ? "t:1" : "t:2";
+        CHECK(refusal_of_table(text, {.columns = parse_columns("2,3")}) ==
+              at + ": found " + in_quotes(field.text) + ", expected " + field.expected);
+      }
+  }
+
+  TEST_CASE("columns of zones and of different units give warnings") {
+    const std::string zones = "Zone,X,Y\n32,1,2\n32,3,4\n33,5,1\n", doubt = "are there points of two systems?";
+    CHECK(warnings_with(zones, "the column 'Zone' has 32 and 33: " + doubt + " (--where 'Zone == 32' selects one)")
+              .size() == 1);
+    CHECK(warnings_with("utm_zone,X,Y\n32U,1,2\n33U,3,4\n", "--where 'utm_zone == \"32U\"' selects one").size() == 1);
+    for (const std::string text :
+         {"Zone,X,Y\n32,1,2\n32,3,4\n", "Zone,X,Y\ncore,1,2\nrim,3,4\n", "Ozone,X,Y\n32,1,2\n33,3,4\n"})
+      CHECK(warnings_with(text, doubt).empty());
+    const CloudRequest one{.where = Condition("zone == 32", names_of_columns())};
+    for (const std::string& warning : read_table(zones, one).warnings) CHECK(warning.find(doubt) == std::string::npos);
+    const std::string units = "have different units";
+    CHECK(warnings_with("X [ft],Y [m]\n1,2\n", units).size() == 1);
+    CHECK(warnings_with("x_km,y_m\n1,2\n", units).size() == 1);
+    for (const std::string text :
+         {"X [m],Y [m]\n1,2\n", "X (ft),Y (feet)\n1,2\n", "lon [deg],lat [m]\n1,2\n", "x,y [m]\n1,2\n"})
+      CHECK(warnings_with(text, units).empty());
+  }
+
+  TEST_CASE("lines may lack the last fields below a header, if another line has them") {
+    for (const std::string s : {",", ";", "\t"}) {
+      const auto line = [&](std::initializer_list<const char*> fields) {
+        std::string text;
+        for (const char* const field : fields) text += (text.empty() ? "" : s) + field;
+        return text + "\n";
+      };
+      const std::string header = line({"id", "x", "y", "note"}), whole = line({"1", "0", "0", "ok"}),
+                        two = line({"2", "4", "0"});
+      const PointFile file = read_table(header + whole + two + two + line({"4", "0", "3"}));
+      CHECK(file.points == Points{{0, 0}, {4, 0}, {4, 0}, {0, 3}});
+      CHECK(file.warnings.back() ==
+            "line 3 has 3 fields and line 1 4: fields that are not read may be missing at the end");
+      CHECK(refusal_of_table(header + whole + line({"2", "4"})).starts_with("t:3: found 2 columns"));
+      CHECK(refusal_of_table(header + two).starts_with("t:2: found 3 columns"));  // which is missing?
+      CHECK(refusal_of_table(whole + two).starts_with("t:2: found 3 columns"));   // no header
+    }
+    CHECK(
+        refusal_of_table("id x y note\n1 0 0 ok\n2 4 0\n").starts_with("t:3: found 3 columns"));  // blanks shift fields
+  }
+
+  TEST_CASE("lines of another width are left out, also after the first of them") {
+    const std::string table = "id,x,y\n1,0,0\n2,4,0\n3,0,3\n";
+    const PointFile file = read_table(table + "4,7,8,9\n5,8,20,9\n6,8,30,9\n", skipping);
+    CHECK(file.points == corners);
+    CHECK(file.warnings.back().starts_with("3 lines are left out"));
+    is_refused_whole(table + "id,code,x,y\n1,7,20.5,3.1\n", "t:5: found 'id,code,x,y', the header of another table");
+    is_refused_whole(table + "lon,lat\n20.5,3.1\n", "t:5: found 'lon,lat', the header of another table");
+    CHECK(read_table("0 0\n4 0\n1 2 3\n1 2 3\n0 3\n1 2 3\n", skipping).points == corners);
+  }
+
+  TEST_CASE("a byte-order mark before any line of joined files is no part of it") {
+    for (const std::string text : {"0,0\n\xEF\xBB\xBF"
+                                   "4,0\n0,3\n",
+                                   "x,y\n0,0\n\xEF\xBB\xBF"
+                                   "4,0\n0,3\n",
+                                   "0 0\n\xEF\xBB\xBF# b\n4 0\n\xEF\xBB\xBF"
+                                   "0 3\n"})
+      CHECK(read_table(text).points == corners);
+    CHECK(read_table("x,y\n0,0\n4,0\n\xEF\xBB\xBFx,y\n0,3\n", skipping).points == corners);
   }
 
   TEST_CASE("'|' separates, and several points in a line are refused") {
@@ -260,16 +433,26 @@ TEST_SUITE("table doubts") {
   }
 
   TEST_CASE("numbers that may have signs between thousands, or decimal commas between commas, give warnings") {
-    CHECK(warnings_with("x;y\n950;900\n1.011;998\n1.300;1.025\n", "is it 10").size() == 2);
-    CHECK(warnings_with("x;y\n950;900\n1.011;998\n1.300;1.025\n", "as in 1.011").size() == 1);
+    CHECK(warnings_with("x;y\n9;5\n1.011;8\n1.300;1.025\n", "is it 10").size() == 2);
+    CHECK(warnings_with("x;y\n9;5\n1.011;8\n1.300;1.025\n", "as in 1.011").size() == 1);
+    for (const std::string text :
+         {"x;y\n950;900\n1.011;998\n1.300;1.025\n", "x;y\n923;463,1\n1,049;463,9\n", "923 463.1\n1.049 463.9\n"})
+      CHECK(refusal_of_table(text, skipping).find("with three digits after each sign") != std::string::npos);
     for (const std::string text :
          {"x;y\n950;900\n1.01;998\n1.300;1.02\n", "x;y\n1.011;998.5\n1.3;1.025\n", "x;y\n0.125;0\n0.250;1\n0;0\n",
           "x;y\n1.125;2.250\n3.125;4.375\n", "x;y\n5000;1\n1.125;2\n"})
       CHECK(warnings_with(text, "thousands").empty());
-    const std::string commas = "are these commas decimal signs?";
-    CHECK(warnings_with("13,28,52,56\n13,36,52,51\n13,21,52,52\n13,07,52,40\n", commas).size() == 1);
-    CHECK(warnings_with("1,13,28,52,56\n2,13,36,52,51\n3,13,21,52,52\n4,13,99,52,40\n", commas).size() == 1);
-    CHECK(warnings_with("1,2,30,40\n5,6,30,41\n7,8,30,41\n", commas).empty());
+    for (const std::string text :
+         {"13,28,52,56\n13,36,52,51\n13,21,52,52\n13,07,52,40\n", "691234,56,5334123,41\n691235,56,5334123,41\n",
+          "1,5, 2,5\n2,5, 7,5\n", "7, 1,5, 2,5\n8, 2,5, 7,5\n",
+          "1,13,28,52,56\n2,13,36,52,51\n3,13,21,52,52\n4,13,99,52,40\n"}) {
+      is_refused_whole(text, "t:1: found '" + text.substr(0, text.find('\n')) + "', whose commas may be decimal signs");
+      CHECK(read_table(text, {.columns = parse_columns("1,2")}).points.size() > 1);
+    }
+    CHECK_THROWS_AS(space_points_in("13,5,52,7,9,05\n", "t", Format::text, {}), BadInput);
+    CHECK(space_points_in("13,5,52,0,0,1\n", "t", Format::text, {}).points.size() == 1);
+    CHECK(read_table("1, 5, 2, 5\n2, 5, 7, 5\n").warnings.empty());
+    CHECK(read_table("1,2,30,40\n5,6,30,41\n7,8,30,41\n").points.size() == 3);
   }
 
   TEST_CASE("text around a number, in a field or as a field, is named") {
@@ -297,6 +480,9 @@ TEST_SUITE("table doubts") {
           "(without the quotes around the whole line)");
     CHECK(refusal_of_table("\"id,x,y\"\n\"1,2,3\"\n").ends_with("(without the quotes around the whole line)"));
     CHECK(refusal_of_table("id;geom\n1;SRID=4326;POINT(1 2)\n").ends_with("(with quotes around SRID=...;POINT ...)"));
+    CHECK(refusal_of_table("1,2\n", {.columns = parse_columns("2")}) ==
+          "t:1: found '2', expected a geometry, such as 'POINT (1 2)' (--columns X,Y takes two columns)");
+    CHECK(refusal_of_table("id;wkt\n1;POINT(11.5,48.1)\n") == "t:2: found ',48.1)', expected a number after a blank");
     CHECK(refusal_of_table("x,y\n1,2,a\n") == "t:2: found 3 columns ('1,2,a'), expected 2 as in line 1");
   }
 
@@ -305,7 +491,18 @@ TEST_SUITE("table doubts") {
       CHECK(warnings_with("id,x,y\n1,0,0\n2,4,0\n" + word + ",4,0\n\n", "a total of others").size() == 1);
       CHECK(warnings_with("x;y;name\n0;0;a\n" + std::string("4;0;") + word, "a total of others").size() == 1);
     }
+    for (const std::string word :
+         {"Grand Total", "Gesamtergebnis", "TOTAL:", "Min", "Max", "Anzahl", "std", "Centroid", ""})
+      for (const std::string s : {",", ";", "\t"}) {
+        const std::string text =
+            "name" + s + "x" + s + "y\na" + s + "0" + s + "0\nb" + s + "4" + s + "0\n" + word + s + "4" + s + "7\n";
+        CAPTURE(text);
+        CHECK(warnings_with(text, "a total of others (then delete it)").size() == 1);
+        const CloudRequest selected{.where = Condition("name == 'a' or name == 'b'", names_of_columns())};
+        CHECK(read_table(text, selected).warnings.size() == 2);  // x is column 2, and 2 of 3 lines
+      }
     CHECK(warnings_with("id,x,y\nSum,0,0\nMeanwhile,4,0\n", "a total of others").empty());
+    CHECK(warnings_with("id,x,y\n1,0,0\n2,4,0\n,3,0\n", "a total of others").empty());
     CHECK(refusal_of_table("id,x,y\n1,0,0\nTotal,,66\n").starts_with("t:3: found ''"));
   }
 
@@ -318,6 +515,10 @@ TEST_SUITE("table doubts") {
                                      {"\xD0\xCF\x11\xE0 1 2\n", "a workbook of Excel"},
                                      {"\n<!DOCTYPE html>\n<p>404\n", "a web page"},
                                      {"<HTML>\n1 2\n", "a web page"},
+                                     {"<?xml version=\"1.0\"?>\n<kml>\n", "XML"},
+                                     {"<kml>\n1 2\n", "KML"},
+                                     {"ncols 3\nnrows 3\nxllcorner 0\n1 2 3\n", "a grid of ESRI"},
+                                     {"NCOLS\t3\r\nNROWS\t3\r\n", "a grid of ESRI"},
                                      {"{\"type\": 1}\n", "JSON"}})
       for (const CloudRequest& request : {CloudRequest{}, skipping})
         CHECK(refusal_of_table(file.bytes, request).starts_with("t: found " + file.found + ", expected "));

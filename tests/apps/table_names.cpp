@@ -109,16 +109,21 @@ TEST_SUITE("names of columns") {
       std::string names;
       bool in_space;
       std::string columns, way;  ///< of the warning; none without columns
+      std::string why = "no name of a column is that";
     };
     const std::string x = "x is column 1, ", y = "y is column 2, ";
     for (const Header& header : std::initializer_list<Header>{
              {"a,b", false, x + "'a', and " + y + "'b'", "--columns 2,1 exchanges them"},
              {"lat,b", false, x + "'lat', and " + y + "'b'", "--columns 2,1 exchanges them"},
-             {"x,b", false, "", ""},
-             {"a,North", false, "", ""},
+             {"x,y", false, "", ""},
+             {"x,b", false, x + "'x', and " + y + "'b'", "--columns 2,1 exchanges them", "'b' is no name"},
+             {"lon,elev", false, x + "'lon', and " + y + "'elev'", "--columns 2,1 exchanges them", "'elev' is no name"},
+             {"a,North", false, x + "'a', and " + y + "'North'", "--columns 2,1 exchanges them", "'a' is no name"},
              {"a,b,c", true, x + "'a', " + y + "'b', and z is column 3, 'c'", "--columns chooses another order"},
-             {"a,b,H\xC3\xB6he", true, "", ""},
-             {"x,y,c", true, "", ""}}) {
+             {"a,b,H\xC3\xB6he", true, x + "'a', " + y + "'b', and z is column 3, 'H\xC3\xB6he'",
+              "--columns chooses another order", "'a' and 'b' are no names"},
+             {"x,y,c", true, x + "'x', " + y + "'y', and z is column 3, 'c'", "--columns chooses another order",
+              "'c' is no name"}}) {
       CAPTURE(header.names);
       const bool three = header.names.find(',') != header.names.rfind(',');
       const std::string text = header.names + (three ? "\n1,2,3\n4,5,7\n" : "\n1,2\n4,5\n");
@@ -127,8 +132,8 @@ TEST_SUITE("names of columns") {
       if (header.columns.empty()) {
         CHECK(warnings.empty());
       } else {
-        CHECK(warnings == std::vector<std::string>{"no name of a column is that of a coordinate; " + header.columns +
-                                                   " (" + header.way + ")"});
+        CHECK(warnings ==
+              std::vector<std::string>{header.why + " of a coordinate; " + header.columns + " (" + header.way + ")"});
       }
       const std::vector<Column> chosen = {{.number = 1}, {.number = 2}};
       CHECK(read_table(text, {.columns = chosen}).warnings.empty());
@@ -173,7 +178,51 @@ TEST_SUITE("names of columns") {
     CHECK(folder.rbpa("info n.xyz").err.find("numbers the lines") == std::string::npos);
   }
 
-  TEST_CASE("the leftmost of several pairs of names is taken, and without one the first columns") {
+  TEST_CASE("of several pairs of names a clear one is taken, and the other is said with its columns") {
+    struct Header {
+      std::string names, taken, others;
+      Point first;
+    };
+    for (const Header& header : std::initializer_list<Header>{
+             {"E,N,x,y", "x is column 3, 'x', and y is column 4, 'y'", "'E' and 'N' (--columns 1,2", {3, 4}},
+             {"E,n,lon,lat", "x is column 3, 'lon', and y is column 4, 'lat'", "'E' and 'n' (--columns 1,2", {3, 4}},
+             {"N,E,lat,lon", "x is column 4, 'lon', and y is column 3, 'lat'", "'E' and 'N' (--columns 2,1", {4, 3}},
+             {"E,N,stop_lon,stop_lat", "x is column 3, 'stop_lon', and y is", "'E' and 'N' (--columns 1,2", {3, 4}},
+             {"X,Y,Latitude,Longitude",
+              "x is column 1, 'X', and y",
+              "'Longitude' and 'Latitude' (--columns 4,3",
+              {1, 2}},
+             {"x,y,x,y", "x is column 1, 'x', and y is column 2, 'y'", "'x' and 'y' (--columns 3,4", {1, 2}},
+             {"Lat,Lon,Lat,Lon", "x is column 2, 'Lon', and y is", "'Lon' and 'Lat' (--columns 4,3", {2, 1}},
+             {"L\u00E4nge,Breite,X,Y",
+              "x is column 3, 'X', and y",
+              "'L\u00E4nge' and 'Breite' (--columns 1,2",
+              {3, 4}}})
+      for (const char separator : {',', ';', '\t'}) {
+        std::string text = header.names + "\n1,2,3,4\n";
+        std::replace(text.begin(), text.end(), ',', separator);
+        CAPTURE(text);
+        const PointFile file = read_table(text);
+        CHECK(file.points == std::vector<Point>{header.first});
+        CHECK(file.warnings.front().starts_with(header.taken));
+        CHECK(file.warnings.front().ends_with(", as the header says, and not " + header.others + " chooses these)"));
+      }
+    const SpacePoints space = space_points_in("x,y,z,lon,lat\n1,2,3,4,5\n", "t", Format::text, {});
+    CHECK(space.warnings.front().ends_with("and not 'lon' and 'lat' (--columns chooses these)"));
+    for (const std::string& names : {std::string("N,S,E,W"), std::string("west,south,east,north")})
+      CHECK(refusal_of_table(names + "\n4,3,13,12\n5,4,14,13\n").find("the sides of boxes") != std::string::npos);
+  }
+
+  TEST_CASE("names are known by an ending that two of them have, and in further languages") {
+    for (const std::string& names : {std::string("INTPTLAT;INTPTLONG"), std::string("ptlatitude;ptlongitude"),
+                                     std::string("Pohjoinen;It\u00E4"), std::string("p\u00F3\u0142noc;wsch\u00F3d")})
+      CHECK(read_table("GEOID;" + names + "\n1;47.5;-122.5\n2;48.5;-122.5\n").points ==
+            std::vector<Point>{{-122.5, 47.5}, {-122.5, 48.5}});
+    for (const std::string& names : {std::string("errlat;errlon"), std::string("flat;colon")})
+      CHECK(refusal_of_table("GEOID;" + names + "\n1;47.5;-122.5\n").find("expected known names") != std::string::npos);
+  }
+
+  TEST_CASE("the leftmost of several clear pairs of names is taken, and without one the first columns") {
     CHECK(read_table("x,y,lon,lat\n1,2,3,4\n").points == std::vector<Point>{{1, 2}});
     CHECK(read_table("lat,lon,x,y\n1,2,3,4\n").points == std::vector<Point>{{2, 1}});
     CHECK(read_table("id,x,y,lon,lat\n0,1,2,3,4\n").points == std::vector<Point>{{1, 2}});

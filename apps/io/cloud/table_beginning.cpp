@@ -4,6 +4,7 @@
 #include <cctype>
 #include <deque>
 
+#include "io/cloud/table_odd_lines.h"
 #include "io/failure.h"
 #include "io/formats.h"
 #include "io/text/fields.h"
@@ -11,6 +12,8 @@
 
 namespace rbpa::app {
 namespace {
+
+constexpr std::string_view way_of_comments = " (quotes around the first field of a line make it one)";
 
 /// Returns the value of "Properties=" in a comment; empty if it has none.
 std::string_view properties_in(std::string_view comment) {
@@ -94,10 +97,10 @@ class Starter {
       bad_input(
           at_line(lines_.name(), start_.first_line),
           in_quotes(start_.header) + " and no line after it" + (lines_.comments() > comments_ ? " but comments" : ""),
-          "lines of points after a header");
+          "lines of points after a header" + std::string(lines_.passed_points() > 0 ? way_of_comments : ""));
     if (!start_.any_table && !start_.has_line && selection_.skipped() == 0 && lines_.passed_points() > 0)
       bad_input(lines_.name(), counted(lines_.comments(), "comment") + " and no point",
-                "points (quotes around the first field of a line make it one)");
+                "points" + std::string(way_of_comments));
     return std::move(start_);
   }
 
@@ -151,8 +154,9 @@ class Starter {
       return choose_separator(lines_.ahead(separator_sample), said, selection_.skips(), lines_.name());
     };
     std::optional<SeparatorChoice> passed;
-    if (selection_.skips()) passed = pass_title(said);
-    SeparatorChoice choice = passed ? *passed : choose();
+    SeparatorChoice choice = choose();
+    if (selection_.skips() && !lacks_name_of_rows(lines_, choice)) passed = pass_title(said);
+    if (passed) choice = *passed;
     for (std::size_t tries = 1;; ++tries) {
       try {
         lay_out(choice, said.has_value(), room);
@@ -275,10 +279,12 @@ class Starter {
     TableBeginning table{.lines = lines_, .comment = comment_, .choice = choice, .says_columns = says_columns_};
     table.fields = split(lines_.line(), separator, room);
     for (const std::string_view field : table.fields) table.width.add(field);
-    if (selection_.skips() && choice.lines > 0 && !choice.first_fits)
+    const bool lacks_name = choice.lines > 0 && lacks_name_of_rows(lines_, choice);
+    const bool fits = table.width.fits(choice.fields) || choice.fields.fits(table.width);
+    if (selection_.skips() && choice.lines > 0 && !fits && !lacks_name)
       bad_input(at_line(lines_.name(), lines_.number()), found_columns(table.width.all, lines_.line()),
                 std::to_string(choice.fields.all) + " as in the lines after it");
-    if (choice.lines > 0 && lacks_name_of_rows(choice)) {
+    if (lacks_name) {
       table.fields.insert(table.fields.begin(), std::string_view());
       table.width = choice.fields;
     }
@@ -293,6 +299,8 @@ class Starter {
     warnings_.insert(warnings_.end(), warnings.begin(), warnings.end());
     const bool was_said = is_said || choice.lines > 0;
     finish(was_said ? choice.separator : separator);
+    start_.may_lack_fields =
+        start_.layout.header && choice.lines > 0 && choice.first_fits && choice.separator != blanks;
     if (!start_.layout.header) return;
     lines_.set_layout('\0', 0);
     comments_ = lines_.comments();
@@ -301,14 +309,6 @@ class Starter {
     take_count();
     if (!was_said && start_.has_line) start_.separator = separator_of_data(separator);
     lines_.set_layout(start_.separator, start_.layout.width.to_last_text);
-  }
-
-  /// Returns whether the header lacks the name of the first column, as R's write.table() writes it: names in quotes,
-  /// and lines with one field more, the first in quotes.
-  bool lacks_name_of_rows(const SeparatorChoice& choice) const {
-    Lines behind(lines_.rest());
-    return count_fields(lines_.line(), choice.separator).all + 1 == choice.fields.to_last_text &&
-           lines_.line().starts_with('"') && behind.next_with_content() && behind.line().starts_with('"');
   }
 
   /// Returns the separator of the data below a header with separator `of_header`. Commas within a geometry separate

@@ -49,11 +49,12 @@ std::string check_after_atoms(const AnnouncedPoints& announced, const TableLines
 
 struct TableStart {
   TableLayout layout = {};
-  char separator = blanks;              ///< separator of the data
-  std::string header = {};              ///< the line of the header; empty if there is none
-  std::size_t first_line = 0;           ///< number of the line that sets the number of columns
-  bool has_line = false;                ///< the current line is the first of data
-  bool any_table = false;               ///< `layout` is set
+  char separator = blanks;       ///< separator of the data
+  std::string header = {};       ///< the line of the header; empty if there is none
+  std::size_t first_line = 0;    ///< number of the line that sets the number of columns
+  bool has_line = false;         ///< the current line is the first of data
+  bool any_table = false;        ///< `layout` is set
+  bool may_lack_fields = false;  ///< lines may lack fields at the end, as a line with all fields shows the others
   std::vector<std::string> names = {};  ///< names of all columns, if known, without quotes
   std::optional<AnnouncedPoints> announced = std::nullopt;
 };

@@ -1,20 +1,18 @@
 #include <algorithm>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 
 #include "io/cloud/colors.h"
 #include "io/cloud/table_beginning.h"
-#include "io/cloud/table_doubts.h"
+#include "io/cloud/table_fields.h"
 #include "io/cloud/table_lines.h"
-#include "io/cloud/table_numbers.h"
+#include "io/cloud/table_odd_lines.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
 #include "io/polygon/wkt.h"
 #include "io/text/fields.h"
 #include "io/text/line_selection.h"
-#include "io/text/typed_words.h"
 #include "io/text/written.h"
 
 namespace rbpa::app {
@@ -67,6 +65,7 @@ class TableCloud final : public Cloud {
   void finish() override {
     selection_.add_warnings(any_points_, name_, facts_.file.warnings);
     warn(lines_.warning_on_comments());
+    if (is_last_point_) warn(doubt_);
     facts_.file.texts = selection_.take_texts();
     facts_.file.all_points = index_;
   }
@@ -95,16 +94,21 @@ class TableCloud final : public Cloud {
     width_ = start.layout.width;
     header_ = std::move(start.header);
     lay_out(start.layout, start.names);
+    to_last_name_ = width_.to_last_text;
+    if (start.may_lack_fields) {
+      const auto last = std::find_if(role_.rbegin(), role_.rend(), [](std::uint8_t r) { return r < height; });
+      width_.to_last_text = wkt_ ? *wkt_ + 1 : static_cast<std::size_t>(role_.rend() - last);
+    }
     if (header_.empty()) index_ = selection_.skipped();
     if (has_line_) selection_.settle_kinds(lines_.line(), lines_.lines(), separator_);
     reading_.begin(separator_, request_.in_space, header_);
-    is_plain_ = !wkt_ && !facts_.colors && !selection_.has_condition() && kept_.empty();
+    is_plain_ = !wkt_ && !facts_.colors && !selection_.has_condition() && !reading_.keeps_any();
     if (!has_line_ || !lines_.content().is_in_memory()) return;
     // Estimate the room: a point takes at least two characters for each number. Unused room costs nothing.
     const std::string_view rest = lines_.rest();
     const std::size_t shortest = request_.in_space ? 6 : 4;
     facts_.expected = std::min(count_line_ends(rest) + 2, rest.size() / shortest + 2);
-    warn(doubt_last_line(lines_, separator_));
+    doubt_ = doubt_last_line(lines_, separator_);
   }
 
   void lay_out(const TableLayout& layout, const std::vector<std::string>& names) {
@@ -121,11 +125,8 @@ class TableCloud final : public Cloud {
       const std::string& name = names[k];
       if (name.empty() || !request_.keeps->has(name) || k == wkt_ || (k < role_.size() && role_[k] != nothing))
         continue;
-      kept_.push_back(k);
-      facts_.file.kept.push_back({.name = name, .type = Scalar::int64});
+      reading_.keep(k, name);
     }
-    words_.resize(kept_.size());
-    numbers_of_texts_.resize(kept_.size());
     has_heights_ = request_.heights && (layout.height || wkt_);
     facts_.normals = numbers_ == 6;
     if (!layout.colors.empty()) facts_.colors = Channels::bytes;
@@ -149,7 +150,7 @@ class TableCloud final : public Cloud {
     if (is_by_content_) last_.take({value[3], value[4], value[5]});
     for (std::size_t k = 0; k < numbers_; ++k) block.column[k][block.count] = value[k];
     append_fields(selection_.column_values(), block);
-    for (std::size_t k = 0; k < kept_.size(); ++k) append_word(facts_.file.kept[k], words_[k], numbers_of_texts_[k]);
+    reading_.append_words();
     if (has_heights_) block.heights[block.count] = z_;
     if (request_.skip_invalid || selection_.has_condition()) block.index.push_back(index_);
     ++index_;
@@ -168,6 +169,7 @@ class TableCloud final : public Cloud {
       const char* const behind = read_plain_line(value);
       if (behind == nullptr) return;
       append(value, block);
+      is_last_point_ = true;
       ++point_lines_;
       lines_.pass_line(behind);
     }
@@ -233,7 +235,13 @@ class TableCloud final : public Cloud {
       }
     };
     selection_.attempt(take_one, [&] { return any_points_ || block.count > 0 || is_mended_by_skipping(); });
-    if (index_ == index) ++index_;
+    is_last_point_ = index_ != index;
+    if (!is_last_point_) ++index_;
+    if (!is_last_point_ || plain_width_ >= to_last_name_) return;
+    warn("line " + std::to_string(lines_.number()) + " has " + counted(plain_width_, "field") + " and line " +
+         std::to_string(first_line_) + " " + std::to_string(width_.all) +
+         ": fields that are not read may be missing at the end");
+    to_last_name_ = 0;
   }
 
   /// Returns whether the first lines of the file have a point if lines that are no points are left out.
@@ -252,29 +260,13 @@ class TableCloud final : public Cloud {
     }
   }
 
-  /// Sets words_ by the current line.
-  void keep_words() {
-    if (kept_.empty()) return;
-    for (std::string& word : words_) word.clear();
-    std::size_t column = 0, k = 0;
-    for (Fields fields(lines_.line(), separator_); !fields.at_end() && k < kept_.size(); ++column) {
-      const std::string_view field = fields.take();
-      if (column != kept_[k]) continue;
-      std::string room;
-      words_[k] = text_of_field(field, room);
-      if (separator_ != ',' && reading_.has_commas() && is_number(words_[k]))
-        std::replace(words_[k].begin(), words_[k].end(), ',', '.');
-      ++k;
-    }
-  }
-
   void read_point(CloudBlock& block) {
     z_ = none;
     Fields fields(lines_.line(), separator_);
     Numbers value{};
     std::array<std::string_view, 3> color;
     FieldCount count;
-    keep_words();
+    reading_.take_words();
     while (!fields.at_end()) {
       const std::uint8_t role = count.all < role_.size() ? role_[count.all] : nothing;
       if (role < numbers_) {
@@ -302,14 +294,15 @@ class TableCloud final : public Cloud {
     if (facts_.file.heights.differ() && !has_heights_) std::replace(role_.begin(), role_.end(), height, nothing);
   }
 
-  /// Throws BadInput unless the current line has the fields of the table; empty fields at its end are optional.
+  /// Throws BadInput unless the current line has the fields of the table; fields at its end are optional from
+  /// width_.to_last_text on.
   void take_width(const FieldCount& count) {
-    plain_width_ = count.all;
-    if (count.all > role_.size()) role_.resize(count.all, nothing);
     if (!count.fits(width_))
       bad_input(here(), found_columns(count.all, lines_.line()),
                 std::to_string(width_.all) + " as in line " + std::to_string(first_line_) +
                     way_of_fields(lines_.line(), separator_, count.all > width_.all));
+    plain_width_ = count.all;
+    if (count.all > role_.size()) role_.resize(count.all, nothing);
   }
 
   /// Reads the geometries of the current line, in its field of well-known text.
@@ -317,7 +310,7 @@ class TableCloud final : public Cloud {
     Fields fields(lines_.line(), separator_);
     std::string_view text;
     FieldCount count;
-    keep_words();
+    reading_.take_words();
     while (!fields.at_end()) {
       const std::string_view field = without_quotes(fields.take());
       if (count.all == *wkt_) text = field;
@@ -329,7 +322,10 @@ class TableCloud final : public Cloud {
     try {
       while (geometries.next(points)) continue;
     } catch (const WktFault& fault) {
-      bad_input(here(), fault.found, fault.expected + way_to_text(text));
+      const std::string way = fault.found.starts_with("',") ? " after a blank"  // POINT (1, 2)
+                              : is_number(text)             ? " (--columns X,Y takes two columns)"
+                                                            : way_to_text(text);
+      bad_input(here(), fault.found, fault.expected + way);
     }
     if (points.empty()) bad_input(here(), in_quotes(text), "a geometry, such as 'POINT (1 2)'" + way_to_text(text));
     std::optional<Crs>& crs = facts_.file.crs;
@@ -347,8 +343,6 @@ class TableCloud final : public Cloud {
       append({points[i].x, points[i].y}, block);
     }
   }
-
-  // The end.
 
   void end() {
     ended_ = true;
@@ -369,23 +363,23 @@ class TableCloud final : public Cloud {
   std::size_t numbers_ = 0;                        // how many numbers a point has
   std::vector<std::uint8_t> role_ = {};            // role of each column
   std::optional<std::size_t> wkt_ = std::nullopt;  // the column of geometries, in place of x and y
-  std::vector<std::size_t> kept_ = {};             // columns that are kept, ascending
-  std::vector<std::string> words_ = {};            // their fields in the current line
-  std::vector<std::unordered_map<std::string, std::int32_t>> numbers_of_texts_ = {};
-  std::size_t first_line_ = 0;   // number of the line that sets the number of columns
-  FieldCount width_ = {};        // the number of columns
-  std::size_t plain_width_ = 0;  // number of fields of the previous plain line; 0: there was none
-  std::string header_ = {};      // line of the header; empty if there is none
-  bool is_plain_ = false;        // read_plain_lines() may succeed
-  TableNumbers reading_ = TableNumbers(lines_, facts_.file);
+  std::size_t first_line_ = 0;                     // number of the line that sets the number of columns
+  FieldCount width_ = {};                          // the number of columns
+  std::size_t to_last_name_ = 0;                   // lines with fewer fields give a warning, once
+  std::size_t plain_width_ = 0;                    // number of fields of the previous plain line; 0: there was none
+  std::string header_ = {};                        // line of the header; empty if there is none
+  bool is_plain_ = false;                          // read_plain_lines() may succeed
+  TableFields reading_ = TableFields(lines_, facts_.file);
   LineSelection selection_;
   TextColors colors_ = TextColors(widest_channel);
   bool is_unnamed_ = false,
        is_by_content_ = false;  // the last three columns have no names; their values show what they are
   LastColumns last_ = {};
   bool has_crs_warning_ = false;
-  bool has_heights_ = false;  // heights are requested, and there may be some
-  double z_ = none;           // height of the point that is being read
+  std::string doubt_ = {};      // warning about the last line if it is a point
+  bool is_last_point_ = false;  // the line before was a point
+  bool has_heights_ = false;    // heights are requested, and there may be some
+  double z_ = none;             // height of the point that is being read
 };
 
 }  // namespace

@@ -31,28 +31,26 @@ class TableSample {
   std::vector<std::vector<std::string_view>> rows_ = {};
 };
 
-/// Returns the argument of --columns for the columns that are most likely x and y in a table whose header has unknown
-/// names: by words of the names, else the first columns of decimals, else of numbers; "X,Y" if there are no two.
-std::string likely_columns(const TableBeginning& table, const TableSample& sample);
+/// Returns the end of a warning about columns x and y, which are taken by their names: the columns to choose instead.
+std::string other_columns(const std::vector<std::string_view>& fields, std::size_t x, std::size_t y, bool in_space);
+
+/// Adds the warning that not all of the first `numbers` columns, which are taken, have known names.
+void warn_of_unknown_names(const TableBeginning& table, std::size_t numbers, std::vector<std::string>& warnings);
+
+/// Throws WholeRefusal if the header has no known names and the line after it has three numbers or more, so that any
+/// two of them may be the coordinates.
+void refuse_unknown_names(const TableBeginning& table, const TableSample& sample);
 
 /// Adds warnings about a table in the plane without a header and without requested columns. Throws WholeRefusal if
-/// several points stand in a line.
+/// several points stand in a line, or as refuse_decimal_commas().
 void doubt_first_columns(const TableBeginning& table, const TableSample& sample, std::vector<std::string>& warnings);
 
+/// Throws WholeRefusal if the numbers of a table without a header may be halves of numbers with decimal commas.
+void refuse_decimal_commas(const TableBeginning& table, const TableSample& sample);
+
 /// Adds warnings about the columns of coordinates. Throws WholeRefusal if signs of coordinates, or minutes, are in
-/// other columns, or the header says that west or south is positive.
-void doubt_coordinates(const TableBeginning& table, const TableLayout& layout, const TableSample& sample,
-                       std::vector<std::string>& warnings);
-
-/// Throws BadInput if a file that begins with `bytes` is no table but a workbook, a web page or JSON.
-void refuse_no_table(std::string_view bytes, const std::string& name);
-
-/// Returns the warning that the last line after the current line has two numbers and a word such as "Sum", and is read
-/// as a point; empty if it is not so.
-std::string doubt_last_line(const TableLines& lines, char separator);
-
-/// Throws WholeRefusal if the current line, which is no point, is the header of another table than `header`: as many
-/// different names, which are known names or stand below a blank line.
-void refuse_second_header(const TableLines& lines, char separator, const FieldCount& width, const std::string& header);
+/// other columns, the header says that west or south is positive, or numbers have signs between thousands.
+void doubt_coordinates(const TableBeginning& table, const TableLayout& layout, const CloudRequest& request,
+                       const TableSample& sample, std::vector<std::string>& warnings);
 
 }  // namespace rbpa::app

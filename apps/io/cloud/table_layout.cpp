@@ -82,10 +82,11 @@ bool find_by_header(const FieldTexts& fields, const TableBeginning& table, Table
   }
   layout.numbers = {found->x, found->y};
   layout.degrees = found->degrees;
-  if (found->x != 0 || found->y != 1 || table.says_columns)
+  const std::string others = other_columns(fields, found->x, found->y, false);
+  if (found->x != 0 || found->y != 1 || table.says_columns || others.starts_with(','))
     warnings.push_back("x is column " + std::to_string(found->x + 1) + ", " + in_quotes(fields[found->x]) +
                        ", and y is column " + std::to_string(found->y + 1) + ", " + in_quotes(fields[found->y]) +
-                       ", as the header says (--columns chooses others)");
+                       ", as the header says" + others);
   return true;
 }
 
@@ -150,22 +151,6 @@ void refuse_atoms(const TableBeginning& table, const std::string& columns) {
               "x y z, or before atoms their number and a comment (--columns " + columns + " reads atoms)");
 }
 
-/// Adds the warning that the header has no known names, so that the first `numbers` columns are taken.
-void warn_of_unknown_names(const TableBeginning& table, std::size_t numbers, std::vector<std::string>& warnings) {
-  const FieldTexts& fields = table.fields;
-  bool any_known = false;
-  std::vector<std::string> columns;
-  for (std::size_t k = 0; k < numbers; ++k) {
-    any_known = any_known || is_coordinate(fields[k], k);
-    columns.push_back(std::string(1, "xyz"[k]) + " is column " + std::to_string(k + 1) + ", " + in_quotes(fields[k]));
-  }
-  if (any_known && fields.size() == numbers && !table.says_columns) return;
-  const std::string way = fields.size() > numbers ? "--columns chooses others"
-                          : numbers == 2          ? "--columns 2,1 exchanges them"
-                                                  : "--columns chooses another order";
-  warnings.push_back("no name of a column is that of a coordinate; " + listed(columns, ", and ") + " (" + way + ")");
-}
-
 /// If lines of text are left out above the data, adds the warning that there is no header, so that the first columns
 /// are read.
 void warn_of_no_header(const TableBeginning& table, const std::string& columns, std::vector<std::string>& warnings) {
@@ -186,16 +171,19 @@ bool is_above_numbers(const FieldTexts& fields, const TableSample& sample, std::
          std::none_of(fields.begin(), fields.end(), is_geometry);
 }
 
-/// Throws WholeRefusal if the header has no known names and the line after it has three numbers or more, so that any
-/// two of them may be the coordinates.
-void refuse_unknown_names(const TableBeginning& table, const TableSample& sample) {
-  std::size_t numbers = 0;
-  for (std::size_t i = 0; i < table.fields.size() && sample.lines() > 1; ++i)
-    numbers += is_number(sample.field(1, i)) ? 1U : 0U;
-  if (table.fields.size() == 2 || numbers < 2 || !table.choice.first_fits) return;
-  throw WholeRefusal(here(table) + ": found " + in_quotes(table.lines.line()) +
-                     ", expected known names of coordinates, such as x and y (--columns " +
-                     likely_columns(table, sample) + " chooses columns)");
+/// Returns whether the first line numbers the columns from 0 after an empty name, as pandas writes it.
+bool is_numbering(const FieldTexts& fields) {
+  for (std::size_t i = 1; i < fields.size(); ++i)
+    if (fields[i] != std::to_string(i - 1)) return false;
+  return fields.size() > 2 && fields.front().empty();
+}
+
+/// Takes the columns after the first in a table whose first line numbers them.
+void lay_out_by_numbering(bool in_space, TableLayout& layout, std::vector<std::string>& warnings) {
+  layout.numbers = in_space ? std::vector<std::size_t>{1, 2, 3} : std::vector<std::size_t>{1, 2};
+  layout.header = true;
+  warnings.push_back(std::string("the first line numbers the columns; x is column 2, y is column 3") +
+                     (in_space ? ", z is column 4" : "") + " (--columns chooses others)");
 }
 
 TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const CloudRequest& request,
@@ -207,6 +195,7 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
   if (has_comment) layout.names = table.names;
   if (request.columns) {
     layout.numbers = chosen(*request.columns, has_comment ? table.names : fields, table);
+    layout.header = is_numbering(fields);
     if (layout.numbers.size() == 1) {
       layout.wkt = std::exchange(layout.numbers, {0, 1}).front();
       layout.header = by_name ? !has_comment : is_unknown_header(fields, {*layout.wkt});
@@ -217,6 +206,9 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
     find_height_column(fields, layout);
     return layout;
   } else if (find_by_content(table, layout, warnings)) {
+    return layout;
+  } else if (is_numbering(fields)) {
+    lay_out_by_numbering(false, layout, warnings);
     return layout;
   } else if (!is_text_only(fields) &&
              (find_by_comment(table, false, layout, warnings) || find_by_kind(table, kind, false, layout))) {
@@ -231,6 +223,7 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
   if (x == y) refuse_repeated_column(fields[x], "two columns");  // under two names, or by name and by number
   const bool is_known = find_coordinates(fields).has_value() && may_be_known_header(fields);
   const auto places = request.columns ? layout.numbers : std::vector<std::size_t>();
+  if (layout.header) return layout;
   layout.header = by_name    ? !has_comment
                   : is_known ? is_header(fields, layout.numbers)
                              : is_unknown_header(fields, layout.numbers) || is_above_numbers(fields, sample, places);
@@ -287,8 +280,9 @@ void find_by_space_header(const TableBeginning& table, TableLayout& layout, std:
     in_order = in_order && layout.numbers[i] == i;
     names += (names.empty() ? "" : ", ") + in_quotes(fields[layout.numbers[i]]);
   }
-  if (!in_order || table.says_columns)
-    warnings.push_back("the columns " + names + " are read, as the header says (--columns chooses others)");
+  const std::string others = other_columns(fields, layout.numbers[0], layout.numbers[1], true);
+  if (!in_order || table.says_columns || others.starts_with(','))
+    warnings.push_back("the columns " + names + " are read, as the header says" + others);
 }
 
 [[noreturn]] void refuse_width(const TableBeginning& table) {
@@ -307,6 +301,9 @@ TableLayout lay_out_space(const TableBeginning& table, TableKind kind, const Clo
   if (has_comment) layout.names = table.names;
   if (request.columns) {
     choose_in_space(table, *request.columns, layout);
+    layout.header = is_numbering(fields);
+  } else if (is_numbering(fields) && fields.size() > 3) {
+    lay_out_by_numbering(true, layout, warnings);
   } else if (is_known || is_unknown_header(fields, {0, 1, 2})) {
     find_by_space_header(table, layout, warnings);
   } else if (find_by_comment(table, true, layout, warnings) || find_by_kind(table, kind, true, layout)) {
@@ -315,8 +312,10 @@ TableLayout lay_out_space(const TableBeginning& table, TableKind kind, const Clo
     if (fields.size() != 3 && fields.size() != 6) refuse_width(table);
     for (std::size_t i = 0; i < fields.size(); ++i) layout.numbers.push_back(i);
     layout.unnamed = fields.size() == 6;
+    if (layout.unnamed) refuse_decimal_commas(table, TableSample(table));
     warn_of_no_header(table, "x, y and z are columns 1 to 3", warnings);
   }
+  if (layout.header) return layout;
   layout.header = by_name    ? !has_comment
                   : is_known ? is_header(fields, layout.numbers)
                              : is_unknown_header(fields, layout.numbers);
@@ -365,7 +364,7 @@ TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const Clo
                           std::vector<std::string>& warnings) {
   const TableLayout layout =
       request.in_space ? lay_out_space(table, kind, request, warnings) : lay_out_plane(table, kind, request, warnings);
-  if (!layout.wkt) doubt_coordinates(table, layout, TableSample(table), warnings);
+  if (!layout.wkt) doubt_coordinates(table, layout, request, TableSample(table), warnings);
   return layout;
 }
 

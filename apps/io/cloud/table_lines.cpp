@@ -18,11 +18,13 @@ constexpr std::size_t at_once = std::size_t{1} << 20U;
 }  // namespace
 
 bool TableLines::next() {
-  do
+  std::string_view line;
+  do {
     while (!lines_.next())
       if (!next_text(0)) return false;
-  while (is_passed_over(lines_.line()));
-  line_ = lines_.line();
+    line = without_mark(lines_.line());  // of one of several files that are joined
+  } while (is_passed_over(line));
+  line_ = line;
   spanned_ = 0;
   is_open_ = false;
   if (separator_ == '\t') widen();

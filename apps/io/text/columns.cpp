@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <span>
 #include <string>
 
 #include "io/failure.h"
@@ -82,11 +83,20 @@ const std::vector<Names>& known_names() {
        {"y", "ycoord", "ycoordinate", "coordy", "coordinatey", "ycoor", "pointy", "posy", "positiony", "utmy",
         "ykoordinate", "koordinatey", "ykoord", "ordinate", "ordonnee", "ordenada", "ordinata"}},
       {{"easting", "eastings", "east", "e", "utmeasting", "utme", "rechtswert", "ostwert", "ost", "est", "este", "oost",
-        "rechts", "rw", "ostkoordinate", "ostlig"},
+        "rechts", "rw", "ostkoordinate", "ostlig",
+        // Finnish, Polish, Czech, Hungarian, Turkish, Portuguese, Russian
+        "ita", "itakoordinaatti", "wschod", "vychod", "kelet", "dogu", "leste", "восток"},
        {"northing", "northings", "north", "n", "utmnorthing", "utmn", "hochwert", "nordwert", "nord", "norte", "noord",
-        "hoch", "hw", "nordkoordinate", "nordlig"}}};
+        "hoch", "hw", "nordkoordinate", "nordlig", "norr",
+        // in the order of languages above
+        "pohjoinen", "pohjoiskoordinaatti", "polnoc", "sever", "eszak", "kuzey", "север"}}};
   return known;
 }
+/// Names that may also be a side of a box, or the length and the width of a thing: less sure than any other name.
+constexpr std::string_view weak_names[] = {"e",      "n",       "lange",     "laenge",    "breite",   "pituus",
+                                           "leveys", "dlugosc", "szerokosc", "hosszusag", "szelesseg"};
+constexpr std::string_view south_names[] = {"s", "south", "sud", "sued", "sur"},
+                           west_names[] = {"w", "west", "ouest", "oeste", "ovest"};
 constexpr std::string_view height_names[] = {"z",        "zcoord", "zcoordinate", "coordz",    "coordinatez",
                                              "zcoor",    "pointz", "posz",        "positionz", "elevation",
                                              "altitude", "height", "hohe",        "hoehe"};
@@ -98,7 +108,17 @@ constexpr std::string_view color_names[3][5] = {{"r", "red", "colorr", "rf", "di
 constexpr std::string_view wkt_names[] = {"wkt",     "geom",    "geometry",    "thegeom",
                                           "wktgeom", "geomwkt", "geometrywkt", "wktgeometry"};
 
-constexpr std::string_view units[] = {"m", "ft", "deg"};
+constexpr std::string_view units[] = {"m", "ft", "deg", "km", "cm", "mm"};
+
+/// Words that say that a number is no coordinate.
+constexpr std::string_view other_words[] = {"rad",    "radians",  "dms",   "e7",    "min",    "max",
+                                            "sec",    "minutes",  "error", "err",   "std",    "sigma",
+                                            "offset", "accuracy", "speed", "delta", "normal", "velocity"};
+
+template <typename Word, typename Known>
+bool is_among(const Word& word, const Known& known) {
+  return std::find(std::begin(known), std::end(known), word) != std::end(known);
+}
 
 /// The base letters of U+00C0 to U+017F; a blank stands for a sign that is not a letter.
 constexpr std::string_view base_letters =
@@ -132,11 +152,17 @@ bool take_folded(std::string_view& text, std::string& to) {
   return to.size() > before;
 }
 
+/// Returns a name without its unit, in brackets or the last word, and the unit.
+std::pair<std::string_view, std::string_view> split_unit(std::string_view name) {
+  if (const std::size_t bracket = name.find_first_of("(["); bracket < name.size())
+    return {name.substr(0, bracket), name.substr(bracket + 1, name.find_first_of(")]") - bracket - 1)};
+  const std::size_t last = std::min(name.find_last_of(" _"), name.size() - 1);
+  const std::string_view word = name.substr(last + 1);
+  return is_among(word, units) ? std::pair(name.substr(0, last), word) : std::pair(name, std::string_view());
+}
+
 std::string folded(std::string_view name) {
-  name = name.substr(0, name.find_first_of("(["));
-  if (const auto last = name.find_last_of(" _");
-      last != name.npos && std::find(std::begin(units), std::end(units), name.substr(last + 1)) != std::end(units))
-    name = name.substr(0, last);
+  name = split_unit(name).first;
   std::string result;
   while (!name.empty()) take_folded(name, result);
   return result;
@@ -159,7 +185,7 @@ std::vector<std::string> words_of(std::string_view name) {
 template <typename Known>
 bool has_word(std::string_view name, const Known& known) {
   const std::vector<std::string> words = words_of(name);
-  return std::find_first_of(words.begin(), words.end(), std::begin(known), std::end(known)) != words.end();
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return is_among(word, known); });
 }
 
 /// Returns the indices of the columns with a word that is one of the names, and, if `must_be_sure`, no word that says
@@ -167,13 +193,11 @@ bool has_word(std::string_view name, const Known& known) {
 template <typename Known>
 std::vector<std::size_t> with_word(const std::vector<std::string_view>& header, const Known& names,
                                    bool must_be_sure = true) {
-  constexpr std::string_view others[] = {"rad",   "radians", "dms", "e7",    "min",    "max",      "sec",   "minutes",
-                                         "error", "err",     "std", "sigma", "offset", "accuracy", "speed", "delta"};
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < header.size(); ++i) {
     const std::string_view name = header[i].substr(0, header[i].find_first_of("(["));
     if (name.empty() || is_digit(name.front()) || !has_word(name, names)) continue;  // 52°34'03.07"N is no name
-    if (!must_be_sure || !has_word(name, others)) places.push_back(i);
+    if (!must_be_sure || !has_word(name, other_words)) places.push_back(i);
   }
   return places;
 }
@@ -202,13 +226,39 @@ std::vector<std::string> all_folded(const std::vector<std::string_view>& header)
 }
 
 bool is_one_of(const std::vector<std::string_view>& names, std::string_view name) {
-  return std::find(names.begin(), names.end(), folded(name)) != names.end() || !with_word({name}, names).empty();
+  return is_among(folded(name), names) || !with_word({name}, names).empty();
+}
+
+/// Returns the names that may stand for points in a table with this header: above sides of boxes, not east and north.
+std::span<const Names> names_for(const std::vector<std::string_view>& header) {
+  return std::span(known_names()).first(known_names().size() - (are_sides(header) ? 1U : 0U));
+}
+
+/// Returns the pairs of columns whose names differ only in an ending such as lon and lat: "INTPTLONG", "INTPTLAT".
+std::vector<NamedColumns> find_by_endings(const std::vector<std::string>& names) {
+  constexpr std::size_t shortest = 3;  // of an ending
+  const auto beginning = [](std::string_view name, const std::vector<std::string_view>& endings) {
+    std::string_view least;
+    for (const std::string_view ending : endings)
+      if (ending.size() >= shortest && name.ends_with(ending))
+        if (const auto rest = name.substr(0, name.size() - ending.size()); least.empty() || rest.size() < least.size())
+          least = rest;
+    return is_among(least, other_words) ? std::string_view() : least;
+  };
+  std::vector<NamedColumns> pairs;
+  for (const Names& known : known_names())
+    for (std::size_t x = 0; x < names.size(); ++x)
+      for (std::size_t y = 0; y < names.size(); ++y)
+        if (const std::string_view of_x = beginning(names[x], known.x);
+            x != y && !of_x.empty() && of_x == beginning(names[y], known.y))
+          pairs.push_back({x, y, known.degrees});
+  return pairs;
 }
 
 /// Returns the columns whose names have words such as lon and lat; nothing if several pairs of columns have them.
 std::optional<NamedColumns> find_by_words(const std::vector<std::string_view>& header) {
   std::optional<NamedColumns> one;
-  for (const Names& known : known_names()) {
+  for (const Names& known : names_for(header)) {
     const std::vector<std::size_t> x = with_word(header, known.x), y = with_word(header, known.y);
     if (x.empty() || y.empty() || (x == y && x.size() == 1)) continue;
     const bool is_other = one && (one->x != x.front() || one->y != y.front());
@@ -220,24 +270,40 @@ std::optional<NamedColumns> find_by_words(const std::vector<std::string_view>& h
 
 }  // namespace
 
+bool are_sides(const std::vector<std::string_view>& header) {
+  const auto has = [&](const auto& known) {
+    return std::any_of(header.begin(), header.end(), [&](std::string_view name) { return has_word(name, known); });
+  };
+  return has(south_names) && has(west_names);
+}
+
 std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>& header) {
   const std::vector<std::string> names = all_folded(header);
   std::optional<NamedColumns> best;
-  const auto first_of = [](const NamedColumns& found) { return std::min(found.x, found.y); };
-  for (const Names& known : known_names()) {
+  const auto rank = [&](const NamedColumns& found) {
+    return std::pair(is_among(names[found.x], weak_names) && is_among(names[found.y], weak_names),
+                     std::min(found.x, found.y));
+  };
+  for (const Names& known : names_for(header)) {
     const std::optional<std::size_t> x = find_first(names, known.x), y = find_first(names, known.y);
     if (!x || !y) continue;
     const NamedColumns found{*x, *y, known.degrees};
-    if (!best || first_of(found) < first_of(*best)) best = found;
+    if (!best || rank(found) < rank(*best)) best = found;
   }
-  return best ? best : find_by_words(header);
+  if (best && !rank(*best).first) return best;
+  std::vector<std::string_view> others = header;
+  if (best) others[best->x] = others[best->y] = {};
+  if (const std::optional<NamedColumns> by_words = find_by_words(others)) return by_words;
+  const std::vector<NamedColumns> by_endings = find_by_endings(names);
+  return best || by_endings.size() != 1 ? best : by_endings.front();
 }
 
 std::vector<std::size_t> find_likely_columns(const std::vector<std::string_view>& header) {
-  for (const Names& known : known_names()) {
+  for (const Names& known : names_for(header)) {
     const std::vector<std::size_t> x = with_word(header, known.x, false), y = with_word(header, known.y, false);
     if (!x.empty() && !y.empty() && x.front() != y.front()) return {x.front(), y.front()};
   }
+  for (const NamedColumns& pair : find_by_endings(all_folded(header))) return {pair.x, pair.y};
   return {};
 }
 
@@ -271,14 +337,28 @@ std::optional<std::size_t> find_height(const std::vector<std::string_view>& head
 bool is_longitude(std::string_view name) { return is_one_of(known_names().front().x, name); }
 bool is_latitude(std::string_view name) { return is_one_of(known_names().front().y, name); }
 
-bool is_reversed(std::string_view name) {
-  constexpr std::string_view directions[] = {"w",    "s",     "west",  "south", "sud",
-                                             "sued", "oeste", "ouest", "ovest", "sur"};
-  return has_word(name, directions);
-}
+bool is_reversed(std::string_view name) { return has_word(name, south_names) || has_word(name, west_names); }
+
 bool is_part_of_degree(std::string_view name) {
   constexpr std::string_view parts[] = {"min", "minute", "minutes", "minuten", "sec", "second", "seconds", "sekunden"};
-  return has_word(name, parts);
+  const Names& degrees = known_names().front();
+  const auto is_degree = [&](const std::string& word) {
+    return is_among(word, degrees.x) || is_among(word, degrees.y);
+  };
+  const std::vector<std::string> words = words_of(name.substr(0, name.find_first_of("([")));
+  const bool any_degree = std::any_of(words.begin(), words.end(), is_degree);
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+    return (any_degree && (word == "m" || word == "s")) ||
+           std::any_of(parts, std::end(parts), [&](std::string_view part) {
+             return word == part || (word.ends_with(part) && is_degree(word.substr(0, word.size() - part.size())));
+           });
+  });
+}
+
+bool have_different_units(std::string_view a, std::string_view b) {
+  const std::string_view of_a = split_unit(a).second, of_b = split_unit(b).second;
+  const auto is_length = [](std::string_view unit) { return unit != "deg" && is_among(unit, units); };
+  return is_length(of_a) && is_length(of_b) && of_a != of_b;
 }
 
 std::optional<std::size_t> find_wkt(const std::vector<std::string_view>& header) {

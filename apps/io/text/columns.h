@@ -33,8 +33,13 @@ struct NamedColumns {
 };
 
 /// Returns the columns whose names are a pair such as lon and lat, x and y, or easting and northing, in any order and
-/// among other columns: the leftmost pair, or else the only pair whose names have such a word ("stop_lat", "X_WGS84").
+/// among other columns: the leftmost pair, or else the only pair whose names have such a word ("stop_lat", "X_WGS84")
+/// or ending ("INTPTLAT"). A pair of names such as E and N, which may mean another thing, comes last, and is none above
+/// sides of boxes.
 std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>& header);
+
+/// Returns whether the header has names of south and west, as of boxes with four sides.
+bool are_sides(const std::vector<std::string_view>& header);
 
 /// Returns the first columns for x and y that have such a word, of perhaps several pairs; empty if there are none.
 std::vector<std::size_t> find_likely_columns(const std::vector<std::string_view>& header);
@@ -59,8 +64,11 @@ bool is_latitude(std::string_view name);
 /// Returns whether a name says that west or south is positive: "Longitude (W)", "lat [°S]".
 bool is_reversed(std::string_view name);
 
-/// Returns whether a name is that of minutes or seconds: "lat_min".
+/// Returns whether a name is that of minutes or seconds: "lat_min", "lat_m", "latmin".
 bool is_part_of_degree(std::string_view name);
+
+/// Returns whether two names have different units of length in brackets or as their last words: "X [ft]", "y_m".
+bool have_different_units(std::string_view a, std::string_view b);
 
 /// Returns the index of the first column called wkt, geom, geometry or the like, of geometries in well-known text;
 /// nothing if there is none.

@@ -16,9 +16,12 @@ struct Angle {
   bool has_sign = false;   ///< there is a letter or a sign of degrees, and not only blanks or colons
 };
 
-/// Returns the angle that is written as "52°34'03.07\"N", "N52.5", "-52 34.05" or "52:00:12.5"; nothing for a number
-/// alone and any other text.
+/// Returns the angle that is written as "52°34'03.07\"N", "N52.5", "-52 34.05", "52:00:12.5", "52 deg 34' 3.07\" N",
+/// "52d34m03s" or "52-34-03N"; nothing for a number alone and any other text.
 std::optional<Angle> parse_angle(std::string_view text);
+
+/// Returns whether a byte follows an ASCII character as none does in UTF-8: a degree sign or a space of CP1252.
+bool has_stray_byte(std::string_view text);
 
 /// Returns the text for "expected …" in a message about a field in which parse_written_number() finds `fault`, with a
 /// way out in brackets if there is one.

@@ -1,11 +1,15 @@
-// What: reads the numbers of points in the fields of a table: with a decimal point or a decimal comma, or as angles.
+// What: reads the fields of a table: the numbers of points, with a decimal point or a decimal comma or as angles, and
+//       words of other columns, which are kept.
 // Law:  all numbers of a table have the same decimal sign (DecimalComma); a number that is read otherwise than it is
 //       written gives a warning, once.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <unordered_map>
+#include <vector>
 
 #include "io/cloud/cloud.h"
 #include "io/cloud/table_lines.h"
@@ -13,11 +17,11 @@
 
 namespace rbpa::app {
 
-class TableNumbers {
+class TableFields {
  public:
   /// Adds warnings to `file`, whose `degrees` says that x is a longitude and y a latitude. Requires: `lines` and `file`
   /// live as long.
-  TableNumbers(const TableLines& lines, PointFile& file) : lines_(lines), file_(file) {}
+  TableFields(const TableLines& lines, PointFile& file) : lines_(lines), file_(file) {}
 
   /// Begins with the current line as the first of points, below `header`, which is empty if there is none.
   void begin(char separator, bool in_space, std::string_view header);
@@ -32,7 +36,14 @@ class TableNumbers {
 
   bool has_commas() const { return comma_.is_used(); }  ///< a number had a decimal comma
 
+  /// Keeps the words of a column, from 0, in PointFile::kept. Requires: columns ascend.
+  void keep(std::size_t column, const std::string& name);
+  bool keeps_any() const { return !kept_.empty(); }
+  void take_words();    ///< reads the words of the current line
+  void append_words();  ///< appends them for a point of the line
+
  private:
+  [[noreturn]] void refuse(std::string_view field, const std::string& expected) const;
   double read_angle(double degrees, char hemisphere, std::string_view field, std::size_t axis);
   double read_decimal_comma(std::string_view field);
   bool is_block_whole() const;
@@ -50,6 +61,9 @@ class TableNumbers {
   bool all_whole_ = true;              // all numbers of earlier blocks without a comma are whole
   DecimalComma comma_ = {};
   bool has_angles_ = false;
+  std::vector<std::size_t> kept_ = {};   // columns that are kept, ascending
+  std::vector<std::string> words_ = {};  // their fields in the current line
+  std::vector<std::unordered_map<std::string, std::int32_t>> numbers_of_texts_ = {};
 };
 
 }  // namespace rbpa::app
