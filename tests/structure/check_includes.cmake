@@ -78,9 +78,12 @@ set(allowed
     rbpa/space/predicate"
   "rbpa/space/repair/refining: meshops/core meshops/stellar rbpa/base rbpa/space/predicate rbpa/space/surface"
   "rbpa/space/simplify: meshops/core meshops/simplify meshops/stellar meshops/topology rbpa/base
-    rbpa/space/predicate rbpa/space/simplify/distance rbpa/space/simplify/moving rbpa/space/surface"
+    rbpa/space/predicate rbpa/space/simplify/distance rbpa/space/simplify/moving
+    rbpa/space/simplify/remeshing rbpa/space/surface"
   "rbpa/space/simplify/distance: meshops/core rbpa/base rbpa/space/cells rbpa/space/predicate"
   "rbpa/space/simplify/moving: meshops/core meshops/stellar rbpa/base rbpa/space/cells rbpa/space/predicate"
+  "rbpa/space/simplify/remeshing: meshops/core meshops/stellar rbpa/base rbpa/space/predicate rbpa/space/simplify
+    rbpa/space/simplify/distance rbpa/space/simplify/moving"
   "rbpa/space/solid: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/run rbpa/base/sort
     rbpa/space/cells rbpa/space/predicate rbpa/space/solid/boundary rbpa/space/solid/insertion
     rbpa/space/solid/periodic rbpa/space/solid/rows rbpa/space/solid/tiles rbpa/space/solid/triples rbpa/space/surface

@@ -70,4 +70,12 @@ inline int compare_normals(const Point3& a, const Point3& b, const Point3& c, co
   return exact::compare_normals(a, b, c, d, e, f);
 }
 
+/// Returns whether triangle a, b, c, which becomes d, e, f, turns by less than a right angle and keeps its area. A
+/// triangle without area may become any.
+inline bool keeps_direction(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e,
+                            const Point3& f) {
+  const int sign = compare_normals(a, b, c, d, e, f);
+  return sign > 0 || (sign == 0 && compare_normals(a, b, c, a, b, c) == 0);
+}
+
 }  // namespace rbpa::space

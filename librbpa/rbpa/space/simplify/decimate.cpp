@@ -10,11 +10,9 @@
 #include "meshops/core/live.h"
 #include "meshops/core/live_range.h"
 #include "meshops/simplify/simplify.h"
-#include "meshops/topology/build_mesh.h"
 #include "rbpa/base/error.h"
-#include "rbpa/base/triangle.h"
 #include "rbpa/space/simplify/decimate_mesh.h"
-#include "rbpa/space/simplify/distance/surface_distance.h"
+#include "rbpa/space/simplify/distance/distance_of_mesh.h"
 #include "rbpa/space/simplify/moving/moved_triangles.h"
 #include "rbpa/space/surface/surface_mesh.h"
 
@@ -54,33 +52,6 @@ struct CertifiedPolicy : QuadricPolicy {
   }
 };
 
-/// Returns the corners of the triangles of a mesh.
-std::vector<Triangle> triangles_of(const meshops::Connectivity& mesh) {
-  const std::vector<std::uint32_t> corners = meshops::soup_of(mesh).corners;
-  std::vector<Triangle> all;
-  for (std::size_t i = 0; i < corners.size(); i += 3) all.push_back({corners[i], corners[i + 1], corners[i + 2]});
-  return all;
-}
-
-/// Returns a distance from the given triangles that no point of the mesh exceeds.
-double distance_of(const meshops::Connectivity& mesh, const std::vector<Point3>& places,
-                   const space::SurfaceDistance& given, const GoOn& go_on) {
-  meshops::Steps step(go_on);
-  std::vector<space::SurfaceDistance::Corners> triangles;
-  double least = 0, greatest = 0;
-  for (const auto& [a, b, c] : triangles_of(mesh)) {
-    auto& corners = triangles.emplace_back(std::array{places[a], places[b], places[c]});
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    least = std::max(least, given.least(corners));
-    step(64);
-  }
-  for (const auto& corners : triangles) {
-    greatest = std::max(greatest, given.greatest(corners, least));
-    step(256);
-  }
-  return greatest;
-}
-
 /// Counts the collapses that are refused.
 struct Refusals : meshops::SimplifyVisitor {
   Refusals(Decimation& all, const CertifiedPolicy& of) : counts(all), policy(of) {}
@@ -93,20 +64,12 @@ struct Refusals : meshops::SimplifyVisitor {
   const CertifiedPolicy& policy;
 };
 
-void require_finite(const meshops::Connectivity& mesh, const std::vector<Point3>& places) {
-  meshops::require_one_each("decimate", places.size(), "places", mesh.n_vertices(), "vertices");
-  for (const meshops::Vertex v : meshops::live_vertices(mesh))
-    if (!is_finite(places[static_cast<std::size_t>(v.idx())]))
-      throw InvalidInput("decimate: found coordinates of vertex " + std::to_string(v.idx()) +
-                         " that are not finite, expected numbers");
-}
-
 }  // namespace
 
 Decimation decimate(meshops::Connectivity& mesh, std::vector<Point3>& places, const DecimationOptions& options,
                     QuadricOptions quadrics, std::vector<RecordedCollapse>* record) {
   meshops::detail::enforce("decimate", meshops::simplify_blocker(mesh));
-  require_finite(mesh, places);
+  space::require_places("decimate", mesh, places);
   Decimation counts;
   for ([[maybe_unused]] const meshops::Face f : meshops::live_faces(mesh)) ++counts.given;
   counts.left = counts.given;
@@ -122,7 +85,7 @@ Decimation decimate(meshops::Connectivity& mesh, std::vector<Point3>& places, co
     return counts;
   }
   std::optional<space::SurfaceDistance> beginning;
-  if (is_measured) beginning.emplace(places, triangles_of(mesh), options.go_on);
+  if (is_measured) beginning.emplace(places, space::corners_of(mesh), options.go_on);
   quadrics.no_crossings = quadrics.no_crossings || options.no_crossings;
   CertifiedPolicy policy(mesh, places, quadrics);
   if (options.error) policy.given = &*beginning;
@@ -133,8 +96,8 @@ Decimation decimate(meshops::Connectivity& mesh, std::vector<Point3>& places, co
   counts.collapses = made.collapses;
   counts.is_exhausted = made.end == meshops::SimplifyEnd::exhausted;
   if (beginning)
-    counts.distance =
-        std::min(distance_of(mesh, policy.places(), *beginning, options.go_on), options.error.value_or(infinity));
+    counts.distance = std::min(space::distance_of(mesh, policy.places(), *beginning, options.go_on),
+                               options.error.value_or(infinity));
   places = std::move(policy).places();
   return counts;
 }

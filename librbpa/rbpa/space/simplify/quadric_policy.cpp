@@ -145,9 +145,7 @@ Point3 QuadricPolicy::local(const Point3& p) const {
 }
 
 Point3 QuadricPolicy::unscaled(const Point3& p) const {
-  const auto rounded = [&](double x) {
-    return options_.single_precision ? static_cast<double>(static_cast<float>(x)) : x;
-  };
+  const auto rounded = [&](double x) { return options_.single_precision ? space::to_single(x) : x; };
   return {rounded(center_.x + p.x / scale_), rounded(center_.y + p.y / scale_), rounded(center_.z + p.z / scale_)};
 }
 
@@ -179,9 +177,7 @@ Point3 QuadricPolicy::place(const Connectivity& mesh, Edge e) const { return tar
 bool QuadricPolicy::turns(const Connectivity& mesh, Edge e, const Point3& place) const {
   return !space::for_each_moved_triangle(
       mesh, e, places_, place, [&](const Point3& old, const Point3& p, const Point3& q) {
-        if (place == p || place == q) return false;
-        const int sign = space::compare_normals(old, p, q, place, p, q);
-        return sign > 0 || (sign == 0 && space::compare_normals(old, p, q, old, p, q) <= 0);
+        return place != p && place != q && space::keeps_direction(old, p, q, place, p, q);
       });
 }
 

@@ -241,15 +241,15 @@ std::array<Vector, 3> SurfaceDistance::local(const Corners& triangle) const {
   return {local(triangle[0]), local(triangle[1]), local(triangle[2])};
 }
 
-/// Returns the squared distance of a point from a point of the given triangle, mostly from the nearest one (Ericson,
-/// Real-time collision detection, 5.1.5).
-double SurfaceDistance::squared_distance(const Vector& p, std::uint32_t number) const {
+/// Returns the vector to a point from a point of the given triangle, mostly from the nearest one (Ericson, Real-time
+/// collision detection, 5.1.5).
+Vector SurfaceDistance::from_nearest(const Vector& p, std::uint32_t number) const {
   const Given& given = given_[number];
   const Vector ap = minus(p, given.a), ab = given.ab, ac = given.ac;
-  const auto at = [&](double s, double t) { return squared(minus(ap, plus(times(s, ab), times(t, ac)))); };
+  const auto at = [&](double s, double t) { return minus(ap, plus(times(s, ab), times(t, ac))); };
   const auto share = [](double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0; };
   const double d1 = dot(ab, ap), d2 = dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return squared(ap);
+  if (d1 <= 0 && d2 <= 0) return ap;
   const double bb = dot(ab, ab), cc = dot(ac, ac), bc = dot(ab, ac);
   const double d3 = d1 - bb, d4 = d2 - bc, d5 = d1 - bc, d6 = d2 - cc;
   if (d3 >= 0 && d4 <= d3) return at(1, 0);
@@ -272,9 +272,26 @@ double SurfaceDistance::squared_distance(const Vector& p, std::uint32_t number) 
   return at(s, std::min(t, 1 - s));
 }
 
+double SurfaceDistance::squared_distance(const Vector& p, std::uint32_t number) const {
+  return squared(from_nearest(p, number));
+}
+
 std::optional<SurfaceDistance::Nearest> SurfaceDistance::nearest(const Vector& p, double most_squared) const {
   const auto found = tree_.nearest(point(p), most_squared, [&](std::uint32_t i) { return squared_distance(p, i); });
   return found ? std::optional(Nearest{found->first, found->second}) : std::nullopt;
+}
+
+std::optional<Point3> SurfaceDistance::nearest_point(const Point3& p, double limit,
+                                                     const std::optional<Vector>& facing) const {
+  const Vector at = local(p);
+  const double most = limit * scale_;
+  const auto found = tree_.nearest(point(at), most * most, [&](std::uint32_t i) {
+    const bool faces = !facing || dot(cross(given_[i].ab, given_[i].ac), *facing) > 0;
+    return faces ? squared_distance(at, i) : std::numeric_limits<double>::quiet_NaN();
+  });
+  if (!found) return std::nullopt;
+  const Vector away = from_nearest(at, found->first);
+  return Point3{p.x - away.x / scale_, p.y - away.y / scale_, p.z - away.z / scale_};
 }
 
 bool SurfaceDistance::is_within(const Corners& triangle, double limit) const {

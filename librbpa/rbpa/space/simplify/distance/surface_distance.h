@@ -1,4 +1,5 @@
-// What:   bounds the distance of a triangle from a set of triangles from above: no point of it is farther.
+// What:   bounds the distance of a triangle from a set of triangles from above: no point of it is farther; finds the
+//         nearest point of the set.
 // How:    the distance from one convex triangle is a convex function, so that on a convex piece it is greatest at a
 //         corner. A triangle is cut into convex pieces, each compared with one of the given triangles: a piece is cut
 //         along the prism that stands on the given triangle nearest to its middle, or in two halves.
@@ -39,6 +40,11 @@ class SurfaceDistance {
   /// distance or 1.05 times `least`, whichever is more, unless more pieces are needed than a limit of the work allows.
   double greatest(const Corners& triangle, double least) const;
 
+  /// Returns the point of the given triangles that is nearest to p, rounded; absent if it is farther than `limit`. With
+  /// `facing`, only of triangles whose normals make less than a right angle with that vector, rounded.
+  std::optional<Point3> nearest_point(const Point3& p, double limit,
+                                      const std::optional<Vector3<double>>& facing = {}) const;
+
  private:
   using Vector = Vector3<double>;
   struct Given {
@@ -52,6 +58,7 @@ class SurfaceDistance {
   class Bounding;
 
   Vector local(const Point3& p) const;
+  Vector from_nearest(const Vector& p, std::uint32_t number) const;
   double squared_distance(const Vector& p, std::uint32_t number) const;
   std::optional<Nearest> nearest(const Vector& p, double most_squared) const;
   std::array<Vector, 3> local(const Corners& triangle) const;

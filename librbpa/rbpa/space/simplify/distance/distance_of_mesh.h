@@ -1,0 +1,27 @@
+// What: bounds the distance of a mesh from the triangles of another, and checks the places of vertices.
+// Law:  conservative, as SurfaceDistance is.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "meshops/core/connectivity.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/base/progress.h"
+#include "rbpa/space/simplify/distance/surface_distance.h"
+
+namespace rbpa::space {
+
+/// Throws ContractViolation unless there is one place for each vertex, and InvalidInput that names a vertex, not marked
+/// deleted, whose place is not finite. Messages begin with `operation`.
+void require_places(const char* operation, const meshops::Connectivity& mesh, const std::vector<Point3>& places);
+
+/// Returns the vertices of each triangle of a mesh. Requires: a mesh of triangles.
+std::vector<std::array<std::uint32_t, 3>> corners_of(const meshops::Connectivity& mesh);
+
+/// Returns a distance from the given triangles that no point of the mesh exceeds. Throws: Cancelled.
+double distance_of(const meshops::Connectivity& mesh, const std::vector<Point3>& places, const SurfaceDistance& given,
+                   const GoOn& go_on);
+
+}  // namespace rbpa::space

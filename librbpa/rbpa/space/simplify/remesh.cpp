@@ -1,0 +1,135 @@
+#include "rbpa/space/simplify/remesh.h"
+
+#include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "meshops/core/blocker.h"
+#include "meshops/core/live.h"
+#include "meshops/core/live_range.h"
+#include "meshops/topology/build_mesh.h"
+#include "rbpa/base/error.h"
+#include "rbpa/space/predicate/bounding_box.h"
+#include "rbpa/space/predicate/vector3.h"
+#include "rbpa/space/simplify/distance/distance_of_mesh.h"
+#include "rbpa/space/simplify/remeshing/remesh_run.h"
+
+namespace rbpa {
+namespace {
+
+using meshops::Connectivity;
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+/// The triangles of a mesh with canonical numbers: vertices ascend by their places, triangles by their corners, of which
+/// the least comes first.
+struct CanonicalSoup {
+  CanonicalSoup(const Connectivity& mesh, const std::vector<Point3>& of) {
+    std::vector<std::uint32_t> order, rank(mesh.n_vertices());
+    for (const meshops::Vertex v : meshops::live_vertices(mesh)) order.push_back(static_cast<std::uint32_t>(v.idx()));
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return of[a] < of[b]; });
+    for (std::uint32_t i = 0; i < order.size(); ++i) {
+      rank[order[i]] = i;
+      places.push_back(of[order[i]]);
+    }
+    Triangles triangles = space::corners_of(mesh);
+    for (auto& corners : triangles) {
+      for (std::uint32_t& corner : corners) corner = rank[corner];
+      std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    }
+    std::sort(triangles.begin(), triangles.end());
+    soup.points = places.size();
+    for (const auto& corners : triangles) soup.add_face(corners);
+  }
+  meshops::PolygonSoup soup;
+  std::vector<Point3> places;
+};
+
+/// Replaces all elements of a mesh by those of a soup.
+void replace(Connectivity& mesh, const meshops::PolygonSoup& soup) {
+  meshops::request_status(mesh);
+  for (const auto v : mesh.all_vertices()) mesh.status(v).set_deleted(true);
+  for (const auto e : mesh.all_edges()) mesh.status(e).set_deleted(true);
+  for (const auto f : mesh.all_faces()) mesh.status(f).set_deleted(true);
+  mesh.garbage_collection();
+  meshops::build_mesh(mesh, soup);
+}
+
+[[noreturn]] void refuse(const std::string& what, double number, const std::string& expected) {
+  std::ostringstream text;
+  text << "remesh: found " << what << " " << number << ", expected " << expected;
+  throw InvalidInput(text.str());
+}
+
+std::string text_of(double number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+/// Throws InvalidInput unless the options suit the mesh.
+void require_options(const std::vector<Point3>& places, const Triangles& triangles, const RemeshOptions& options) {
+  constexpr double least = 1e-60, most = 1e60;
+  const double length = options.length;
+  if (!(length >= least && length <= most)) refuse("the length", length, "a number from 1e-60 to 1e60");
+  if (!(options.sharp_angle >= 0 && options.sharp_angle <= 180))
+    refuse("the sharp angle", options.sharp_angle, "degrees from 0 to 180");
+  for (const Point3& p : places)
+    for (const double coordinate : {p.x, p.y, p.z})
+      if (std::abs(coordinate) > most) refuse("the coordinate", coordinate, "none beyond 1e60 (scale the mesh)");
+  if (triangles.empty()) return;
+  space::Box box;
+  double area = 0, edges = 0;
+  for (const auto& [a, b, c] : triangles) {
+    const Point3 &p = places[a], &q = places[b], &r = places[c];
+    for (const Point3& corner : {p, q, r}) box.include(corner);
+    const auto normal = space::cross(space::from<double>(p, q), space::from<double>(p, r));
+    area += std::sqrt(space::dot(normal, normal)) / 2;
+    edges += (space::distance(p, q) + space::distance(q, r) + space::distance(r, p)) / 2;
+  }
+  if (const double diagonal = space::distance(box.low, box.high); length > diagonal)
+    refuse("the length", length, "at most " + text_of(diagonal) + ", the diagonal of the mesh's box");
+  // Triangles with sides of the length cover the area, and as many lie along the edges of thin triangles.
+  const double unit = std::numbers::sqrt3 / 4, faces = area / (unit * length * length) + 2 * edges / length;
+  const auto limit = static_cast<double>(options.most_faces);
+  if (faces > limit) {
+    // The least length x solves limit · x² = area / unit + 2 · edges · x.
+    const double allowed = (edges + std::sqrt(edges * edges + limit * (area / unit))) / limit;
+    refuse("the length", length,
+           "at least " + text_of(allowed * 1.00001) + ", which makes at most " + std::to_string(options.most_faces) +
+               " triangles of this mesh");
+  }
+}
+
+}  // namespace
+
+Remeshing remesh(Connectivity& mesh, std::vector<Point3>& places, const RemeshOptions& options) {
+  space::require_places("remesh", mesh, places);
+  for (const meshops::Face f : meshops::live_faces(mesh))
+    if (mesh.valence(f) != 3)
+      meshops::detail::enforce("remesh", std::optional(meshops::Blocker(meshops::BlockerKind::not_triangle, f)));
+  OpenMesh::PolyConnectivity changed;
+  std::vector<Point3> moved;
+  const CanonicalSoup given(mesh, places);
+  for (const std::uint32_t point : meshops::build_mesh(changed, given.soup, options.go_on))
+    moved.push_back(given.places[point]);
+  meshops::request_status(changed);
+  const Triangles triangles = space::corners_of(changed);
+  require_options(moved, triangles, options);
+  const space::SurfaceDistance beginning(moved, triangles, options.go_on);
+  Remeshing counts{.given = triangles.size()};
+  space::RemeshRun(changed, moved, beginning, options, counts)();
+  if (options.measured) counts.distance = space::distance_of(changed, moved, beginning, options.go_on);
+  CanonicalSoup made(changed, moved);
+  counts.left = made.soup.faces();
+  replace(mesh, made.soup);
+  places = std::move(made.places);
+  return counts;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,78 @@
+// What:   remeshes a halfedge mesh of triangles in place: edges of about one length, six at each inner vertex, near the
+//         old triangles.
+// Law:    components, genus, orientation and Betti numbers stay, each boundary curve stays one curve, and what is
+//         closed stays closed. Sharp edges and boundary curves stay curves, whose ends and corners stay where they are.
+//         No operation turns a triangle by a right angle or more. Both are decided exactly; places are rounded. The
+//         result, numbers of vertices and faces included, does not depend on those of the input, if no two vertices lie
+//         on one point.
+// Cost:   in each round microseconds for each triangle.
+// Source: Botsch and Kobbelt, A remeshing approach to multiresolution modeling (2004).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/stellar/split_hooks.h"
+#include "rbpa/base/api.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/base/progress.h"
+#include "rbpa/space/surface/surface_mesh.h"
+
+namespace rbpa {
+
+struct RemeshOptions {
+  double length = 0;     ///< the length that edges get, in units of the places: above 0, at most the size of the mesh
+  unsigned rounds = 10;  ///< number of times that edges are split, collapsed and flipped, and vertices moved
+  /// An edge is sharp if the normals of its triangles differ by more than this, in degrees; so is the vertex between two
+  /// edges of a curve whose directions do. 180: nothing is sharp, and boundary curves have no corners.
+  double sharp_angle = 60;
+  bool keep_boundary = false;           ///< whether boundary edges and their vertices stay as they are
+  std::size_t most_faces = 20'000'000;  ///< a length that is expected to need more triangles is refused
+  bool measured = false;                ///< bounds the distance from the triangles of the beginning
+  bool single_precision = false;        ///< whether places are rounded to float, as for a mesh with such points
+  GoOn go_on = {};                      ///< progress; false ends the run with Cancelled
+};
+
+/// Counts of a run.
+struct Remeshing {
+  std::size_t given = 0;      ///< number of triangles before
+  std::size_t left = 0;       ///< number of triangles after
+  std::size_t splits = 0;     ///< number of edges that were split
+  std::size_t collapses = 0;  ///< number of edges that collapsed
+  std::size_t flips = 0;      ///< number of edges that were flipped
+  /// A distance from the triangles of the beginning that no point of the result exceeds, rounding included; at most
+  /// 1.05 times the greatest distance, with rare exceptions. Present if `measured`.
+  std::optional<double> distance = {};
+};
+
+/// Remeshes a mesh, and replaces the places of its vertices by those of the new ones. In the result, vertices ascend by
+/// their places, every fan of triangles has a vertex of its own, and nothing is marked deleted; isolated vertices stay.
+/// The mesh then has status of every kind, and its properties have default values.
+/// Requires: a sound mesh of triangles, in which no two edges join the same vertices, except that vertices may have
+///           several fans; `places` has a position for each vertex by index, finite if the vertex is not deleted.
+/// Throws:   ContractViolation unless there is one place for each vertex and each face is a triangle, and as
+///           meshops::build_mesh() when edges join the same vertices; InvalidInput when a place is not finite or a
+///           coordinate beyond 1e60, when the length is not above 1e-60, exceeds the diagonal of the mesh's box, or would
+///           need more than `most_faces` triangles, and when the angle is not from 0 to 180; Cancelled. The mesh and
+///           `places` are then untouched.
+RBPA_API Remeshing remesh(meshops::Connectivity& mesh, std::vector<Point3>& places, const RemeshOptions& options);
+
+/// Remeshes a mesh with points, as above, at places_of(mesh).
+template <meshops::HasPoints AnyMesh>
+Remeshing remesh(AnyMesh& mesh, RemeshOptions options) {
+  using Number = std::remove_cvref_t<decltype(std::declval<AnyMesh&>().point(meshops::Vertex())[0])>;
+  options.single_precision = std::is_same_v<Number, float>;
+  std::vector<Point3> places = places_of(mesh);
+  const Remeshing counts = remesh(mesh, places, options);
+  for (std::size_t v = 0; v < places.size(); ++v)
+    mesh.set_point(
+        meshops::Vertex(static_cast<int>(v)),
+        {static_cast<Number>(places[v].x), static_cast<Number>(places[v].y), static_cast<Number>(places[v].z)});
+  return counts;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,300 @@
+#include "rbpa/space/simplify/remeshing/remesh_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <queue>
+#include <utility>
+#include <variant>
+
+#include "meshops/core/live.h"
+#include "meshops/core/live_range.h"
+#include "meshops/stellar/collapse.h"
+#include "meshops/stellar/flip.h"
+#include "meshops/stellar/split_edge.h"
+#include "rbpa/space/predicate/normal_sign.h"
+#include "rbpa/space/predicate/vector3.h"
+#include "rbpa/space/simplify/moving/moved_triangles.h"
+
+namespace rbpa::space {
+namespace {
+
+using Vector = Vector3<double>;
+
+constexpr unsigned moves_in_a_round = 3;
+
+Point3 middle(const Point3& a, const Point3& b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2}; }
+
+double squared_distance(const Point3& a, const Point3& b) {
+  const Vector v = from<double>(a, b);
+  return dot(v, v);
+}
+
+/// Returns whether an angle of the triangle is above 135 degrees.
+bool is_cap(const Point3& a, const Point3& b, const Point3& c) {
+  const auto is_flat = [](const Point3& p, const Point3& q, const Point3& r) {
+    const Vector u = from<double>(p, q), v = from<double>(p, r);
+    const double product = dot(u, v);
+    return product <= 0 && 2 * product * product >= dot(u, u) * dot(v, v);
+  };
+  return is_flat(a, b, c) || is_flat(b, c, a) || is_flat(c, a, b);
+}
+
+/// An edge that waits with its squared length; of equal lengths the lesser or the greater number comes first.
+using Waiting = std::pair<double, int>;
+
+}  // namespace
+
+RemeshRun::RemeshRun(meshops::Connectivity& mesh, std::vector<Point3>& places, const SurfaceDistance& given,
+                     const RemeshOptions& options, Remeshing& counts)
+    : mesh_(mesh),
+      places_(places),
+      given_(given),
+      options_(options),
+      counts_(counts),
+      curves_(mesh, places, options),
+      long_(options.length * options.length * 16 / 9),
+      short_(options.length * options.length * 16 / 25),
+      step_(options.go_on) {}
+
+void RemeshRun::operator()() {
+  for (unsigned round = 0; round < options_.rounds; ++round) {
+    split_long();
+    collapse_short();
+    flip_to_regular();
+    for (unsigned moves = moves_in_a_round; moves > 0; --moves) move_vertices(moves == 1);
+  }
+}
+
+double RemeshRun::squared_length(Edge e) const {
+  const Halfedge h = mesh_.halfedge_handle(e, 0);
+  return squared_distance(at_end(h), at(mesh_.from_vertex_handle(h)));
+}
+
+std::optional<Point3> RemeshRun::rounded(const std::optional<Point3>& p) const {
+  if (!p || !options_.single_precision) return p;
+  return Point3{to_single(p->x), to_single(p->y), to_single(p->z)};
+}
+
+/// Splits edges, the longest first: it is the longest of its triangles, so that no angle becomes much smaller.
+void RemeshRun::split_long() {
+  std::priority_queue<Waiting> longest;
+  const auto add = [&](Edge e) {
+    if (const double length = squared_length(e); length > long_) longest.emplace(length, e.idx());
+  };
+  for (const Edge e : meshops::live_edges(mesh_)) add(e);
+  while (!longest.empty()) {
+    const Edge e(longest.top().second);
+    longest.pop();
+    step_(4);
+    const std::size_t before = mesh_.n_edges();
+    if (!try_split(e)) continue;
+    add(e);
+    for (std::size_t i = before; i < mesh_.n_edges(); ++i) add(Edge(static_cast<int>(i)));
+  }
+}
+
+bool RemeshRun::try_split(Edge e) {
+  if (is_kept(e) || meshops::split_edge_blocker(mesh_, e)) return false;
+  const Halfedge h = mesh_.halfedge_handle(e, 0);
+  const Point3 a = at(mesh_.from_vertex_handle(h)), b = at_end(h), m = *rounded(middle(a, b));
+  if (m == a || m == b) return false;
+  for (const Halfedge side : {h, mesh_.opposite_halfedge_handle(h)}) {
+    if (mesh_.is_boundary(side)) continue;
+    const Halfedge next = mesh_.next_halfedge_handle(side);
+    // Beside a longer edge that stays, splits would have no end.
+    for (const Halfedge other : {next, mesh_.next_halfedge_handle(next)})
+      if (is_kept(mesh_.edge_handle(other)) && squared_length(mesh_.edge_handle(other)) > squared_length(e))
+        return false;
+    const Point3 &p = at(mesh_.from_vertex_handle(side)), &q = at_end(side), &r = at_end(next);
+    if (!keeps_direction(p, q, r, p, m, r) || !keeps_direction(p, q, r, m, q, r)) return false;
+  }
+  const meshops::SplitEdgeEffect effect = meshops::split_edge(mesh_, e);
+  const int curve = curves_.of_edge[index_of(e)];
+  curves_.of_edge.resize(mesh_.n_edges(), MeshCurves::none);
+  curves_.of_edge[index_of(effect.added.edge[0])] = curve;
+  curves_.of_vertex.push_back(curve);
+  curves_.degree.push_back(MeshCurves::usual_degree(mesh_, effect.added.vertex));
+  places_.push_back(m);
+  ++counts_.splits;
+  return true;
+}
+
+/// Collapses edges, the shortest first.
+void RemeshRun::collapse_short() {
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> shortest;
+  const auto add = [&](Edge e) {
+    if (const double length = squared_length(e); length < short_) shortest.emplace(length, e.idx());
+  };
+  for (const Edge e : meshops::live_edges(mesh_)) add(e);
+  while (!shortest.empty()) {
+    const auto [length, number] = shortest.top();
+    shortest.pop();
+    step_(8);
+    const Edge e(number);
+    if (!meshops::is_live(mesh_, e) || squared_length(e) != length) continue;
+    if (const std::optional<Vertex> survivor = try_collapse(e))
+      for (const Halfedge out : mesh_.voh_range(*survivor)) add(mesh_.edge_handle(out));
+  }
+}
+
+/// Collapses the edge to its middle or toward one of its ends, and returns the vertex that is left.
+std::optional<RemeshRun::Vertex> RemeshRun::try_collapse(Edge e) {
+  const Halfedge h = mesh_.halfedge_handle(e, 0), o = mesh_.opposite_halfedge_handle(h);
+  const std::array<std::pair<Halfedge, std::optional<Point3>>, 3> ways = {
+      {{h, middle_of(h)}, {h, at_end(h)}, {o, at_end(o)}}};
+  for (const auto& [way, place] : ways) {
+    if (!place || !may_collapse(way, *place)) continue;
+    const Vertex survivor = mesh_.to_vertex_handle(way);
+    if (std::holds_alternative<meshops::Blocker>(meshops::try_collapse(mesh_, way))) continue;
+    places_[index_of(survivor)] = *place;
+    ++counts_.collapses;
+    return survivor;
+  }
+  return std::nullopt;
+}
+
+/// Returns the middle of the edge of h, on the curve if it is on one; nothing if only one end may move.
+std::optional<Point3> RemeshRun::middle_of(Halfedge h) const {
+  const Vertex a = mesh_.from_vertex_handle(h), b = mesh_.to_vertex_handle(h);
+  const int curve = curves_.of_vertex[index_of(a)];
+  if (curve == MeshCurves::fixed || curves_.of_vertex[index_of(b)] != curve) return std::nullopt;
+  return on_curve(middle(at(a), at(b)), curve);
+}
+
+/// Returns whether the start of h may vanish while its end goes to the place: no curve is lost, no edge becomes too
+/// long, and no triangle turns.
+bool RemeshRun::may_collapse(Halfedge h, const Point3& place) const {
+  const Vertex v = mesh_.from_vertex_handle(h), w = mesh_.to_vertex_handle(h);
+  const int curve = curves_.of_vertex[index_of(v)];
+  if (curve == MeshCurves::fixed) return false;
+  if (curve != MeshCurves::none) {
+    const auto is_on_curve = [&](Halfedge side) { return curves_.of_edge[index_of(mesh_.edge_handle(side))] == curve; };
+    const Halfedge o = mesh_.opposite_halfedge_handle(h);
+    if (!is_on_curve(h)) return false;
+    // The other edge of the curve at v must not merge with one to an apex.
+    if (!mesh_.is_boundary(h) && is_on_curve(mesh_.prev_halfedge_handle(h))) return false;
+    if (!mesh_.is_boundary(o) && is_on_curve(mesh_.next_halfedge_handle(o))) return false;
+  }
+  for (const auto& [moved, other] : {std::pair(v, w), std::pair(w, v)}) {
+    if (at(moved) == place) continue;
+    for (const Vertex u : mesh_.vv_range(moved))
+      if (u != other && squared_distance(at(u), place) > long_) return false;
+  }
+  return for_each_moved_triangle(mesh_, mesh_.edge_handle(h), places_, place,
+                                 [&](const Point3& old, const Point3& p, const Point3& q) {
+                                   return place != p && place != q && keeps_direction(old, p, q, place, p, q);
+                                 });
+}
+
+/// Flips edges until none is left to flip. As try_flip() follows an order, this comes to an end.
+void RemeshRun::flip_to_regular() {
+  std::vector<int> excess(mesh_.n_vertices());
+  for (const Vertex v : meshops::live_vertices(mesh_))
+    excess[index_of(v)] = static_cast<int>(mesh_.valence(v)) - curves_.degree[index_of(v)];
+  for (std::size_t before = counts_.flips + 1; before != counts_.flips;) {
+    before = counts_.flips;
+    for (const Edge e : meshops::live_edges(mesh_)) {
+      step_(2);
+      if (try_flip(e, excess)) ++counts_.flips;
+    }
+  }
+}
+
+/// Flips the edge if fewer caps are left, else a lesser sum of squares of excesses, else a shorter edge.
+bool RemeshRun::try_flip(Edge e, std::vector<int>& excess) {
+  if (curves_.of_edge[index_of(e)] != MeshCurves::none) return false;
+  const Halfedge h = mesh_.halfedge_handle(e, 0), o = mesh_.opposite_halfedge_handle(h);
+  const Vertex a = mesh_.from_vertex_handle(h), b = mesh_.to_vertex_handle(h),
+               c = mesh_.to_vertex_handle(mesh_.next_halfedge_handle(h)),
+               d = mesh_.to_vertex_handle(mesh_.next_halfedge_handle(o));
+  const std::array<std::array<Vertex, 3>, 2> was = {{{a, b, c}, {b, a, d}}}, becomes = {{{d, c, a}, {c, d, b}}};
+  const auto caps = [&](const auto& triangles) {
+    return std::count_if(triangles.begin(), triangles.end(),
+                         [&](const auto& t) { return is_cap(at(t[0]), at(t[1]), at(t[2])); });
+  };
+  // (x − 1)² − x² = 1 − 2x at an end, (x + 1)² − x² = 1 + 2x at an apex.
+  const int change = 4 + 2 * (excess[index_of(c)] + excess[index_of(d)] - excess[index_of(a)] - excess[index_of(b)]);
+  const bool improves = change < 0 || (change == 0 && squared_distance(at(c), at(d)) < squared_distance(at(a), at(b)));
+  const auto before = caps(was);
+  if (!improves && before == 0) return false;
+  if (const auto after = caps(becomes); after > before || (after == before && !improves)) return false;
+  for (const auto& [p, q, r] : was)
+    for (const auto& [s, t, u] : becomes)
+      if (!keeps_direction(at(p), at(q), at(r), at(s), at(t), at(u))) return false;
+  if (meshops::flip_blocker(mesh_, e)) return false;
+  meshops::flip(mesh_, e);
+  for (const Vertex v : {a, b}) --excess[index_of(v)];
+  for (const Vertex v : {c, d}) ++excess[index_of(v)];
+  return true;
+}
+
+void RemeshRun::move_vertices(bool onto_given) {
+  for (const Vertex v : meshops::live_vertices(mesh_)) {
+    step_(onto_given ? 16 : 4);
+    if (const std::optional<Point3> place = target(v, onto_given); place && may_move(v, *place))
+      places_[index_of(v)] = *place;
+  }
+}
+
+/// Returns whether the vertex may go to the place: no edge becomes shorter than a quarter of a short one, no triangle a
+/// cap, and none turns.
+bool RemeshRun::may_move(Vertex v, const Point3& place) const {
+  const Point3& old = at(v);
+  if (old == place) return true;
+  for (const Halfedge out : mesh_.voh_range(v)) {
+    const Point3& p = at_end(out);
+    const double length = squared_distance(place, p);
+    if (place == p || (length < short_ / 16 && length < squared_distance(old, p))) return false;
+    if (mesh_.is_boundary(out)) continue;
+    const Point3& q = at_end(mesh_.next_halfedge_handle(out));
+    if ((is_cap(place, p, q) && !is_cap(old, p, q)) || !keeps_direction(old, p, q, place, p, q)) return false;
+  }
+  return true;
+}
+
+/// Returns where the vertex should be; nothing if it stays.
+std::optional<Point3> RemeshRun::target(Vertex v, bool onto_given) const {
+  const int curve = curves_.of_vertex[index_of(v)];
+  if (curve == MeshCurves::fixed || mesh_.is_isolated(v)) return std::nullopt;
+  if (curve == MeshCurves::none) return along_surface(v, onto_given);
+  std::array<Point3, 2> beside;
+  std::size_t count = 0;
+  for (const Halfedge out : mesh_.voh_range(v))
+    if (curves_.of_edge[index_of(mesh_.edge_handle(out))] == curve && count < 2) beside[count++] = at_end(out);
+  return on_curve(middle(beside[0], beside[1]), curve);
+}
+
+/// Returns the mean of the centroids of the triangles at v, weighted by area and projected to the tangent plane; with
+/// `onto_given`, the nearest point of those given triangles that face as v does: another sheet may be near.
+std::optional<Point3> RemeshRun::along_surface(Vertex v, bool onto_given) const {
+  const Point3& p = at(v);
+  Vector sum{}, normal{};
+  double weight = 0;
+  for (const Halfedge out : mesh_.voh_range(v)) {
+    const Vector u = from<double>(p, at_end(out)), w = from<double>(p, at_end(mesh_.next_halfedge_handle(out)));
+    const Vector n = cross(u, w);
+    const double area = std::sqrt(dot(n, n)), third = area / 3;
+    sum = plus(sum, {third * (u.x + w.x), third * (u.y + w.y), third * (u.z + w.z)});
+    normal = plus(normal, n);
+    weight += area;
+  }
+  const double squared = dot(normal, normal);
+  if (!(weight > 0) || !(squared > 0)) return std::nullopt;
+  const double along = dot(sum, normal) / squared;
+  const Point3 moved = {p.x + (sum.x - along * normal.x) / weight, p.y + (sum.y - along * normal.y) / weight,
+                        p.z + (sum.z - along * normal.z) / weight};
+  return rounded(onto_given ? given_.nearest_point(moved, options_.length, normal) : moved);
+}
+
+/// Returns the point of a curve that is nearest to p; p itself for no curve.
+std::optional<Point3> RemeshRun::on_curve(const Point3& p, int curve) const {
+  return rounded(curve == MeshCurves::none
+                     ? p
+                     : curves_.shapes[static_cast<std::size_t>(curve) - 1].nearest_point(p, options_.length));
+}
+
+}  // namespace rbpa::space

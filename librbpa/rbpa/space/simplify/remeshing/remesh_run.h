@@ -1,0 +1,64 @@
+// What: the rounds of a remeshing: splits long edges, collapses short ones, flips edges toward six at a vertex, and moves
+//       vertices along the surface.
+// Law:  that of remesh() (remesh.h). The result depends on the numbers of vertices, edges and faces of the given mesh,
+//       which are therefore canonical.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "meshops/core/connectivity.h"
+#include "meshops/core/progress.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/simplify/distance/surface_distance.h"
+#include "rbpa/space/simplify/remesh.h"
+#include "rbpa/space/simplify/remeshing/mesh_curves.h"
+
+namespace rbpa::space {
+
+class RemeshRun {
+ public:
+  /// Keeps references to all. `given` has the triangles of the mesh as it is now.
+  RemeshRun(meshops::Connectivity& mesh, std::vector<Point3>& places, const SurfaceDistance& given,
+            const RemeshOptions& options, Remeshing& counts);
+
+  /// Changes the mesh, the places and the counts. Deleted elements stay marked. Throws: Cancelled.
+  void operator()();
+
+ private:
+  using Edge = meshops::Edge;
+  using Halfedge = meshops::Halfedge;
+  using Vertex = meshops::Vertex;
+
+  void split_long();
+  void collapse_short();
+  void flip_to_regular();
+  void move_vertices(bool onto_given);
+
+  bool try_split(Edge e);
+  std::optional<Vertex> try_collapse(Edge e);
+  std::optional<Point3> middle_of(Halfedge h) const;
+  bool may_collapse(Halfedge h, const Point3& place) const;
+  bool try_flip(Edge e, std::vector<int>& excess);
+  bool may_move(Vertex v, const Point3& place) const;
+  std::optional<Point3> target(Vertex v, bool onto_given) const;
+  std::optional<Point3> along_surface(Vertex v, bool onto_given) const;
+  std::optional<Point3> on_curve(const Point3& p, int curve) const;
+
+  bool is_kept(Edge e) const { return options_.keep_boundary && mesh_.is_boundary(e); }
+  const Point3& at(Vertex v) const { return places_[static_cast<std::size_t>(v.idx())]; }
+  const Point3& at_end(Halfedge h) const { return at(mesh_.to_vertex_handle(h)); }
+  double squared_length(Edge e) const;
+  std::optional<Point3> rounded(const std::optional<Point3>& p) const;
+
+  meshops::Connectivity& mesh_;
+  std::vector<Point3>& places_;
+  const SurfaceDistance& given_;
+  const RemeshOptions& options_;
+  Remeshing& counts_;
+  MeshCurves curves_;
+  const double long_, short_;  // squared lengths above and below which an edge is split and collapsed
+  meshops::Steps step_;
+};
+
+}  // namespace rbpa::space
