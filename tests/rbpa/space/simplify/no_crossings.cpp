@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <random>
 #include <vector>
@@ -154,7 +153,7 @@ TEST_CASE("no triangles begin to cross on bundled meshes, to the least number of
   for (const char* name :
        {"m3_spot.off", "m3_torus.off", "m3_plate_holes.off", "m3_cube_no_bottom.off", "m3_bob.off"}) {
     CAPTURE(name);
-    const Triangles t = read_off(std::filesystem::path(RBPA_TEST_DATA) / name);
+    const Triangles t = read_off(bundled_data() / name);
     for (const bool at_ends : {false, true}) {
       check_steps(crossing_mesh<rbpa::Mesh>(t), at_ends);
       check_steps(crossing_mesh<FloatMesh>(t), at_ends);

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <random>
 #include <string>
@@ -77,7 +76,7 @@ std::vector<std::uint64_t> records(const ProgressiveMesh& of) {
 std::vector<Triangles> meshes() {
   std::vector<Triangles> all = {sphere(3), sheet(9, 2)};
   for (const char* name : {"m3_torus.off", "m3_cube_no_bottom.off", "m3_plate_holes.off"})
-    all.push_back(read_off(std::filesystem::path(RBPA_TEST_DATA) / name));
+    all.push_back(read_off(bundled_data() / name));
   Triangles two = sphere(2);
   for (const Point3& p : sphere(2).points) two.points.push_back({p.x + 5, -0.0, p.z});
   for (const auto& [a, b, c] : sphere(2).corners) two.corners.push_back({a + 66, b + 66, c + 66});
