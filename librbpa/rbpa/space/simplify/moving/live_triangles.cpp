@@ -1,5 +1,6 @@
 #include "rbpa/space/simplify/moving/live_triangles.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -14,6 +15,8 @@ namespace {
 using meshops::Connectivity;
 using meshops::Face;
 using meshops::Vertex;
+
+constexpr std::size_t group = 16;  // triangles for which the tree is searched at once
 
 std::size_t index(Vertex v) { return static_cast<std::size_t>(v.idx()); }
 std::size_t index(Face f) { return static_cast<std::size_t>(f.idx()); }
@@ -78,17 +81,21 @@ bool LiveTriangles::would_cross(const Connectivity& mesh, meshops::Edge e, std::
     return (v == a || v == b) && places[index(v)] != place;
   };
   bool cross = false;
-  for (const Corners& t : moved) {
-    tree_.for_each_meeting(box_of(t), [&](std::uint32_t i) {
-      if (cross) return;
+  for (std::size_t first = 0; first < moved.size() && !cross; first += group) {
+    const std::span<const Corners> some = std::span(moved).subspan(first, std::min(group, moved.size() - first));
+    Box whole;
+    std::array<Box, group> boxes;
+    for (std::size_t k = 0; k < some.size(); ++k) whole.include(boxes[k] = box_of(some[k]));
+    tree_.for_each_meeting(whole, [&](std::uint32_t i) {
       const std::array<Vertex, 3> vertices = vertices_of(mesh, face_[i]);
-      if (moves(vertices[0]) || moves(vertices[1]) || moves(vertices[2])) return;
+      if (cross || moves(vertices[0]) || moves(vertices[1]) || moves(vertices[2])) return;
       const Corners other = corners_at(vertices, places);
-      cross = !are_collinear(other[0], other[1], other[2]) && triangles_cross(t, other);
+      const Box box = box_of(other);
+      for (std::size_t k = 0; k < some.size() && !cross; ++k)
+        cross = boxes[k].meets(box) && !are_collinear(other[0], other[1], other[2]) && triangles_cross(some[k], other);
     });
-    if (cross) return true;
   }
-  return cross_each_other(moved);
+  return cross || cross_each_other(moved);
 }
 
 void LiveTriangles::update(const Connectivity& mesh, const meshops::WeldEffect& effect,
