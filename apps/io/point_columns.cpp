@@ -1,17 +1,44 @@
 #include "io/point_columns.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <limits>
+#include <unordered_map>
+#include <utility>
 
 #include "io/failure.h"
 #include "io/number.h"
-#include "io/words.h"
 
 namespace rbpa::app {
 
+namespace {
+
+/// Returns a name in small letters without underscores, and the name of the specification of LAS for one of PDAL or
+/// LAStools.
+std::string folded_name(std::string_view name) {
+  std::string result;
+  for (const char c : name)
+    if (c != '_') result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (result == "nir") return "infrared";
+  if (result == "class") return "classification";
+  if (result == "scananglerank") return "scanangle";
+  if (result == "keypoint" || result == "modelkeypoint") return "keypoint";
+  return result;
+}
+
+}  // namespace
+
+bool PointColumn::is_missing(std::size_t i) const {
+  if (is_text) return text(i).empty();
+  return with_type(type, [&](auto zero) { return std::isnan(static_cast<double>(value<decltype(zero)>(i))); });
+}
+
+bool is_same_field(std::string_view a, std::string_view b) { return folded_name(a) == folded_name(b); }
+
 bool FieldChoice::has(std::string_view name) const {
   return !names || std::any_of(names->begin(), names->end(),
-                               [&](const std::string& wanted) { return same_letters(wanted, name); });
+                               [&](const std::string& wanted) { return is_same_field(wanted, name); });
 }
 
 std::optional<FieldChoice> parse_fields(const std::string& text) {
@@ -25,20 +52,90 @@ std::optional<FieldChoice> parse_fields(const std::string& text) {
   return FieldChoice{std::move(names)};
 }
 
-void settle_columns(std::vector<PointColumn>& columns, const FieldChoice& choice, const std::string& name,
-                    std::vector<std::string>& warnings) {
-  std::vector<std::string> there;
-  for (const PointColumn& column : columns) {
-    there.push_back(in_quotes(column.name));
+void settle_columns(std::vector<PointColumn>& columns, std::vector<std::string>& warnings) {
+  for (const PointColumn& column : columns)
     if (!column.fault.empty()) warnings.push_back("field " + in_quotes(column.name) + " is left out: " + column.fault);
-  }
-  for (const std::string& wanted : choice.names.value_or(std::vector<std::string>()))
-    if (std::none_of(columns.begin(), columns.end(),
-                     [&](const PointColumn& column) { return same_letters(column.name, wanted); }))
-      bad_input(name, "no field " + in_quotes(wanted) + " beside the coordinates",
-                there.empty() ? "one, as --fields requires"
-                              : "some of " + listed(there, " and ") + " (--fields chooses them)");
   std::erase_if(columns, [](const PointColumn& column) { return !column.fault.empty(); });
+}
+
+const PointColumn* find_column(std::span<const PointColumn> columns, std::string_view name) {
+  auto found = std::find_if(columns.begin(), columns.end(), [&](const PointColumn& one) { return one.name == name; });
+  if (found == columns.end())
+    found = std::find_if(columns.begin(), columns.end(),
+                         [&](const PointColumn& one) { return is_same_field(name, one.name); });
+  return found == columns.end() ? nullptr : &*found;
+}
+
+const PointColumn& require_column(std::span<const PointColumn> columns, std::string_view name,
+                                  const std::string& option, const std::string& file) {
+  if (const PointColumn* const found = find_column(columns, name)) return *found;
+  std::vector<std::string> there;
+  for (const PointColumn& column : columns) there.push_back(in_quotes(column.name));
+  bad_input(file, "no field " + in_quotes(name) + " beside the coordinates",
+            there.empty() ? "one, as " + option + " requires"
+                          : "some of " + listed(there, " and ") + " (" + option + " chooses them)");
+}
+
+void require_fields(std::span<const PointColumn> columns, const std::optional<FieldChoice>& choice,
+                    const std::string& file) {
+  if (!choice || !choice->names) return;
+  for (auto name = choice->names->begin(); name != choice->names->end() && !name->empty(); ++name)
+    require_column(columns, *name, "--fields", file);
+}
+
+bool become_numbers(PointColumn& column) {
+  PointColumn numbers{.name = column.name};
+  const bool all_fit = with_type(column.type, [&](auto zero) {
+    for (std::size_t i = 0; i < column.size(); ++i) {
+      const auto value = column.value<decltype(zero)>(i);
+      if (!is_exact_in_double(value)) return false;
+      numbers.append(static_cast<double>(value));
+    }
+    return true;
+  });
+  if (all_fit) column = std::move(numbers);
+  return all_fit;
+}
+
+namespace {
+
+/// Appends values of the same type, texts with the numbers that they have in `column`.
+void append_values(PointColumn& column, const PointColumn& more) {
+  if (!column.is_text) {
+    column.bytes.insert(column.bytes.end(), more.bytes.begin(), more.bytes.end());
+    return;
+  }
+  std::unordered_map<std::string, std::int32_t> numbers;
+  for (const std::string& text : column.texts) numbers.emplace(text, static_cast<std::int32_t>(numbers.size()));
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    const auto [place, is_new] = numbers.try_emplace(more.text(i), static_cast<std::int32_t>(numbers.size()));
+    if (is_new) column.texts.push_back(place->first);
+    column.append(place->second);
+  }
+}
+
+}  // namespace
+
+void append_columns(std::vector<PointColumn>& columns, std::vector<PointColumn> more, bool first) {
+  const std::string missing = "not all files have it";
+  for (PointColumn& column : columns) {
+    const auto other =
+        std::find_if(more.begin(), more.end(), [&](const PointColumn& one) { return one.name == column.name; });
+    if (other == more.end()) {
+      column.fault = missing;
+      continue;
+    }
+    if (column.is_text != other->is_text)
+      column.fault = "it has texts in one file and numbers in another";
+    else if (column.type != other->type && !(become_numbers(column) && become_numbers(*other)))
+      column.fault = "no type holds its numbers of all files";
+    if (column.fault.empty()) append_values(column, *other);
+    more.erase(other);
+  }
+  for (PointColumn& column : more) {
+    if (!first) column.fault = missing;
+    columns.push_back(std::move(column));
+  }
 }
 
 void keep_values(std::vector<PointColumn>& columns, std::size_t before, std::span<const std::uint8_t> kept) {

@@ -26,6 +26,9 @@ struct PointColumn {
   std::vector<std::string> texts = {};  ///< distinct
   std::string fault = {};               ///< why the column is left out; else empty
 
+  const std::string& text(std::size_t i) const { return texts[static_cast<std::size_t>(value<std::int32_t>(i))]; }
+  /// Returns whether a value is missing: NaN, or an empty text.
+  bool is_missing(std::size_t i) const;
   std::size_t size() const { return bytes.size() / size_of(type); }
   template <typename T>
   T value(std::size_t i) const {
@@ -40,7 +43,8 @@ struct PointColumn {
 
 /// The fields to keep.
 struct FieldChoice {
-  std::optional<std::vector<std::string>> names = std::nullopt;  ///< absent: all
+  /// Absent: all. Fields after an empty name are not required.
+  std::optional<std::vector<std::string>> names = std::nullopt;
 
   bool has(std::string_view name) const;
 };
@@ -48,10 +52,32 @@ struct FieldChoice {
 /// Parses --fields: "all", or names with commas between them; absent for "none". Throws WrongUsage.
 std::optional<FieldChoice> parse_fields(const std::string& text);
 
-/// Removes columns with a fault, and adds a warning for each. Throws BadInput that names the file `name` if a field of
-/// the choice is not there.
-void settle_columns(std::vector<PointColumn>& columns, const FieldChoice& choice, const std::string& name,
-                    std::vector<std::string>& warnings);
+/// Returns whether two names are those of one field: the case of letters and underscores do not count, and PDAL's names
+/// of fields of LAS are known.
+bool is_same_field(std::string_view a, std::string_view b);
+
+/// Removes columns with a fault, and adds a warning for each.
+void settle_columns(std::vector<PointColumn>& columns, std::vector<std::string>& warnings);
+
+/// Returns the column with exactly this name, else the first with is_same_field(); null if there is none.
+const PointColumn* find_column(std::span<const PointColumn> columns, std::string_view name);
+
+/// Returns find_column(). Throws BadInput that names the file and `option`, which requires a column, if none is there.
+const PointColumn& require_column(std::span<const PointColumn> columns, std::string_view name,
+                                  const std::string& option, const std::string& file);
+
+/// Requires the columns that the choice of --fields names. Throws as require_column().
+void require_fields(std::span<const PointColumn> columns, const std::optional<FieldChoice>& choice,
+                    const std::string& file);
+
+/// Appends the columns of a further file, `more`, to those of the files before, which are not `first` if there are any:
+/// to each the column with its name. Numbers of several types become float64, if it holds all. A column with texts in
+/// one file and numbers in another, or that a file does not have, gets a fault.
+void append_columns(std::vector<PointColumn>& columns, std::vector<PointColumn> more, bool first);
+
+/// Changes the type of a column of numbers to float64. Returns false, and changes nothing, if doubles do not represent
+/// one of them.
+bool become_numbers(PointColumn& column);
 
 /// Removes, of the values after the first `before` of each column, those with kept[i − before] = 0.
 void keep_values(std::vector<PointColumn>& columns, std::size_t before, std::span<const std::uint8_t> kept);

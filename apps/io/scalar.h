@@ -68,6 +68,11 @@ T load(const char* bytes, std::endian order) {
   return std::bit_cast<T>(bits);
 }
 
+template <typename T>
+T load_little(const char* bytes) {
+  return load<T>(bytes, std::endian::little);
+}
+
 /// Returns the number of the given type at `bytes` as the nearest double.
 inline double load_number(Scalar type, const char* bytes, std::endian order) {
   return with_type(type, [&](auto value) { return static_cast<double>(load<decltype(value)>(bytes, order)); });

@@ -137,6 +137,11 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
   verb.add_option("--isolated", arguments.isolated,
                   "Write the points in no polygon to this file, in the format of its ending: " + endings(Use::isolated))
       ->type_name("FILE");
+  verb.add_option("--summarize", arguments.summarize,
+                  "Add statistics of fields to each polygon, or to each group: FIELD:STATISTIC, several with commas "
+                  "between them, such as intensity:mean,class:majority; min, max, mean, sum or majority")
+      ->type_name("LIST");
+  add_fields_option(verb, arguments.fields, "where points are listed: in .csv, .gpkg and --isolated");
   add_width_option(verb, arguments.width);
   add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
   verb.footer(

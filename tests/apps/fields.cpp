@@ -158,8 +158,6 @@ TEST_SUITE("fields") {
     CHECK(refused("mesh p.csv --alpha inf -o m.off --fields a") ==
           "rbpa: --fields requires a mesh in ply or vtu, which hold fields\n");
     CHECK(refused("mesh p.csv --alpha inf -o m.ply --fields a,,b").starts_with("rbpa: --fields: found 'a,,b'"));
-    CHECK(refused("mesh p.csv --alpha inf --group-by a -o m.ply --fields b").find("--fields cannot be combined") !=
-          std::string::npos);
   }
 
   TEST_CASE("fields follow their points through conditions, boxes, --compact and duplicates") {

@@ -401,7 +401,8 @@ TEST_SUITE("las") {
 
     CHECK(
         refused_condition("").starts_with("--where: found the end, expected a number or a field of LAS: x, y, z, int"));
-    CHECK(refused_condition("category == 2").starts_with("--where: found 'category', expected a number or a field"));
+    CHECK(refused_condition("and == 2").starts_with("--where: found 'and', expected a number or a field"));
+    CHECK_THROWS_AS(read(bytes, "category == 2"), rbpa::app::BadInput);
     CHECK(refused_condition("red == ").starts_with("--where: found the end, expected a number or"));
     CHECK(refused_condition("red == 2 blue == 3") == "--where: found 'blue', expected 'and', 'or' or the end");
     CHECK(refused_condition("(red == 2") == "--where: found the end, expected ')'");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdint>
+#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -352,5 +354,43 @@ TEST_SUITE("ogr") {
           CHECK(features.size() == (lonely ? 3U : 2U));
           CHECK(found == (lonely && format.ending == "fgb" ? 2U : features.size()));
         }
+  }
+
+  TEST_CASE("isolated points have their fields, and polygons and groups their summaries, by OGR's types") {
+    const Folder folder;
+    folder.file("p.csv",
+                "x,y,fid,GEOM,Index,id,label,v\n0,0,1,2,3,9223372036854775807,\"a, b\",0.5\n1,0,4,5,6,1,ü,\n"
+                "0,1,7,8,9,-9223372036854775808,ü,2.5\n50,50,10,11,12,9007199254740993,c,3.5\n");
+    const std::string summaries = " --summarize id:max,id:min,label:majority,v:mean --alpha 2 -q ";
+    REQUIRE(folder.rbpa("shape p.csv" + summaries + "-o s.gpkg -o s.fgb -o s.shp --isolated i.fgb").code == 0);
+    REQUIRE(folder.rbpa("shape p.csv --group-by Index" + summaries + "-o g.gpkg").code == 0);
+    for (const std::string path : {"s.gpkg", "i.fgb"}) {
+      const GDALDatasetUniquePtr file = open(folder.path(path));
+      OGRLayer* layer = path == "s.gpkg" ? file->GetLayerByName("isolated") : file->GetLayer(0);
+      const OGRFeatureUniquePtr feature(layer->GetNextFeature());
+      REQUIRE(feature);
+      CHECK(feature->GetFieldAsInteger64("index") == 3);
+      CHECK(feature->GetFieldAsInteger64("Index_2") == 12);
+      CHECK(feature->GetFieldAsInteger64("id") == 9007199254740993);
+      CHECK(feature->GetFieldDefnRef(feature->GetFieldIndex("id"))->GetType() == OFTInteger64);
+      CHECK(feature->GetFieldAsString("label") == std::string("c"));
+      CHECK(feature->GetFieldAsDouble("v") == 3.5);
+      if (path == "s.gpkg") {
+        CHECK(feature->GetFieldAsInteger64("fid_2") == 10);
+        CHECK(feature->GetFieldAsInteger64("GEOM_2") == 11);
+      }
+    }
+    for (const std::string path : {"s.gpkg", "s.fgb", "s.shp", "g.gpkg"}) {
+      CAPTURE(path);
+      const GDALDatasetUniquePtr file = open(folder.path(path));
+      const OGRFeatureUniquePtr feature(file->GetLayer(0)->GetNextFeature());
+      const int last = feature->GetFieldCount();
+      if (path == "g.gpkg") continue;  // a group of one point
+      CHECK(feature->GetFieldAsInteger64(last - 4) == std::numeric_limits<std::int64_t>::max());
+      CHECK(feature->GetFieldAsInteger64(last - 3) == std::numeric_limits<std::int64_t>::min());
+      CHECK(feature->GetFieldAsString(last - 2) == std::string("ü"));
+      CHECK(feature->GetFieldAsDouble(last - 1) == 1.5);
+    }
+    CHECK(open(folder.path("g.gpkg"))->GetLayer(0)->GetLayerDefn()->GetFieldIndex("v_mean") > 0);
   }
 }

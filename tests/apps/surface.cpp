@@ -178,10 +178,8 @@ TEST_SUITE("surface") {
     // Messages are those of the other verbs.
     CHECK(folder.rbpa("surface p.las --radius 1 --where \"height > 1\" -o m.off").err ==
           folder.rbpa("info p.las --where \"height > 1\"").err);
-    refuses(folder, "p.las --radius 1 --where \"gps_time > 1\" -o m.off", 3,
-            "p.las: found point format 2 of LAS 1.2, expected one with gps_time, as --where requires: 1, 3, 4, 5, 6, "
-            "7, 8, 9, "
-            "10");
+    CHECK(folder.rbpa("surface p.las --radius 1 --where \"gps_time > 1\" -o m.off")
+              .err.starts_with("rbpa: p.las: found point format 2 of LAS 1.2 with x, y, z, intensity, return_number"));
   }
 
   TEST_CASE("colors of a table are those of the surface") {

@@ -14,11 +14,6 @@
 namespace rbpa::app {
 namespace {
 
-template <typename T>
-T value_at(const char* at) {
-  return load<T>(at, std::endian::little);
-}
-
 /// A cube of the octree: a number on each axis from 0 to 2^level − 1.
 struct Key {
   std::int32_t level;
@@ -55,7 +50,7 @@ class Search {
     constexpr std::size_t size = 160;
     if (info.size() < size)
       bad_input(content.name(), "a record of COPC of " + counted(info.size(), "byte"), std::to_string(size));
-    const auto number = [&](std::size_t at) { return value_at<double>(&info[8 * at]); };
+    const auto number = [&](std::size_t at) { return load_little<double>(&info[8 * at]); };
     half_ = number(3);
     const double spacing = number(4);
     bool finite = std::isfinite(half_) && half_ > 0 && std::isfinite(spacing) && spacing > 0;
@@ -73,7 +68,7 @@ class Search {
       while (deepest_ < Key::most_levels && std::ldexp(spacing, -deepest_) > *window.resolution) ++deepest_;
     else
       deepest_ = Key::most_levels;
-    add_page({value_at<std::uint64_t>(&info[40]), value_at<std::uint64_t>(&info[48]), {0, {0, 0, 0}}, 0});
+    add_page({load_little<std::uint64_t>(&info[40]), load_little<std::uint64_t>(&info[48]), {0, {0, 0, 0}}, 0});
   }
 
   std::vector<LazNode> run() {
@@ -118,9 +113,9 @@ class Search {
   }
 
   void take(const char* entry, const Page& page, std::uint64_t at) {
-    const auto number = [&](std::size_t k) { return value_at<std::int32_t>(entry + 4 * k); };
+    const auto number = [&](std::size_t k) { return load_little<std::int32_t>(entry + 4 * k); };
     const Key key{number(0), {number(1), number(2), number(3)}};
-    const auto begin = value_at<std::uint64_t>(entry + 16);
+    const auto begin = load_little<std::uint64_t>(entry + 16);
     const std::int32_t size = number(6), points = number(7);
     if (!key.is_valid() || !key.is_in(page.cube))
       refuse(at, "a node " + key.text(), "one in the cube " + page.cube.text() + " of its page");

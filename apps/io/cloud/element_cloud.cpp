@@ -61,6 +61,10 @@ class ElementCloud final : public Cloud {
       fields_.resize(condition_.size());
     }
     if (request.keeps) choose_fields(*request.keeps);
+    for (std::size_t k = 0; k < condition_.size(); ++k)
+      is_kept_.push_back(k < request.where->columns() &&
+                         request.where->column(k).kind == WantedColumn::Kind::by_value &&
+                         std::find(kept_.begin(), kept_.end(), condition_[k]) != kept_.end());
     if (header_.binary) {
       binary_.emplace(header_, name_);
     } else {
@@ -180,7 +184,8 @@ class ElementCloud final : public Cloud {
                   block.count, *header_.binary, first_, name_);
     };
     for (const auto& [column, property] : layout_.columns) load_all(block.column[column], property);
-    for (std::size_t k = 0; k < fields_.size(); ++k) load_all(fields_[k], condition_[k]);
+    for (std::size_t k = 0; k < fields_.size(); ++k)
+      if (!is_kept_[k]) load_all(fields_[k], condition_[k]);
     for (std::size_t k = 0; k < kept_.size(); ++k)
       for (std::size_t i = 0; i < block.count; ++i) keep(k, strips[kept_[k]].first + i * strips[kept_[k]].stride);
     for (std::size_t i = 0; layout_.color && i < block.count; ++i) {
@@ -200,7 +205,8 @@ class ElementCloud final : public Cloud {
                             [&] { return name_ + ": point " + std::to_string(i); });
       };
       for (const auto& [column, property] : layout_.columns) block.column[column][i - first_] = number(property);
-      for (std::size_t k = 0; k < fields_.size(); ++k) fields_[k][i - first_] = number(condition_[k]);
+      for (std::size_t k = 0; k < fields_.size(); ++k)
+        if (!is_kept_[k]) fields_[k][i - first_] = number(condition_[k]);
       for (std::size_t k = 0; k < kept_.size(); ++k) keep(k, at[kept_[k]]);
       if (looks_at_heights()) take_height(block, i, number(*layout_.height));
     });
@@ -268,6 +274,7 @@ class ElementCloud final : public Cloud {
   std::vector<std::size_t> condition_ = {};       // properties that the condition reads
   std::vector<std::vector<double>> fields_ = {};  // their columns
   std::vector<std::size_t> kept_ = {};            // properties that are kept
+  std::vector<bool> is_kept_ = {};                // whether each of fields_ is requested, and kept instead
   std::size_t taken_ = 0;                         // points in earlier blocks
   bool keeps_heights_;
   std::optional<Selection> selection_ = std::nullopt;

@@ -44,9 +44,13 @@ class LasCloud final : public Cloud {
     std::optional<LazFormat> laz;
     withheld_ = find_las_field("withheld", header_.format, header_.minor);
     for (const std::size_t axis : {0U, 1U}) require_range(header_, axis, name);
+    const std::vector<NamedLasField> fields =
+        all_las_fields(header_.format, header_.minor, header_.length, las_record(first, header_, "LASF_Spec", 4));
     if (request.where) {
       selection_.emplace(*request.where);
-      places_ = find_las_places(*request.where, header_.format, header_.minor, name);
+      places_ = find_las_places(*request.where, header_.format, header_.minor, fields, name);
+      for (std::size_t i = 0; request.keeps && i < request.where->columns(); ++i)
+        places_[i].is_kept = !places_[i].axis && request.where->column(i).kind == WantedColumn::Kind::by_value;
     }
     if (has_z_) {
       require_las_axis(header_, 2, name);
@@ -62,10 +66,9 @@ class LasCloud final : public Cloud {
     }
     if (header_.is_compressed) laz = read_laz_format(laszip_record(first, header_), header_.length, name);
     if (request.keeps)
-      for (NamedLasField& field :
-           all_las_fields(header_.format, header_.minor, header_.length, las_record(first, header_, "LASF_Spec", 4)))
+      for (const NamedLasField& field : fields)
         if (request.keeps->has(field.name) && !(red_ && !request.keeps->names && is_color(field.name))) {
-          facts_.file.kept.push_back({.name = std::move(field.name), .type = field.field.kept_type()});
+          facts_.file.kept.push_back({.name = field.name, .type = field.field.kept_type()});
           kept_.push_back(field.field);
         }
     const std::string_view copc = laz ? las_record(first, header_, "copc", 1) : std::string_view();
@@ -170,15 +173,24 @@ class LasCloud final : public Cloud {
     count_ = first_;
   }
 
-  bool is_selected(const char* record) {
-    for (std::size_t i = 0; i < places_.size(); ++i) selection_->values()[i] = places_[i].value(record, axes_);
-    return selection_->holds();
+  bool is_selected(const char* record, std::size_t point) {
+    const auto number = [&](std::size_t i) {
+      const LasPlace& place = places_[i];
+      if (const Scalar type = place.field.kept_type(); !place.axis && is_integer(type) && size_of(type) == 8)
+        load_exactly(type, record + place.field.offset, std::endian::little,
+                     [&] { return content_.name() + ": point " + std::to_string(point); });  // refuses what is rounded
+      return place.value(record, axes_);
+    };
+    if (!selection_->holds(number, [](std::size_t) { return false; })) return false;
+    for (std::size_t i = 0; i < selection_->column_values().size(); ++i)
+      if (!places_[i].is_kept) selection_->values()[i] = number(i);
+    return true;
   }
 
   std::array<double, 3> position(const char* record) const {
     std::array<double, 3> position{};
     for (std::size_t axis = 0; axis < (has_z_ ? 3 : 2); ++axis)
-      position[axis] = axes_[axis](las_value<std::int32_t>(record + 4 * axis));
+      position[axis] = axes_[axis](load_little<std::int32_t>(record + 4 * axis));
     return position;
   }
 
@@ -196,15 +208,15 @@ class LasCloud final : public Cloud {
     std::size_t taken = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const char* const record = records + i * length;
-      if (selection_ && !is_selected(record)) continue;
+      if (selection_ && !is_selected(record, first_ + i)) continue;
       if (filter_ && !filter_->keeps(position(record))) continue;
       if (selection_) append_fields(selection_->column_values(), block);
       if (selection_ || filter_) block.index.push_back(first_ + i);
-      x[taken] = axes_[0](las_value<std::int32_t>(record));
-      y[taken] = axes_[1](las_value<std::int32_t>(record + 4));
-      if (z != nullptr) z[taken] = axes_[2](las_value<std::int32_t>(record + 8));
+      x[taken] = axes_[0](load_little<std::int32_t>(record));
+      y[taken] = axes_[1](load_little<std::int32_t>(record + 4));
+      if (z != nullptr) z[taken] = axes_[2](load_little<std::int32_t>(record + 8));
       for (std::size_t k = 0; red_ && k < 3; ++k) {
-        const auto channel = las_value<std::uint16_t>(record + red_->offset + 2 * k);
+        const auto channel = load_little<std::uint16_t>(record + red_->offset + 2 * k);
         greatest_channel_ = std::max(greatest_channel_, channel);
         block.column[CloudBlock::color + k][taken] = channel;
       }

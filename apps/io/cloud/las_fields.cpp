@@ -1,7 +1,6 @@
 #include "io/cloud/las_fields.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -69,20 +68,6 @@ constexpr Known known_fields[] = {{"intensity", {12, u16}, {12, u16}},
                                   {"infrared", {0, u16}, {0, u16}, Since::any, &FieldLayout::infrared}};
 constexpr std::string_view axes[] = {"x", "y", "z"};
 
-std::string folded(std::string_view name) {
-  std::string result;
-  for (const char c : name)
-    if (c != '_') result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  // Accept names of PDAL and LAStools.
-  if (result == "nir") return "infrared";
-  if (result == "class") return "classification";
-  if (result == "scananglerank") return "scanangle";
-  if (result == "keypoint" || result == "modelkeypoint") return "keypoint";
-  return result;
-}
-
-bool is(std::string_view name, std::string_view known) { return folded(name) == folded(known); }
-
 }  // namespace
 
 std::size_t las_record_size(unsigned format) { return layouts[format].size; }
@@ -107,7 +92,7 @@ std::optional<LasField> find_las_field(std::string_view name, unsigned format, u
   const FieldLayout& layout = layouts[format];
   const bool is_new = format >= first_of_new_family;
   for (const Known& field : known_fields) {
-    if (!is(name, field.name)) continue;
+    if (!is_same_field(name, field.name)) continue;
     if (field.since == Since::new_family && !is_new) return std::nullopt;
     // Refuse flags for version 1.0, in which the class is the whole byte.
     if (!is_new && minor == 0 && field.since == Since::version_1_1) return std::nullopt;
@@ -207,21 +192,8 @@ namespace {
 /// Returns 0, 1 or 2 for x, y or z, which are not fields, as they need scale and offset; nothing for other names.
 std::optional<std::size_t> las_axis(std::string_view name) {
   for (std::size_t axis = 0; axis < 3; ++axis)
-    if (is(name, axes[axis])) return axis;
+    if (is_same_field(name, axes[axis])) return axis;
   return std::nullopt;
-}
-
-bool is_las_field(std::string_view name) {
-  return las_axis(name) || std::any_of(std::begin(known_fields), std::end(known_fields),
-                                       [&](const Known& field) { return is(name, field.name); });
-}
-
-/// Returns the point formats that have `field` in a file of version 1.minor, for a message.
-std::string formats_with(std::string_view field, unsigned minor) {
-  std::string formats;
-  for (unsigned format = 0; format <= last_las_format; ++format)
-    if (find_las_field(field, format, minor)) formats += (formats.empty() ? "" : ", ") + std::to_string(format);
-  return formats.empty() ? "one of a later version" : formats;
 }
 
 }  // namespace
@@ -229,23 +201,27 @@ std::string formats_with(std::string_view field, unsigned minor) {
 FieldNames names_of_las_fields() {
   std::string names = "x, y, z";
   for (const Known& field : known_fields) names += ", " + std::string(field.name);
-  return {is_las_field, "a field of LAS: " + names, false};
+  return {names_of_columns().are, "a field of LAS: " + names + ", or the name of extra bytes", false};
 }
 
 std::vector<LasPlace> find_las_places(const Condition& condition, unsigned format, unsigned minor,
-                                      const std::string& name) {
+                                      const std::vector<NamedLasField>& all, const std::string& name) {
   std::vector<LasPlace> places;
   for (const std::string& wanted : condition.fields()) {
     if (const std::optional<std::size_t> axis = las_axis(wanted)) {
       places.push_back({.field = {.offset = 4 * *axis, .type = Scalar::int32}, .axis = axis});
       continue;
     }
-    const std::optional<LasField> field = find_las_field(wanted, format, minor);
-    if (!field)
-      bad_input(name, "point format " + std::to_string(format) + " of LAS 1." + std::to_string(minor),
-                "one with " + wanted + ", as " + std::string(condition.option_of(wanted)) +
-                    " requires: " + formats_with(wanted, minor));
-    places.push_back({.field = *field});
+    const auto field = std::find_if(all.begin(), all.end(),
+                                    [&](const NamedLasField& known) { return is_same_field(wanted, known.name); });
+    if (field == all.end()) {
+      std::string there = "x, y, z";
+      for (const NamedLasField& known : all) there += ", " + printable(known.name);
+      bad_input(name,
+                "point format " + std::to_string(format) + " of LAS 1." + std::to_string(minor) + " with " + there,
+                "one with " + wanted + ", as " + std::string(condition.option_of(wanted)) + " requires");
+    }
+    places.push_back({.field = field->field});
   }
   return places;
 }

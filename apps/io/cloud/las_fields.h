@@ -65,13 +65,14 @@ class ScaledInteger {
   double divisor_ = 1;
 };
 
-/// Returns the rule for names of fields: those of all formats, and x, y and z.
+/// Returns the rule for names of fields: x, y, z, those of all formats, and any other, which extra bytes may have.
 FieldNames names_of_las_fields();
 
 /// The place, in a record, of a value that a condition reads.
 struct LasPlace {
   LasField field;
   std::optional<std::size_t> axis = std::nullopt;  ///< 0, 1, 2 for x, y, z, which need scale and offset
+  bool is_kept = false;                            ///< the value is not read, as the reader keeps the field itself
 
   double value(const char* record, std::span<const ScaledInteger> axes) const {
     return axis ? axes[*axis](load<std::int32_t>(record + field.offset, std::endian::little)) : field.value(record);
@@ -79,8 +80,8 @@ struct LasPlace {
 };
 
 /// Returns the places of condition.fields(), in their order, for records of point format `format` in a file of version
-/// 1.minor. Throws BadInput that names the file `name` if such records lack a field.
+/// 1.minor, whose fields are `all`. Throws BadInput that names the file `name` if such records lack a field.
 std::vector<LasPlace> find_las_places(const Condition& condition, unsigned format, unsigned minor,
-                                      const std::string& name);
+                                      const std::vector<NamedLasField>& all, const std::string& name);
 
 }  // namespace rbpa::app

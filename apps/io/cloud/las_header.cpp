@@ -48,7 +48,8 @@ void require_version(std::string_view bytes, const std::string& name) {
     bad_input(name, in_quotes(bytes.substr(0, 4)), "a LAS file, which begins with 'LASF'");
   if (bytes.size() < first_header_size)
     bad_input(name, counted(bytes.size(), "byte"), "a LAS header, of at least " + std::to_string(first_header_size));
-  const unsigned major = las_value<std::uint8_t>(bytes.data() + 24), minor = las_value<std::uint8_t>(bytes.data() + 25);
+  const unsigned major = load_little<std::uint8_t>(bytes.data() + 24),
+                 minor = load_little<std::uint8_t>(bytes.data() + 25);
   if (major != 1 || minor > 4)
     bad_input(name, "LAS version " + std::to_string(major) + "." + std::to_string(minor), "1.0 to 1.4");
 }
@@ -56,9 +57,9 @@ void require_version(std::string_view bytes, const std::string& name) {
 /// Returns the number of points. Version 1.4 counts in 64 bits; its older 32-bit field is 0 if it cannot hold the
 /// number.
 std::size_t point_count(std::string_view bytes, const LasHeader& header) {
-  const std::size_t legacy = las_value<std::uint32_t>(bytes.data() + 107);
+  const std::size_t legacy = load_little<std::uint32_t>(bytes.data() + 107);
   if (header.minor < 4 || header.size < header_size_of_4) return legacy;
-  const auto count = las_value<std::uint64_t>(bytes.data() + 247);
+  const auto count = load_little<std::uint64_t>(bytes.data() + 247);
   return count == 0 ? legacy : count;
 }
 
@@ -70,7 +71,7 @@ bool begins_with_signature(std::string_view data) {
 
 void find_points(LasHeader& header, std::string_view bytes, std::size_t size, const std::string& name) {
   const std::size_t claimed = point_count(bytes, header);
-  const std::size_t begin = las_value<std::uint32_t>(bytes.data() + 96);
+  const std::size_t begin = load_little<std::uint32_t>(bytes.data() + 96);
   if (begin < header.size || begin > size)
     bad_input(name, "an offset to point data of " + std::to_string(begin),
               "one after the header, from " + std::to_string(header.size) + " to " + std::to_string(size));
@@ -104,33 +105,33 @@ LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::s
   require_version(bytes, name);
   const char* at = bytes.data();
   LasHeader header{};
-  header.minor = las_value<std::uint8_t>(at + 25);
-  header.size = las_value<std::uint16_t>(at + 94);
+  header.minor = load_little<std::uint8_t>(at + 25);
+  header.size = load_little<std::uint16_t>(at + 94);
   if (header.size < first_header_size || header.size > size)
     bad_input(name, "a header size of " + std::to_string(header.size),
               "from " + std::to_string(first_header_size) + " to the size of the file, " + std::to_string(size));
-  header.records = las_value<std::uint32_t>(at + 100);
+  header.records = load_little<std::uint32_t>(at + 100);
   constexpr unsigned compressed = 0xC0U;  // bits that LASzip sets
-  header.is_compressed = (las_value<std::uint8_t>(at + 104) & compressed) != 0;
-  const unsigned format = las_value<std::uint8_t>(at + 104) & ~compressed;
+  header.is_compressed = (load_little<std::uint8_t>(at + 104) & compressed) != 0;
+  const unsigned format = load_little<std::uint8_t>(at + 104) & ~compressed;
   if (format > last_las_format)
     bad_input(name, "point format " + std::to_string(format), "a format from 0 to " + std::to_string(last_las_format));
   header.format = format;
-  header.length = las_value<std::uint16_t>(at + 105);
+  header.length = load_little<std::uint16_t>(at + 105);
   if (header.length < las_record_size(format))
     bad_input(name, "point records of " + counted(header.length, "byte"),
               "at least " + std::to_string(las_record_size(format)) + " of point format " + std::to_string(format));
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    header.scale[axis] = las_value<double>(at + 131 + 8 * axis);
-    header.offset[axis] = las_value<double>(at + 155 + 8 * axis);
+    header.scale[axis] = load_little<double>(at + 131 + 8 * axis);
+    header.offset[axis] = load_little<double>(at + 155 + 8 * axis);
   }
   for (const std::size_t axis : {0U, 1U}) require_las_axis(header, axis, name);
   if (header.minor >= 4 && header.size >= header_size_of_4) {
-    header.extended_begin = las_value<std::uint64_t>(at + 235);
-    header.extended_records = las_value<std::uint32_t>(at + 243);
+    header.extended_begin = load_little<std::uint64_t>(at + 235);
+    header.extended_records = load_little<std::uint32_t>(at + 243);
   }
   constexpr std::size_t has_waveforms = 235;
-  if (header.minor >= 3 && header.size >= has_waveforms) header.waveforms = las_value<std::uint64_t>(at + 227);
+  if (header.minor >= 3 && header.size >= has_waveforms) header.waveforms = load_little<std::uint64_t>(at + 227);
   find_points(header, bytes, size, name);
   return header;
 }
@@ -197,7 +198,7 @@ LasCrs crs_of_text(std::string_view text) {
 LasCrs crs_of_keys(std::string_view data) {
   constexpr std::size_t entry = 8;
   const auto number = [&](std::size_t i, std::size_t k) {
-    return las_value<std::uint16_t>(data.data() + i * entry + 2 * k);
+    return load_little<std::uint16_t>(data.data() + i * entry + 2 * k);
   };
   if (data.size() < entry) return {};
   const std::size_t keys = std::min<std::size_t>(number(0, 3), data.size() / entry - 1);
@@ -236,9 +237,10 @@ void visit(std::string_view bytes, std::size_t at, std::size_t end, std::size_t 
   const std::size_t frame = extended ? 60 : 54;
   for (std::size_t i = 0; i < count && at <= end && end - at >= frame; ++i) {
     const char* record = bytes.data() + at;
-    const std::size_t length = extended ? las_value<std::uint64_t>(record + 20) : las_value<std::uint16_t>(record + 20);
+    const std::size_t length =
+        extended ? load_little<std::uint64_t>(record + 20) : load_little<std::uint16_t>(record + 20);
     if (length > end - at - frame) return;
-    take(without_zeros({record + 2, 16}), las_value<std::uint16_t>(record + 18), bytes.substr(at + frame, length));
+    take(without_zeros({record + 2, 16}), load_little<std::uint16_t>(record + 18), bytes.substr(at + frame, length));
     at += frame + length;
   }
 }

@@ -45,12 +45,6 @@ class LasCount {
   std::size_t claimed_ = 0, room_ = 0, length_ = 0;
 };
 
-/// Returns the value at `at`; LAS is little-endian.
-template <typename T>
-T las_value(const char* at) {
-  return load<T>(at, std::endian::little);
-}
-
 struct LasHeader {
   unsigned minor;      ///< the version of the file is 1.minor
   unsigned format;     ///< format of point records, 0 to 10

@@ -91,7 +91,7 @@ void warn_of_odd_points(PointFile& file) {
 
 PointFile settled(PointFile file, const std::string& name, const PointSource& source) {
   settle_crs(file, source.crs);
-  if (source.keeps) settle_columns(file.kept, *source.keeps, name, file.warnings);
+  settle_columns(file.kept, file.warnings);
   if (source.shift_longitude) {
     shift_longitude(file.points, name);
     file.degrees = true;

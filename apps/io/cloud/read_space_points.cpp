@@ -80,7 +80,7 @@ SpacePoints read_content(const Content& content, Format format, const CloudReque
   in_space.last_are_normals = true;
   if (!file) file = read_cloud(*open_cloud(known, content.again(), in_space));
   require_directions(*file, content.name());
-  if (request.keeps) settle_columns(file->kept, *request.keeps, content.name(), file->warnings);
+  settle_columns(file->kept, file->warnings);
   return std::move(*file);
 }
 

@@ -16,11 +16,6 @@
 
 namespace rbpa::app {
 
-template <typename T>
-T load_little(const char* at) {
-  return load<T>(at, std::endian::little);
-}
-
 /// Store a number at `to`, little-endian; add to the number there.
 template <typename T>
 void store(char* to, T value) {

@@ -12,11 +12,13 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/values_at.h"
+#include "io/words.h"
 
 namespace rbpa::app {
 namespace {
@@ -66,8 +68,7 @@ class OgrReader {
     }
     // Refuse a file that can be read in part only.
     if (gdal_.has_failed()) throw BadInput(source_ + ": GDAL cannot read all of it: " + shown(gdal_.reason()));
-    constexpr int if_known = 0;
-    const GIntBig announced = layer.GetFeatureCount(if_known);
+    const GIntBig announced = layer.GetFeatureCount(FALSE);  // below 0: not known without counting
     if (announced >= 0 && static_cast<std::size_t>(announced) != features_)
       bad_input(source_, counted(features_, "feature"), std::to_string(announced) + " as the file says");
     if (without_geometry_ > 0) file_.warnings.push_back(counted(without_geometry_, "feature") + " without a geometry");
@@ -125,9 +126,8 @@ class OgrReader {
 
   void take(const OGRGeometry& geometry) {
     const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
-    const bool is_collection = OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != 0;
     if (type == wkbPoint) return take(*geometry.toPoint());
-    if (is_collection) {
+    if (OGR_GT_IsSubClassOf(type, wkbGeometryCollection) != 0) {
       for (const OGRGeometry* part : *geometry.toGeometryCollection()) take(*part);
       return;
     }
@@ -191,6 +191,7 @@ class OgrWriter {
     OGRLayer& layer = create_layer("polygons", wkbPolygon);
     for (const char* name : {"number", "holes", "points"}) add_field(layer, name, OFTInteger64);
     for (const char* name : {"area", "perimeter"}) add_field(layer, name, OFTReal);
+    add_attributes(layer, shape.summaries);
     const std::vector<std::size_t> points = points_in_polygons(shape);
     for (std::size_t i = 0; i < shape.polygons.size(); ++i) {
       const Polygon& polygon = shape.polygons[i];
@@ -200,6 +201,7 @@ class OgrWriter {
       set(feature, "points", points[i]);
       set(feature, "area", polygon.area);
       set(feature, "perimeter", polygon.perimeter);
+      set(feature, shape.summaries, i);
       const OGRPolygon geometry = polygon_of(polygon, shape.points);
       add(layer, feature, geometry, i);
     }
@@ -208,10 +210,14 @@ class OgrWriter {
   void write_isolated(const Shape& shape) {
     OGRLayer& layer = create_layer("isolated", wkbPoint);
     add_field(layer, "index", OFTInteger64);
+    const std::vector<Attribute> fields =
+        attributes_of(shape.fields, {"index", layer.GetFIDColumn(), layer.GetGeometryColumn()});
+    add_attributes(layer, fields);
     for (std::size_t i = 0; i < shape.points.size(); ++i) {
       if (shape.polygon_of[i]) continue;
       OGRFeature feature(layer.GetLayerDefn());
       set(feature, "index", std::size_t{renumbered(static_cast<std::uint32_t>(i), shape.index)});
+      set(feature, fields, i);
       const OGRPoint geometry(shape.points[i].x, shape.points[i].y);
       add(layer, feature, geometry, i);
     }
@@ -224,6 +230,7 @@ class OgrWriter {
     for (const char* name : {"points", "polygons"}) add_field(layer, name, OFTInteger64);
     for (const char* name : {"alpha", "area", "perimeter"}) add_field(layer, name, OFTReal);
     add_field(layer, "problem", OFTString);
+    add_attributes(layer, groups.summaries);
     const std::vector<std::string_view> problems = problems_of(groups);
     for (std::size_t g = 0; g < groups.names.size(); ++g) {
       const std::uint64_t first = groups.shapes.polygon_begin[g], last = groups.shapes.polygon_begin[g + 1];
@@ -234,6 +241,7 @@ class OgrWriter {
       set(feature, "alpha", groups.shapes.alphas[g]);
       set(feature, "area", groups.shapes.totals[g].area);
       set(feature, "perimeter", groups.shapes.totals[g].perimeter);
+      set(feature, groups.summaries, g);
       if (!problems[g].empty()) feature.SetField("problem", std::string(problems[g]).c_str());
       OGRMultiPolygon geometry;
       for (std::uint64_t i = first; i < last; ++i) {
@@ -306,10 +314,32 @@ class OgrWriter {
     OGRFieldDefn field(name, type);
     if (layer.CreateField(&field) != OGRERR_NONE) fail(gdal_.reason());
   }
-  static void set(OGRFeature& feature, const char* name, std::size_t value) {
-    feature.SetField(name, static_cast<GIntBig>(value));
+  /// Adds a field for each attribute. OGR has no unsigned integers of 64 bits: they become texts.
+  void add_attributes(OGRLayer& layer, std::span<const Attribute> attributes) const {
+    for (const Attribute& attribute : attributes) {
+      const PointColumn& column = *attribute.column;
+      const bool is_text = column.is_text || column.type == Scalar::uint64;
+      add_field(layer, attribute.name.c_str(), is_text ? OFTString : is_integer(column.type) ? OFTInteger64 : OFTReal);
+    }
   }
-  /// Sets a field; a number that is not finite is set to null, as in JSON.
+  /// Set the last fields, which are `attributes`, or one by name; a number that is not finite is null, as in JSON.
+  static void set(OGRFeature& feature, std::span<const Attribute> attributes, std::size_t index) {
+    int place = feature.GetFieldCount() - static_cast<int>(attributes.size());
+    for (const Attribute& attribute : attributes) {
+      attribute.with_value(index, [&](const auto& value) {
+        if constexpr (requires { value.c_str(); })
+          feature.SetField(place, value.c_str());
+        else if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(value)>>)
+          feature.SetField(place, std::to_string(value).c_str());  // GDAL converts it to the type of the field
+        else if (std::isfinite(value))
+          feature.SetField(place, static_cast<double>(value));
+      });
+      ++place;
+    }
+  }
+  static void set(OGRFeature& to, const char* name, std::size_t value) {
+    to.SetField(name, static_cast<GIntBig>(value));
+  }
   static void set(OGRFeature& feature, const char* name, double value) {
     if (std::isfinite(value)) feature.SetField(name, value);
   }

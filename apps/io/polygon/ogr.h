@@ -43,7 +43,7 @@ std::vector<OgrFile> ogr_polygons(Format format, const Shape& shape);
 std::vector<OgrFile> ogr_groups(Format format, const NamedShapes& groups);
 /// Returns the files of triangles with number and attributes, and with heights if triangles.has_z.
 std::vector<OgrFile> ogr_triangles(Format format, const TriangleList& triangles);
-/// Returns the files of the points in no polygon, with their input indices.
+/// Returns the files of the points in no polygon, with their input indices and their fields.
 std::vector<OgrFile> ogr_isolated(Format format, const Shape& shape);
 
 }  // namespace rbpa::app

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 
@@ -152,13 +151,13 @@ PolygonWriter::PolygonWriter(OutputFile& file, Format format, const std::optiona
   if (format == Format::geojson) file_.write(geojson_collection(crs));
 }
 
-void PolygonWriter::begin(const PolygonFacts& facts) {
+void PolygonWriter::begin(const PolygonFacts& facts, std::string_view more) {
   file_.write(number_ == 0 ? signs_.first : signs_.next);
   ++number_;
   if (signs_.has_properties)
     file_.write_all("{\"type\":\"Feature\",\"properties\":{\"number\":", number_,
                     ",\"area\":", finite_or_null(facts.area), ",\"perimeter\":", finite_or_null(facts.perimeter),
-                    ",\"holes\":", facts.holes, ",\"points\":", facts.points, "},\"geometry\":");
+                    ",\"holes\":", facts.holes, ",\"points\":", facts.points, more, "},\"geometry\":");
   rings_.clear();
   any_ring_ = false;
   if (cuts_) return;
@@ -190,7 +189,7 @@ void write_polygons(OutputFile& file, Format format, const Shape& shape) {
   const std::vector<std::size_t> counts = points_in_polygons(shape);
   for (std::size_t i = 0; i < shape.polygons.size(); ++i) {
     const Polygon& polygon = shape.polygons[i];
-    writer.begin({polygon.area, polygon.perimeter, polygon.holes.size(), counts[i]});
+    writer.begin({polygon.area, polygon.perimeter, polygon.holes.size(), counts[i]}, json_members(shape.summaries, i));
     for_each_ring(polygon, shape.points, [&](std::span<const Point> ring) { writer.ring(ring); });
     writer.end();
   }
@@ -235,12 +234,6 @@ void for_each_named(const NamedShapes& groups, const Visit& visit) {
   }
 }
 
-/// Returns a text in quotes for JSON. Bytes that are not UTF-8, such as Latin-1, are written as the replacement
-/// character.
-std::string json_text(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
 }  // namespace
 
 std::vector<std::string_view> problems_of(const NamedShapes& groups) {
@@ -260,7 +253,8 @@ void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
                    "{\"type\":\"Feature\",\"properties\":{\"group\":", json_name(groups.names[g], groups.are_numbers),
                    ",\"points\":", groups.sizes[g], ",\"alpha\":", finite_or_null(groups.shapes.alphas[g]),
                    ",\"area\":", finite_or_null(totals.area), ",\"perimeter\":", finite_or_null(totals.perimeter),
-                   ",\"polygons\":", groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g]);
+                   ",\"polygons\":", groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g],
+                   json_members(groups.summaries, g));
     if (!problem.empty()) file.write(",\"problem\":" + json_text(problem));
     file.write("},\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[");
     write_polygons_of(file, geojson, groups, g, cuts);
@@ -270,7 +264,7 @@ void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
 }
 
 void write_groups_csv(OutputFile& file, const NamedShapes& groups) {
-  file.write("group,points,alpha,area,perimeter,polygons,problem,geometry\n");
+  file.write_all("group,points,alpha,area,perimeter,polygons,problem,geometry", csv_names(groups.summaries), "\n");
   for_each_named(groups, [&](std::size_t g, std::string_view problem) {
     const double alpha = groups.shapes.alphas[g];
     file.write_all(csv_text(groups.names[g]), ",", groups.sizes[g], ",", std::isnan(alpha) ? "" : text_of(alpha), ",",
@@ -279,41 +273,45 @@ void write_groups_csv(OutputFile& file, const NamedShapes& groups) {
     if (problem.empty()) {
       file.write("\"MULTIPOLYGON (");
       write_polygons_of(file, wkt, groups, g, false);
-      file.write(")\"\n");
+      file.write(")\"");
     } else {
-      file.write("MULTIPOLYGON EMPTY\n");
+      file.write("MULTIPOLYGON EMPTY");
     }
+    file.write_all(csv_values(groups.summaries, g), "\n");
   });
 }
 
 void write_points_csv(OutputFile& file, const Shape& shape) {
-  file.write("x,y,polygon\n");
+  const std::vector<Attribute> fields = attributes_of(shape.fields, {"x", "y", "polygon"});
+  file.write_all("x,y,polygon", csv_names(fields), "\n");
   for (std::size_t i = 0; i < shape.points.size(); ++i) {
     if (i % 16384 == 0) stop_if_interrupted();
     file.write_all(shape.points[i].x, ",", shape.points[i].y, ",");
     if (shape.polygon_of[i]) file.write_number(std::uint64_t{*shape.polygon_of[i]} + 1);
-    file.write("\n");
+    file.write_all(csv_values(fields, i), "\n");
   }
 }
 
 void write_isolated_csv(OutputFile& file, const Shape& shape) {
-  file.write("x,y,index\n");
+  const std::vector<Attribute> fields = attributes_of(shape.fields, {"x", "y", "index"});
+  file.write_all("x,y,index", csv_names(fields), "\n");
   for_each_isolated(shape, [&](std::size_t i) {
     file.write_all(shape.points[i].x, ",", shape.points[i].y, ",",
-                   renumbered(static_cast<std::uint32_t>(i), shape.index), "\n");
+                   renumbered(static_cast<std::uint32_t>(i), shape.index), csv_values(fields, i), "\n");
   });
 }
 
 void write_isolated_geojson(OutputFile& file, const Shape& shape) {
   file.write(geojson_collection(shape.crs));
   const bool cuts = is_cut_in_geojson(shape.points, shape.crs, shape.degrees);
+  const std::vector<Attribute> fields = attributes_of(shape.fields, {"index"});
   std::string_view before = "\n";
   for_each_isolated(shape, [&](std::size_t i) {
     const Point& p = shape.points[i];
-    file.write_all(
-        std::exchange(before, ",\n"),
-        "{\"type\":\"Feature\",\"properties\":{\"index\":", renumbered(static_cast<std::uint32_t>(i), shape.index),
-        "},\"geometry\":{\"type\":\"Point\",\"coordinates\":[", cuts ? within_antimeridian(p.x) : p.x, ",", p.y, "]}}");
+    file.write_all(std::exchange(before, ",\n"), "{\"type\":\"Feature\",\"properties\":{\"index\":",
+                   renumbered(static_cast<std::uint32_t>(i), shape.index), json_members(fields, i),
+                   "},\"geometry\":{\"type\":\"Point\",\"coordinates\":[", cuts ? within_antimeridian(p.x) : p.x, ",",
+                   p.y, "]}}");
   });
   file.write("\n]}\n");
 }

@@ -18,6 +18,7 @@
 #include "io/crs.h"
 #include "io/formats.h"
 #include "io/polygon/antimeridian.h"
+#include "io/polygon/attributes.h"
 #include "rbpa/base/point.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/plane/groups.h"
@@ -33,6 +34,8 @@ struct Shape {
   std::optional<Crs> crs = std::nullopt;      ///< the coordinate system, if it is known
   bool degrees = false;                       ///< the points are longitudes and latitudes, even if `crs` is unknown
   std::span<const std::uint32_t> index = {};  ///< input index of each point; empty if point i has index i
+  std::span<const PointColumn> fields = {};   ///< written where points are listed
+  std::span<const Attribute> summaries = {};  ///< further attributes of the polygons
 };
 
 /// Returns for each polygon the number of points that shape.polygon_of assigns to it.
@@ -90,7 +93,9 @@ class PolygonWriter final : public PolygonSink {
   /// Requires: `format` is geojson or wkt. With `cuts`, polygons are cut at the antimeridian. Keeps a reference to
   /// `file`; all members throw as OutputFile::write().
   PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs, bool cuts);
-  void begin(const PolygonFacts& facts) override;
+  void begin(const PolygonFacts& facts) override { begin(facts, ""); }
+  /// Begins a polygon with further members of its properties in GeoJSON, each after a comma.
+  void begin(const PolygonFacts& facts, std::string_view more);
   void ring(std::span<const Point> points) override;
   void end() override;
   void finish() override;
@@ -118,25 +123,26 @@ struct NamedShapes {
   const GroupShapes& shapes;
   std::optional<Crs> crs = std::nullopt;
   bool degrees = false;
+  std::span<const Attribute> summaries = {};  ///< further attributes of the groups
 };
 
 /// Returns for each group the reason why it has no polygon; an empty text if it has one.
 std::vector<std::string_view> problems_of(const NamedShapes& groups);
 
 /// Writes GeoJSON: one Feature for each group, with a MultiPolygon and "group", a number or a text, "points", "alpha",
-/// "area", "perimeter", "polygons", and, if the group has no polygon, "problem".
+/// "area", "perimeter", "polygons", the summaries, and, if the group has no polygon, "problem".
 void write_groups_geojson(OutputFile& file, const NamedShapes& groups);
 
-/// Writes CSV with columns group,points,alpha,area,perimeter,polygons,problem,geometry, one line for each group; the
-/// geometry is well-known text.
+/// Writes CSV with columns group,points,alpha,area,perimeter,polygons,problem,geometry and the summaries, one line for
+/// each group; the geometry is well-known text.
 void write_groups_csv(OutputFile& file, const NamedShapes& groups);
 
-/// Writes CSV with columns x,y,polygon, one line for each point; polygons are numbered from 1 as in GeoJSON, and the
-/// field is empty for a point in no polygon.
+/// Writes CSV with columns x,y,polygon and fields, one line for each point; polygons are numbered from 1 as in GeoJSON,
+/// and the number is empty for a point in no polygon.
 void write_points_csv(OutputFile& file, const Shape& shape);
 
-/// Write the points in no polygon, with their input indices from 0: CSV with columns x,y,index; a GeoJSON
-/// FeatureCollection of Points with "index"; or one MULTIPOINT.
+/// Write the points in no polygon, with their input indices from 0: CSV with columns x,y,index and fields; a GeoJSON
+/// FeatureCollection of Points with "index" and fields; or one MULTIPOINT.
 void write_isolated_csv(OutputFile& file, const Shape& shape);
 void write_isolated_geojson(OutputFile& file, const Shape& shape);
 void write_isolated_wkt(OutputFile& file, const Shape& shape);

@@ -26,7 +26,9 @@ FieldNames names_of_columns();
 /// A column that is read for each point in addition to its position.
 struct WantedColumn {
   enum class Kind {
-    by_value,  ///< numbers if the first value that is not missing is one, else texts; for atoms, by the column
+    /// Numbers if the first value that is not missing is one, else texts; for atoms, by the column. Unspecified, as
+    /// kept with its type instead, in LAS and in binary PLY and PCD if CloudRequest::keeps chooses the field.
+    by_value,
     number,
     text,
     radius  ///< a number; any other text is read as NaN, as only the group of that point has no radius then

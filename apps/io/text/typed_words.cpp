@@ -29,18 +29,6 @@ std::optional<double> number_of(std::string_view word) {
   return number.value;
 }
 
-/// Makes numbers of integers. Returns false, and changes nothing, if doubles do not represent one of them.
-bool become_numbers(PointColumn& column) {
-  PointColumn numbers{.name = column.name};
-  for (std::size_t i = 0; i < column.size(); ++i) {
-    const auto value = column.value<std::int64_t>(i);
-    if (!is_exact_in_double(value)) return false;
-    numbers.append(static_cast<double>(value));
-  }
-  column = std::move(numbers);
-  return true;
-}
-
 std::int32_t number_of(PointColumn& column, std::string_view text,
                        std::unordered_map<std::string, std::int32_t>& numbers) {
   const auto [place, is_new] = numbers.try_emplace(std::string(text), static_cast<std::int32_t>(column.texts.size()));

@@ -19,7 +19,6 @@ void require_of_groups(const MeshArguments& arguments, const ComplexRequest& req
                        const std::vector<Target>& targets) {
   refuse_given({{arguments.levels.has_value(), "--levels"},
                 {arguments.complex != "solid", "--complex full"},
-                {arguments.fields.has_value(), "--fields"},
                 {request.method.leaf_capacity.has_value(), "--method hrbpa"},
                 {request.method.by_paper, "--search paper"}},
                not_with_groups);
@@ -57,8 +56,9 @@ struct GroupNumbers {
 void write_targets(GroupRun& run, bool compacted) {
   const ProgressLine line = run.writing();
   const GroupNumbers numbers(run);
-  const TriangleMesh whole{run.named.file.points, run.shapes.triangles, {}, {}, &numbers.features, {},
-                           run.named.file.z,      run.named.file.index};
+  const TriangleMesh whole{
+      run.named.file.points, run.shapes.triangles,     {}, {}, &numbers.features, {}, run.named.file.z,
+      run.named.file.index,  {run.named.file.kept, {}}};
   std::optional<CompactMesh> compact;
   if (compacted) compact.emplace(whole);
   for (const Target& target : run.request.targets) {
@@ -73,11 +73,16 @@ void run_group_meshes(const MeshArguments& arguments) {
   const std::vector<Target> targets =
       parse_targets(Use::triangles, arguments, arguments.points, given({arguments.stats, arguments.levels}));
   GroupRequest request = parse_group_request(arguments, targets);
-  for (PointSource& source : request.sources.files) source.heights = any_has_vertices(targets);
+  const std::optional<FieldChoice> keeps = parse_fields_of(arguments.fields, targets);
+  for (PointSource& source : request.sources.files) {
+    source.heights = any_has_vertices(targets);
+    source.keeps = keeps;
+  }
   require_of_groups(arguments, request.complex, targets);
   GroupShapesOptions options;
   options.triangles = true;
   GroupRun run(request, arguments, options);
+  run.warning(fields_left_out(run.named.file.kept, targets));
   write_targets(run, arguments.compact);
   run.finish();
   caution(targets, run.named.file.points, run.named.file);

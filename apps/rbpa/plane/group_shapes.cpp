@@ -7,6 +7,7 @@
 #include "io/number.h"
 #include "io/polygon/ogr.h"
 #include "io/polygon/shape_files.h"
+#include "io/polygon/summaries.h"
 #include "picture/picture.h"
 #include "plane/group_run.h"
 #include "plane/ogr_outputs.h"
@@ -16,19 +17,23 @@
 namespace rbpa::app {
 namespace {
 
+bool has_groups(Format format) { return format != Format::wkt && format != Format::ewkt; }
+
 /// Throws WrongUsage for an option or a format that does not apply to groups.
 void require_of_groups(const ShapeArguments& arguments, const std::vector<Target>& targets) {
-  refuse_given({{arguments.isolated.has_value(), "--isolated"}}, not_with_groups);
-  constexpr auto has_groups = [](Format format) { return format != Format::wkt && format != Format::ewkt; };
+  refuse_given(
+      {{arguments.isolated.has_value(), "--isolated"}, {arguments.fields.value_or("none") != "none", "--fields"}},
+      not_with_groups);
   for (const Target& target : targets)
     if (!has_groups(target.format))
       bad_usage("--group-by", output_name(target.path) + ", whose format has no groups",
                 "one of " + endings(Use::shape, has_groups));
 }
 
-void write_targets(GroupRun& run) {
+void write_targets(GroupRun& run, const std::vector<Attribute>& summaries) {
   const ProgressLine line = run.writing();
-  const NamedShapes result = run.named_shapes();
+  NamedShapes result = run.named_shapes();
+  result.summaries = summaries;
   for (const Target& target : run.request.targets) {
     stop_if_interrupted();
     if (is_ogr(target.format)) {
@@ -66,12 +71,16 @@ void caution(const GroupRun& run) {
 void run_group_shapes(const ShapeArguments& arguments) {
   const std::vector<Target> targets = parse_targets(Use::shape, arguments, arguments.points, given({arguments.stats}));
   require_of_groups(arguments, targets);
-  const GroupRequest request = parse_group_request(arguments, targets);
+  GroupRequest request = parse_group_request(arguments, targets);
+  constexpr auto holds = [](Format format) { return has_groups(format) && !is_picture(format); };
+  const std::vector<SummaryChoice> summaries =
+      parse_summaries(arguments.summarize, any_of(targets, holds), endings(Use::shape, holds));
+  for (PointSource& source : request.sources.files) source.keeps = with_summaries(std::nullopt, summaries);
   GroupShapesOptions options;
   options.filter = {.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),
                     .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
   GroupRun run(request, arguments, options);
-  write_targets(run);
+  write_targets(run, summaries_of(summaries, run.named.file.kept, run.named.groups, run.input()));
   run.finish();
   caution(run);
   run.summarize(counted(run.shapes.polygons.size(), "polygon") + ", area " +

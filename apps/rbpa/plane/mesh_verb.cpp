@@ -68,8 +68,7 @@ void run_mesh(const MeshArguments& arguments) {
   if (arguments.levels) levels = parse_levels(*arguments.levels, request.method);
   const std::vector<Target> targets =
       parse_targets(Use::triangles, arguments, arguments.points, given({arguments.stats, arguments.levels}), kind);
-  const bool any_picture =
-      std::any_of(targets.begin(), targets.end(), [](const Target& target) { return is_picture(target.format); });
+  const bool any_picture = any_of(targets, is_picture);
 
   request.source.heights = any_has_vertices(targets);
   request.source.keeps = parse_fields_of(arguments.fields, targets);

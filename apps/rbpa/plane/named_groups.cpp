@@ -92,6 +92,7 @@ class Gatherer {
         radii_.insert(radii_.end(), file.fields.back().begin(), file.fields.back().end());
     }
     PointFile& all = result_.file;
+    append_columns(all.kept, std::move(file.kept), !std::exchange(any_columns_, true));
     if (!file.z.empty() || !all.z.empty()) {
       all.z.resize(all.points.size(), no_height);
       all.z.insert(all.z.end(), file.z.begin(), file.z.end());
@@ -197,7 +198,7 @@ class Gatherer {
   NameTable table_ = {};
   std::vector<std::uint32_t> labels_ = {};
   std::vector<double> radii_ = {};
-  bool are_texts_ = false, any_ = false;
+  bool are_texts_ = false, any_ = false, any_columns_ = false;
 };
 
 }  // namespace
@@ -226,6 +227,9 @@ NamedGroups read_groups(const Run& run, const GroupSources& sources) {
     gatherer.add(run.read_points(source), source.path);
   }
   NamedGroups named = gatherer.finish();
+  std::vector<std::string> warnings;
+  settle_columns(named.file.kept, warnings);
+  run.warning(warnings);
   const std::size_t left_out = named.file.points.size() - named.groups.members.size();
   if (left_out > 0) run.warning(counted(left_out, "point") + " without a group");
   return named;

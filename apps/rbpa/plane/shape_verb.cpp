@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,8 +9,10 @@
 #include "io/number.h"
 #include "io/polygon/ogr.h"
 #include "io/polygon/shape_files.h"
+#include "io/polygon/summaries.h"
 #include "picture/picture.h"
 #include "plane/ogr_outputs.h"
+#include "rbpa/plane/groups.h"
 #include "rbpa/plane/link_triangles.h"
 #include "rbpa/plane/outline_polygons.h"
 #include "rbpa/plane/polygon_of_points.h"
@@ -32,6 +35,11 @@ struct Files {
     const auto first = std::find_if(targets.begin(), targets.end(), is_one);
     if (first != targets.end()) return &*first;
     return isolated && is_one(*isolated) ? &*isolated : nullptr;
+  }
+  /// Returns whether any file lists points with their fields; a GeoPackage does so for isolated points.
+  bool have_fields() const {
+    return (isolated && !is_text_geometry(isolated->format)) ||
+           any_of(targets, [](Format format) { return format == Format::csv || format == Format::gpkg; });
   }
   /// Returns whether any file lists points: those of each polygon, or those in no polygon.
   bool have_points() const {
@@ -113,9 +121,18 @@ void run_shape(const ShapeArguments& arguments) {
   Files files{.targets =
                   parse_targets(Use::shape, arguments, arguments.points, given({arguments.stats, arguments.isolated}))};
   if (arguments.isolated) files.isolated = target_of("--isolated", *arguments.isolated, Use::isolated);
+  const std::optional<FieldChoice> listed =
+      parse_fields_of(arguments.fields, files.have_fields(), "a list of points in csv or gpkg, or --isolated");
+  constexpr auto holds = [](Format format) { return format == Format::geojson || is_ogr(format); };
+  const std::vector<SummaryChoice> summaries =
+      parse_summaries(arguments.summarize, any_of(files.targets, holds), endings(Use::shape, holds));
+  request.source.keeps = with_summaries(listed, summaries);
 
   ComplexRun run(request, arguments);
   require_srid(files, run.file.crs);
+  std::vector<PointColumn>& columns = run.file.kept;  // those that are listed, then those that are only summarized
+  const auto end = std::stable_partition(columns.begin(), columns.end(),
+                                         [&](const PointColumn& column) { return listed && listed->has(column.name); });
   AlphaComplex complex =
       build(run.points(), run.alpha, request.method, ComplexKind::solid, Links::none, run.options()).complex;
   // Link the finished triangles, which takes less memory than build() with Links::neighbors.
@@ -128,9 +145,15 @@ void run_shape(const ShapeArguments& arguments) {
   }
   const PolygonTotals totals = total(made);
   std::vector<std::optional<std::uint32_t>> polygon_of;
-  if (files.have_points())
+  if (files.have_points() || !summaries.empty())
     polygon_of = polygon_of_points(run.points(), complex, complex.duplicates, made, filter, until_interrupted());
-  const Shape shape{run.points(), made, polygon_of, run.file.crs, run.file.degrees, run.file.index};
+  Shape shape{run.points(), made, polygon_of, run.file.crs, run.file.degrees, run.file.index, {columns.begin(), end}};
+  std::vector<Attribute> of_polygons;
+  if (!summaries.empty()) {
+    std::vector<std::uint32_t> labels;
+    for (const std::optional<std::uint32_t>& polygon : polygon_of) labels.push_back(polygon.value_or(no_group));
+    shape.summaries = of_polygons = summaries_of(summaries, columns, groups_of(labels, made.size()), run.input());
+  }
   run.stats.build_seconds = run.lap();
 
   write_files(run, files, shape, complex);

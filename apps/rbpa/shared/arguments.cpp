@@ -117,10 +117,14 @@ std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, con
   return targets;
 }
 
+bool any_of(const std::vector<Target>& targets, bool (*fits)(Format)) {
+  return std::any_of(targets.begin(), targets.end(), [&](const Target& target) { return fits(target.format); });
+}
+
 bool any_has_vertices(const std::vector<Target>& targets) {
-  constexpr Format without[] = {Format::svg, Format::png, Format::npy, Format::npy_edges, Format::npy_points};
-  return std::any_of(targets.begin(), targets.end(), [&](const Target& target) {
-    return std::find(std::begin(without), std::end(without), target.format) == std::end(without);
+  return any_of(targets, [](Format format) {
+    constexpr Format without[] = {Format::svg, Format::png, Format::npy, Format::npy_edges, Format::npy_points};
+    return std::find(std::begin(without), std::end(without), format) == std::end(without);
   });
 }
 
@@ -136,14 +140,17 @@ std::vector<std::string> ogr_paths(const Target& target) {
   return paths;
 }
 
-std::optional<FieldChoice> parse_fields_of(const std::optional<std::string>& text, const std::vector<Target>& targets) {
-  const bool any_holds = std::any_of(targets.begin(), targets.end(), [](const Target& target) {
-    return target.format == Format::ply || target.format == Format::vtu;
-  });
+std::optional<FieldChoice> parse_fields_of(const std::optional<std::string>& text, bool any_holds,
+                                           const std::string& required) {
   if (!text) return any_holds ? std::optional(FieldChoice{}) : std::nullopt;
   std::optional<FieldChoice> choice = parse_fields(*text);
-  if (choice && !any_holds) throw WrongUsage("--fields requires a mesh in ply or vtu, which hold fields");
+  if (choice && !any_holds) throw WrongUsage("--fields requires " + required + ", which hold fields");
   return choice;
+}
+
+std::optional<FieldChoice> parse_fields_of(const std::optional<std::string>& text, const std::vector<Target>& meshes) {
+  const bool any_holds = any_of(meshes, [](Format format) { return format == Format::ply || format == Format::vtu; });
+  return parse_fields_of(text, any_holds, "a mesh in ply or vtu");
 }
 
 std::vector<std::string> fields_left_out(const std::vector<PointColumn>& columns, const std::vector<Target>& targets) {
@@ -159,7 +166,7 @@ std::vector<std::string> fields_left_out(const std::vector<PointColumn>& columns
 std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, const std::vector<Target>& targets) {
   if (!text) return std::nullopt;
   Shift shift = parse_shift("--shift", *text);
-  if (std::none_of(targets.begin(), targets.end(), [](const Target& to) { return has_single_precision(to.format); }))
+  if (!any_of(targets, has_single_precision))
     throw WrongUsage("--shift applies only to .stl and .glb files, which are in single precision");
   return shift;
 }

@@ -50,6 +50,8 @@ std::vector<std::string> given(const std::vector<std::optional<std::string>>& re
 std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input,
                                   const std::vector<std::string>& reports, ComplexKind complex = ComplexKind::solid);
 
+/// Returns whether fits() is true for the format of any target.
+bool any_of(const std::vector<Target>& targets, bool (*fits)(Format));
 /// Returns whether any target has vertices with coordinates: it is neither a picture nor an array of indices.
 bool any_has_vertices(const std::vector<Target>& targets);
 
@@ -57,9 +59,11 @@ bool any_has_vertices(const std::vector<Target>& targets);
 /// first.
 std::vector<std::string> ogr_paths(const Target& target);
 
-/// Parses --fields; by default all fields are kept if any target holds them, and otherwise none. Throws WrongUsage if
-/// fields are requested, and no target holds them.
-std::optional<FieldChoice> parse_fields_of(const std::optional<std::string>& text, const std::vector<Target>& targets);
+/// Parse --fields; by default all fields are kept if any file holds them, otherwise none. Throw WrongUsage if fields
+/// are requested, and no file holds them; `required` describes one that does. Of meshes those in PLY and VTU do.
+std::optional<FieldChoice> parse_fields_of(const std::optional<std::string>& text, bool any_holds,
+                                           const std::string& required);
+std::optional<FieldChoice> parse_fields_of(const std::optional<std::string>& text, const std::vector<Target>& meshes);
 
 /// Returns, for warnings, the 64-bit integers of `columns` that a target cannot hold; empty if it holds all.
 std::vector<std::string> fields_left_out(const std::vector<PointColumn>& columns, const std::vector<Target>& targets);

@@ -28,6 +28,7 @@ PointFile Run::read_points(const PointSource& source) const {
   PointFile file = read([&] { return rbpa::app::read_points(limited); });
   const auto remark_on = [&](const std::string& text) { summarize(input_name(source.path) + ": " + text); };
   for (const std::string& text : file.warnings) remark_on(text);
+  require_fields(file.kept, source.keeps, input_name(source.path));
   if (file.heights.differ() && !source.heights)
     remark_on("z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface and rbpa solid use it)");
   return file;
@@ -38,6 +39,7 @@ SpacePoints Run::read_points(const SpacePointSource& source) const {
   limited.threads = options_.threads;
   SpacePoints file = read([&] { return read_space_points(source.path, source.format, limited); });
   warning(file.warnings);
+  require_fields(file.kept, source.choice.keeps, input());
   return file;
 }
 

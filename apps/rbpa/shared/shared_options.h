@@ -36,9 +36,9 @@ void add_selection_options(CLI::App& verb, Arguments& arguments) {
       ->type_name("R");
 }
 
-inline void add_fields_option(CLI::App& verb, std::optional<std::string>& fields) {
-  verb.add_option("--fields", fields,
-                  "Keep these fields of the points, or all, or none, at the vertices of .ply and .vtu (default all)")
+inline void add_fields_option(CLI::App& verb, std::optional<std::string>& fields,
+                              const std::string& where = "at the vertices of .ply and .vtu") {
+  verb.add_option("--fields", fields, "Keep these fields of the points, or all, or none, " + where + " (default all)")
       ->type_name("NAMES");
 }
 

@@ -30,6 +30,7 @@ struct ShapeArguments : ComplexArguments {
   std::string min_hole_area = "0";
   std::string min_part_area = "0";
   std::optional<std::string> isolated;  ///< path of a file for the points in no polygon
+  std::optional<std::string> fields, summarize;
 };
 void run_shape(const ShapeArguments& arguments);
 /// Runs `rbpa shape` for each group of the points. Requires: arguments.ask_for_groups().

@@ -1,0 +1,319 @@
+// Fields where points are listed, as attributes of polygons and of groups, and in conditions: exact, of every type.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/las_file.h"
+#include "support/program.h"
+
+using namespace apps_test;
+
+namespace {
+
+template <typename T>
+std::string bytes_of_number(T value) {
+  std::string bytes(sizeof value, '\0');
+  std::memcpy(bytes.data(), &value, sizeof value);
+  return bytes;
+}
+
+/// A field of extra bytes: its type and options in LAS, and for each point the bytes and the text of the value.
+struct Extra {
+  std::string name;
+  char type, options;
+  std::vector<std::string> bytes, texts;
+  double scale = 1, offset = 0;
+};
+
+template <typename T>
+Extra extra(const std::string& name, char type, std::vector<T> values, std::vector<std::string> texts) {
+  Extra made{.name = name, .type = type, .options = 0, .bytes = {}, .texts = std::move(texts)};
+  for (const T value : values) made.bytes.push_back(bytes_of_number(value));
+  return made;
+}
+
+/// All types of numbers, with their extremes, at three points.
+std::vector<Extra> all_types() {
+  using Int64 = std::numeric_limits<std::int64_t>;
+  std::vector<Extra> all = {
+      extra<std::uint8_t>("u8", 1, {0, 255, 7}, {"0", "255", "7"}),
+      extra<std::int8_t>("i8", 2, {-128, 127, -1}, {"-128", "127", "-1"}),
+      extra<std::uint16_t>("u16", 3, {0, 65535, 8}, {"0", "65535", "8"}),
+      extra<std::int16_t>("i16", 4, {-32768, 32767, 2}, {"-32768", "32767", "2"}),
+      extra<std::uint32_t>("u32", 5, {0, 4294967295, 9}, {"0", "4294967295", "9"}),
+      extra<std::int32_t>("i32", 6, {-2147483647 - 1, 2147483647, 3}, {"-2147483648", "2147483647", "3"}),
+      extra<std::uint64_t>("u64", 7, {0, ~0ULL, 1ULL << 53U}, {"0", "18446744073709551615", "9007199254740992"}),
+      extra<std::int64_t>("i64", 8, {Int64::min(), Int64::max(), -5},
+                          {"-9223372036854775808", "9223372036854775807", "-5"}),
+      extra<float>("f32", 9, {0.1F, std::numeric_limits<float>::quiet_NaN(), -2.5F}, {"0.1", "", "-2.5"}),
+      extra<double>("a \"b\", ü", 10, {1e300, 0.1, std::numeric_limits<double>::quiet_NaN()}, {"1e+300", "0.1", ""}),
+      extra<std::uint8_t>("x", 1, {4, 5, 6}, {"4", "5", "6"}),
+      extra<std::uint16_t>("scaled", 3, {0, 1, 65535}, {"-10", "-9.5", "32757.5"})};
+  all.back().options = 24;
+  all.back().scale = 0.5;
+  all.back().offset = -10;
+  return all;
+}
+
+/// A LAS file of the points (0, 0), (1, 0) and (0, 1).
+std::string las_with(const std::vector<Extra>& extras) {
+  std::string records(192 * extras.size(), '\0');
+  std::string rows[3];
+  for (std::size_t k = 0; k < extras.size(); ++k) {
+    records[192 * k + 2] = extras[k].type;
+    records[192 * k + 3] = extras[k].options;
+    records.replace(192 * k + 4, extras[k].name.size(), extras[k].name);
+    records.replace(192 * k + 112, 8, little(extras[k].scale));
+    records.replace(192 * k + 136, 8, little(extras[k].offset));
+    for (std::size_t i = 0; i < 3; ++i) rows[i] += extras[k].bytes[i];
+  }
+  LasFile las{.minor = 4,
+              .records = {{"LASF_Spec", 4, records}},
+              .points = {{.classification = 2}, {.x = 100, .classification = 6}, {.y = 100, .classification = 6}},
+              .extra_bytes = static_cast<unsigned>(rows[0].size())};
+  std::string bytes = bytes_of(las);
+  const std::size_t row = 20 + rows[0].size(), first = bytes.size() - 3 * row;
+  for (std::size_t i = 0; i < 3; ++i) bytes.replace(first + row * i + 20, rows[i].size(), rows[i]);
+  return bytes;
+}
+
+Outcome run(const Folder& folder, const std::string& arguments) {
+  const Outcome outcome = folder.rbpa(arguments);
+  CAPTURE(arguments);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  return outcome;
+}
+
+/// Expects a refusal with an exit code, and a message that begins and contains so.
+void refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message) {
+  const Outcome outcome = folder.rbpa(arguments);
+  CAPTURE(arguments);
+  CHECK(outcome.code == code);
+  CHECK(outcome.err.find(message) != std::string::npos);
+  if (outcome.err.find(message) == std::string::npos) CHECK(outcome.err == message);
+}
+
+}  // namespace
+
+TEST_SUITE("listed_fields") {
+  TEST_CASE("lists of points have the fields of every type, exactly, under names that are not taken") {
+    const Folder folder;
+    const std::vector<Extra> extras = all_types();
+    folder.file("p.las", las_with(extras));
+    std::string chosen;
+    for (const Extra& one : extras)
+      if (one.name.find(',') == std::string::npos) chosen += (chosen.empty() ? "" : ",") + one.name;
+    run(folder, "shape p.las --alpha inf -o all.csv -o s.geojson");
+    CHECK(folder.content("all.csv").find(",\"a \"\"b\"\", ü\",x_2,scaled\n") != std::string::npos);
+    CHECK(folder.content("all.csv").starts_with("x,y,polygon,intensity,"));
+    run(folder, "shape p.las --alpha inf -o p.csv --isolated i.csv --fields " + chosen);
+    run(folder, "shape p.las --alpha 0.1 --isolated j.csv --fields " + chosen);
+    run(folder, "shape p.las --alpha 0.1 --isolated j.geojson --fields " + chosen);
+    const auto json = nlohmann::json::parse(folder.content("j.geojson"))["features"];
+    std::string header, rows[3];
+    for (const Extra& one : extras) {
+      if (one.name.find(',') != std::string::npos) continue;
+      header += "," + (one.name == "x" ? "x_2" : one.name);
+      for (std::size_t i = 0; i < 3; ++i) {
+        rows[i] += "," + one.texts[i];
+        CAPTURE(one.name);
+        CHECK(folder.content("j.geojson")
+                  .find("\"" + one.name + "\":" + (one.texts[i].empty() ? "null" : one.texts[i])) != std::string::npos);
+        if (!one.texts[i].empty()) CHECK(json[i]["properties"][one.name].dump().starts_with(one.texts[i].substr(0, 9)));
+      }
+    }
+    const std::string of_points =
+        "x,y,polygon" + header + "\n0,0,1" + rows[0] + "\n1,0,1" + rows[1] + "\n0,1,1" + rows[2] + "\n";
+    const std::string isolated =
+        "x,y,index" + header + "\n0,0,0" + rows[0] + "\n1,0,1" + rows[1] + "\n0,1,2" + rows[2] + "\n";
+    CHECK(folder.content("p.csv") == of_points);
+    CHECK(folder.content("i.csv") == "x,y,index" + header + "\n");
+    CHECK(folder.content("j.csv") == isolated);
+    run(folder, "shape p.las --alpha inf -o n.csv --fields none");
+    CHECK(folder.content("n.csv") == "x,y,polygon\n0,0,1\n1,0,1\n0,1,1\n");
+  }
+
+  TEST_CASE("texts, duplicate names, empty columns and thousands of columns are listed") {
+    const Folder folder;
+    folder.file("p.csv",
+                "x,y,kind,kind,none,id\n0,0,\"a, \"\"b\"\"\",ß,,9223372036854775807\n1,0,,ü,,1\n0,1,c,c,,-2\n");
+    run(folder, "shape p.csv --alpha inf -o s.csv");
+    CHECK(
+        folder.content("s.csv") ==
+        "x,y,polygon,kind,kind_2,none,id\n0,0,1,\"a, \"\"b\"\"\",ß,,9223372036854775807\n1,0,1,,ü,,1\n0,1,1,c,c,,-2\n");
+    std::string header = "x,y", rows[3] = {"0,0", "1,0", "0,1"};
+    for (int k = 0; k < 3000; ++k) {
+      header += ",c" + std::to_string(k);
+      for (std::string& row : rows) row += "," + std::to_string(k);
+    }
+    folder.file("w.csv", header + "\n" + rows[0] + "\n" + rows[1] + "\n" + rows[2] + "\n");
+    run(folder, "shape w.csv --alpha inf -o t.csv");
+    CHECK(folder.content("t.csv").starts_with("x,y,polygon" + header.substr(3) + "\n0,0,1" + rows[0].substr(3) + "\n"));
+  }
+
+  TEST_CASE("--fields of shape needs a list of points, and fields that are there") {
+    const Folder folder;
+    folder.file("p.csv", "x,y,a\n0,0,1\n1,0,2\n0,1,3\n");
+    refuses(folder, "shape p.csv --alpha 1 -o s.geojson --fields a", 2,
+            "--fields requires a list of points in csv or gpkg, or --isolated, which hold fields\n");
+    refuses(folder, "shape p.csv --alpha 1 --isolated s.wkt --fields a", 2, "--fields requires a list of points");
+    refuses(folder, "shape p.csv --alpha 1 -o s.csv --fields b", 3,
+            "p.csv: found no field 'b' beside the coordinates, expected one, as --fields requires\n");
+    refuses(folder, "shape p.csv --alpha 1 -o s.csv --group-by a --fields a", 2, "--fields");
+    CHECK(!folder.has("s.csv"));
+    run(folder, "shape p.csv --alpha 1 -o s.geojson --fields none");
+    run(folder, "shape p.csv --alpha 1 -o s.csv --group-by a --fields none");
+  }
+
+  TEST_CASE("conditions and groups read extra bytes of every type, with scale and offset") {
+    const Folder folder;
+    const std::vector<Extra> extras = all_types();
+    folder.file("p.las", las_with(extras));
+    const auto selected = [&](const std::string& where) {
+      const Outcome outcome = run(folder, "info p.las --where '" + where + "'");
+      return outcome.out.substr(0, outcome.out.find('\n'));
+    };
+    for (const Extra& one : extras) {
+      if (one.name == "u64" || one.name == "i64" || one.name == "x") continue;
+      CAPTURE(one.name);
+      for (std::size_t i = 0; i < 3; ++i)
+        if (!one.texts[i].empty() && one.name != "f32" && one.name.front() != 'a')
+          CHECK(selected("\"" + one.name + "\" == " + one.texts[i]) == "points      1");
+    }
+    CHECK(selected("f32 == -2.5") == "points      1");
+    CHECK(selected("f32 > -3") == "points      2");  // NaN is greater than nothing
+    CHECK(selected("F32 < 0 or u8 == 255") == "points      2");
+    CHECK(selected("-10 < scaled < 0 and class == 6") == "points      1");
+    CHECK(selected("x == 0") == "points      2");  // the coordinate
+    refuses(folder, "info p.las --where 'i64 > 0'", 3,
+            "p.las: point 0: found -9223372036854775808, expected an integer up to 2^53");
+    refuses(folder, "info p.las --where 'u64 > 0'", 3,
+            "p.las: point 1: found 18446744073709551615, expected an integer");
+    CHECK(run(folder, "info p.las --where 'u8 < 9 and u64 >= 0'").err.find("--where selects 2 of 3") !=
+          std::string::npos);
+    refuses(folder, "info p.las --where 'nothing == 1'", 3,
+            "p.las: found point format 0 of LAS 1.4 with x, y, z, intensity,");
+    refuses(folder, "info p.las --where 'nothing == 1'", 3, ", scaled, expected one with nothing, as --where requires");
+    run(folder, "shape p.las --group-by i16 --alpha 1 -q -o g.csv");
+    CHECK(folder.content("g.csv").find("\n32767,1,") != std::string::npos);
+    CHECK(folder.content("g.csv").find("\n-32768,1,") != std::string::npos);
+    refuses(folder, "shape p.las --group-by nothing --alpha 1 -q -o h.csv", 3, "as --group-by requires");
+  }
+
+  TEST_CASE("meshes of groups keep fields, of one file and of several") {
+    const Folder folder;
+    folder.file("a.csv", "x,y,g,n,t,m,only\n0,0,1,5,oak,1,7\n1,0,1,6,elm,2,7\n0,1,1,7,oak,3,7\n");
+    folder.file("b.csv", "x,y,g,n,t,m\n5,0,2,8,elm,a\n6,0,2,0.5,ash,b\n5,1,2,9,oak,c\n");
+    run(folder, "mesh a.csv --group-by g --alpha inf -o none.ply --fields none");
+    CHECK(folder.content("none.ply").find("property int") == std::string::npos);
+    run(folder, "mesh a.csv --group-by g --alpha inf -o m.ply");
+    for (const std::string property : {"int g", "int n", "int t", "int m", "int only"})
+      CHECK(folder.content("m.ply").find("property " + property + "\n") != std::string::npos);
+    CHECK(folder.content("m.ply").find("comment t: 0 = oak, 1 = elm\n") != std::string::npos);
+    const Outcome both = run(folder, "mesh a.csv b.csv --group-by-file --alpha inf -o m.ply --compact");
+    const std::string ply = folder.content("m.ply");
+    CHECK(ply.find("property int g\nproperty double n\nproperty int t\nelement face") != std::string::npos);
+    CHECK(ply.find("comment t: 0 = oak, 1 = elm, 2 = ash\n") != std::string::npos);
+    CHECK(both.err.find("field 'm' is left out: it has texts in one file and numbers in another\n") !=
+          std::string::npos);
+    CHECK(both.err.find("field 'only' is left out: not all files have it\n") != std::string::npos);
+    const std::size_t data = ply.find("end_header\n") + 11, row = 3 * 8 + 4 + 8 + 4;
+    const std::vector<double> n = {5, 6, 7, 8, 0.5, 9};
+    const std::vector<std::int32_t> g = {1, 1, 1, 2, 2, 2}, t = {0, 1, 0, 1, 2, 0};
+    for (std::size_t i = 0; i < 6; ++i) {
+      CHECK(ply.substr(data + row * i + 24, 4) == bytes_of_number(g[i]));
+      CHECK(ply.substr(data + row * i + 28, 8) == bytes_of_number(n[i]));
+      CHECK(ply.substr(data + row * i + 36, 4) == bytes_of_number(t[i]));
+    }
+    refuses(folder, "mesh a.csv b.csv --group-by-file --alpha inf -o k.ply --fields only", 3,
+            "b.csv: found no field 'only'");
+  }
+
+  TEST_CASE("summaries of polygons and groups equal those by brute force, whatever the order of points") {
+    const Folder folder;
+    std::mt19937 random(5);
+    std::vector<std::string> rows;
+    std::map<int, std::vector<std::int64_t>> values;
+    std::map<int, std::map<std::string, int>> kinds;
+    for (int i = 0; i < 400; ++i) {
+      const int part = i % 4;
+      const std::int64_t value = static_cast<std::int64_t>(random() % 100) - 50;
+      const std::string kind(1, static_cast<char>('a' + random() % 3));
+      const bool is_missing = random() % 10 == 0;
+      rows.push_back(std::to_string(part * 100 + i / 4 % 10) + "," + std::to_string(i / 40) + "," +
+                     std::to_string(part) + "," + (is_missing ? "" : std::to_string(value)) + "," + kind + "," +
+                     std::to_string(9007199254740993 + part) + "\n");
+      if (!is_missing) values[part].push_back(value);
+      ++kinds[part][kind];
+    }
+    for (int turn = 0; turn < 3; ++turn) {
+      std::string text = "x,y,part,v,kind,big\n";
+      for (const std::string& row : rows) text += row;
+      std::shuffle(rows.begin(), rows.end(), random);
+      folder.file("p.csv", text);
+      const std::string summaries = " --summarize v:mean,v:min,v:max,v:sum,kind:majority,big:max,Part:majority,v:sum";
+      run(folder, "shape p.csv --columns x,y --alpha 2 -o s.geojson -q" + summaries);
+      run(folder, "shape p.csv --columns x,y --alpha 2 --group-by part -o g.geojson -o g.csv -q" + summaries);
+      CHECK(folder.content("g.csv").starts_with(
+          "group,points,alpha,area,perimeter,polygons,problem,geometry,v_mean,v_min,v_max,v_sum,kind_majority,big_max,"
+          "Part_majority\n"));
+      for (const std::string file : {"s.geojson", "g.geojson"}) {
+        const auto features = nlohmann::json::parse(folder.content(file))["features"];
+        REQUIRE(features.size() == 4);
+        for (const auto& feature : features) {
+          const auto& of = feature["properties"];
+          const int part = of["Part_majority"];
+          CHECK(of["points"] == 100);
+          std::int64_t sum = 0;
+          for (const std::int64_t value : values[part]) sum += value;
+          CHECK(of["v_min"] == *std::min_element(values[part].begin(), values[part].end()));
+          CHECK(of["v_max"] == *std::max_element(values[part].begin(), values[part].end()));
+          CHECK(of["v_sum"] == sum);
+          CHECK(of["v_mean"] == static_cast<double>(sum) / static_cast<double>(values[part].size()));
+          std::string majority = "a";
+          for (const auto& [kind, times] : kinds[part])
+            if (times > kinds[part][majority]) majority = kind;
+          CHECK(of["kind_majority"] == majority);
+          CHECK(of["big_max"] == 9007199254740993 + part);
+        }
+      }
+    }
+  }
+
+  TEST_CASE("summaries refuse what they cannot compute, and miss what is not there") {
+    const Folder folder;
+    folder.file("p.csv", "x,y,g,kind,v\n0,0,1,a,\n1,0,1,b,\n0,1,1,b,\n9,9,2,c,1\n");
+    refuses(folder, "shape p.csv --alpha 1 -o s.csv --summarize v:mean", 2,
+            "--summarize requires polygons with attributes: one of geojson, json");
+    refuses(folder, "shape p.csv --alpha 1 -o s.wkt --summarize v:mean", 2,
+            "--summarize requires polygons with attributes");
+    for (const std::string wrong : {"v", "v:", ":mean", "v:median", "v:mean,,v:max", "''"})
+      refuses(folder, "shape p.csv --alpha 1 -o s.geojson --summarize " + wrong, 2,
+              "expected FIELD:STATISTIC, several with commas between them; a statistic is min, max, mean, sum or "
+              "majority\n");
+    refuses(folder, "shape p.csv --alpha 1 -o s.geojson --summarize w:mean", 3, "p.csv: found no field 'w'");
+    refuses(
+        folder, "shape p.csv --alpha 1 -o s.geojson --isolated i.csv --summarize w:mean", 3,
+        "p.csv: found no field 'w' beside the coordinates, expected some of 'g', 'kind' and 'v' (--summarize chooses "
+        "them)\n");
+    refuses(folder, "shape p.csv --alpha 1 -o s.geojson --summarize kind:mean", 3,
+            "p.csv: found texts in field 'kind', expected numbers, as --summarize kind:mean requires (majority takes "
+            "texts)\n");
+    CHECK(!folder.has("s.geojson"));
+    run(folder,
+        "shape p.csv --alpha 1 -o s.geojson --summarize v:mean,v:min,kind:majority --isolated i.csv --fields kind");
+    CHECK(folder.content("s.geojson").find("\"v_mean\":null,\"v_min\":null,\"kind_majority\":\"b\"}") !=
+          std::string::npos);
+    CHECK(folder.content("i.csv") == "x,y,index,kind\n9,9,3,c\n");
+  }
+}
