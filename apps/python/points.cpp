@@ -40,9 +40,9 @@ std::vector<app::WantedColumn> columns_of(const WantedFields& fields, app::Use u
     using Kind = app::WantedColumn::Kind;
     app::require_format(texts || kind != "text", "fields", "without fields of text", app::readable(use, has_texts));
     columns.push_back({.name = name,
-                       .kind = !texts || kind == "number" ? Kind::number
-                               : kind == "text"           ? Kind::text
-                                                          : Kind::by_value});
+                       .kind = kind == "number" ? Kind::number
+                               : kind == "text" ? Kind::text
+                                                : Kind::by_value});
   }
   return columns;
 }
@@ -64,6 +64,9 @@ app::PointSource source_of(const std::string& path, bool space, const WantedFiel
     const app::FieldNames names = *app::fields_of(source.format);
     source.where.emplace(where.value_or(""), names, columns_of(fields, use, names.texts));
   }
+  if (!fields.empty()) source.keeps.emplace().names.emplace();
+  for (const auto& [name, kind] : fields)
+    if (kind.empty()) source.keeps->names->push_back(name);
   return source;
 }
 
@@ -87,6 +90,15 @@ py::list printable_texts(const std::vector<std::string>& texts) {
   return list;
 }
 
+/// Returns the values of a column with their type.
+py::object values_of(const app::PointColumn& column) {
+  return app::with_type(column.type, [&](auto zero) -> py::object {
+    using Value = decltype(zero);
+    return py::array_t<Value>(static_cast<py::ssize_t>(column.size()),
+                              reinterpret_cast<const Value*>(column.bytes.data()));
+  });
+}
+
 /// Returns the data of a file, of points in the plane or in space, as a dict; normals and colors are None.
 py::dict dict_of(Doubles points, app::PointFacts file, const app::PointSource& source) {
   py::dict result;
@@ -95,11 +107,16 @@ py::dict dict_of(Doubles points, app::PointFacts file, const app::PointSource& s
   result["colors"] = py::none();
   py::list fields;
   file.fields.resize(source.where ? source.where->columns() : 0);  // a file without points has no fields
-  for (std::size_t k = 0; k < file.fields.size(); ++k)
-    if (k < file.texts.size() && file.texts[k])
+  for (std::size_t k = 0; k < file.fields.size(); ++k) {
+    const app::WantedColumn& wanted = source.where->column(k);
+    const app::PointColumn* kept = app::find_column(file.kept, wanted.name);
+    if (kept != nullptr && !kept->is_text && wanted.kind == app::WantedColumn::Kind::by_value)
+      fields.append(values_of(*kept));
+    else if (k < file.texts.size() && file.texts[k])
       fields.append(py::make_tuple(line<double>(std::move(file.fields[k])), printable_texts(*file.texts[k])));
     else
       fields.append(line<double>(std::move(file.fields[k])));
+  }
   result["fields"] = std::move(fields);
   result["crs"] = file.crs ? py::object(py::str(file.crs->text())) : py::none();
   py::list warnings;
@@ -124,8 +141,11 @@ py::dict read(const app::PointSource& source, bool space) {
     app::PointFile file = read_watched([&] { return app::read_points(source); });
     return dict_of(rows<double>(std::move(file.points)), std::move(file), source);
   }
-  const app::CloudRequest request{
-      .columns = source.columns, .where = source.where, .skip_invalid = source.skip_invalid, .window = source.window};
+  const app::CloudRequest request{.columns = source.columns,
+                                  .where = source.where,
+                                  .skip_invalid = source.skip_invalid,
+                                  .keeps = source.keeps,
+                                  .window = source.window};
   app::SpacePoints file = read_watched([&] { return app::read_space_points(source.path, source.format, request); });
   py::dict result = dict_of(rows<double>(std::move(file.points)), std::move(file), source);
   if (!file.normals.empty()) result["normals"] = rows<double>(std::move(file.normals));

@@ -184,6 +184,7 @@ py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indic
   py::dict result = as_dict(made);
   result["points"] = rows<double>(std::move(added.points));
   result["normals"] = rows<double>(std::move(further));
+  result["between"] = rows<std::int32_t>(std::move(added.between));
   return result;
 }
 

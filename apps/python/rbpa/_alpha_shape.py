@@ -13,7 +13,7 @@ from rbpa._input import PLATEAU, Alpha, Floats, Indices, Progress
 from rbpa._input import as_choice, as_count, as_number, as_points, as_share, as_threads, or_auto
 from rbpa._plot import draw_dots, median_side, page_scale, side_style
 from rbpa._polygons import Outlined, Polygons
-from rbpa._result import Simplices
+from rbpa._result import Simplices, fields_of
 
 
 def alpha_shape(
@@ -75,7 +75,7 @@ def alpha_shape(
     radius = choice.radius if choice.is_given else _core.choose_alpha(array, choice, workers, progress)
     # If no radius covers the points, they are on a line, and there is no triangle at any radius.
     made = _core.triangulate(array, math.inf if radius is None else radius, workers, progress)
-    return AlphaShape(array, radius, made)
+    return AlphaShape(array, radius, {"fields": fields_of(points), **made})
 
 
 def concave_hull(
@@ -140,11 +140,14 @@ class AlphaShape(Outlined, Simplices):
         Distinct points in no triangle, ascending.
     duplicates : int32 array of shape (d, 2)
         Points that are equal to an earlier one, and that earlier one, which represents them everywhere.
+    fields : dict of arrays of shape (n,)
+        The fields of the points, with their types, if `read_points` returned the points; else empty.
     """
 
     alpha: Optional[float]
     boundary: Indices
     isolated: Indices
+    fields: dict[str, npt.NDArray[Any]]
 
     def __init__(self, points: Floats, alpha: Optional[float], made: dict[str, Any]) -> None:
         super().__init__({"alpha": alpha, **made}, points=points)

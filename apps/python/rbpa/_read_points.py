@@ -38,7 +38,7 @@ def read_points(
         Names of fields to read with the points: "intensity" and others of LAS, properties of PLY, fields of PCD,
         columns of a table with a header; of molecules serial, chain, resseq, icode, resname, name, element, altloc,
         occupancy and bfactor. A column of a table is one of texts if its first value is not a number, or if the mapping
-        has str: ``{"plot": str}``.
+        has str: ``{"plot": str}``. With float numbers become float64.
     where : str, optional
         A condition on such fields that selects points: "classification == 2 and not overlap", as in ``--where`` of the
         program.
@@ -128,7 +128,8 @@ def _field(values: Any) -> Any:
 
 class PointFile:
     """The content of a file, as returned by `read_points`. Arrays are writable. A function that takes points also takes
-    the PointFile for its `points`; normals, colors and fields are passed by themselves.
+    the PointFile for its `points`, and `alpha_shape` and `surface` keep its `fields`; normals and colors are passed by
+    themselves.
 
     Attributes
     ----------
@@ -137,8 +138,9 @@ class PointFile:
     normals : float64 array of shape (n, 3), or None
     colors : uint8 array of shape (n, 3), or None
         Red, green and blue.
-    fields : dict of arrays of shape (n,), float64 or of str
-        The requested fields by name. A missing value of a molecule is NaN, or an empty text.
+    fields : dict of arrays of shape (n,)
+        The requested fields by name, with the types of the file: integers are integers; texts are str. Coordinates and
+        columns of molecules are float64 or str. A missing value of a molecule is NaN, or an empty text.
     crs : str, or None
         The system of the coordinates, such as "EPSG:28992", if the file names one.
     warnings : list of str

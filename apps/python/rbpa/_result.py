@@ -17,6 +17,12 @@ def freeze(*arrays: npt.NDArray[Any]) -> None:
         array.setflags(write=False)
 
 
+def fields_of(points: Any) -> dict[str, npt.NDArray[Any]]:
+    """Returns the fields of points that `read_points` returned; none of anything else."""
+    fields = getattr(points, "fields", None)
+    return dict(fields) if isinstance(fields, dict) else {}
+
+
 def short_repr(row: Any) -> str:
     """Returns the repr of a named tuple with the shapes of arrays and the lengths of lists in place of their
     contents."""

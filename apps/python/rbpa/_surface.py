@@ -15,7 +15,7 @@ from rbpa import _core, meshops
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, aligned, as_count, as_limits, as_numbers, as_points, as_threads, index_of, shown
 from rbpa._plot import draw_triangles
-from rbpa._result import Result, freeze
+from rbpa._result import Result, fields_of, freeze
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRepair
 
 Radius = Union[float, Sequence[float], npt.NDArray[Any], str]
@@ -90,7 +90,7 @@ def surface(
         estimated = made.pop("normals")
         freeze(estimated)
         vectors = estimated
-    return Surface(array, vectors, made.pop("radii"), made)
+    return Surface(array, vectors, made.pop("radii"), {"fields": fields_of(points), **made})
 
 
 def surface_of(
@@ -146,7 +146,7 @@ def surface_of(
         at = int(np.flatnonzero(wrong.any(axis=1))[0])
         raise InvalidInput(f"triangles: found {rows[at].tolist()} in row {at}, expected numbers of points, from 0 to {len(array) - 1}")
     made = _core.surface_of(array, np.ascontiguousarray(rows, dtype=np.int32))
-    return Surface(array, vectors, np.zeros(0), made)
+    return Surface(array, vectors, np.zeros(0), {"fields": fields_of(points), **made})
 
 
 def _not_empty(radii: Floats) -> Floats:
@@ -194,6 +194,8 @@ class Surface(Result):
         The sides without a neighbor, with the triangle on the left.
     duplicates : int32 array of shape (d, 2)
         Points that are equal to an earlier one, and that earlier one, which represents them everywhere.
+    fields : dict of arrays of shape (n,)
+        The fields of the points, with their types, if `read_points` returned the points; else empty.
     """
 
     points: Floats
@@ -204,6 +206,7 @@ class Surface(Result):
     levels: Indices
     boundary: Indices
     duplicates: Indices
+    fields: dict[str, npt.NDArray[Any]]
     given: Optional[Indices] = None
     # For a part of a surface: the whole surface, and the flags of the triangles that were kept.
     _kept_from: Optional[tuple[Surface, npt.NDArray[np.bool_]]] = None
@@ -329,6 +332,7 @@ class Surface(Result):
             "levels": self.levels[kept],
             "boundary": boundary,
             "duplicates": self.duplicates,
+            "fields": self.fields,
         }
         part = Surface(self.points, self.normals, self.radii, made)
         if self._kept_from is not None:
@@ -374,6 +378,7 @@ class Surface(Result):
         place = np.full(len(kept), -1, dtype=np.int32)
         place[kept] = np.flatnonzero(old)
         made = {name: of[name] for name in ("triangles", "neighbors", "boundary")}
+        made["fields"] = of.get("fields", self.fields)
         filled = Surface(points, normals, self.radii, {**made, "levels": levels, "duplicates": self.duplicates})
         freeze(place)
         filled._filled_from = (self, place)
@@ -446,7 +451,8 @@ class Surface(Result):
         Returns
         -------
         Surface
-            A surface with more points: the added points come last, with the mean normals of the points around them. Its
+            A surface with more points: the added points come last, with the mean normals of the points around them, the
+            means of fields of floating-point numbers, and the values of the nearest of these points otherwise. Its
             `unused` points are those of this surface.
         """
         self._require_unchanged()
@@ -457,6 +463,11 @@ class Surface(Result):
         points = np.vstack((self.points, of["points"]))
         normals = None if self.normals is None else np.vstack((self.normals, of["normals"]))
         freeze(points, *([] if normals is None else [normals]))
+        of["fields"] = {name: np.resize(values, len(points)) for name, values in self.fields.items()}
+        for i, around in enumerate(of["between"] if self.fields else [], len(self.points)):
+            near = around[np.argmin(np.linalg.norm(points[around] - points[i], axis=1))]
+            for values in of["fields"].values():
+                values[i] = values[around].mean() if values.dtype.kind == "f" else values[near]
         return self._with_filled(of, ~new, points, normals)
 
     def decimated(
@@ -497,7 +508,7 @@ class Surface(Result):
             self.points, self.triangles, self.neighbors, *as_limits(faces, error), bool(no_crossings), progress
         )
         of["levels"] = self.levels[of["given"]]
-        return Surface(self.points, self.normals, self.radii, {**of, "duplicates": self.duplicates})
+        return Surface(self.points, self.normals, self.radii, {**of, "duplicates": self.duplicates, "fields": self.fields})
 
     @cached_property
     def _unused(self) -> tuple[Indices, npt.NDArray[np.uint8]]:

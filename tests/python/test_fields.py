@@ -1,0 +1,97 @@
+"""Fields of points that were read are in results, by the indices of points, with the types of the file."""
+
+import pickle
+import struct
+
+import numpy as np
+import pytest
+import rbpa
+
+TYPES = {"char": "i1", "uchar": "u1", "short": "<i2", "ushort": "<u2", "int": "<i4", "uint": "<u4", "float": "<f4", "double": "<f8"}
+
+
+def sheet(count):
+    """Points of a square grid with a hole, and their normals."""
+    at = [(i, j) for i in range(count) for j in range(count) if not (2 < i < count - 3 and 2 < j < count - 3)]
+    return np.array([(i, j, 0.0) for i, j in at])
+
+
+def ply(path, points):
+    """Writes binary PLY with a field of every type: its extremes, then numbers of points."""
+    names = [(name, kind) for name, kind in (*((axis, "<f8") for axis in "xyz"), *((axis, "<f4") for axis in ("nx", "ny", "nz")))]
+    rows = np.zeros(len(points), np.dtype(names + [("f_" + name, kind) for name, kind in TYPES.items()]))
+    for k, axis in enumerate("xyz"):
+        rows[axis] = points[:, k]
+    rows["nz"] = 1
+    for name, kind in TYPES.items():
+        info = np.finfo(kind) if np.dtype(kind).kind == "f" else np.iinfo(kind)
+        rows["f_" + name] = np.arange(len(points)) % 100
+        rows["f_" + name][:2] = info.min, info.max
+    properties = [("double" if kind == "<f8" else "float", name) for name, kind in names] + [(name, "f_" + name) for name in TYPES]
+    header = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\n"
+    path.write_bytes((header + "".join(f"property {kind} {name}\n" for kind, name in properties) + "end_header\n").encode() + rows.tobytes())
+    return rows
+
+
+def test_fields_have_the_types_of_ply_and_stay_through_changes_of_a_surface(tmp_path):
+    points = sheet(12)
+    rows = ply(tmp_path / "p.ply", points)
+    names = ["f_" + name for name in TYPES]
+    read = rbpa.read_points(tmp_path / "p.ply", space=True, fields=names)
+    surface = rbpa.surface(read, read.normals, radius=0.8)
+    closed = surface.fill_holes(rims=False)
+    for result in (read, surface, surface.keep_largest(1), closed, surface.decimated(20), pickle.loads(pickle.dumps(surface))):
+        assert list(result.fields) == names
+        for name, kind in TYPES.items():
+            assert result.fields["f_" + name].dtype == np.dtype(kind)
+            assert np.array_equal(result.fields["f_" + name], rows["f_" + name])
+    fine = closed.refined()
+    assert len(fine.points) > len(points)
+    for name in names:
+        values = fine.fields[name]
+        assert values.shape == (len(fine.points),) and values.dtype == read.fields[name].dtype
+        assert np.array_equal(values[: len(points)], rows[name])
+        added = values[len(points) :]
+        assert (added >= 0).all() and (added <= 100).all()
+        assert values.dtype.kind == "f" or np.isin(added, rows[name]).all()
+    given = rbpa.surface_of(read, surface.triangles)
+    assert np.array_equal(given.fields["f_short"], rows["f_short"])
+
+
+def test_fields_of_alpha_shapes_are_those_of_tables(tmp_path):
+    (tmp_path / "p.csv").write_text("x,y,id,kind,height\n0,0,-5,oak,1\n1,0,6,elm,3\n0,1,9007199254740992,oak,2.5\n")
+    read = rbpa.read_points(tmp_path / "p.csv", fields=["id", "kind", "height"])
+    shape = rbpa.alpha_shape(read, 1.0)
+    assert shape.fields["id"].dtype == np.int64 and shape.fields["id"].tolist() == [-5, 6, 2**53]
+    assert shape.fields["kind"].tolist() == ["oak", "elm", "oak"]
+    assert shape.fields["height"].dtype == np.float64 and shape.fields["height"].tolist() == [1, 3, 2.5]
+    assert shape.fields["kind"][shape.simplices].tolist() == [["oak", "elm", "oak"]]
+    some = rbpa.read_points(tmp_path / "p.csv", fields=["id", "x"], where="id > 0")
+    assert some.fields["id"].tolist() == [6, 2**53] and some.fields["x"].dtype == np.float64
+    assert rbpa.read_points(tmp_path / "p.csv", fields={"id": float}).fields["id"].dtype == np.float64
+    none = rbpa.read_points(tmp_path / "p.csv", fields=["id"], where="id == 7")
+    assert len(none.fields["id"]) == 0
+
+
+def test_points_without_fields_have_none():
+    assert rbpa.alpha_shape([[0, 0], [1, 0], [0, 1]], 1.0).fields == {}
+    assert rbpa.surface([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "none", radius=2).fields == {}
+
+
+@pytest.mark.parametrize("space", [False, True])
+def test_64_bits_of_extra_bytes_are_exact(tmp_path, space):
+    extra = np.array([-(2**63), 2**63 - 1, 2**53 + 1], "<i8")
+    entry = bytes(2) + bytes([8, 0]) + b"big id".ljust(32, b"\0") + bytes(156)
+    record = struct.pack("<H16sHH32s", 0, b"LASF_Spec", 4, len(entry), b"") + entry
+    header = struct.pack("<4sHH16sBB32s32sHHHIIBHI5I", b"LASF", 0, 0, bytes(16), 1, 2, b"", b"", 1, 2024, 227, 227 + len(record), 1, 0,
+                         28, 3, 3, 0, 0, 0, 0) + struct.pack("<12d", 1, 1, 1, *(0.0,) * 9)  # fmt: skip
+    rows = [struct.pack("<3iH6x", *at, 7) + value.tobytes() for at, value in zip(((0, 0, 0), (1, 0, 0), (0, 1, 0)), extra)]
+    (tmp_path / "p.las").write_bytes(header + record + b"".join(rows))
+    read = rbpa.read_points(tmp_path / "p.las", space=space, fields=["big id", "intensity", "z", "class"], where="intensity == 7")
+    assert read.fields["big id"].dtype == np.int64 and np.array_equal(read.fields["big id"], extra)
+    assert read.fields["intensity"].dtype == np.uint16 and read.fields["z"].dtype == np.float64
+    assert read.fields["class"].dtype == np.uint8
+    with pytest.raises(rbpa.InvalidInput, match="expected an integer up to 2.53"):
+        rbpa.read_points(tmp_path / "p.las", space=space, where="\"big id\" > 0")
+    with pytest.raises(rbpa.InvalidInput, match="with x, y, z, intensity, .*, big id, expected one with size, as fields requires"):
+        rbpa.read_points(tmp_path / "p.las", space=space, fields=["size"])
