@@ -70,7 +70,8 @@ std::string change_option(const TopologyArguments& arguments) {
          : arguments.orient              ? "--orient"
          : arguments.fill_holes          ? "--fill-holes"
          : arguments.close_tunnels_below ? "--close-tunnels-below"
-                                         : "--decimate";
+         : arguments.decimate            ? "--decimate"
+                                         : "--remesh";
 }
 
 /// Returns whether -o names the mesh and not the report: --repair has no OUT, or, without --repair, another option
@@ -78,7 +79,7 @@ std::string change_option(const TopologyArguments& arguments) {
 bool writes_mesh(const TopologyArguments& arguments) {
   if (arguments.repair) return arguments.repaired.empty();
   const bool changes = arguments.weld || arguments.keep_largest || arguments.drop_small || arguments.orient ||
-                       arguments.fill_holes || arguments.close_tunnels_below || arguments.decimate;
+                       arguments.fill_holes || arguments.close_tunnels_below || arguments.decimate || arguments.remesh;
   return changes && (arguments.output_format || find_format(Use::mesh, ending(*arguments.output)));
 }
 
@@ -127,6 +128,7 @@ TopologyPlan plan(TopologyArguments arguments) {
     plan.decimate = parse_decimation("--decimate", *arguments.decimate);
     plan.decimate->no_crossings = arguments.no_crossings;
   }
+  if (arguments.remesh) plan.remesh = parse_real("--remesh", *arguments.remesh, above_0, "a length, such as 2.5");
   for (const std::string& list : arguments.checks)
     for (Check& check : parse_checks(list)) plan.checks.push_back(std::move(check));
   const bool output_is_mesh = arguments.output && writes_mesh(arguments);

@@ -29,6 +29,7 @@ struct TopologyArguments {
   std::optional<std::string> fill_holes;
   std::optional<std::string> close_tunnels_below;
   std::optional<std::string> decimate;
+  std::optional<std::string> remesh;
   bool no_crossings = false;
   bool repair = false;
   std::string repaired;  ///< path OUT of --repair; empty if -o names it
@@ -56,6 +57,7 @@ struct TopologyPlan {
   std::optional<HoleChoice> fill = std::nullopt;
   std::optional<double> tunnels_below = std::nullopt;
   std::optional<DecimationOptions> decimate = std::nullopt;
+  std::optional<double> remesh = std::nullopt;  ///< the length
   std::optional<TopologyTarget> report = std::nullopt;
   std::optional<TopologyTarget> written = std::nullopt;  ///< the file for the mesh, edited and repaired as requested
   std::optional<Shift> shift = std::nullopt;             ///< what is subtracted from positions for STL
@@ -63,7 +65,7 @@ struct TopologyPlan {
   bool shortest = false;  ///< write shortest generators
 
   /// Returns whether an option other than --repair changes the mesh.
-  bool changes() const { return edits.any() || fill || tunnels_below || decimate; }
+  bool changes() const { return edits.any() || fill || tunnels_below || decimate || remesh; }
   /// Returns the paths of mesh, generators and report, in this order, as far as they are written.
   std::vector<std::string> outputs() const;
 };

@@ -1,11 +1,12 @@
-// What: decimates a mesh of triangles, for --decimate.
-// Law:  that of rbpa::decimate(). The vertices of the result that are left are in the order of the given mesh.
+// What: decimates or remeshes a mesh of triangles, for --decimate and --remesh.
+// Law:  that of rbpa::decimate() and rbpa::remesh(). The vertices of the result that are left are in the order of the given mesh.
 // Cost: that of meshops::build_mesh() and of rbpa::decimate().
 #pragma once
 
 #include <cstddef>
 
 #include "io/mesh/read_mesh.h"
+#include "rbpa/space/simplify/remesh.h"
 #include "triangulation/decimation_choice.h"
 
 namespace rbpa::app {
@@ -18,6 +19,15 @@ struct DecimatedMesh {
 /// Decimates a copy of `mesh`. Requires: `mesh` is a surface of triangles without defects other than pinches. Throws
 /// Cancelled.
 DecimatedMesh decimate(const MeshFile& mesh, const DecimationOptions& choice);
+
+struct RemeshedMesh {
+  MeshFile mesh;  ///< without line numbers; vertices ascend by their positions
+  Remeshing report;
+};
+
+/// Remeshes a copy of `mesh`, with the default options and a measured distance. Requires: as decimate(). Throws
+/// InvalidInput when the length does not suit the mesh; Cancelled.
+RemeshedMesh remesh(const MeshFile& mesh, double length);
 
 /// Returns the number of faces of `mesh` that are not triangles.
 std::size_t polygons_in(const MeshFile& mesh);

@@ -46,8 +46,9 @@ struct Findings {
   std::optional<Filled> fill = std::nullopt;            ///< absent if not requested
   std::optional<ClosedTunnels> tunnels = std::nullopt;  ///< absent if not requested
   std::optional<Decimation> decimated = std::nullopt;   ///< absent if not requested
+  std::optional<Remeshing> remeshed = std::nullopt;     ///< absent if not requested
 
-  bool has_changes() const { return edits.any() || fill || tunnels || decimated; }
+  bool has_changes() const { return edits.any() || fill || tunnels || decimated || remeshed; }
 
   std::optional<Examined> result = std::nullopt;  ///< facts about the resulting mesh; absent if it is the given mesh
   std::vector<CheckResult> checks = {};

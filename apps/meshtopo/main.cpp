@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
       "The report counts vertices, edges, faces, components and boundary curves, gives the genus, and lists each "
       "defect that keeps the faces from being an oriented 2-manifold with boundary. Options change the mesh in this "
       "order: --weld, --drop-small and --keep-largest, --orient, --repair, --fill-holes, --close-tunnels-below, "
-      "--decimate. The "
+      "--decimate, --remesh. The "
       "result is reported, checked and written.\n",
       program);
   app.formatter(std::make_shared<NarrowHelp>());
@@ -93,6 +93,10 @@ int main(int argc, char** argv) {
   app.add_flag("--no-crossings", arguments.no_crossings,
                "With --decimate, collapse no edge by which faces would cross or touch that did not before; exact")
       ->disable_flag_override();
+  app.add_option("--remesh", arguments.remesh,
+                 "Make the edges of a mesh of triangles about as long as LENGTH, in units of the vertices, with six at "
+                 "a vertex, after a decimation. Sharp edges and boundary curves stay, and the topology is the same")
+      ->type_name("LENGTH");
   app.add_option("--check", arguments.checks,
                  "Check properties of each mesh, such as closed,manifold,oriented,genus=0,components=1; print a line "
                  "on standard error for each that does not hold, and exit with code 4. Check the changed mesh, and a "
@@ -114,7 +118,8 @@ int main(int argc, char** argv) {
       "  meshtopo *.stl -q --check closed,manifold,genus=0\n"
       "  meshtopo part.stl --weld 1e-6 --keep-largest 1 --orient -o part.ply\n"
       "  meshtopo scan.ply --repair whole.ply --fill-holes all --check closed\n"
-      "  meshtopo scan.ply --decimate 10000 -o small.ply --check closed\n\n"
+      "  meshtopo scan.ply --decimate 10000 -o small.ply --check closed\n"
+      "  meshtopo part.stl --weld 0 --remesh 2.5 -o even.ply\n\n"
       "Properties for --check: " +
       known_checks() +
       ". A mesh is closed if every edge has two faces.\n"

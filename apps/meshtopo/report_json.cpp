@@ -91,6 +91,13 @@ Json as_json(const Findings& findings) {
                        {"faces_removed", findings.tunnels->removed},
                        {"faces_added", findings.tunnels->added}};
   if (findings.decimated) json["decimate"] = app::as_json(*findings.decimated);
+  if (findings.remeshed)
+    json["remesh"] = {{"triangles_before", findings.remeshed->given},
+                      {"triangles", findings.remeshed->left},
+                      {"splits", findings.remeshed->splits},
+                      {"collapses", findings.remeshed->collapses},
+                      {"flips", findings.remeshed->flips},
+                      {"distance", *findings.remeshed->distance}};
   return json;
 }
 

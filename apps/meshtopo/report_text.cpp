@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
 #include "meshtopo/places.h"
@@ -145,6 +146,10 @@ std::string changes(const Findings& findings) {
               " shorter than --close-tunnels-below left as they are\n";
   }
   if (findings.decimated) text += "  " + decimated_text(*findings.decimated) + "\n";
+  if (findings.remeshed)
+    text += "  remeshed from " + std::to_string(findings.remeshed->given) + " to " +
+            app::counted(findings.remeshed->left, "triangle") + ", at most " +
+            rounded_up(*findings.remeshed->distance) + " from those before\n";
   return text;
 }
 

@@ -42,11 +42,11 @@ void require_surface(const std::string& option, const Findings& findings,
 }
 
 /// Throws BadInput if a face is not a triangle.
-void require_triangles(const MeshFile& mesh, const MeshSource& source) {
+void require_triangles(const std::string& option, const MeshFile& mesh, const MeshSource& source) {
   if (const std::size_t polygons = polygons_in(mesh); polygons > 0)
     bad_input(name_of(source),
               app::counted(polygons, "face") + (polygons == 1 ? " that is" : " that are") + " no triangle",
-              "triangles, as --decimate requires (--repair OUT.stl writes triangles)");
+              "triangles, as " + option + " requires (--repair OUT.stl writes triangles)");
 }
 
 /// The steps of a run, each with a progress line, and the data that the steps share.
@@ -88,7 +88,7 @@ class Run {
         repaired->positions.push_back(whole.positions[found.stands_on[i]]);
     }
     const MeshFile& surface = repaired ? *repaired : whole;
-    if (!repaired && (plan_.fill || plan_.tunnels_below || plan_.decimate || plan_.generators)) {
+    if (!repaired && (plan_.fill || plan_.tunnels_below || plan_.decimate || plan_.remesh || plan_.generators)) {
       std::vector<meshops::SoupDefect> defects =
           edited ? meshops::find_defects(whole.soup, until_interrupted()) : findings.given.defects;
       if (edited)
@@ -96,6 +96,7 @@ class Run {
       require_surface(plan_.fill            ? "--fill-holes"
                       : plan_.tunnels_below ? "--close-tunnels-below"
                       : plan_.decimate      ? "--decimate"
+                      : plan_.remesh        ? "--remesh"
                                             : "--generators",
                       findings, defects, source);
     }
@@ -113,11 +114,18 @@ class Run {
     const MeshFile& closed = simpler ? simpler->mesh : whole_surface;
     std::optional<DecimatedMesh> decimated;
     if (plan_.decimate) {
-      require_triangles(closed, source);
+      require_triangles("--decimate", closed, source);
       decimated = decimate(closed);
       findings.decimated = decimated->report;
     }
-    const MeshFile& result = decimated ? decimated->mesh : closed;
+    const MeshFile& small = decimated ? decimated->mesh : closed;
+    std::optional<RemeshedMesh> remeshed;
+    if (plan_.remesh) {
+      require_triangles("--remesh", small, source);
+      remeshed = remesh(small, source);
+      findings.remeshed = remeshed->report;
+    }
+    const MeshFile& result = remeshed ? remeshed->mesh : small;
     const bool is_stl = plan_.written && plan_.written->format == Format::stl;
     const bool is_wanted = findings.has_changes() || (repaired && !plan_.checks.empty());
     const bool is_kept = !is_stl || keep_in_stl(result, is_wanted, findings);
@@ -266,6 +274,13 @@ class Run {
   DecimatedMesh decimate(const MeshFile& mesh) const {
     const ProgressLine shown = line("decimating");
     return app::decimate(mesh, *plan_.decimate);
+  }
+
+  RemeshedMesh remesh(const MeshFile& mesh, const MeshSource& source) const try {
+    const ProgressLine shown = line("remeshing");
+    return app::remesh(mesh, *plan_.remesh);
+  } catch (const InvalidInput& error) {
+    throw BadInput(name_of(source) + ": --" + error.what());
   }
 
   Generators find_loops(const MeshFile& mesh) const {

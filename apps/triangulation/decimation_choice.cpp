@@ -9,15 +9,11 @@
 #include "io/words.h"
 
 namespace rbpa::app {
-namespace {
 
-/// Returns a number with six digits that is not less than the value.
 std::string rounded_up(double value) {
   const std::string nearest = rounded(value, 6);
   return parse_whole_number(nearest).value >= value ? nearest : rounded(value * 1.00001, 6);
 }
-
-}  // namespace
 
 DecimationOptions parse_decimation(const std::string& option, const std::string& text) {
   constexpr std::string_view error = "error=";

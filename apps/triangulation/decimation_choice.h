@@ -12,6 +12,9 @@ namespace rbpa::app {
 /// distance that is kept, such as "error=0.5", at least 0. Throws WrongUsage that names the option.
 DecimationOptions parse_decimation(const std::string& option, const std::string& text);
 
+/// Returns a number with six digits that is not less than the value.
+std::string rounded_up(double value);
+
 /// Returns "decimated from 5856 to 586 triangles, at most 0.5 from those before", rounded up, and if no edge is left to
 /// collapse, why.
 std::string decimated_text(const Decimation& counts);

@@ -26,8 +26,8 @@ namespace {
 using meshops::Connectivity;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-/// The triangles of a mesh with canonical numbers: vertices ascend by their places, triangles by their corners, of which
-/// the least comes first.
+/// The triangles of a mesh with canonical numbers: vertices ascend by their places, triangles by their corners, the
+/// least of which comes first.
 struct CanonicalSoup {
   CanonicalSoup(const Connectivity& mesh, const std::vector<Point3>& of) {
     std::vector<std::uint32_t> order, rank(mesh.n_vertices());

@@ -27,8 +27,8 @@ namespace rbpa {
 struct RemeshOptions {
   double length = 0;     ///< the length that edges get, in units of the places: above 0, at most the size of the mesh
   unsigned rounds = 10;  ///< number of times that edges are split, collapsed and flipped, and vertices moved
-  /// An edge is sharp if the normals of its triangles differ by more than this, in degrees; so is the vertex between two
-  /// edges of a curve whose directions do. 180: nothing is sharp, and boundary curves have no corners.
+  /// An edge is sharp if the normals of its triangles differ by more than this, in degrees; so is the vertex between
+  /// two edges of a curve whose directions do. 180: nothing is sharp, and boundary curves have no corners.
   double sharp_angle = 60;
   bool keep_boundary = false;           ///< whether boundary edges and their vertices stay as they are
   std::size_t most_faces = 20'000'000;  ///< a length that is expected to need more triangles is refused
@@ -56,9 +56,9 @@ struct Remeshing {
 ///           several fans; `places` has a position for each vertex by index, finite if the vertex is not deleted.
 /// Throws:   ContractViolation unless there is one place for each vertex and each face is a triangle, and as
 ///           meshops::build_mesh() when edges join the same vertices; InvalidInput when a place is not finite or a
-///           coordinate beyond 1e60, when the length is not above 1e-60, exceeds the diagonal of the mesh's box, or would
-///           need more than `most_faces` triangles, and when the angle is not from 0 to 180; Cancelled. The mesh and
-///           `places` are then untouched.
+///           coordinate beyond 1e60, when the length is not from 1e-60 to 1e60, exceeds the diagonal of the mesh's box,
+///           or would need more than `most_faces` triangles, and when the angle is not from 0 to 180; Cancelled. The
+///           mesh and `places` are then untouched.
 RBPA_API Remeshing remesh(meshops::Connectivity& mesh, std::vector<Point3>& places, const RemeshOptions& options);
 
 /// Remeshes a mesh with points, as above, at places_of(mesh).

@@ -327,7 +327,7 @@ TEST_CASE("a mesh with points gets the new points, rounded once where they are f
   CHECK(mesh.n_faces() == counts.left);
   CHECK(rbpa::places_of(mesh) == places);
   CHECK(meshops::soup_of(mesh).corners == meshops::soup_of(apart).corners);
-  // What has been remeshed can be remeshed again, and changed by operators.
+  // The result can be remeshed again.
   CHECK(rbpa::remesh(mesh, {.length = 0.4}).left < counts.left / 8);
   check_topology(mesh, meshops::report(apart));
 }

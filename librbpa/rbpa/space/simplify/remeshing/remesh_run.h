@@ -1,5 +1,5 @@
-// What: the rounds of a remeshing: splits long edges, collapses short ones, flips edges toward six at a vertex, and moves
-//       vertices along the surface.
+// What: the rounds of a remeshing: splits long edges, collapses short ones, flips edges toward six at a vertex, and
+//       moves vertices along the surface.
 // Law:  that of remesh() (remesh.h). The result depends on the numbers of vertices, edges and faces of the given mesh,
 //       which are therefore canonical.
 #pragma once
