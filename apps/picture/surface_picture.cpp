@@ -25,12 +25,16 @@ constexpr Color island_color{0xCC, 0x79, 0xA7};
 /// remains.
 class DepthCanvas {
  public:
-  DepthCanvas(int width, int height)
-      : width_(width),
-        height_(height),
-        depths_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height),
-                -std::numeric_limits<float>::infinity()),
-        colors_(depths_.size(), background_color) {}
+  DepthCanvas(int width, int height) : width_(width), height_(height) {
+    const auto row = static_cast<std::size_t>(width), count = row * static_cast<std::size_t>(height);
+    depths_.reserve(count);
+    colors_.reserve(count);
+    while (depths_.size() < count) {
+      step_(row / 4);
+      depths_.resize(depths_.size() + row, -std::numeric_limits<float>::infinity());
+      colors_.resize(colors_.size() + row, background_color);
+    }
+  }
 
   void put(int x, int y, double depth, const Color& color) {
     const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);

@@ -42,7 +42,9 @@ Info examine(std::vector<Point> points, const RunOptions& run) {
   sort(points);
   info.distinct = static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
   Box box{points.front(), points.front()};
+  InterruptibleSteps step;
   for (std::size_t i = 0; i < info.distinct; ++i) {
+    step();
     const Point& p = points[i];
     box = {{std::min(box.least.x, p.x), std::min(box.least.y, p.y)},
            {std::max(box.greatest.x, p.x), std::max(box.greatest.y, p.y)}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/base/mesh.h"
 #include "rbpa/base/run/input.h"
+#include "rbpa/base/run/steps.h"
 #include "rbpa/fill/front/constrained_delaunay.h"
 #include "rbpa/fill/front/improve.h"
 #include "rbpa/fill/front/link_filling.h"
@@ -66,13 +68,14 @@ void check_number(const Outline& outline, const SizeField& field, const FillOpti
 /// which changes none of their bits.
 class Scale {
  public:
-  /// Scales the outline. Throws: InvalidInput when this would change bits.
-  explicit Scale(Outline& outline) {
+  /// Scales the outline. Throws: InvalidInput when this would change bits; Cancelled.
+  Scale(Outline& outline, Steps& step) {
     double largest = 0;
     for (const Point& p : outline.places) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
     constexpr int comfortable = 300;
     exponent_ = std::abs(std::ilogb(largest)) > comfortable ? std::ilogb(largest) : 0;
     for (Point& p : outline.places) {
+      step();
       const Point scaled{in(p.x), in(p.y)};
       if (out(scaled) != p)
         throw InvalidInput("coordinates: found " + place_of(p) + " together with a coordinate of " + text(largest) +
@@ -111,12 +114,15 @@ SizeField field_of(const Outline& outline, const FillOptions& options) {
 
 /// Returns cones over the rings: behind every edge of the boundary lies a triangle of a cone over its ring. All of the
 /// boundary is thus a front, and nothing is attached to its other side.
-meshops::PolygonSoup cones_over(const Outline& outline) {
+meshops::PolygonSoup cones_over(const Outline& outline, Steps& step) {
   meshops::PolygonSoup soup{.points = outline.places.size() + outline.rings.size(), .corners = {}};
   for (std::size_t r = 0; r < outline.rings.size(); ++r) {
     const std::vector<Site>& ring = outline.rings[r].sites;
     const auto tip = static_cast<Site>(outline.places.size() + r);
-    for (std::size_t i = 0; i < ring.size(); ++i) soup.add_face(Triangle{ring[(i + 1) % ring.size()], ring[i], tip});
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      step();
+      soup.add_face(Triangle{ring[(i + 1) % ring.size()], ring[i], tip});
+    }
   }
   return soup;
 }
@@ -145,20 +151,26 @@ class ProgressVisitor : public Monitor {
 Pieces advance_from(const Outline& outline, const SizeField& field, const FillOptions& options, const GoOn& go_on) {
   Mesh mesh;
   meshops::request_status(mesh);
-  const std::vector<std::uint32_t> site_of_vertex = meshops::build_mesh(mesh, cones_over(outline));
+  Steps step(go_on);
+  const std::vector<std::uint32_t> site_of_vertex = meshops::build_mesh(mesh, cones_over(outline, step), go_on);
   const std::size_t outside = mesh.n_faces();
   std::vector<std::vector<Site>> rings;
   for (const OutlineRing& ring : outline.rings) rings.push_back(ring.sites);
   std::vector<Point> places = outline.places;
   places.resize(places.size() + outline.rings.size());
 
+  stop_if_cancelled(go_on);
   Front front(mesh, site_of_vertex);
+  stop_if_cancelled(go_on);
   LoFront policy(std::move(places), rings, field, go_on);
   meshops::advance(front, policy, ProgressVisitor(policy, options.progress, outline.places.size()));
   Pieces pieces{.places = policy.places(), .triangles = {}, .retreats = policy.retreats(), .passed = policy.passed()};
-  for (std::size_t i = 0; i < mesh.n_halfedges(); ++i)
+  for (std::size_t i = 0; i < mesh.n_halfedges(); ++i) {
+    step();
     meshops::require(!front.is_boundary(Halfedge(static_cast<int>(i))), "fill: the front has not closed");
+  }
   meshops::for_each_face(mesh, [&](meshops::Face f) {
+    step();
     if (static_cast<std::size_t>(f.idx()) < outside) return;
     const Halfedge h = mesh.halfedge_handle(f), next = mesh.next_halfedge_handle(h);
     pieces.triangles.push_back({front.from_site(h), front.to_site(h), front.to_site(next)});
@@ -184,9 +196,12 @@ void drop_unused(Pieces& pieces, std::size_t outline) {
     for (std::uint32_t& s : triangle) s = number[s];
 }
 
-meshops::PolygonSoup soup_of(std::span<const Triangle> triangles, std::size_t points) {
+meshops::PolygonSoup soup_of(std::span<const Triangle> triangles, std::size_t points, Steps& step) {
   meshops::PolygonSoup soup{.points = points, .corners = {}};
-  for (const Triangle& triangle : triangles) soup.add_face(triangle);
+  for (const Triangle& triangle : triangles) {
+    step();
+    soup.add_face(triangle);
+  }
   return soup;
 }
 
@@ -197,10 +212,13 @@ void place(Mesh& mesh, std::span<const Point> places, std::span<const std::uint3
 }
 
 /// Improves the triangles: moves places and flips edges.
-void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, const FillOptions& options) {
+void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, const FillOptions& options,
+                 const GoOn& go_on) {
   Mesh mesh;
   meshops::request_status(mesh);
-  const std::vector<std::uint32_t> site = meshops::build_mesh(mesh, soup_of(pieces.triangles, pieces.places.size()));
+  Steps step(go_on);
+  const std::vector<std::uint32_t> site =
+      meshops::build_mesh(mesh, soup_of(pieces.triangles, pieces.places.size(), step), go_on);
   place(mesh, pieces.places, site);
   const Checkpoint checkpoint = checkpoint_of(options.progress, outline, pieces.triangles.size());
   improve(mesh, outline, field, [&] {
@@ -212,6 +230,7 @@ void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, co
     pieces.places[i] = {p[0], p[1]};
   }
   meshops::for_each_face(mesh, [&](meshops::Face f) {
+    step();
     const Halfedge h = mesh.halfedge_handle(f), next = mesh.next_halfedge_handle(h);
     const auto number = [&](meshops::Vertex v) { return site[static_cast<std::size_t>(v.idx())]; };
     pieces.triangles.push_back(
@@ -225,7 +244,7 @@ Pieces pieces_of(const Outline& outline, const SizeField* field, const FillOptio
   if (field == nullptr) return {.places = outline.places, .triangles = constrained_delaunay(outline, go_on)};
   Pieces pieces = advance_from(outline, *field, options, go_on);
   drop_unused(pieces, outline.places.size());
-  make_better(pieces, outline.places.size(), *field, options);
+  make_better(pieces, outline.places.size(), *field, options, go_on);
   return pieces;
 }
 
@@ -272,17 +291,18 @@ Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, c
     if (checkpoint) checkpoint();
     return true;
   };
+  Steps step(go_on);
   const PolygonRings rings = valid_polygons(points, polygons, said.groups, go_on);
   Filling filling;
   filling.points.assign(points.begin(), points.end());
   filling.boundary_points = points.size();
   if (rings.input.empty()) {
     filling.polygons.assign(polygons.begin(), polygons.end());
-    link(filling);
+    link(filling, step);
     return filling;
   }
   Outline outline = outline_of(points, rings.noded.rings, rings.places, rings.groups);
-  const Scale scale(outline);
+  const Scale scale(outline, step);
   std::vector<SizeAt> sizes(said.sizes.begin(), said.sizes.end());
   FillOptions options = scale.in(said, sizes);
   std::optional<SizeField> field;
@@ -305,12 +325,13 @@ Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, c
     };
   for (const OutlinePart& part : parts_of(outline))
     add(part, pieces_of(part.outline, field ? &*field : nullptr, options, go_on), number, scale, triangles, filling);
-  std::sort(triangles.begin(), triangles.end());
+  sort(triangles, step, std::less<>());
   for (const auto& [triangle, group] : triangles) {
+    step();
     filling.triangles.push_back(triangle);
     filling.groups.push_back(group);
   }
-  link(filling);
+  link(filling, step);
   filling.polygons = polygons_of(outline, rings, number, polygons, filling.points);
   return filling;
 }

@@ -175,7 +175,8 @@ TEST_CASE("a program ends within 0.3 seconds of processor time after a signal at
     commands.push_back({MESHTOPO_PROGRAM, path, "-q", "--weld", "1e-6", "--orient", "--keep-largest", "2", "-o",
                         folder.path("w.off")});
   }
-  // Points on one line, pictures of up to 10^8 pixels, and a comment and a field that are longer than any buffer.
+  // Points on one line, pictures of up to 10^8 pixels, texts that are longer than any buffer, a grid with all its equal
+  // spheres, and a polygon of very many corners.
   const std::string width = rbpa_test::all_trials() ? "8192" : "3000";
   const std::size_t many = std::size_t{100'000} * static_cast<std::size_t>(more);
   std::string line;
@@ -186,6 +187,19 @@ TEST_CASE("a program ends within 0.3 seconds of processor time after a signal at
   const std::string long_text(400 * many, 'a'), triangle = "0,0\n1,0\n0,1\n";
   rbpa({"info", folder.file("comment.xy", "# " + long_text + "\n" + triangle)});
   rbpa({"info", folder.file("field.csv", "x,y," + long_text + "\n" + triangle)});
+  rbpa({"info", folder.file("text.geojson", "{\"x\":\"" + long_text + "\",\"type\":\"Point\",\"coordinates\":[1,2]}")});
+  std::string cube, ring;
+  for (int i = 0; i < 4000 * more; ++i)
+    cube += std::to_string(i % 20) + " " + std::to_string(i / 20 % 20) + " " + std::to_string(i / 400) + "\n";
+  rbpa({"alpha", folder.file("cube.xyz", cube), "--dimension", "3", "--persistence", "--json"});
+  for (std::size_t i = 0; i <= many; ++i) {
+    const double turn = 2 * std::acos(-1.0) * static_cast<double>(i % many) / static_cast<double>(many);
+    const double radius = 1 + 0.3 * std::sin(1000 * turn);
+    ring +=
+        (i == 0 ? "" : ", ") + std::to_string(radius * std::cos(turn)) + " " + std::to_string(radius * std::sin(turn));
+  }
+  commands.push_back({RBPA_PROGRAM, "fill", folder.file("star.wkt", "POLYGON((" + ring + "))"), "--size", "0.1",
+                      "--keep-boundary", "-o", folder.path("f.ply")});
   commands.push_back(
       {MESHTOPO_PROGRAM, folder.path("ring.obj"), "-q", "--decimate", "100", "-o", folder.path("d.ply")});
   for (const auto& command : commands) {

@@ -10,6 +10,7 @@
 #include "io/bytes/input_bytes.h"
 #include "io/cloud/units.h"
 #include "io/failure.h"
+#include "io/interrupt.h"
 #include "io/number.h"
 #include "io/polygon/geojson.h"
 #include "io/polygon/ogr.h"
@@ -70,7 +71,9 @@ void warn_of_odd_points(PointFile& file) {
   std::vector<Point> odd;
   Point least = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   Point greatest = {-least.x, -least.y};
+  InterruptibleSteps step;
   for (const Point& p : file.points) {
+    step();
     if (stands_for_nothing(p)) {
       odd.push_back(p);
       continue;

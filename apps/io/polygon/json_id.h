@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <string>
+
+#include "io/interrupt.h"
 
 namespace rbpa::app {
 
@@ -18,8 +21,10 @@ class JsonPosition {
 
   explicit JsonPosition(const char*& at) : at_(&at) {}
   reference operator*() const { return **at_; }
+  /// Throws Cancelled after a signal: a text or a number may have hundreds of megabytes.
   JsonPosition& operator++() {
-    ++*at_;
+    constexpr std::uintptr_t often = std::uintptr_t{1} << 20U;
+    if (reinterpret_cast<std::uintptr_t>(++*at_) % often == 0) stop_if_interrupted();
     return *this;
   }
   friend bool operator==(const JsonPosition& a, const JsonPosition& b) { return *a.at_ == *b.at_; }

@@ -8,6 +8,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
+#include "io/sort.h"
 #include "rbpa/paper.h"
 #include "rbpa/plane/link_triangles.h"
 #include "rbpa/plane/triangles_by_level.h"
@@ -55,17 +56,22 @@ std::vector<std::array<std::uint32_t, 2>> boundary_of(const SolidAlphaComplex& c
   std::vector<std::array<std::uint32_t, 2>> boundary;
   const Mesh& mesh = complex.mesh;
   const auto point = [&](meshops::Vertex v) { return complex.input_index[static_cast<std::size_t>(v.idx())]; };
-  for (const meshops::Halfedge halfedge : mesh.halfedges())  // halfedges outside run against the triangles
+  InterruptibleSteps step;
+  for (const meshops::Halfedge halfedge : mesh.halfedges()) {  // halfedges outside run against the triangles
+    step();
     if (mesh.is_boundary(halfedge))
       boundary.push_back({point(mesh.to_vertex_handle(halfedge)), point(mesh.from_vertex_handle(halfedge))});
-  std::sort(boundary.begin(), boundary.end());
+  }
+  sort(boundary);
   return boundary;
 }
 
 /// Returns for each triangle the number of its level.
 std::vector<std::uint16_t> levels_of(const std::vector<Triangle>& triangles, const Hierarchy& made) {
   std::vector<std::uint16_t> level(triangles.size());
+  InterruptibleSteps step;
   for (const auto face : made.complex.mesh.faces()) {
+    step();
     Triangle corners{};
     std::size_t i = 0;
     for (const auto v : face.vertices()) corners[i++] = made.complex.input_index[static_cast<std::size_t>(v.idx())];

@@ -24,7 +24,7 @@ class ApartRings {
   ApartRings(std::span<const Point> points, std::span<const Ring> rings, const GoOn& go_on)
       : points_(points), rings_(rings), go_on_(go_on) {
     const RingName name = [](std::size_t ring) { return "ring " + std::to_string(ring); };
-    check_points(points, rings, name);
+    check_points(points, rings, name, go_on);
     Steps step(go_on);
     place_ = place_rings(points, rings, node(points, rings, step), name, go_on);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace rbpa {
@@ -20,7 +21,7 @@ struct GroupSide {
   }
 };
 
-std::vector<GroupSide> sorted_sides(const Filling& filling) {
+std::vector<GroupSide> sorted_sides(const Filling& filling, Steps& step) {
   std::vector<GroupSide> sides;
   sides.reserve(3 * filling.triangles.size());
   for (std::uint32_t t = 0; t < filling.triangles.size(); ++t)
@@ -29,7 +30,7 @@ std::vector<GroupSide> sorted_sides(const Filling& filling) {
       const std::uint64_t low = std::min(from, to), high = std::max(from, to);
       sides.push_back({low << 32 | high, filling.groups[t], t, static_cast<std::uint8_t>(k), from < to});
     }
-  std::sort(sides.begin(), sides.end());
+  sort(sides, step, std::less<>());
   return sides;
 }
 
@@ -46,11 +47,12 @@ void for_each_shared_edge(const std::vector<GroupSide>& sides, Visit visit) {
 
 /// Returns for each group whether it overlaps another, as both have one edge on their left. Triangles of such a group
 /// have neighbors in that group only.
-std::vector<bool> are_apart(const std::vector<GroupSide>& sides) {
+std::vector<bool> are_apart(const std::vector<GroupSide>& sides, Steps& step) {
   std::size_t groups = 0;
   for (const GroupSide& side : sides) groups = std::max(groups, side.group + 1);
   std::vector<bool> apart(groups, false);
   for_each_shared_edge(sides, [&](auto first, auto last) {
+    step();
     for (const bool ascends : {false, true}) {
       const auto is_one = [&](const GroupSide& side) { return side.ascends == ascends; };
       if (std::count_if(first, last, is_one) < 2) continue;
@@ -63,9 +65,9 @@ std::vector<bool> are_apart(const std::vector<GroupSide>& sides) {
 
 }  // namespace
 
-void link(Filling& filling) {
-  const std::vector<GroupSide> sides = sorted_sides(filling);
-  const std::vector<bool> apart = are_apart(sides);
+void link(Filling& filling, Steps& step) {
+  const std::vector<GroupSide> sides = sorted_sides(filling, step);
+  const std::vector<bool> apart = are_apart(sides, step);
   filling.neighbors.assign(filling.triangles.size(),
                            {TriangleArrays::none, TriangleArrays::none, TriangleArrays::none});
   const auto join = [&](const GroupSide& a, const GroupSide& b) {
@@ -73,6 +75,7 @@ void link(Filling& filling) {
     filling.neighbors[b.triangle][b.across] = a.triangle;
   };
   for_each_shared_edge(sides, [&](auto first, auto last) {
+    step();
     auto shared = last;  // a side of a group that is not apart: there are at most two
     for (auto side = first; side != last; ++side) {
       if (apart[side->group]) {

@@ -1,9 +1,10 @@
 #include "rbpa/fill/front/unfilled.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "meshops/core/contract.h"
-#include "rbpa/base/arrays/sort_unique.h"
+#include "rbpa/base/run/steps.h"
 #include "rbpa/fill/front/constrained_delaunay.h"
 #include "rbpa/fill/front/outline.h"
 #include "rbpa/fill/rings/plane_distance.h"
@@ -28,19 +29,24 @@ Unfilled::Unfilled(const std::vector<Point>& places, std::span<const std::vector
     : places_(places), next_(static_cast<Site>(places.size())) {
   std::vector<Site> sites;
   for (const std::vector<Site>& ring : rings) sites.insert(sites.end(), ring.begin(), ring.end());
-  sort_unique(sites);
+  Steps step(go_on);
+  sort(sites, step, std::less<>());
+  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
   Outline outline;
   for (const Site s : sites) outline.places.push_back(places[s]);
   for (const std::vector<Site>& ring : rings) {
     outline.rings.emplace_back();
-    for (const Site s : ring)
+    for (const Site s : ring) {
+      step();
       outline.rings.back().sites.push_back(
           static_cast<Site>(std::lower_bound(sites.begin(), sites.end(), s) - sites.begin()));
+    }
   }
   for (const auto& [a, b, c] : constrained_delaunay(outline, go_on)) add(sites[a], sites[b], sites[c]);
   // Sides without a partner stay on the border.
   border_.reserve(corner_.size());
   for (Side side = 0; side < corner_.size(); ++side) {
+    step();
     const auto partner = border_.find(key_of(to(side), from(side)));
     if (partner == border_.end()) {
       link(side, none);

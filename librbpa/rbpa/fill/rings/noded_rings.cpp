@@ -12,8 +12,10 @@ namespace {
 /// A tree of boxes of points, whose node k has the children 2 k + 1 and 2 k + 2.
 class PointTree {
  public:
-  PointTree(std::span<const Point> points, std::vector<std::uint32_t> used) : points_(points), used_(std::move(used)) {
-    if (!used_.empty()) build(0, 0, used_.size());
+  /// Throws: Cancelled.
+  PointTree(std::span<const Point> points, std::vector<std::uint32_t> used, Steps& step)
+      : points_(points), used_(std::move(used)) {
+    if (!used_.empty()) build(0, 0, used_.size(), step);
   }
 
   /// Appends the points that lie on the segment, without its ends, in lexicographic order. Requires: low < high.
@@ -25,7 +27,8 @@ class PointTree {
  private:
   static constexpr std::size_t leaf = 8;
 
-  void build(std::size_t node, std::size_t first, std::size_t last) {
+  void build(std::size_t node, std::size_t first, std::size_t last, Steps& step) {
+    step(last - first);
     if (boxes_.size() <= node) boxes_.resize(node + 1);
     Box box{points_[used_[first]], points_[used_[first]]};
     for (std::size_t i = first; i < last; ++i) box = common_box(box, {points_[used_[i]], points_[used_[i]]});
@@ -39,8 +42,8 @@ class PointTree {
                        const Point &p = points_[a], &q = points_[b];
                        return by_x ? p.x < q.x : p.y < q.y;
                      });
-    build(2 * node + 1, first, first + (last - first) / 2);
-    build(2 * node + 2, first + (last - first) / 2, last);
+    build(2 * node + 1, first, first + (last - first) / 2, step);
+    build(2 * node + 2, first + (last - first) / 2, last, step);
   }
 
   void look(std::size_t node, std::size_t first, std::size_t last, const Point& low, const Point& high,
@@ -84,7 +87,7 @@ NodedRings node(std::span<const Point> points, std::span<const Ring> rings, Step
     first_at[i] = used[kept - 1];
   }
   used.resize(kept);
-  const PointTree tree(points, std::move(used));
+  const PointTree tree(points, std::move(used), step);
 
   NodedRings noded;
   std::vector<std::uint32_t> between;

@@ -29,7 +29,8 @@ PolygonRings noded_rings(std::span<const Point> points, std::span<const Polygon>
       rings.roles.push_back({p, h});
     }
   }
-  check_points(points, rings.input, [&](std::size_t ring) { return name_of(rings.roles[ring]); });
+  check_points(
+      points, rings.input, [&](std::size_t ring) { return name_of(rings.roles[ring]); }, go_on);
   Steps step(go_on);
   rings.noded = node(points, rings.input, step);
   rings.places.resize(rings.input.size());

@@ -231,12 +231,14 @@ std::string place_of(const Point& p) {
   return place.append(text(p.x)).append(", ").append(text(p.y)).append(")");
 }
 
-void check_points(std::span<const Point> points, std::span<const Ring> rings, const RingName& name) {
+void check_points(std::span<const Point> points, std::span<const Ring> rings, const RingName& name, const GoOn& go_on) {
+  Steps step(go_on);
   for (std::size_t r = 0; r < rings.size(); ++r) {
     const std::vector<std::uint32_t>& ring = rings[r].points;
     if (ring.size() < 3)
       throw InvalidInput(name(r) + ": found " + std::to_string(ring.size()) + " points, expected 3 or more");
     for (std::size_t i = 0; i < ring.size(); ++i) {
+      step(4);
       const std::string vertex = "vertex " + std::to_string(i) + " of " + name(r);
       if (ring[i] >= points.size())
         throw InvalidInput(vertex + ": found point " + std::to_string(ring[i]) + ", expected one of " +
@@ -247,7 +249,10 @@ void check_points(std::span<const Point> points, std::span<const Ring> rings, co
     const Point& a = points[ring[0]];
     const auto other = std::find_if(ring.begin(), ring.end(), [&](std::uint32_t i) { return points[i] != a; });
     const Point& b = other == ring.end() ? a : points[*other];
-    if (std::all_of(ring.begin(), ring.end(), [&](std::uint32_t i) { return plane_orientation(a, b, points[i]) == 0; }))
+    if (std::all_of(ring.begin(), ring.end(), [&](std::uint32_t i) {
+          step();
+          return plane_orientation(a, b, points[i]) == 0;
+        }))
       throw InvalidInput(name(r) + " at " + place_of(a) +
                          ": found all points on one line, expected a ring with an area");
   }

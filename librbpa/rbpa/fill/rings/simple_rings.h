@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "rbpa/base/point.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/plane/outline_polygons.h"
 
 namespace rbpa {
@@ -61,7 +62,8 @@ NestedRings nest_rings(std::span<const Point> points, std::span<const Ring> ring
 
 /// Checks the points of each ring; name(r) is the name of ring r in messages.
 /// Throws: InvalidInput when a ring has fewer than three points, names one that does not exist or is not finite, or has
-///         no area.
-void check_points(std::span<const Point> points, std::span<const Ring> rings, const RingName& name);
+///         no area. Cancelled.
+void check_points(std::span<const Point> points, std::span<const Ring> rings, const RingName& name,
+                  const GoOn& go_on = {});
 
 }  // namespace rbpa

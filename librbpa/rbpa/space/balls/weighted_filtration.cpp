@@ -135,7 +135,7 @@ SolidFiltration weighted_filtration(std::span<const Point3> centers, std::span<c
     filtration.tetrahedron_alpha = values_of(rule, filtration.delaunay.simplices, threads, go_on);
     space::find_faces(rule, sorted.size(), threads, go_on, step, filtration);
   }
-  space::find_values_of_edges(rule, threads, step, filtration);
+  space::find_values_of_edges(rule, threads, go_on, step, filtration);
   find_values_of_balls(rule, sorted.size(), regular, step, filtration);
   filtration.delaunay.duplicates = std::move(regular.duplicates);
   filtration.delaunay.isolated = std::move(regular.hidden);

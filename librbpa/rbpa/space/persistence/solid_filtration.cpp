@@ -85,7 +85,7 @@ SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOpti
     filtration.tetrahedron_alpha = circumradii(sorted, delaunay.simplices, options.threads, go_on);
     space::find_faces(rule, sorted.size(), threads, go_on, step, filtration);
   }
-  space::find_values_of_edges(rule, threads, step, filtration);
+  space::find_values_of_edges(rule, threads, go_on, step, filtration);
   order.rename_corners(filtration);
   return filtration;
 }

@@ -62,10 +62,13 @@ std::vector<double> values_of_triangles(const Rule& rule, const Solid& delaunay,
 
 /// Fills in edge_alpha. Requires: edges, triangles and triangle_alpha.
 template <typename Rule>
-void find_values_of_edges(const Rule& rule, Threads& threads, Steps& step, SolidFiltration& filtration) {
+void find_values_of_edges(const Rule& rule, Threads& threads, const GoOn& go_on, Steps& step,
+                          SolidFiltration& filtration) {
   const auto& triangles = filtration.triangles;
   std::vector<std::uint8_t> conflicts(triangles.size());
+  CheckpointOfThreads checkpoint(go_on);
   for_each_part(threads, triangles.size(), faces_at_a_time, [&](std::size_t begin, std::size_t end) {
+    checkpoint();
     for (std::size_t i = begin; i < end; ++i) conflicts[i] = rule.conflicts(triangles[i]);
   });
   std::vector<std::uint8_t> is_alone(filtration.edges.size(), 1);
@@ -80,6 +83,7 @@ void find_values_of_edges(const Rule& rule, Threads& threads, Steps& step, Solid
     }
   }
   for_each_part(threads, alpha.size(), faces_at_a_time, [&](std::size_t begin, std::size_t end) {
+    checkpoint();
     for (std::size_t i = begin; i < end; ++i)
       if (is_alone[i] != 0) alpha[i] = rule.value(filtration.edges[i]);
   });
