@@ -86,8 +86,9 @@ std::vector<std::string_view> split_at_commas(std::string_view text) {
 namespace {
 
 bool has_decimal_comma(std::string text) {
-  std::replace(text.begin(), text.end(), ',', '.');
-  return text.find('.') < text.size() && parse_whole_number(text).fault == NumberFault::none;
+  const std::size_t comma = text.find(',');
+  if (comma < text.size()) text[comma] = '.';
+  return comma < text.size() && parse_whole_number(text).fault == NumberFault::none;
 }
 
 }  // namespace

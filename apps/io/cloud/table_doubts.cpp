@@ -51,8 +51,8 @@ bool is_positive(std::string_view field) {
 }
 bool is_digits(std::string_view field) { return parse_count(field).has_value(); }
 bool has_leading_zero(std::string_view field) { return field.size() > 1 && field.front() == '0'; }
-bool is_latitude_letter(std::string_view field) { return is_word_of(field, "N S North South"); }
-bool is_longitude_letter(std::string_view field) { return is_word_of(field, "E W East West"); }
+bool is_latitude_letter(std::string_view field) { return is_word_of(field, "N S"); }
+bool is_longitude_letter(std::string_view field) { return is_word_of(field, "E W"); }
 bool is_zone(std::string_view field) {  // of UTM, such as 32 or 32U, or the number of a system
   const std::size_t digits = std::min(field.find_first_not_of("0123456789"), field.size());
   const std::size_t letters = field.size() - digits, number = parse_count(field.substr(0, digits)).value_or(0);
@@ -175,7 +175,7 @@ void doubt_sign(const TableBeginning& table, const TableLayout& layout, std::siz
       if (value > most && value <= 100 * most && std::fmod(value, 100) < 60)
         refuse(table, found + ", degrees and minutes in one number",
                "decimal degrees (degrees + minutes / 60), negative for the hemispheres W and S");
-      if (is_word_of(letter.substr(0, 1), "S W") && is_positive(field) && (layout.degrees || value <= most))
+      if (is_word_of(letter, "S W") && is_positive(field) && (layout.degrees || value <= most))
         refuse(table, found, way + ", without a column for it");
     }
   }

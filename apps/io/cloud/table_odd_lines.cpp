@@ -64,7 +64,7 @@ bool lacks_name_of_rows(const TableLines& lines, const SeparatorChoice& choice) 
 
 std::string doubt_last_line(const TableLines& lines, char separator) {
   constexpr std::string_view totals =
-      "sum total totals mean avg average median min minimum max maximum count std stdev stddev centroid center summe "
+      "sum total totals mean avg average median min minimum max maximum count std stdev stddev centroid summe "
       "gesamt gesamtergebnis mittel mittelwert durchschnitt anzahl schwerpunkt somme moyenne suma media totale totaal";
   const auto line_before = [](std::string_view& text) {
     text = text.substr(0, text.find_last_not_of(" \t\r\n") + 1);
@@ -81,8 +81,8 @@ std::string doubt_last_line(const TableLines& lines, char separator) {
                                       before = split(line_before(rest), separator, room);
   const auto is_total = [&](std::string_view field) {
     while (!field.empty() && std::ispunct(static_cast<unsigned char>(field.back())) != 0) field.remove_suffix(1);
-    return is_word_of(field.substr(0, field.find(' ')), totals) ||
-           is_word_of(field.substr(field.rfind(' ') + 1), totals);
+    return is_word_of(field, totals) || is_word_of(field.substr(0, field.find(' ')), "total totale") ||
+           is_word_of(field.substr(field.rfind(' ') + 1), "total gesamt totaal");
   };
   const auto is_text = [](std::string_view field) { return !is_missing(field) && !is_number(field); };
   for (std::size_t i = 0; i < fields.size(); ++i) {

@@ -1,7 +1,10 @@
-// What: reads texts as tables of points in the plane.
+// What: reads texts as tables of points in the plane, and checks their warnings and refusals.
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <string>
+#include <vector>
 
 #include "io/cloud/cloud.h"
 #include "io/cloud/read_points.h"
@@ -22,6 +25,26 @@ inline std::string refusal_of_table(const std::string& text, const rbpa::app::Cl
     return error.what();
   }
   return "none";
+}
+
+/// Returns the warnings of a table with a part that is `part`.
+inline std::vector<std::string> warnings_with(const std::string& text, const std::string& part) {
+  std::vector<std::string> found;
+  for (const std::string& warning : read_table(text).warnings)
+    if (warning.find(part) != std::string::npos) found.push_back(warning);
+  return found;
+}
+
+/// Checks that the table is refused with a message that begins so, whether lines may be left out or not.
+inline void is_refused_whole(const std::string& text, const std::string& message) {
+  CAPTURE(text);
+  for (const rbpa::app::CloudRequest& request :
+       {rbpa::app::CloudRequest{}, rbpa::app::CloudRequest{.skip_invalid = true}}) {
+    const std::string refusal = refusal_of_table(text, request);
+    CAPTURE(refusal);
+    CHECK(refusal.starts_with(message));
+    CHECK(refusal.find("--skip-invalid") == std::string::npos);
+  }
 }
 
 }  // namespace apps_test
