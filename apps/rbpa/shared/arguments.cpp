@@ -9,6 +9,7 @@
 #include "io/mesh/ply_fields.h"
 #include "io/number.h"
 #include "io/polygon/ogr.h"
+#include "io/words.h"
 #include "picture/scene.h"
 
 namespace rbpa::app {
