@@ -499,7 +499,7 @@ TEST_SUITE("las") {
       CHECK(folder.rbpa("info " + name).out.find("crs         EPSG:28992\n") != std::string::npos);
     }
     CHECK(folder.rbpa("info p.las --crs EPSG:7415").out.find("crs         EPSG:7415\n") != std::string::npos);
-    CHECK(folder.rbpa("info p.las --where 'clas==2'").code == 2);
+    CHECK(folder.rbpa("info p.las --where 'clas==2'").code == 3);
     CHECK(folder.rbpa("info p.las --where red==2").code == 3);
     CHECK(folder.rbpa("info p.npy --where x==2").err ==
           "rbpa: --where: found a format without fields, expected " + with_fields(Use::points) + "\n");

@@ -83,8 +83,10 @@ TEST_SUITE("standard input") {
             "--columns: found standard input in a format with fixed columns, expected text");
     refuses("info - --where 'a == 1' < p.wkt", 2,
             "--where: found standard input in a format without fields, expected " + with_fields(Use::points));
-    refuses("info - --where 'a == 1' < p.las", 2,
-            "--where: found 'a', but standard input has no such field, expected " + fields_of(Format::las)->described);
+    const Outcome unknown = folder.rbpa("info - --where 'a == 1' < p.las");
+    CHECK(unknown.code == 3);
+    CHECK(unknown.err.starts_with("rbpa: standard input: found point format 0 of LAS 1.2 with x, y, z, intensity, "));
+    CHECK(unknown.err.ends_with(", point_source_id, expected one with a, as --where requires\n"));
     refuses("info - --where \"x == 'a'\" < p.las", 2,
             "--where: found the text 'a', expected numbers, as the fields of standard input have no texts");
     refuses("info - --vertices < p.las", 2,

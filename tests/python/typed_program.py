@@ -49,7 +49,7 @@ numbers: tuple[int, int, int] = report.betti
 weighed: list[int] = mesh.triangulate_face(0, lambda a, b, c: 1.0).diagonals
 read: rbpa.PointFile = rbpa.read_points("scan.las", space=True, fields=["intensity"], where="classification == 2")
 colors: npt.NDArray[np.uint8] | None = read.colors
-intensity: npt.NDArray[np.float64] = read.fields["intensity"]
+intensity: npt.NDArray[np.uint16] = read.fields["intensity"]
 made: rbpa.Balls = rbpa.balls(rbpa.molecules.read("m.pdb", models="all"), "bondi", 1.4)
 accessible: npt.NDArray[np.float64] = made.areas
 touching: npt.NDArray[np.int32] = rbpa.balls([[0, 0, 0]], [1.0]).contacts.balls
