@@ -130,7 +130,7 @@ std::optional<Halfedge> halfedge_of(const Connectivity& mesh, std::uint32_t code
   return code % 2 == 0 ? h : mesh.opposite_halfedge_handle(h);
 }
 
-/// Splits a vertex as bytes say. Returns the halfedge of which the collapse is the inverse.
+/// Splits a vertex as bytes say. Returns the halfedge whose collapse is the inverse.
 Halfedge split_as_read(Connectivity& mesh, NumbersIn& in, Numbering& vertices, Numbering& faces) {
   const std::uint32_t code = in.next();
   const std::optional<Halfedge> left = halfedge_of(mesh, code), right = halfedge_of(mesh, in.next());
