@@ -12,7 +12,7 @@ namespace rbpa::app {
 namespace {
 
 /// Returns the value of a feature as text for JSON or CSV, a number as the shortest text that reads back to it.
-std::string text_of(const Attribute& attribute, std::size_t feature, bool json) {
+std::string value_text(const Attribute& attribute, std::size_t feature, bool json) {
   std::string text = json ? "null" : "";
   attribute.with_value(feature, [&](const auto& value) {
     char digits[number_room];
@@ -49,14 +49,14 @@ std::string csv_names(std::span<const Attribute> attributes) {
 
 std::string csv_values(std::span<const Attribute> attributes, std::size_t feature) {
   std::string values;
-  for (const Attribute& attribute : attributes) values += "," + text_of(attribute, feature, false);
+  for (const Attribute& attribute : attributes) values += "," + value_text(attribute, feature, false);
   return values;
 }
 
 std::string json_members(std::span<const Attribute> attributes, std::size_t feature) {
   std::string members;
   for (const Attribute& attribute : attributes)
-    members += "," + json_text(attribute.name) + ":" + text_of(attribute, feature, true);
+    members += "," + json_text(attribute.name) + ":" + value_text(attribute, feature, true);
   return members;
 }
 
