@@ -161,8 +161,10 @@ std::pair<std::string_view, std::string_view> split_unit(std::string_view name) 
   return is_among(word, units) ? std::pair(name.substr(0, last), word) : std::pair(name, std::string_view());
 }
 
+constexpr std::size_t longest_name = 1024;  // bytes that are compared: no known name is as long
+
 std::string folded(std::string_view name) {
-  name = split_unit(name).first;
+  name = split_unit(name).first.substr(0, longest_name);
   std::string result;
   while (!name.empty()) take_folded(name, result);
   return result;
@@ -172,6 +174,7 @@ std::string folded(std::string_view name) {
 /// digits, and from a capital after a small letter on ("stopLat").
 std::vector<std::string> words_of(std::string_view name) {
   std::vector<std::string> words(1);
+  name = name.substr(0, longest_name);
   for (char last = ' '; !name.empty();) {
     const char first = name.front();
     if (std::islower(static_cast<unsigned char>(last)) != 0 && std::isupper(static_cast<unsigned char>(first)) != 0)
