@@ -15,6 +15,7 @@
 #include "python/module.h"
 #include "python/soup.h"
 #include "rbpa/space/simplify/decimate_mesh.h"
+#include "rbpa/space/simplify/remesh.h"
 
 namespace rbpa::python {
 namespace {
@@ -234,30 +235,49 @@ meshops::TopologyReport report(Mesh& mesh, const std::optional<std::vector<std::
                  [&](Watch& watch) { return meshops::report(mesh.seen(), points, watch.until_stopped()); });
 }
 
-/// Decimates a copy of the mesh, which then takes its place, so that a run that ends early changes nothing. Returns the
-/// places of the vertices, and counts.
-auto decimate_copy(Mesh& mesh, const Doubles& points, std::size_t faces, std::optional<double> error, bool no_crossings,
-                   const py::object& progress) {
+/// Calls change(copy, places, go_on) with a copy of the mesh, which then takes its place, so that a run that ends early
+/// changes nothing. Returns the places of the vertices, and what change() returns. `work` is as `points` of watched().
+template <typename Change>
+auto change_copy(Mesh& mesh, const Doubles& points, std::size_t work, const py::object& progress,
+                 const Change& change) {
   const auto input = points3_of(points, "points");
   std::vector<Point3> places(input.begin(), input.end());
   MeshKernel copy = mesh.kernel();
   mesh.changed();
-  const Decimation counts = [&] {
+  const auto counts = [&] {
     const Mesh::Look look(mesh);
     const std::size_t given = copy.n_faces();
-    return watched(given, progress, [&](Watch& watch) {
+    return watched(work, progress, [&](Watch& watch) {
       const OnProgress report = watch.progress();
-      return decimate(copy, places,
-                      {.faces = faces,
-                       .error = error,
-                       .no_crossings = no_crossings,
-                       .go_on = go_on_of(report, places.size(), given)});
+      return change(copy, places, go_on_of(report, places.size(), given));
     });
   }();
   mesh.changed();
   mesh.kernel() = std::move(copy);
-  return std::make_tuple(rows<double>(std::move(places)), counts.given, counts.left, counts.collapses, counts.refused,
-                         counts.distance);
+  return std::pair(rows<double>(std::move(places)), counts);
+}
+
+auto decimate_copy(Mesh& mesh, const Doubles& points, std::size_t faces, std::optional<double> error, bool no_crossings,
+                   const py::object& progress) {
+  const auto [places, counts] =
+      change_copy(mesh, points, mesh.kernel().n_faces(), progress, [&](auto& copy, auto& moved, const GoOn& go_on) {
+        return decimate(copy, moved, {.faces = faces, .error = error, .no_crossings = no_crossings, .go_on = go_on});
+      });
+  return std::make_tuple(places, counts.given, counts.left, counts.collapses, counts.refused, counts.distance);
+}
+
+auto remesh_copy(Mesh& mesh, const Doubles& points, double length, unsigned rounds, double sharp_angle,
+                 bool keep_boundary, const py::object& progress) {
+  const auto [places, counts] =
+      change_copy(mesh, points, long_work, progress, [&](auto& copy, auto& moved, const GoOn& go_on) {
+        return remesh(static_cast<meshops::Connectivity&>(copy), moved,
+                      {.length = length,
+                       .rounds = rounds,
+                       .sharp_angle = sharp_angle,
+                       .keep_boundary = keep_boundary,
+                       .go_on = go_on});
+      });
+  return std::make_tuple(places, counts.given, counts.left, counts.splits, counts.collapses, counts.flips);
 }
 
 void bind_topology(py::class_<Mesh>& mesh) {
@@ -320,6 +340,8 @@ void bind_mesh(py::module_& module) {
   bind_mesh_operators(module, mesh);
   mesh.def("_decimate", &decimate_copy, as_is("points"), arg("faces"), arg("error"), arg("no_crossings"),
            arg("progress"));
+  mesh.def("_remesh", &remesh_copy, as_is("points"), arg("length"), arg("rounds"), arg("sharp_angle"),
+           arg("keep_boundary"), arg("progress"));
   mesh.def(py::pickle(&state_of, [](const py::tuple& state) {
     return mesh_of(state[0].cast<Indices>(), state[1].cast<Indices>(), state[2].cast<Indices>(),
                    state[3].cast<Indices>());

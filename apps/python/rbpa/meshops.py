@@ -31,10 +31,10 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import ComponentReport, Defect, Delta, InvalidInput, RepairStep, Report
-from rbpa._input import Floats, Indices, Integers, Progress, as_count, as_limits, as_points
+from rbpa._input import Floats, Indices, Integers, Progress, as_count, as_limits, as_number, as_points
 from rbpa._result import short_repr
 
-__all__ = ["ComponentReport", "Decimation", "Defect", "Delta", "Mesh", "Repair", "RepairStep", "Report", "find_defects", "repair", "report"]
+__all__ = ["ComponentReport", "Decimation", "Defect", "Delta", "Mesh", "Remeshing", "Repair", "RepairStep", "Report", "find_defects", "repair", "report"]
 
 Faces = Union[npt.NDArray[Any], Iterable[Sequence[int]]]
 
@@ -117,6 +117,69 @@ class Mesh(_core.Mesh):
         """
         array = as_points(points, columns=3)
         return Decimation(*self._decimate(array, *as_limits(faces, error), bool(no_crossings), progress))
+
+
+    def remesh(
+        self,
+        points: npt.ArrayLike,
+        length: float,
+        *,
+        rounds: int = 10,
+        sharp_angle: float = 60,
+        keep_boundary: bool = False,
+        progress: Progress = None,
+    ) -> Remeshing:
+        """Remeshes the mesh in place: edges of about one length, six at most vertices, near the triangles before.
+
+        The topology stays, as in `decimate`, and no triangle turns over. Vertices and faces are numbered anew, and do
+        not depend on the numbers before.
+
+        Parameters
+        ----------
+        points
+            As for `decimate`.
+        length : float
+            The length of edges: above 0, and at most the diagonal of the box around the mesh.
+        rounds : int
+            How often edges are split, collapsed and flipped, and vertices moved.
+        sharp_angle : float
+            Edges at which normals differ by more degrees stay, as boundary curves do; 180: none.
+        keep_boundary : bool
+            Whether boundary edges keep their vertices.
+        progress
+            As for `alpha_shape`.
+
+        Returns
+        -------
+        Remeshing
+            With the position of each new vertex.
+
+        Raises
+        ------
+        InvalidInput
+            The length does not suit the mesh; the message names one that does.
+        ContractViolation, Cancelled
+            As in `decimate`.
+        """
+        array = as_points(points, columns=3)
+        length = as_number(length, "length", "a length, > 0")
+        sharp_angle = as_number(sharp_angle, "sharp_angle", "degrees from 0 to 180")
+        rounds = as_count(rounds, "rounds", 0)
+        return Remeshing(*self._remesh(array, length, rounds, sharp_angle, bool(keep_boundary), progress))
+
+
+class Remeshing(NamedTuple):
+    """The result of `Mesh.remesh`: the position of each vertex, of shape (n_vertices, 3), and counts."""
+
+    points: Floats
+    faces_before: int
+    faces: int
+    splits: int
+    collapses: int
+    flips: int
+
+    def __repr__(self) -> str:
+        return short_repr(self)
 
 
 class Decimation(NamedTuple):
