@@ -86,8 +86,8 @@ std::string doubt_last_line(const TableLines& lines, char separator) {
   };
   const auto is_text = [](std::string_view field) { return !is_missing(field) && !is_number(field); };
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const bool lacks_name = fields[i].empty() && i < std::min(first.size(), before.size()) && is_text(first[i]) &&
-                            is_text(before[i]) && i + 1 < fields.size();
+    const bool lacks_name =
+        i == 0 && fields[i].empty() && !first.empty() && !before.empty() && is_text(first[i]) && is_text(before[i]);
     if (lacks_name || (is_text(fields[i]) && is_total(fields[i])))
       return "the last line, " + in_quotes(last) +
              ", is read as a point, and may be no point but a total of others (then delete it)";

@@ -19,8 +19,8 @@ void refuse_no_table(std::string_view bytes, const std::string& name);
 /// the line.
 bool lacks_name_of_rows(const TableLines& lines, const SeparatorChoice& choice);
 
-/// Returns the warning that the last line after the current line has two numbers and a word such as "Sum", or no name
-/// where other lines have one, and is read as a point; empty if it is not so.
+/// Returns the warning that the last line after the current line has two numbers and a word such as "Sum", or an empty
+/// first field below texts, and is read as a point; empty if it is not so.
 std::string doubt_last_line(const TableLines& lines, char separator);
 
 /// Throws WholeRefusal if the current line, which is no point, is the header of another table than `header`: different
