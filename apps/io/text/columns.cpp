@@ -164,7 +164,7 @@ std::pair<std::string_view, std::string_view> split_unit(std::string_view name) 
 constexpr std::size_t longest_name = 1024;  // bytes that are compared: no known name is as long
 
 std::string folded(std::string_view name) {
-  name = split_unit(name).first.substr(0, longest_name);
+  name = split_unit(name.substr(0, longest_name)).first;
   std::string result;
   while (!name.empty()) take_folded(name, result);
   return result;
