@@ -43,20 +43,20 @@ std::string json_text(std::string_view text) {
 
 std::string csv_names(std::span<const Attribute> attributes) {
   std::string names;
-  for (const Attribute& attribute : attributes) names += "," + csv_text(attribute.name);
+  for (const Attribute& attribute : attributes) names.append(",").append(csv_text(attribute.name));
   return names;
 }
 
 std::string csv_values(std::span<const Attribute> attributes, std::size_t feature) {
   std::string values;
-  for (const Attribute& attribute : attributes) values += "," + value_text(attribute, feature, false);
+  for (const Attribute& attribute : attributes) values.append(",").append(value_text(attribute, feature, false));
   return values;
 }
 
 std::string json_members(std::span<const Attribute> attributes, std::size_t feature) {
   std::string members;
   for (const Attribute& attribute : attributes)
-    members += "," + json_text(attribute.name) + ":" + value_text(attribute, feature, true);
+    members.append(",").append(json_text(attribute.name)).append(":").append(value_text(attribute, feature, true));
   return members;
 }
 
