@@ -81,11 +81,16 @@ std::vector<TileSummary> tiles_of(const Json& json) {
 
 Json json_of(const RunKey& run_key) {
   Json inputs = Json::array();
-  for (const InputFile& file : run_key.inputs) inputs.push_back({json_text(file.path), file.size, file.changed});
+  for (const InputFile& file : run_key.inputs)
+    inputs.push_back({json_text_of_bytes(file.path), file.size, file.changed});
   Json targets = Json::array();
-  for (const std::string& path : run_key.targets) targets.push_back(json_text(path));
-  return {{"inputs", inputs},         {"options", json_text(run_key.options)}, {"alpha", run_key.alpha},
-          {"memory", run_key.memory}, {"tile_size", run_key.tile_size},        {"keep_tiles", run_key.keep_tiles},
+  for (const std::string& path : run_key.targets) targets.push_back(json_text_of_bytes(path));
+  return {{"inputs", inputs},
+          {"options", json_text_of_bytes(run_key.options)},
+          {"alpha", run_key.alpha},
+          {"memory", run_key.memory},
+          {"tile_size", run_key.tile_size},
+          {"keep_tiles", run_key.keep_tiles},
           {"targets", targets}};
 }
 

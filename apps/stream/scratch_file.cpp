@@ -136,7 +136,7 @@ std::string checked_content(const std::string& path) {
   return bytes;
 }
 
-std::string json_text(std::string_view bytes) {
+std::string json_text_of_bytes(std::string_view bytes) {
   std::string text;
   for (const char c : bytes) {
     const auto byte = static_cast<unsigned char>(c);

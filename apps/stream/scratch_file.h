@@ -49,7 +49,7 @@ std::string checked_content(const std::string& path);
 [[noreturn]] void begin_anew(const std::string& path, const std::string& found, const std::string& folder);
 
 /// Convert any bytes to text that is valid in JSON, and back: '%' and bytes beyond ASCII are written as %XX.
-std::string json_text(std::string_view bytes);
+std::string json_text_of_bytes(std::string_view bytes);
 std::string bytes_of_json_text(std::string_view text);
 
 /// Returns a number with at least six digits: "000012" for 12.
