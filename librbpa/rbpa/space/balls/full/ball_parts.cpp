@@ -149,11 +149,12 @@ class BallParts {
     in_order<Workspace>(
         threads_, (bound + at_a_time - 1) / at_a_time,
         [&](std::size_t part, Workspace& w) {
-          checkpoint();
           w.place.resize(stars_.bound());
           w.edges.clear();
-          for (std::size_t i = part * at_a_time; i < std::min((part + 1) * at_a_time, bound); ++i)
+          for (std::size_t i = part * at_a_time; i < std::min((part + 1) * at_a_time, bound); ++i) {
+            if (i % 16 == 0) checkpoint();
             measure_star(static_cast<std::uint32_t>(i), w);
+          }
         },
         [&](std::size_t, Workspace& w) {
           for (const Edge& edge : w.edges) add(edge);
