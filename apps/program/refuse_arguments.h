@@ -46,7 +46,8 @@ inline int refuse_arguments(const CLI::App& app, const CLI::ParseError& error) {
   const std::string called = app.get_name() + (verbs.empty() ? "" : " " + verbs.front()->get_name());
   // A required option may be missing because its name is misspelled.
   const std::vector<std::string> unknown = app.remaining(true);
-  const bool lacks_verb = verbs.empty() && app.get_require_subcommand_min() > 0;
+  const bool lacks_verb = verbs.empty() && app.get_require_subcommand_min() > 0 &&
+                          dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
   if (!unknown.empty() || lacks_verb)
     return report(app.get_name(), unexpected(unknown.empty() ? "" : unknown.front(), app, called), wrong_usage);
   return report(app.get_name(),
