@@ -7,6 +7,7 @@
 
 #include "io/cloud/table_lines.h"
 #include "io/formats.h"
+#include "io/interrupt.h"
 #include "io/text/written.h"
 
 namespace rbpa::app {
@@ -62,6 +63,7 @@ Group largest_group(std::string_view text, char separator, bool by_most, const s
   std::optional<Split> first;
   std::vector<Group> groups;
   for (std::size_t i = 0; i < most_lines && lines.next(); ++i) {
+    stop_if_interrupted();
     const Split line(lines.line(), separator);
     if (!first) {
       first = line;

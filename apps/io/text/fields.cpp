@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "io/failure.h"
+#include "io/interrupt.h"
 #include "io/number.h"
 #include "io/text/written.h"
 
@@ -104,8 +105,10 @@ bool separates(std::string_view line, char separator) {
 }  // namespace
 
 char separator_of(std::string_view line) {
-  for (const char c : {';', '\t', '|', blanks})
+  for (const char c : {';', '\t', '|', blanks}) {
+    stop_if_interrupted();  // a line may be long
     if ((c == blanks || separates(line, c)) && commas_are_decimal(line, c)) return c;
+  }
   for (const char c : {',', ';', '\t', '|'})
     if (separates(line, c)) return c;
   return blanks;
