@@ -46,7 +46,7 @@ TEST_SUITE("mesh groups") {
     }
     folder.file("all.csv", all);
     const std::string run = "mesh all.csv --columns x,y --group-by group --alpha 4 ";
-    const Outcome outcome = folder.rbpa(run + "-o m.vtu -o m.ply -o m.npy -o m.off --stats s.json");
+    const Outcome outcome = folder.rbpa(run + "--fields none -o m.vtu -o m.ply -o m.npy -o m.off --stats s.json");
     REQUIRE(outcome.code == 0);
     const auto triangles = npy_rows<std::array<std::uint32_t, 3>>(folder.content("m.npy"));
     CHECK(outcome.err == "rbpa: 600 points, 12 groups, " + std::to_string(triangles.size()) +

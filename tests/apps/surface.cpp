@@ -295,7 +295,7 @@ TEST_SUITE("surface") {
     refuses(folder, "p.xyz --radius 1 -o m.wkt", 2, "m.wkt: found the ending 'wkt'" + formats);
     refuses(folder, "p.dat --radius 1 -o m.off", 2,
             "p.dat: found the ending 'dat', expected one of " + rbpa::app::endings(rbpa::app::Use::space) +
-                ", or --format");
+                ", or --format (--format txt if it is a table)");
     refuses(folder, "p.xyz --radius 1", 2, "-o: found no OUT, expected at least one (or --stats FILE)");
     refuses(folder, "p.xyz --radius 1 -o m.off --holes h.ply", 2, "--holes: found the ending 'ply', expected obj");
     refuses(folder, "p.xyz --radius 1 --normals none --holes h.obj", 2,

@@ -176,7 +176,7 @@ def test_a_header_without_known_names_is_among_the_warnings(tmp_path):
         warnings = rbpa.read_points(path).warnings
         assert any(text.startswith("no name of a column is that of a coordinate") for text in warnings) != known, header
     path.write_text("a,b,c\n0,1,2\n2,5,3\n")
-    with pytest.raises(rbpa.InvalidInput, match="expected known names of coordinates, such as x and y .--columns a,b chooses columns"):
+    with pytest.raises(rbpa.InvalidInput, match="expected known names of coordinates, such as x and y .--columns b,c chooses columns"):
         rbpa.read_points(path)
 
 
