@@ -198,7 +198,8 @@ std::vector<std::size_t> with_word(const std::vector<std::string_view>& header, 
                                    bool must_be_sure = true) {
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < header.size(); ++i) {
-    const std::string_view name = header[i].substr(0, header[i].find_first_of("(["));
+    std::string_view name = header[i].substr(0, longest_name);
+    name = name.substr(0, name.find_first_of("(["));
     if (name.empty() || is_digit(name.front()) || !has_word(name, names)) continue;  // 52°34'03.07"N is no name
     if (!must_be_sure || !has_word(name, other_words)) places.push_back(i);
   }
