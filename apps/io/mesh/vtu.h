@@ -9,7 +9,6 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 #include "io/bytes/output_file.h"
@@ -30,7 +29,7 @@ struct VtuArray {
 /// Returns the array of value(row) for each of `rows`. Requires: `rows` view data that outlive the array. A value is a
 /// number or an std::array of numbers: doubles, or unsigned integers of 1, 2 or 4 bytes.
 template <typename Rows, typename Value = std::identity>
-VtuArray vtu_array(std::string name, Rows rows, Value value = {}) {
+VtuArray vtu_array(std::string_view name, Rows rows, Value value = {}) {
   using Row = std::remove_cvref_t<decltype(value(*rows.begin()))>;
   std::size_t components = 1;
   if constexpr (requires { std::tuple_size<Row>::value; }) components = std::tuple_size_v<Row>;
@@ -39,7 +38,7 @@ VtuArray vtu_array(std::string name, Rows rows, Value value = {}) {
                   : size == 4 ? "UInt32"
                   : size == 2 ? "UInt16"
                               : "UInt8",
-          .name = std::move(name),
+          .name = std::string(name),
           .components = components,
           .rows = rows.size(),
           .bytes = rows.size() * sizeof(Row),
