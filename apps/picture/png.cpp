@@ -3,10 +3,7 @@
 #include <png.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <csetjmp>
-#include <cstdio>
 #include <exception>
 #include <new>
 #include <span>
@@ -17,6 +14,7 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/png_errors.h"
 #include "picture/coverage.h"
 
 namespace rbpa::app {
@@ -115,11 +113,10 @@ std::vector<std::uint8_t> draw(const Scene& scene) {
   return canvas.take();
 }
 
-/// Encodes rows in memory by libpng. libpng reports an error by longjmp(), which must not skip a destructor: callbacks
-/// have no objects with destructors, and members return false after an error. No exception passes through libpng.
-class PngEncoder {
+/// Encodes rows in memory by libpng. Members return false after an error. No exception passes through libpng.
+class PngEncoder : public PngErrors {
  public:
-  PngEncoder() : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, this, fail, nullptr)) {
+  PngEncoder() : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, errors(), fail, nullptr)) {
     info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
     if (info_ != nullptr) return;
     png_destroy_write_struct(&png_, nullptr);
@@ -130,7 +127,7 @@ class PngEncoder {
   PngEncoder& operator=(const PngEncoder&) = delete;
 
   bool begin(png_uint_32 width, png_uint_32 height) {
-    return attempt([&] {
+    return attempt(png_, [&] {
       png_set_write_fn(png_, this, keep, nullptr);
       png_set_IHDR(png_, info_, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_BASE,
                    PNG_FILTER_TYPE_BASE);
@@ -139,27 +136,15 @@ class PngEncoder {
     });
   }
   bool add_row(const png_byte* row) {
-    return attempt([&] { png_write_row(png_, row); });
+    return attempt(png_, [&] { png_write_row(png_, row); });
   }
   bool end() {
-    return attempt([&] { png_write_end(png_, info_); });
+    return attempt(png_, [&] { png_write_end(png_, info_); });
   }
 
   std::string_view bytes() const { return bytes_; }
-  const char* message() const { return message_.data(); }  ///< libpng's message about the last error
 
  private:
-  template <typename Step>
-  bool attempt(const Step& step) {
-    if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    step();
-    return true;
-  }
-  static void fail(png_struct* png, const char* message) {
-    auto& self = *static_cast<PngEncoder*>(png_get_error_ptr(png));
-    std::snprintf(self.message_.data(), self.message_.size(), "%s", message);
-    png_longjmp(png, 1);
-  }
   static void keep(png_struct* png, png_byte* bytes, std::size_t size) {
     bool is_kept = true;
     try {
@@ -173,7 +158,6 @@ class PngEncoder {
   png_struct* png_;
   png_info* info_;
   std::string bytes_;
-  std::array<char, 128> message_{};
 };
 
 }  // namespace

@@ -1,26 +1,23 @@
 #include <png.h>
 
-#include <array>
-#include <csetjmp>
-#include <cstdio>
 #include <cstring>
 #include <new>
 
 #include "io/cloud/images.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/png_errors.h"
 
 namespace rbpa::app {
 namespace {
 
 constexpr std::size_t bytes_per_pixel = 8;  // red, green, blue, opacity of 16 bits each
 
-/// Decodes a file in memory by libpng. libpng reports an error by longjmp(), which must not skip a destructor: the
-/// members have no objects with destructors, and return false after an error.
-class PngDecoder {
+/// Decodes a file in memory by libpng. Members return false after an error.
+class PngDecoder : public PngErrors {
  public:
   explicit PngDecoder(std::string_view bytes) : left_(bytes) {
-    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, fail, ignore);
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, errors(), fail, ignore);
     info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
     if (info_ == nullptr) {
       png_destroy_read_struct(&png_, nullptr, nullptr);
@@ -32,7 +29,7 @@ class PngDecoder {
   PngDecoder& operator=(const PngDecoder&) = delete;
 
   bool read_header() {
-    return attempt([this] {
+    return attempt(png_, [this] {
       png_set_read_fn(png_, this, read);
       png_set_user_limits(png_, PNG_UINT_31_MAX,
                           PNG_UINT_31_MAX);  // no limit: require_image_size() refuses
@@ -41,7 +38,7 @@ class PngDecoder {
   }
   /// Makes libpng convert every row to red, green, blue and opacity, of 16 bits each. Returns false after an error.
   bool begin_rows() {
-    return attempt([this] {
+    return attempt(png_, [this] {
       png_set_expand_16(png_);
       png_set_gray_to_rgb(png_);
       png_set_add_alpha(png_, 0xFFFF, PNG_FILLER_AFTER);
@@ -49,30 +46,17 @@ class PngDecoder {
     });
   }
   bool read_row(png_byte* row) {
-    return attempt([this, row] { png_read_row(png_, row, nullptr); });
+    return attempt(png_, [this, row] { png_read_row(png_, row, nullptr); });
   }
   bool read_end() {
-    return attempt([this] { png_read_end(png_, nullptr); });
+    return attempt(png_, [this] { png_read_end(png_, nullptr); });
   }
 
   png_uint_32 width() const { return png_get_image_width(png_, info_); }
   png_uint_32 height() const { return png_get_image_height(png_, info_); }
   bool interlaced() const { return png_get_interlace_type(png_, info_) == PNG_INTERLACE_ADAM7; }
-  /// Returns libpng's message about the last error.
-  const char* message() const { return message_.data(); }
 
  private:
-  template <typename Step>
-  bool attempt(const Step& step) {
-    if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    step();
-    return true;
-  }
-  static void fail(png_struct* png, const char* message) {
-    auto& self = *static_cast<PngDecoder*>(png_get_error_ptr(png));
-    std::snprintf(self.message_.data(), self.message_.size(), "%s", message);
-    png_longjmp(png, 1);
-  }
   static void ignore(png_struct*, const char*) {}
   static void read(png_struct* png, png_byte* to, std::size_t size) {
     auto& self = *static_cast<PngDecoder*>(png_get_io_ptr(png));
@@ -84,7 +68,6 @@ class PngDecoder {
   std::string_view left_;
   png_struct* png_ = nullptr;
   png_info* info_ = nullptr;
-  std::array<char, 128> message_{};
 };
 
 Shade shade_of_pixel(const png_byte* pixel, double threshold) {
