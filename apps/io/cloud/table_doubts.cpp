@@ -331,9 +331,8 @@ void doubt_first_columns(const TableBeginning& table, const TableSample& sample,
     warnings.push_back("y is column 2, " + numbers + " (--columns 1,3 leaves it out)");
   else if (are_exchanged(sample))
     warnings.emplace_back(
-        "x is within -90 to 90, and y is not, as latitudes and longitudes are: are they exchanged? (--columns 2,1 "
-        "takes "
-        "them in the other order)");
+        "x is within -90 to 90, and y is not, as latitudes and longitudes are: are they exchanged? (--columns "
+        "2,1 takes them in the other order)");
   for (const std::string_view field : table.fields)
     if (std::deque<std::string> room;
         table.choice.separator == ',' && !has_thousands(field) && count_fields(field, blanks).all > 1) {
