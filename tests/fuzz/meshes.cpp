@@ -1,10 +1,12 @@
 // Readers of meshes: any bytes are either a mesh whose corners are points, or refused in a sentence of one line.
-// The first byte is the format; the rest is the file.
+// format_of_input.h says how an input names its format.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "fuzz/format_of_input.h"
 #include "fuzz/sentence.h"
 #include "fuzz/target.h"
 #include "io/failure.h"
@@ -13,14 +15,6 @@
 namespace {
 
 using namespace rbpa::app;
-
-/// Returns the formats of meshes, in the order of the table.
-std::vector<Format> all_formats() {
-  std::vector<Format> formats;
-  for (const FormatRow& row : format_table)
-    if (row.is_for(Use::mesh)) formats.push_back(row.format);
-  return formats;
-}
 
 void is_sound(const MeshFile& mesh) {
   const auto& soup = mesh.soup;
@@ -41,12 +35,11 @@ void is_sound(const MeshFile& mesh) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  static const std::vector<Format> formats = all_formats();
-  const Format format = formats[data[0] % formats.size()];
-  const std::string bytes(reinterpret_cast<const char*>(data + 1), size - 1);
+  const auto file = fuzz::divided({reinterpret_cast<const char*>(data), size});
+  const std::optional<Format> format = file ? find_format(Use::mesh, file->ending) : std::nullopt;
+  if (!format) return 0;
   try {
-    const MeshFile mesh = mesh_in(bytes, "FILE", format);
+    const MeshFile mesh = mesh_in(file->bytes, "FILE", *format);
     is_sound(mesh);
   } catch (const BadInput& refusal) {
     fuzz::require(std::string(refusal.what()).starts_with("FILE"), "a message names the place");
