@@ -19,7 +19,7 @@ class EvenTriangles {
   explicit EvenTriangles(double radius) : radius_(radius) {}
   const std::vector<Vec>& places() const { return places_; }
 
-  /// Proposes one triangle in the middle, on the first three sites; nothing if the front has faces.
+  /// Proposes a first triangle at the center of the plate, on sites 0, 1 and 2; nothing if the front has faces.
   std::optional<std::array<Site, 3>> seed(const Front& front) {
     if (front.faces() > 0) return std::nullopt;
     places_ = {{0, 0}, {1, 0}, third_corner({0, 0}, {1, 0})};

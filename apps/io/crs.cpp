@@ -202,7 +202,7 @@ bool is_in_degrees(const WktNode& node) {
          });
 }
 
-/// The horizontal system among items; also within compound and bound systems.
+/// A horizontal system in well-known text; of a compound or bound system, the horizontal part.
 struct PlaneSystem {
   WktNode node = {};  ///< has no keyword if there is no such system
   std::optional<Crs> crs = std::nullopt;

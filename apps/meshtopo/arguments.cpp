@@ -138,7 +138,7 @@ TopologyPlan plan(TopologyArguments arguments) {
   if (arguments.output && !output_is_mesh) {
     plan.report = parse_report_target(*arguments.output, arguments.json);
     if (arguments.quiet && plan.report->format == Format::text)
-      throw WrongUsage("-o of a text report cannot be combined with --quiet, which leaves it out (add --json)");
+      throw WrongUsage("-o cannot write a text report with --quiet, which leaves the report out (add --json)");
   } else if (arguments.json || !arguments.quiet) {
     plan.report = parse_report_target("-", arguments.json);
   }

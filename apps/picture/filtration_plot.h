@@ -36,12 +36,12 @@ struct FiltrationPlot {
   std::optional<Plateau> plateau = std::nullopt;         ///< shown as a band, with its alpha marked "plateau"
 };
 
-/// Returns the plot for points in the plane: the counts of `steps`, and `pairs` of components and of holes. The marked
-/// radii are absent.
+/// Returns the plot for points in the plane: the counts of `steps` as curves, and `pairs`, those of components and of
+/// holes. No radius is marked.
 FiltrationPlot plot_of(std::span<const FiltrationStep> steps, std::vector<PersistencePair> pairs);
 
-/// Returns the plot for points in space: Betti numbers, counted from the births and deaths of `pairs`. The marked radii
-/// are absent.
+/// Returns the plot for points in space: Betti numbers, counted from the births and deaths of `pairs`. No radius is
+/// marked.
 FiltrationPlot plot_of(std::span<const SolidPair> pairs);
 
 /// Returns the plot as an SVG file.

@@ -1,4 +1,4 @@
-// What: the HTML of the pages in page/ and space_page/ without data; embed.cmake puts their style and script into it.
+// What: the HTML of the pages in page/ and space_page/, with style and script (embed.cmake), without data.
 #pragma once
 
 #include <string_view>

@@ -94,7 +94,8 @@ double PackedSample::bytes_per_point() const {
 void require_room_for_tiles(const std::string& folder, double points, const PackedSample& sample) {
   // Count 0.8 times the bytes of the sample for a point, the least: in a tile indices are farther apart and coordinates
   // closer.
-  require_room(folder, points * sample.bytes_per_point() * 0.8, folder, "the files of tiles");
+  require_room(folder, points * sample.bytes_per_point() * 0.8, folder,
+               "the files of tiles (--scratch DIR on another disk)");
 }
 
 void require_room_for_output(const std::string& path, std::uint64_t bytes) {

@@ -78,7 +78,7 @@ void save(const ComputeState& state, const Scratch& scratch) {
   if (state.generation > 0) unlink(scratch.partials(state.generation - 1).c_str());
 }
 
-/// Loads the progress; returns nothing if no tile was done. Throws BadInput if the files are damaged.
+/// Returns the saved state, or nothing if no tile was done. Throws BadInput if the files are damaged.
 std::optional<ComputeState> load_state(const Scratch& scratch) {
   const std::string text = checked_content(scratch.progress());
   if (text.empty()) return std::nullopt;

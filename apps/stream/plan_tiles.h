@@ -1,7 +1,6 @@
 // What: plans tiles by the counts of points in cells.
-// Law:  by the counts no tile has, with the points around it, more points than allowed, unless a single cell has.
-//       Counts do not tell where in a cell a point is, so a tile may have more points than planned; it is then cut
-//       again.
+// Law:  by the counts no tile has more points than allowed, with the points around it, unless it is a single cell.
+//       Counts do not tell where in a cell a point is: a tile that has more points than planned is cut again.
 // Cost: O(n log n) in the number of cells.
 #pragma once
 

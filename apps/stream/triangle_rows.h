@@ -37,7 +37,7 @@ class TriangleRows {
   /// Adds triangles. Requires: the smallest index of each triangle is first, and all indices are below `points` of the
   /// constructor. Throws Failure, Cancelled.
   void add(std::span<const TriangleRow> triangles);
-  /// Writes everything that was added to the files, and returns the state of the files. Throws Failure, Cancelled.
+  /// Writes all added triangles to the files, and returns the state of the files. Throws Failure, Cancelled.
   RowsState flush();
 
   /// Returns whether an index in a row has 4 bytes; otherwise it has 8.

@@ -55,7 +55,7 @@ struct IsBelow {
   bool operator()(const SweepEdge& edge, const Point& p) const { return !(*this)(p, edge); }
 
  private:
-  /// Returns 1 if `other` lies above `edge`, −1 if below. Requires: `other` does not begin before `edge`.
+  /// Returns 1 if `other` lies above `edge`, −1 if below, 0 if equal. Requires: `other` does not begin before `edge`.
   static int turn(const SweepEdge& edge, const SweepEdge& other) {
     const int begin = plane_orientation(edge.from, edge.to, other.from);
     return begin != 0 ? begin : plane_orientation(edge.from, edge.to, other.to);

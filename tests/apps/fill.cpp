@@ -220,10 +220,10 @@ TEST_SUITE("fill") {
     poly(vertices + "1 0\n0 0 7\n", ":6: found '7', expected a vertex: a whole number from 0 to 2");
     poly(vertices + "1 0\n0 1 1\n", ":6: found a segment from a vertex to itself, expected two vertices");
     poly(vertices + "2 0\n0 0 1\n1 1 2\n0\n",
-         ": found one segment at vertex 0, expected two or none, as segments make rings");
+         ": found one segment at vertex 0, expected two or none, as segments must form closed rings");
     poly(vertices + "4 0\n0 0 1\n1 1 2\n2 2 0\n3 0 1\n",
-         ":9: found a third segment at vertex 0, expected two, as segments make rings (remove segments inside of "
-         "polygons)");
+         ":9: found a third segment at vertex 0, expected two, as segments must form closed rings (remove "
+         "segments inside of polygons)");
     poly(vertices + ring + "1\n0 9 9\n",
          ": hole point 0 at (9, 9): found it in no hole, expected a ring around it within another");
     const std::string square =

@@ -233,7 +233,7 @@ TEST_SUITE("meshtopo: wrong usage") {
     refuses(folder, "m.off --output-format off", 2,
             "--output-format requires a mesh to write (-o OUT or --repair OUT)");
     refuses(folder, "m.off -q -o r.txt", 2,
-            "-o of a text report cannot be combined with --quiet, which leaves it out (add --json)");
+            "-o cannot write a text report with --quiet, which leaves the report out (add --json)");
     refuses(folder, "m.off --repair -o - --output-format off", 2,
             "-o -: the mesh and the report cannot both go to standard output (name a file for the mesh, or leave out "
             "the report with --quiet)");

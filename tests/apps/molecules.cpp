@@ -144,13 +144,14 @@ TEST_SUITE("molecules") {
     CHECK(refusal("data_x\nloop_\n_atom_site.id\n'1\n", Format::cif) ==
           "m:4: found ''1', expected a value whose quotes end in its line");
     CHECK(refusal("data_x\n_struct.title\n;1\n", Format::cif) ==
-          "m:3: found a text of lines that does not end, expected a later line that begins with ';'");
+          "m:3: found a multi-line text without an end, expected a later line that begins with ';'");
     CHECK(refusal(cif + cif.substr(cif.find("loop_\n_atom_site.")), Format::cif) ==
           "m:40: found a second loop of _atom_site in a block of data, expected one loop in each block");
     std::string without = cif;
     without.replace(without.find("Cartn_z"), 7, "Cartn_w");
     CHECK(refusal(without, Format::cif) ==
-          "m:19: found atoms without _atom_site.Cartn_z, expected Cartn_x, Cartn_y and Cartn_z");
+          "m:19: found atoms without _atom_site.Cartn_z, expected the "
+          "Cartesian coordinates Cartn_x, Cartn_y and Cartn_z");
   }
 
   TEST_CASE("serials and residues beyond their columns are read in each way that programs write them") {
@@ -235,7 +236,8 @@ TEST_SUITE("molecules") {
     CHECK(refusal("data_x\nloop_\n_atom_site.id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n",
                   Format::cif) == no_category);
     CHECK(refusal("data_x\nloop_\n_atom_site_label\n_atom_site_fract_x\nC1 0.5\n", Format::cif) ==
-          "m:5: found atoms in fractions of the cell (_atom_site.fract_x), expected Cartn_x, Cartn_y and Cartn_z");
+          "m:5: found atoms in fractions of the cell (_atom_site.fract_x), expected "
+          "the Cartesian coordinates Cartn_x, Cartn_y and Cartn_z");
     for (const Format format : {Format::pdb, Format::cif})
       CHECK(refusal(std::string("\xFF\xFE"
                                 "A\0T\0",

@@ -125,10 +125,10 @@ void CifTokens::take_lines() {
     at_ += 2;
     return;
   }
-  bad_input(at_line(name_, token_line_), "a text of lines that does not end", "a later line that begins with ';'");
+  bad_input(at_line(name_, token_line_), "a multi-line text without an end", "a later line that begins with ';'");
 }
 
-constexpr std::string_view missing_columns = "Cartn_x, Cartn_y and Cartn_z";
+constexpr std::string_view missing_columns = "the Cartesian coordinates Cartn_x, Cartn_y and Cartn_z";
 
 /// The items of CIF for each of atom_columns; the second counts if the first has no value. Names of the author (auth_)
 /// are those of the PDB file of the same structure.

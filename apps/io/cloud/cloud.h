@@ -112,7 +112,8 @@ class Cloud {
   /// Replaces the content of `block` by the next points, at least one; returns false at the end. Throws BadInput that
   /// names the line or point, what was found and what was expected; Failure; Cancelled.
   virtual bool next(CloudBlock& block) = 0;
-  /// Adds warnings about all points to facts(). Call once, after next() has returned false. Throws BadInput.
+  /// Completes facts(): warnings about all points, and their number. Call once, after next() has returned false. Throws
+  /// BadInput.
   virtual void finish() {}
   /// Returns how many bytes of the file were read until now; 0 from readers that do not count them.
   virtual std::uint64_t bytes_read() const { return 0; }

@@ -86,7 +86,7 @@ class PcdHeaderReader {
     } else if (word == "DATA") {
       take_data(trimmed(rest));
     } else if (word != "VERSION" && word != "VIEWPOINT") {
-      refuse("a line of the header, or DATA");
+      refuse("FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, POINTS, VIEWPOINT or DATA");
     }
   }
 
@@ -198,7 +198,7 @@ std::vector<char> decompress_lzf(std::string_view compressed, std::size_t size, 
   const std::optional<double> there = available_memory();
   if (there && bytes_in_memory * static_cast<double>(size) > *there)
     bad_input(place, bytes_text(static_cast<double>(size)) + " decompressed",
-              "at most a third of the " + bytes_text(*there) + " of available memory");
+              "at most a third of the " + bytes_text(*there) + " of available memory (split the file)");
   std::vector<char> decompressed(size);
   if (size == 0) return decompressed;
   const unsigned count = lzf_decompress(compressed.data(), static_cast<unsigned>(compressed.size()),
@@ -226,7 +226,9 @@ std::vector<char> decompress(const PlyHeader& header, const std::string& name) {
   const std::string_view data = header.data;
   if (data.size() < CompressedSizes::room)
     bad_input(name, counted(data.size(), "byte") + " of data",
-              "at least " + std::to_string(CompressedSizes::room) + ", the compressed and the decompressed size");
+              "at least " + std::to_string(CompressedSizes::room) +
+                  ", the compressed and the decompressed size "
+                  "(copy the file again)");
   const CompressedSizes sizes(data);
   const std::size_t each = points.least_size(), there = data.size() - CompressedSizes::room;
   if (points.count > sizes.decompressed / each || points.count * each != sizes.decompressed)

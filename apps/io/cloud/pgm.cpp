@@ -77,7 +77,7 @@ class Numbers {
   std::string_view rest_behind_blank() const {
     if (rest_.empty() || !is_space(rest_.front()))
       bad_input(at_line(name_, line_), rest_.empty() ? "the end of the file" : in_quotes(rest_.substr(0, 1)),
-                "a line end after the header");
+                "a blank or a line end after the header");
     return rest_.substr(1);
   }
 

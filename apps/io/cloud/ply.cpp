@@ -31,7 +31,7 @@ class HeaderReader {
       bad_input(name_, "a first line " + in_quotes(lines_.line()), "'ply', the first line of every .ply file");
     bool format_seen = false;
     while (true) {
-      if (!lines_.next()) bad_input(name_, "the end of the file in the header", "end_header");
+      if (!lines_.next()) bad_input(name_, "the end of the file in the header", "end_header (copy the file again)");
       std::string_view rest = lines_.line();
       const std::string_view word = take_word(rest);
       if (word == "end_header") break;

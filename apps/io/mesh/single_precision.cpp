@@ -89,7 +89,8 @@ SinglePositions single_positions(Format format, std::span<const Point3> vertices
     for (std::size_t k = 0; k < 3; ++k) {
       const double x = p[k] - result.shift[k];
       if (!(std::abs(x) <= std::numeric_limits<float>::max()))
-        bad_input(file, "the coordinate " + text_of(p[k]),
+        bad_input(file,
+                  "the coordinate " + text_of(p[k]) + (result.shift[k] != 0 ? " less " + text_of(result.shift[k]) : ""),
                   std::string("at most 3.4e38 in size, as ") + (format == Format::stl ? "STL" : "GLB") +
                       " is in single precision (.ply keeps doubles)");
       result.at[i][k] = static_cast<float>(x);

@@ -20,8 +20,8 @@ constexpr bool has_single_precision(Format format) { return format == Format::st
 
 /// The choice of --shift: the offset that is subtracted from positions before they are rounded.
 struct Shift {
-  /// The offset. Absent: the center, rounded to floats, of the box of the positions that triangles use; or zero if
-  /// these positions are floats.
+  /// The offset. If absent, it is the center of the bounding box of the positions that triangles use, rounded to
+  /// floats; or zero if these positions are floats already.
   std::optional<Position> by = std::nullopt;
 };
 

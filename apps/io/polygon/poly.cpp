@@ -96,7 +96,8 @@ class PolyReader {
     }
     for (std::size_t v = 0; v < ends_.size(); ++v)
       if (ends_[v][0] != none && ends_[v][1] == none)
-        bad_input(name_, "one segment at vertex " + std::to_string(first_ + v), "two or none, as segments make rings");
+        bad_input(name_, "one segment at vertex " + std::to_string(first_ + v),
+                  "two or none, as segments must form closed rings");
     std::vector<bool> seen(ends_.size(), false);
     std::vector<Ring> rings;
     for (std::uint32_t v = 0; v < ends_.size(); ++v) {
@@ -126,7 +127,7 @@ class PolyReader {
       second = static_cast<std::uint32_t>(other);
     else
       refuse("a third segment at vertex " + std::to_string(first_ + v),
-             "two, as segments make rings (remove segments inside of polygons)");
+             "two, as segments must form closed rings (remove segments inside of polygons)");
   }
 
   std::vector<Point> read_hole_points() {

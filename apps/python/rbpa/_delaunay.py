@@ -234,7 +234,7 @@ class Delaunay(Simplices):
 
         self._require_unchanged()
         if self.nsimplex == 0:
-            raise _core.InvalidInput("to_scipy: found no triangle, expected one: SciPy has no empty triangulation")
+            raise _core.InvalidInput("to_scipy: found no triangle, expected one or more, as SciPy has no empty triangulation")
         made = OfSciPy(np.vstack((np.zeros(self.ndim), np.eye(self.ndim))))
         scale, shift, equations = self._lifted_planes()
         made._points = self.points

@@ -135,7 +135,7 @@ def surface_of(
     array = as_points(points, columns=3)
     vectors = None if normals is None else as_points(normals, "normals", columns=3)
     if vectors is not None and len(vectors) != len(array):
-        raise InvalidInput(f"normals: found {len(vectors)}, expected one for each of {len(array)} points")
+        raise InvalidInput(f"normals: found {len(vectors)} normals, expected one for each of {len(array)} points")
     rows = np.asarray(triangles)
     if rows.size == 0:
         rows = np.zeros((0, 3), dtype=np.int32)
@@ -367,7 +367,7 @@ class Surface(Result):
         if self.normals is not None or self.given is not None:
             raise InvalidInput("outer_shells: found a surface with normals or given triangles, expected one with normals='none'")
         if self._kept_from is not None or self._filled_from is not None:
-            raise InvalidInput("outer_shells: found components of a surface, expected the whole surface (take its outer shells first)")
+            raise InvalidInput("outer_shells: found a part of a surface or filled holes, expected the whole (take its outer shells first)")
         return self._keep_chosen(radius=float(_not_empty(self.radii)[0]))
 
     def _with_filled(self, of: dict[str, Any], kept: npt.NDArray[np.bool_], points: Floats, normals: Optional[Floats]) -> Surface:

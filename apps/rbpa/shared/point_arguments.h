@@ -1,4 +1,4 @@
-// What: the options about points: from which file and in which format they are read, and which of them count.
+// What: the options about points: the file and the format from which points are read, and which points are used.
 #pragma once
 
 #include <optional>

@@ -16,7 +16,7 @@ std::string repair_text(const SuggestedRepair& repair, const std::vector<double>
 /// Returns "closed: 3 by --fill-holes, 1 by nothing".
 std::string repairs_text(std::span<const SuggestedRepair> repairs);
 
-/// Returns an object with "kind" and the values that belong to the kind.
+/// Returns `repair` as a JSON object: "kind", and the values that belong to this kind.
 nlohmann::ordered_json as_json(const SuggestedRepair& repair);
 /// Returns the number of repairs of each kind: {"turn_normals", "larger_ball", "filling", "none"}.
 nlohmann::ordered_json counts_as_json(const std::vector<std::optional<SuggestedRepair>>& repairs);

@@ -81,7 +81,7 @@ class DisjointSets {
     return root;
   }
 
-  // link_[i] is twice the parent of i, plus 1 when i and its parent are on different sides: a step up is one read.
+  // link_[i] is twice the parent of i, plus 1 when i and its parent are on different sides: one read gives both.
   FreshVector<std::uint32_t> link_;
 };
 

@@ -16,7 +16,7 @@ class MESHOPS_API Guard {
  public:
   explicit Guard(const Connectivity& mesh) : mesh_(mesh) {}
 
-  /// Records the present numbers of elements; called after each change by the front itself.
+  /// Records the present numbers of elements. The front calls this function after each change that it makes.
   void count_elements() { counts_ = ElementCounts::of(mesh_); }
   void finish() { counts_ = finished; }
   /// Returns whether the front is not finished and no other code has changed the number of elements.

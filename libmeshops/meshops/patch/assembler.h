@@ -47,7 +47,7 @@ class MESHOPS_API PatchAssembler {
   // in which elements are to be numbered. Surveys and fills may run in parallel with each other and with place(),
   // provided that reserve() made room for all patches.
 
-  /// Reserves memory for a mesh of `edges` edges and `faces` faces, patches laid already included.
+  /// Reserves memory for a mesh of `edges` edges and `faces` faces, those of the patches laid before included.
   void reserve(std::size_t edges, std::size_t faces);
   /// Decides the place of a patch, and writes it to `placement`.
   /// Requires: `outline` is what survey() computes of `patch`. Of this, only the numbers of sides are checked: throws

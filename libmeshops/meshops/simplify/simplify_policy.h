@@ -38,7 +38,7 @@ concept SimplifyPolicy = requires(P policy, const Mesh& mesh, Edge e, Vertex v) 
 template <typename P, typename Mesh>
 using PlaceOf = std::remove_cvref_t<decltype(std::declval<P&>().place(std::declval<const Mesh&>(), Edge()))>;
 
-/// Policy that merges what it keeps for vertices:
+/// Policy that keeps data for vertices, and merges the data of the two ends of an edge:
 ///   merge(mesh, effect, place)  is called when an edge has collapsed. It places the surviving vertex, and merges the
 ///                               data that the policy keeps for the two vertices. It may write points and properties
 ///                               of the mesh, but no links. If it throws, the collapse is undone

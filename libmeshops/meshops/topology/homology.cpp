@@ -155,7 +155,8 @@ class TreeCotree {
       return a.loop > b.loop;
     });
 
-    // One more entry stands for the outside. All components may share it: no cycle runs from one to another through it.
+    // One more entry stands for the outside. All components may share this entry, as no cycle through the outside runs
+    // from one component to another.
     const std::size_t outside = mesh_.n_faces();
     DisjointSets joined(outside + 1);
     const auto side = [&](Edge e, unsigned which) {

@@ -79,9 +79,9 @@ class Boundary {
     for (std::size_t k = 0; k < ends.size(); ++k) {
       const End &leaving = ends[k], &coming = ends[(k + 1) % ends.size()];
       if (leaving.leaves == coming.leaves)
-        throw InvalidInput(
-            "a polygon: found rings that cross or have the wrong orientation, expected a valid polygon with "
-            "a counter-clockwise shell");
+        throw InvalidInput("a polygon at (" + std::to_string(p.x) + ", " + std::to_string(p.y) +
+                           "): found rings that cross or have the wrong orientation, expected a valid polygon with a "
+                           "counter-clockwise shell");
       if (leaving.leaves) next[coming.edge] = leaving.edge;
     }
   }

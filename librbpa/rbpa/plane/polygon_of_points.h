@@ -19,8 +19,8 @@
 namespace rbpa {
 
 /// Returns for each input point the index of the polygon that contains it, inside or on a ring: the least index if
-/// several polygons touch at the point, nothing if no polygon contains it. A duplicate has the index of the point that
-/// it repeats.
+/// several polygons touch at the point, nothing if no polygon contains it. A duplicate has the polygon of the point
+/// that it repeats.
 /// Requires: `points` are those of the complex, and `polygons` is the result of outline_polygons(complex, filter); not
 ///           checked.
 /// Throws:   Cancelled.

@@ -13,7 +13,7 @@ void check_finite(double alpha) {
   if (std::isinf(alpha) && alpha > 0)
     throw InvalidInput(
         "alpha is infinite, expected a radius: without one a circle may be as large as the whole set, and no halo "
-        "around a region is enough. Choose a radius (rbpa alpha --help says how), or triangulate all points in memory");
+        "around a region is enough (rbpa alpha --help says how to choose one; or triangulate all points in memory)");
   if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a finite radius above 0");
 }
 

@@ -31,11 +31,11 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
   return static_cast<double>(count) / static_cast<double>(all) >= share;
 }
 
-/// Returns the least alpha at which the share of the distinct points is in triangles. With `max_components` K, the
-/// number of these points less the sizes of all solid components but the K largest must also be this share. The size of
-/// a component is its number of vertices in rbpa()'s mesh, where a point at which several fans meet counts once for
-/// each fan. Returns nothing if there is no such alpha: all points are on a line, as fewer than three always are, or K
-/// is 0.
+/// Returns the least alpha at which at least the share of the distinct points is in triangles. With `max_components` K,
+/// the number of these points, less the sizes of all solid components except the K largest, must also be at least this
+/// share. The size of a component is its number of vertices in rbpa()'s mesh, where a point at which several fans meet
+/// counts once for each fan. Returns nothing if there is no such alpha: if all points are on a line, as fewer than
+/// three always are, or if K is 0.
 /// Requires: `filtration` is filtration(delaunay), of which only the numbers of triangles and points are checked.
 /// Throws:   ContractViolation when one of these numbers differs, or the share is out of its bounds; Cancelled.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,

@@ -215,7 +215,7 @@ void Unfilled::empty(const std::array<Site, 3>& corners, const std::array<bool, 
       continue;
     }
     const auto partner = border_.find(key_of(to(side), from(side)));
-    meshops::require(partner != border_.end(), "fill: a side of a removed triangle is not an edge of the front");
+    meshops::require(partner != border_.end(), "empty: a side of the triangle is not an edge of the front");
     link(side, partner->second);
     border_.erase(partner);
   }

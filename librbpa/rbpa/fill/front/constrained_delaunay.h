@@ -23,8 +23,9 @@
 
 namespace rbpa {
 
-/// Returns the triangles, counter-clockwise, in no particular order; corners are positions in `outline.places`. Several
-/// rings may pass a place, and two rings may pass an edge in opposite directions.
+/// Returns the constrained Delaunay triangles of `outline`, counter-clockwise, in no particular order; corners are
+/// positions in `outline.places`. Several rings may pass through a place, and two rings may pass through an edge in
+/// opposite directions.
 /// Requires: places that are distinct, as many as rbpa() accepts, and each on a ring; rings that do not cross, and pass
 ///           every place that lies on their edges.
 /// Throws:   Cancelled.

@@ -75,8 +75,8 @@ Point LoFront::apex_at(const Task& task, double share) const {
   return {task.a.x + dx / 2 - rise * dy, task.a.y + dy / 2 + rise * dx};
 }
 
-/// Replaces task.candidates by the points of the front within `reach` of edge and ideal apex that make empty triangles,
-/// except points that an earlier search for this edge found.
+/// Replaces task.candidates by the points of the front that make empty triangles and are in the bounding box of edge
+/// and ideal apex, widened by `reach`; without those that an earlier search for this edge found.
 void LoFront::look_around(Task& task, double reach) const {
   Box box = common_box(common_box({task.a, task.a}, {task.b, task.b}), {task.ideal, task.ideal});
   box = {{box.low.x - reach, box.low.y - reach}, {box.high.x + reach, box.high.y + reach}};

@@ -14,7 +14,7 @@
 
 namespace rbpa {
 
-/// A point and its site.
+/// A point and its site number.
 struct SitePoint {
   Point at;
   std::uint32_t site;

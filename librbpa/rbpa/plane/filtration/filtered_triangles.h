@@ -37,7 +37,7 @@ inline long double area(Corners corners) {
 inline void require_same(const Filtration& filtration, const AlphaComplex& delaunay, const std::string& function) {
   if (filtration.triangle_alpha.size() != delaunay.triangles.size() || filtration.distinct != delaunay.distinct)
     throw meshops::ContractViolation(
-        function + ": the filtration is of another triangulation than the one given (compute it by filtration())");
+        function + ": found the filtration of another triangulation, expected filtration() of the given one");
 }
 
 }  // namespace rbpa

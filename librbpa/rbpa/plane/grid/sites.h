@@ -24,7 +24,7 @@ class Sites {
   Sites(std::span<const Point> input, Threads& threads, const Checkpoint& checkpoint = {});
 
   std::size_t size() const { return grid_.points().size() + beyond_.size(); }
-  /// Returns the points in the window, times 2^exponent.
+  /// Returns the points in the window, multiplied by 2^window().exponent.
   const PointGrid& grid() const { return grid_; }
   const Window& window() const { return window_; }
   /// Returns the points beyond the window, unscaled; the first of them is the site after those of the grid.

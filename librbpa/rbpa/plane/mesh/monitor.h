@@ -28,7 +28,7 @@ class Monitor : public meshops::FrontVisitor {
   void seeded(const meshops::Front& front, const meshops::InsertedTriangle&) { count(front); }
   void attached(const meshops::Front& front, meshops::Halfedge, const meshops::InsertedTriangle&) { count(front); }
 
-  /// Reports that triangles were added at once; `triangles` is their number so far. Throws: Cancelled.
+  /// Reports that triangles were added together; `triangles` is the number of all so far. Throws: Cancelled.
   void worked(std::size_t triangles) { stop_if_cancelled(progress_, {triangles, points_}); }
 
   /// Validates a mesh that was made at once, in the debug build.

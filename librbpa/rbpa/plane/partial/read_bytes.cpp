@@ -34,7 +34,7 @@ void check_frame(std::span<const std::uint8_t> bytes) {
     refuse("found version " + std::to_string(version) + ", expected " + std::to_string(partial_format::version));
   if (const std::uint64_t size = word_at(bytes, 2 * word); size != bytes.size())
     refuse("found " + std::to_string(bytes.size()) + " bytes, expected " + std::to_string(size) +
-           ", as its header says");
+           ", as its header says (compute the result again)");
   if (bytes.size() % word != 0 || bytes.size() < header + word)
     refuse("found " + std::to_string(bytes.size()) + " bytes, expected a multiple of 8, at least " +
            std::to_string(header + word) + " (compute the result again)");
@@ -162,7 +162,8 @@ void read_rim(Reader& reader, PartialState& state) {
     const std::uint64_t both = reader.number();
     triangle.owned = static_cast<std::uint32_t>(both & 3U);
     if (both >> 34U != 0)
-      refuse("found a shared triangle of component " + std::to_string(both >> 2U) + ", expected a number below 2^32");
+      refuse("found a shared triangle of component " + std::to_string(both >> 2U) +
+             ", expected a number below 2^32 (compute the result again)");
     triangle.component = static_cast<std::uint32_t>(both >> 2U);
   }
   state.open.resize(reader.count("open components", 6));

@@ -47,7 +47,7 @@ void RegionComplex::sort(const RegionPoints& given) {
   }
   const auto twice = std::adjacent_find(indices_.begin(), indices_.end());
   if (twice != indices_.end())
-    throw InvalidInput("index " + std::to_string(*twice) + " is given twice, expected each point once");
+    throw InvalidInput("indices: index " + std::to_string(*twice) + " is given twice, expected each point once");
 }
 
 bool RegionComplex::owns_triangle(std::uint32_t t, unsigned owned) const {

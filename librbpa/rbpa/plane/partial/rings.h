@@ -9,8 +9,8 @@
 
 namespace rbpa {
 
-/// Adds the rings of a closed boundary curve, triangles on the left, to `component`.
-/// Throws: InvalidInput when a ring has fewer than three points, so the curve bounds no triangles. Cost: n log n.
+/// Adds the rings of a closed boundary curve, which has triangles on its left, to `component`.
+/// Throws: InvalidInput when a ring has fewer than three points: the curve then bounds no triangles. Cost: n log n.
 void add_curve(OpenComponent& component, std::vector<Corner>&& curve);
 
 /// Returns whether `a` comes before `b`: by first point, then by second. An edge is on one ring, so no two are equal.

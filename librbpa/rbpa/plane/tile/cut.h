@@ -13,8 +13,8 @@
 
 namespace rbpa {
 
-/// A rectangle of cells of a level of the point grid. One tile owns the `points` points in these cells, without the
-/// points in cells that are grids of more than `merged` points.
+/// A rectangle of cells of one level of the point grid. One tile owns the points in these cells, except the points in
+/// each cell that is a grid of its own and has more than `merged` points. `points` is the number of owned points.
 struct Block {
   std::uint32_t level;
   int column, row, columns, rows;

@@ -239,7 +239,7 @@ class PatchExtraction {
     }
   }
 
-  /// Returns the number, on the tile's front, of a side of the patch.
+  /// Returns the number that a side of the patch has on the tile's front.
   std::size_t on_front(int side) const {
     const auto s = static_cast<std::size_t>(side);
     return 4 * std::size_t{kept_[s / 3]} + s % 3;

@@ -32,9 +32,9 @@ int sign(const Power<Number>& power, Exact exact) {
   return power.value > power.error ? 1 : power.value < -power.error ? -1 : exact();
 }
 
-/// Returns `value` with `error`; with an infinite error if a part of `value` may underflow, so that the next type of
-/// number decides. `least_square`, the least square of an edge, must be far above the least normal number, and the
-/// square of `error` above that number.
+/// Returns `value` with `error`. The error is infinite if a part of `value` may underflow: if `least_square`, the least
+/// square of an edge, is not far above the least normal number, or the square of `error` is not above that number. The
+/// next type of number then decides.
 template <typename Number>
 Power<Number> within_range(Number value, Number error, Number least_square) {
   constexpr Number least = std::numeric_limits<Number>::min();

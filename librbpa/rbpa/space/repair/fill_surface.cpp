@@ -40,8 +40,8 @@ FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface,
   for (const Hole& curve : curves) {
     std::vector<std::uint32_t>& loop = loops.emplace_back();
     for (const RimEdge& edge : curve.edges) {
-      meshops::require(edge.triangle < surface.triangles.size(),
-                       "fill_holes: a curve has a triangle that the surface does not have");
+      meshops::require(edge.triangle < surface.triangles.size(), "fill_holes: found triangle ", edge.triangle,
+                       " in a curve, expected a triangle of this surface");
       loop.push_back(vertex_at(surface, fans, edge.triangle, edge.from));
     }
   }

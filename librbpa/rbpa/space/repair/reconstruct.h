@@ -117,8 +117,8 @@ struct Reconstruction {
   /// the ball rolled; if fillings were refined, between `points`.
   std::vector<Hole> holes = {};
   std::vector<CurveKind> kinds = {};  ///< the kind of each of `holes`
-  /// With `repairs`, one entry for each of `holes`; absent if its kind is not `hole`. The repair is of kind `none` also
-  /// if the curve has changed since it was sought.
+  /// With the option `repairs`, one entry for each of `holes`, absent if the kind of the curve is not `hole`. A repair
+  /// is of kind `none` also if the curve has changed since the repair was sought.
   std::vector<std::optional<SuggestedRepair>> repairs = {};
   /// Counts of dropped components. If none was dropped, the totals are 0 as well, except with `watertight`.
   DroppedComponents dropped = {};

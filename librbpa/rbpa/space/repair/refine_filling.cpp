@@ -325,7 +325,7 @@ class Refining {
       }
     }
     meshops::require(point.size() < std::size_t{1} << 31U,
-                     "refine_filling: there would be 2^31 points or more, expected fewer");
+                     "refine_filling: there would be 2^31 points or more, expected fewer (refine fewer fillings)");
     space::LinkedTriangles linked = space::linked_triangles(triangles, point, step);
     result.surface.triangles = std::move(linked.triangles);
     result.surface.neighbors = std::move(linked.neighbors);

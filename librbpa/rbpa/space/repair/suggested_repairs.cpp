@@ -140,7 +140,8 @@ class LargerBall {
     const auto t = static_cast<std::uint32_t>(std::lower_bound(all.begin(), all.end(), corners) - all.begin());
     for (std::size_t k = 0; k < 3; ++k)
       if (corners[(k + 2) % 3] == from && corners[(k + 1) % 3] == to) return {t, k};
-    throw meshops::ContractViolation("suggested_repairs: a hole has an edge that is not a side of its triangle");
+    throw meshops::ContractViolation(
+        "suggested_repairs: a hole has an edge that is not a side of its triangle, expected holes() of this surface");
   }
 
   static double least_radius_of(const std::vector<Triangle>& triangles, const std::vector<Point3>& points,

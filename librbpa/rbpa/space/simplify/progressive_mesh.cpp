@@ -137,7 +137,8 @@ Halfedge split_as_read(Connectivity& mesh, NumbersIn& in, Numbering& vertices, N
   const auto require = [&, i = vertices.all.size()](const std::optional<meshops::Blocker>& blocker) {
     if (blocker) require_bytes(false, "vertex ", i, " would break the mesh: ", meshops::describe(*blocker));
   };
-  require_bytes(left != right, "found a split between equal halfedges, expected different ones");
+  require_bytes(left != right,
+                "found a split between equal halfedges, expected different ones (write the bytes again)");
   require(meshops::split_vertex_blocker(mesh, left, right));
   const meshops::SplitVertexEffect effect = meshops::split_vertex(mesh, left, right);
   const Halfedge along = effect.halfedge, across = mesh.opposite_halfedge_handle(along);

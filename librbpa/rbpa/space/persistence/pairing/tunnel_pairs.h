@@ -59,7 +59,7 @@ class Tunnels {
   std::vector<std::uint32_t> rank_;   // for each edge: its rank in the filtration, from 1
   std::vector<bool> joins_;           // for each edge: whether it ends a component
   std::vector<std::uint32_t> owner_;  // for each edge that is a pivot: the triangle of its column
-  // For each such edge: the number of its column, or none where the column is the triangle's boundary
+  // for each edge that is a pivot: the index of its column in columns_; none if that is the boundary of owner_
   std::vector<std::uint32_t> kept_;
   std::vector<std::vector<ColumnEntry>> columns_;
   std::vector<std::uint32_t> free_;

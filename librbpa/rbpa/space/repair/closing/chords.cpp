@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t all_up_to = 256;  // corners; up to this number all chords are candidates
 constexpr std::size_t nearest = 24, along = 8;
 
-/// Adds the chords of one level: from each of `corners` to the 24 nearest of them, and to the next 8 along the rim.
+/// Adds the chords of one level: from each of `corners` to its 24 nearest others, and to the next 8 along the rim.
 /// Requires: more than 24 corners.
 void add_level(const Rim& rim, std::span<const std::uint32_t> corners, std::vector<Chord>& chords,
                meshops::Steps& step) {
@@ -28,7 +28,7 @@ void add_level(const Rim& rim, std::span<const std::uint32_t> corners, std::vect
   double reach = 1;  // for the first corner all; for each other one a bit more than the corner before needed
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const auto is_within = [&](const auto& other) { return other.first <= reach * reach; };
-    // The box is a bit wider than the reach, so that rounding leaves out no corner within it.
+    // The box is a bit wider than the reach, so that rounding leaves out no corner within the reach.
     for (bool enough = false; !enough; reach *= enough ? 1 : 2) {
       others.clear();
       const double wide = reach * (1 + 0x1p-30);

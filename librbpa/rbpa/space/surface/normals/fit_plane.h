@@ -17,8 +17,8 @@ struct Plane {
   /// Confidence in the plane, 1 − the ratio of the two smaller eigenvalues: 1 in a plane, 0 in a ball or on a line.
   double flatness;
 
-  /// Returns whether the points determine the plane. Roundness is 0.28 at the straight rim of a sheet, and about 0 on
-  /// scan lines that are farther from each other than eight points along them.
+  /// Returns whether the points determine the plane: whether roundness is at least 0.03. Roundness is 0.28 at the
+  /// straight rim of a sheet, and about 0 on scan lines that are farther apart than eight points of a line reach.
   bool is_certain() const { return roundness >= 0.03; }
 };
 
