@@ -142,9 +142,9 @@ class Starter {
   }
   bool is_before_points() const {
     Lines behind(lines_.ahead(separator_sample));
-    const std::size_t least = kind_ == TableKind::any ? 2 : 6;
     behind.next();
-    return behind.next_with_content() && count_fields(behind.line(), separator_of(behind.line())).all >= least;
+    return behind.next_with_content() &&
+           count_fields(behind.line(), separator_of(behind.line())).all >= least_columns(kind_);
   }
 
   void lay_out(std::optional<char> said) {

@@ -1,7 +1,8 @@
 #include "io/cloud/table_layout.h"
 
 #include <algorithm>
-#include <initializer_list>
+#include <array>
+#include <cstddef>
 #include <string_view>
 #include <utility>
 
@@ -16,6 +17,22 @@ namespace rbpa::app {
 namespace {
 
 using FieldTexts = std::vector<std::string_view>;
+
+/// Columns that a table of a kind has without a header.
+struct KindRow {
+  TableKind kind;
+  std::array<std::string_view, 7> columns;  ///< if there are fewer, the others are empty
+
+  constexpr std::ptrdiff_t width() const { return std::find(columns.begin(), columns.end(), "") - columns.begin(); }
+};
+
+/// The columns of all kinds but `any`; those of a kind from the fewest to the most.
+constexpr KindRow kind_rows[] = {{TableKind::pts, {"x", "y", "z"}},
+                                 {TableKind::pts, {"x", "y", "z", "intensity"}},
+                                 {TableKind::pts, {"x", "y", "z", "red", "green", "blue"}},
+                                 {TableKind::pts, {"x", "y", "z", "intensity", "red", "green", "blue"}},
+                                 {TableKind::xyzn, {"x", "y", "z", "nx", "ny", "nz"}},
+                                 {TableKind::xyzrgb, {"x", "y", "z", "red", "green", "blue"}}};
 
 std::string found_fields(const TableBeginning& table) { return found_columns(table.fields.size(), table.lines.line()); }
 std::string here(const TableBeginning& table) { return at_line(table.lines.name(), table.lines.number()); }
@@ -99,21 +116,16 @@ void find_height_column(const FieldTexts& fields, TableLayout& layout) {
 
 /// Returns the names of the columns of a table of a kind other than any. Throws BadInput if the kind does not have as
 /// many columns.
-std::vector<std::string_view> names_of_kind(TableKind kind, const TableBeginning& table) {
-  const std::size_t width = table.fields.size();
-  std::vector<std::string_view> names;
-  const auto append = [&](bool has, std::initializer_list<std::string_view> more) {
-    if (has) names.insert(names.end(), more);
-  };
-  append(true, {"x", "y", "z"});
-  append(kind == TableKind::xyzn, {"nx", "ny", "nz"});
-  append(kind == TableKind::pts && (width == 4 || width == 7), {"intensity"});
-  append(kind == TableKind::xyzrgb || (kind == TableKind::pts && width >= 6), {"red", "green", "blue"});
-  if (names.size() == width) return names;
-  bad_input(here(table), found_fields(table),
-            kind == TableKind::xyzn     ? "6: x, y, z, nx, ny, nz"
-            : kind == TableKind::xyzrgb ? "6: x, y, z, red, green, blue"
-                                        : "3, 4, 6 or 7: x, y, z, intensity, red, green, blue");
+FieldTexts names_of_kind(TableKind kind, const TableBeginning& table) {
+  std::vector<std::string> widths, longest;
+  for (const KindRow& row : kind_rows) {
+    if (row.kind != kind) continue;
+    const FieldTexts names(row.columns.begin(), row.columns.begin() + row.width());
+    if (names.size() == table.fields.size()) return names;
+    widths.push_back(std::to_string(names.size()));
+    longest.assign(names.begin(), names.end());
+  }
+  bad_input(here(table), found_fields(table), listed(widths, " or ") + ": " + listed(longest, ", "));
 }
 
 /// Returns whether the table has the columns of its kind; if so, sets `layout`.
@@ -366,6 +378,12 @@ TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const Clo
       request.in_space ? lay_out_space(table, kind, request, warnings) : lay_out_plane(table, kind, request, warnings);
   if (!layout.wkt) doubt_coordinates(table, layout, request, TableSample(table), warnings);
   return layout;
+}
+
+std::size_t least_columns(TableKind kind) {
+  const auto row =
+      std::find_if(std::begin(kind_rows), std::end(kind_rows), [&](const KindRow& r) { return r.kind == kind; });
+  return row == std::end(kind_rows) ? 2 : static_cast<std::size_t>(row->width());
 }
 
 /// Reads a table whose columns, if no header names them, are x, y, z and then an intensity, a color or both. The first

@@ -21,13 +21,12 @@
 
 namespace rbpa::app {
 
-/// The kind of a table, by the ending of the file's name: the columns that it has without a header.
-enum class TableKind {
-  any,
-  pts,    ///< x y z, with an intensity, with red green blue, or with both
-  xyzn,   ///< x y z nx ny nz
-  xyzrgb  ///< x y z red green blue
-};
+/// The kind of a table, by the ending of the file's name. `kind_rows` of table_layout.cpp has the columns of each kind
+/// but `any` without a header.
+enum class TableKind { any, pts, xyzn, xyzrgb };
+
+/// Returns the least number of columns in a table of the kind.
+std::size_t least_columns(TableKind kind);
 
 struct TableLayout {
   bool header = false;                            ///< the first line is a header
