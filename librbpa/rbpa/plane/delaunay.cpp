@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "meshops/core/contract.h"
+#include "rbpa/base/arrays/distinct.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/plane/predicate/predicates.h"
 
@@ -24,6 +25,7 @@ void check(const AlphaComplex& delaunay, std::span<const Point> points, const Go
   require(delaunay.distinct + delaunay.duplicates.size() == points.size(), other_points);
   require(delaunay.triangles.empty() || delaunay.isolated.empty(),
           "the triangulation leaves points out, so it is not the Delaunay triangulation");
+  require_duplicates(function, delaunay.duplicates, points.size());
   require_linked(delaunay, points.size(), go_on);
   Steps step(go_on);
   for (const auto& [a, b, c] : delaunay.triangles) {

@@ -13,6 +13,7 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/core/progress.h"
+#include "rbpa/base/arrays/distinct.h"
 #include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/progress.h"
@@ -357,6 +358,7 @@ std::vector<SuggestedRepair> suggested_repairs(std::span<const Point3> points, s
   space::check_points(points);
   space::check_normals(points, normals);
   require_linked(space::arrays_of(surface), points.size());
+  require_duplicates("suggested_repairs", surface.duplicates, points.size());
   for (const Hole& hole : holes) {
     const std::string name = "suggested_repairs: found hole " + std::to_string(&hole - holes.data());
     const char* const expected = ", expected the result of holes() for these points and this surface";

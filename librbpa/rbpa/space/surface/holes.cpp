@@ -7,6 +7,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/arrays/boundary_walk.h"
+#include "rbpa/base/arrays/distinct.h"
 #include "rbpa/base/progress.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/base/triangle_arrays.h"
@@ -135,6 +136,7 @@ std::vector<Hole> holes(std::span<const Point3> points, std::span<const Point3> 
   space::check_radii(radii);
   space::check_points(points);
   space::check_normals(points, normals);
+  require_duplicates("holes", surface.duplicates, points.size());
   const auto level_of = [&](std::uint32_t t) { return surface.levels.empty() ? 0 : surface.levels[t]; };
   if (!surface.levels.empty() || radii.size() != 1)
     meshops::require_one_each("holes", surface.levels.size(), "levels", surface.triangles.size(), "triangles");

@@ -111,6 +111,7 @@ std::vector<UnusedPoint> unused_points(std::span<const Point3> points, std::span
   space::check_points(points);
   if (!normals.empty()) space::check_normals(points, normals);
   require_linked(space::arrays_of(surface), points.size());
+  require_duplicates("unused_points", surface.duplicates, points.size());
 
   const GoOn go_on = go_on_of(options.progress, points.size(), surface.triangles.size());
   Steps step(go_on);

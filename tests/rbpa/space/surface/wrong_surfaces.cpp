@@ -95,6 +95,15 @@ Calls calls_on_surfaces() {
   };
 }
 
+Calls calls_with_duplicates() {
+  Calls calls = calls_on_surfaces();
+  std::erase_if(calls, [](const auto& call) {
+    const std::string_view name = call.first;
+    return name != "holes" && name != "suggested_repairs" && name != "unused_points";
+  });
+  return calls;
+}
+
 /// Returns how a call ended.
 std::string end_of(const std::function<void()>& call) {
   try {
@@ -125,6 +134,22 @@ TEST_CASE("every function of surfaces refuses invalid ones, and takes one withou
     }
     const auto& called = call;
     CHECK(end_of([&] { called(Surface()); }) == "done");
+  }
+}
+
+TEST_CASE("duplicates that are not those of the points are refused") {
+  const std::vector<std::vector<rbpa::Duplicate>> broken = {{{4, 0}}, {{none, 0}},      {{3, 4}},         {{3, 3}},
+                                                            {{2, 3}}, {{3, 0}, {3, 0}}, {{3, 0}, {2, 0}}, {{3, none}}};
+  for (const auto& [name, call] : calls_with_duplicates()) {
+    const auto& shown_name = name;
+    CAPTURE(std::string(shown_name));
+    const auto& called = call;
+    for (const std::vector<rbpa::Duplicate>& duplicates : broken) {
+      Surface surface = rbpa::surface_of(places, std::vector<Row>{{0, 1, 2}});
+      surface.duplicates = duplicates;
+      CAPTURE(duplicates.back().index);
+      CHECK(end_of([&] { called(surface); }) == "refused");
+    }
   }
 }
 
