@@ -95,6 +95,10 @@ SurfaceOfTriangles surface_of(const meshops::Connectivity& mesh, std::span<const
     if (h != first)
       throw meshops::ContractViolation("surface_of: face " + std::to_string(f) +
                                        " does not have three sides (meshops::triangulate_face() cuts it)");
+    const Point3 &a = places[corners[0]], &b = places[corners[1]], &c = places[corners[2]];
+    if (a == b || b == c || c == a)
+      throw InvalidInput("face " + std::to_string(f) +
+                         ": two corners are at one place (meshops::repair() drops such triangles)");
   }
   std::vector<std::uint32_t> vertex, number_of_vertex(mesh.n_vertices());
   std::vector<Point3> live;  // a deleted vertex is no point
@@ -102,7 +106,11 @@ SurfaceOfTriangles surface_of(const meshops::Connectivity& mesh, std::span<const
     const auto at = static_cast<std::size_t>(v.idx());
     number_of_vertex[at] = static_cast<std::uint32_t>(live.size());
     vertex.push_back(static_cast<std::uint32_t>(at));
-    live.push_back(places[at]);
+    const Point3& p = places[at];
+    if (!is_finite(p))
+      throw InvalidInput("vertex " + std::to_string(at) + " is (" + text(p.x) + ", " + text(p.y) + ", " + text(p.z) +
+                         "), expected finite coordinates");
+    live.push_back(p);
   }
   for (auto& corners : triangles)
     for (std::uint32_t& corner : corners) corner = number_of_vertex[corner];

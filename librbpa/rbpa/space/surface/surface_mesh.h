@@ -2,9 +2,10 @@
 // Law:  the mesh is an oriented 2-manifold with boundary, glued as the surface is. Every fan of triangles at a point
 //       has a vertex of its own. The surface of a mesh is glued as the mesh is: its surface_mesh() is the mesh again,
 //       up to handles and isolated vertices.
-// Cost: linear, and a sort of the vertices.
+// Cost: linear, and a sort of the vertices; surface_of() also sorts the triangles.
 #pragma once
 
+#include <OpenMesh/Core/Utils/vector_traits.hh>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,8 +22,10 @@
 namespace rbpa {
 
 struct SurfaceMesh {
-  Mesh mesh;                               ///< face i is triangle i of the surface, with the same orientation
-  std::vector<std::uint32_t> input_index;  ///< input index of the point of each vertex; ascending
+  /// Mesh without status (meshops::request_status()); face i is triangle i of the surface, with the same orientation.
+  Mesh mesh;
+  /// The input index of the point of each vertex, ascending. A point has a vertex for each of its fans, perhaps none.
+  std::vector<std::uint32_t> input_index;
 };
 
 /// Builds the halfedge mesh of a surface.
@@ -33,9 +36,10 @@ RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, const Surface&
 /// Builds the same mesh, and empties `surface` as soon as it is not needed, to free its memory.
 RBPA_API SurfaceMesh surface_mesh(std::span<const Point3> points, Surface&& surface);
 
-/// Returns the position of each vertex of an OpenMesh mesh, by index; the origin for vertices marked deleted.
+/// Returns the position of each vertex of an OpenMesh mesh in space, by index; the origin for vertices marked deleted.
 template <meshops::HasPoints AnyMesh>
-std::vector<Point3> places_of(const AnyMesh& mesh) {
+requires(OpenMesh::vector_traits<typename AnyMesh::Point>::size_ ==
+         3) std::vector<Point3> places_of(const AnyMesh& mesh) {
   std::vector<Point3> places(mesh.n_vertices());
   for (const meshops::Vertex v : meshops::live_vertices(mesh)) {
     const auto& p = mesh.point(v);

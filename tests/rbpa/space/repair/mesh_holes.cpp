@@ -219,8 +219,11 @@ TEST_CASE("a mesh whose holes cannot be filled is refused and not changed") {
   make_torus(larger, 30, 20);
   remove_around(larger, Vertex(500));
   CHECK_THROWS_AS(rbpa::fill_holes(mesh, meshops::boundary_curves(larger)), meshops::ContractViolation);
-  mesh.set_point(Vertex(3), {0, std::numeric_limits<double>::infinity(), 0});
+  mesh.set_point(Vertex(50), {0, std::numeric_limits<double>::infinity(), 0});  // behind the removed vertex
   CHECK_THROWS_AS(rbpa::fill_holes(mesh, curves), rbpa::InvalidInput);
+  CHECK_THROWS_WITH_AS(rbpa::surface_of(mesh), "vertex 50 is (0, inf, 0), expected finite coordinates",
+                       rbpa::InvalidInput);
+  mesh.set_point(Vertex(50), mesh.point(*mesh.vv_begin(Vertex(50))));
   CHECK_THROWS_AS(rbpa::surface_of(mesh), rbpa::InvalidInput);
   CHECK(mesh.n_faces() == faces);
 
