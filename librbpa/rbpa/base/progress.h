@@ -1,6 +1,7 @@
 // What: how a run is carried out: its threads, and the callbacks that see its progress and can cancel it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -38,6 +39,16 @@ inline void stop_if_cancelled(const OnProgress& progress, const Progress& counts
 inline GoOn go_on_of(const OnProgress& progress, std::size_t points, std::size_t triangles = 0) {
   if (!progress) return {};
   return [&progress, points, triangles] { return progress({triangles, points}); };
+}
+
+/// Returns a callback that calls `progress` with the greatest number of triangles so far, so that it never falls. The
+/// result is empty if `progress` is; else it keeps a reference to `progress`, and copies of it count apart.
+inline OnProgress rising(const OnProgress& progress) {
+  if (!progress) return {};
+  return [&progress, most = std::size_t{0}](const Progress& now) mutable {
+    most = std::max(most, now.triangles);
+    return progress({most, now.points});
+  };
 }
 
 /// Returns a function that ignores the counts and calls `go_on`. The result is empty if `go_on` is; else it keeps a

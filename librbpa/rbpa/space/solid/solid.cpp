@@ -135,9 +135,12 @@ void insert_all(std::span<const Point3> points, double alpha, const SolidOptions
 
 }  // namespace
 
-Solid solid(std::span<const Point3> points, double alpha, const SolidOptions& options) {
+Solid solid(std::span<const Point3> points, double alpha, const SolidOptions& given) {
   if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
   space::check_points(points);
+  const OnProgress progress = rising(given.progress);  // one way to find tetrahedra may be given up for another
+  SolidOptions options = given;
+  if (progress) options.progress = [&](const Progress& now) { return progress(now); };
   const auto checkpoint = checkpoint_of(options.progress, points.size());
   if (checkpoint) checkpoint();
   Solid solid;

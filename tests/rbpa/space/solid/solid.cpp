@@ -423,6 +423,16 @@ TEST_CASE("a solid has the same bytes with any number of threads; a run can be w
   const Solid without = solid(points, 0.1, {.neighbors = false});
   CHECK(without.simplices == one.simplices);
   CHECK(without.neighbors.empty());
+  Points3 grid;  // of which many spheres pass through eight points, so that triples are given up for insertion
+  for (int i = 0; i < 30 * 30 * 30; ++i)
+    grid.push_back({static_cast<double>(i % 30), static_cast<double>(i / 30 % 30), static_cast<double>(i / 900)});
+  last = 0;
+  solid(grid, 1, {.threads = 1, .progress = [&](const rbpa::Progress& p) {
+                    CHECK(p.triangles >= last);
+                    last = p.triangles;
+                    return true;
+                  }});
+  CHECK(last == grid.size());
   for (const std::size_t calls_before : {0u, 1u, 3u}) {
     std::size_t left = calls_before;
     CHECK_THROWS_AS(solid(points, 1, {.progress = [&](auto) { return left-- > 0; }}), rbpa::Cancelled);
