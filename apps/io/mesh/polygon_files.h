@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -105,9 +106,10 @@ void write_ply(OutputFile& file, const Mesh& mesh) {
 /// Writes a mesh. Requires: `format` is off, obj or ply.
 template <typename Mesh>
 void write_polygons(OutputFile& file, Format format, const Mesh& mesh) {
-  if (format == Format::off) write_off(file, mesh);
-  if (format == Format::obj) write_obj(file, mesh);
-  if (format == Format::ply) write_ply(file, mesh);
+  if (format == Format::off) return write_off(file, mesh);
+  if (format == Format::obj) return write_obj(file, mesh);
+  if (format == Format::ply) return write_ply(file, mesh);
+  throw std::logic_error("write_polygons: found a format without a writer, expected off, obj or ply");
 }
 
 /// Writes `rows` as an .npy array of uint32 with shape (n, columns). If `index` is not empty, it has the input index of

@@ -1,6 +1,7 @@
 #include "io/mesh/read_mesh.h"
 
 #include <limits>
+#include <stdexcept>
 
 #include "io/bytes/input_bytes.h"
 #include "io/cloud/cloud.h"
@@ -15,7 +16,8 @@ MeshFile parse(Format format, std::string_view bytes, const std::string& name) {
   if (format == Format::off) return read_off_mesh(bytes, name);
   if (format == Format::ply) return read_ply_mesh(bytes, name);
   if (format == Format::obj) return read_obj_mesh(bytes, name);
-  return read_stl_mesh(bytes, name);
+  if (format == Format::stl) return read_stl_mesh(bytes, name);
+  throw std::logic_error("read_mesh: found a format without a reader, expected off, ply, obj or stl");
 }
 
 }  // namespace
