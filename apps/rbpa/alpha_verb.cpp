@@ -67,7 +67,7 @@ void write(OutputFile& out, const AlphaReport& report, const AlphaArguments& arg
 
 void run_alpha(const AlphaArguments& arguments) {
   if (is_in_space(arguments.dimension)) return run_space_alpha(arguments);
-  if (arguments.ask_for_groups()) return run_group_alpha(arguments);
+  if (arguments.has_groups()) return run_group_alpha(arguments);
   const Radii request = parse_radii(arguments);
   const ComplexKind kind = parse_complex(arguments);
   const RunOptions options = parse_run(arguments.run);

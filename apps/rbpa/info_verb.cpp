@@ -179,7 +179,7 @@ void run_group_info(const InfoArguments& arguments) {
 }  // namespace
 
 void run_info(const InfoArguments& arguments) {
-  if (arguments.ask_for_groups()) return run_group_info(arguments);
+  if (arguments.has_groups()) return run_group_info(arguments);
   PointSource source = parse_source(arguments);
   source.scan_counts = true;
   std::vector<std::string> outputs = given({"-", arguments.stats});

@@ -78,27 +78,28 @@ void write_obj_with_all(OutputFile& file, const TriangleMesh& mesh) {
 
 }  // namespace
 
-TriangleList list_of_triangles(const TriangleMesh& mesh, const std::optional<Crs>& crs, bool degrees) {
-  TriangleList list{.count = mesh.triangles.size(),
-                    .corners =
-                        [mesh](std::size_t t) {
-                          std::array<Point3, 3> corners;
-                          for (std::size_t k = 0; k < 3; ++k) {
-                            const auto [x, y, z] = mesh.position(mesh.triangles[t][k]);
-                            corners[k] = {x, y, z};
-                          }
-                          return corners;
-                        },
-                    .has_z = !mesh.z.empty(),
-                    .attributes = {},
-                    .points = mesh.vertices,
-                    .crs = crs,
-                    .degrees = degrees};
+TriangleTable table_of_triangles(const TriangleMesh& mesh, const std::optional<Crs>& crs, bool degrees) {
+  TriangleTable table{.count = mesh.triangles.size(),
+                      .corners =
+                          [mesh](std::size_t t) {
+                            std::array<Point3, 3> corners;
+                            for (std::size_t k = 0; k < 3; ++k) {
+                              const auto [x, y, z] = mesh.position(mesh.triangles[t][k]);
+                              corners[k] = {x, y, z};
+                            }
+                            return corners;
+                          },
+                      .has_z = !mesh.z.empty(),
+                      .attributes = {},
+                      .points = mesh.vertices,
+                      .crs = crs,
+                      .degrees = degrees};
   if (!mesh.levels.empty())
-    list.attributes.push_back({.name = "level", .number = [levels = mesh.levels](std::size_t t) { return levels[t]; }});
-  if (mesh.features == nullptr) return list;
+    table.attributes.push_back(
+        {.name = "level", .number = [levels = mesh.levels](std::size_t t) { return levels[t]; }});
+  if (mesh.features == nullptr) return table;
   const TriangleFeatures& features = *mesh.features;
-  TriangleAttribute& which = list.attributes.emplace_back();
+  TriangleAttribute& which = table.attributes.emplace_back();
   which.name = features.name;
   if (features.names.empty())
     which.number = [&features](std::size_t t) { return features.of_triangle[t]; };
@@ -110,11 +111,11 @@ TriangleList list_of_triangles(const TriangleMesh& mesh, const std::optional<Crs
     which.text = [&features](std::size_t t) { return features.names[features.of_triangle[t]]; };
   for (const FeatureNumbers& numbers : features.numbers) {
     if (!features.names.empty() && numbers.name == "name") continue;  // the feature's own name is there already
-    list.attributes.push_back({.name = numbers.name, .number = [&features, values = numbers.values](std::size_t t) {
-                                 return values[features.of_triangle[t]];
-                               }});
+    table.attributes.push_back({.name = numbers.name, .number = [&features, values = numbers.values](std::size_t t) {
+                                  return values[features.of_triangle[t]];
+                                }});
   }
-  return list;
+  return table;
 }
 
 void write_triangles(OutputFile& file, Format format, const TriangleMesh& mesh) {

@@ -80,7 +80,7 @@ void write_triangles(OutputFile& file, Format format, const TriangleMesh& mesh);
 
 /// Returns the triangles for geographic information systems: attributes of each are the number or name of its feature,
 /// the numbers of that feature, and its level. Views the data that the mesh views.
-TriangleList list_of_triangles(const TriangleMesh& mesh, const std::optional<Crs>& crs, bool degrees);
+TriangleTable table_of_triangles(const TriangleMesh& mesh, const std::optional<Crs>& crs, bool degrees);
 
 /// Writes VTU with appended raw data, little-endian: cells are the triangles, then the edges, then the points. Cell
 /// data are, if the mesh has features, the number of each cell's feature in an array with the name features->name, and

@@ -252,7 +252,7 @@ class OgrWriter {
     }
   }
 
-  void write_triangles(const TriangleList& triangles) {
+  void write_triangles(const TriangleTable& triangles) {
     OGRLayer& layer = create_layer("triangles", triangles.has_z ? wkbPolygon25D : wkbPolygon);
     add_field(layer, "number", OFTInteger64);
     for (const TriangleAttribute& attribute : triangles.attributes)
@@ -385,7 +385,7 @@ std::vector<OgrFile> ogr_groups(Format format, const NamedShapes& groups) {
   return writer.files();
 }
 
-std::vector<OgrFile> ogr_triangles(Format format, const TriangleList& triangles) {
+std::vector<OgrFile> ogr_triangles(Format format, const TriangleTable& triangles) {
   OgrWriter writer(format, triangles.crs);
   writer.write_triangles(triangles);
   return writer.files();

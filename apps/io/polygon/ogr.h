@@ -42,7 +42,7 @@ std::vector<OgrFile> ogr_polygons(Format format, const Shape& shape);
 /// as in GeoJSON. A group without a polygon has no geometry, and is left out of a FlatGeobuf.
 std::vector<OgrFile> ogr_groups(Format format, const NamedShapes& groups);
 /// Returns the files of triangles with number and attributes, and with heights if triangles.has_z.
-std::vector<OgrFile> ogr_triangles(Format format, const TriangleList& triangles);
+std::vector<OgrFile> ogr_triangles(Format format, const TriangleTable& triangles);
 /// Returns the files of the points in no polygon, with their input indices and their fields.
 std::vector<OgrFile> ogr_isolated(Format format, const Shape& shape);
 

@@ -336,7 +336,7 @@ void write_value(OutputFile& file, double value) {
 
 }  // namespace
 
-void write_triangles_geojson(OutputFile& file, const TriangleList& triangles) {
+void write_triangles_geojson(OutputFile& file, const TriangleTable& triangles) {
   const bool cuts = is_cut_in_geojson(triangles.points, triangles.crs, triangles.degrees);
   file.write(geojson_collection(triangles.crs));
   for (std::size_t i = 0; i < triangles.count; ++i) {

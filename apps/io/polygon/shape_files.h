@@ -154,7 +154,7 @@ struct TriangleAttribute {
   std::function<std::string(std::size_t)> text = {};  ///< value of triangle i; set only if the attribute is a text
 };
 
-struct TriangleList {
+struct TriangleTable {
   std::size_t count = 0;
   std::function<std::array<Point3, 3>(std::size_t)> corners = {};  ///< corners of triangle i, counter-clockwise
   bool has_z = false;                                              ///< positions have three numbers, not two
@@ -166,6 +166,6 @@ struct TriangleList {
 
 /// Writes a FeatureCollection with a Feature for each triangle: a Polygon with the properties "number", from 1, and the
 /// attributes.
-void write_triangles_geojson(OutputFile& file, const TriangleList& triangles);
+void write_triangles_geojson(OutputFile& file, const TriangleTable& triangles);
 
 }  // namespace rbpa::app

@@ -17,7 +17,7 @@ PointFile read_ogr_points(const std::string& /*source*/, const std::optional<std
 }
 std::vector<OgrFile> ogr_polygons(Format /*format*/, const Shape& /*shape*/) { refuse(); }
 std::vector<OgrFile> ogr_groups(Format /*format*/, const NamedShapes& /*groups*/) { refuse(); }
-std::vector<OgrFile> ogr_triangles(Format /*format*/, const TriangleList& /*triangles*/) { refuse(); }
+std::vector<OgrFile> ogr_triangles(Format /*format*/, const TriangleTable& /*triangles*/) { refuse(); }
 std::vector<OgrFile> ogr_isolated(Format /*format*/, const Shape& /*shape*/) { refuse(); }
 
 }  // namespace rbpa::app

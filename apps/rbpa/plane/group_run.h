@@ -25,7 +25,7 @@ struct GroupRequest {
 
 /// Parses the command line, and reads no file. Throws WrongUsage that names the value; Failure if a target cannot be
 /// written there.
-/// Requires: arguments.ask_for_groups(), and `targets` are parsed from the arguments.
+/// Requires: arguments.has_groups(), and `targets` are parsed from the arguments.
 GroupRequest parse_group_request(const ComplexArguments& arguments, const std::vector<Target>& targets);
 
 struct GroupRun : Run {

@@ -28,7 +28,7 @@ ComplexKind parse_complex(const MeshArguments& arguments, const Method& method) 
   return ComplexKind::full;
 }
 
-std::string said(const AlphaComplex& made, ComplexKind kind) {
+std::string counts_text(const AlphaComplex& made, ComplexKind kind) {
   std::string text = counted(made.triangles.size(), "triangle");
   if (kind == ComplexKind::solid) return text + ", " + std::to_string(made.isolated.size()) + " isolated";
   text += ", " + counted(made.edges.size(), "edge") + " in no triangle";
@@ -39,8 +39,14 @@ void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Bu
                    bool compacted) {
   const ProgressLine line = run.writing();
   const AlphaComplex& made = built.complex;
-  const TriangleMesh whole{run.points(), made.triangles, made.edges,     made.points,        nullptr,
-                           built.level,  run.file.z,     run.file.index, {run.file.kept, {}}};
+  const TriangleMesh whole{.vertices = run.points(),
+                           .triangles = made.triangles,
+                           .edges = made.edges,
+                           .points = made.points,
+                           .levels = built.level,
+                           .z = run.file.z,
+                           .index = run.file.index,
+                           .fields = {run.file.kept, {}}};
   std::optional<CompactMesh> compact;
   std::optional<Drawing> drawing;
   for (const Target& target : targets) {
@@ -61,7 +67,7 @@ void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Bu
 }  // namespace
 
 void run_mesh(const MeshArguments& arguments) {
-  if (arguments.ask_for_groups()) return run_group_meshes(arguments);
+  if (arguments.has_groups()) return run_group_meshes(arguments);
   ComplexRequest request = parse_request(arguments);
   const ComplexKind kind = parse_complex(arguments, request.method);
   std::optional<Format> levels;
@@ -97,7 +103,7 @@ void run_mesh(const MeshArguments& arguments) {
     const std::string what = kind == ComplexKind::full ? "there is no triangle: " : "the complex is empty: ";
     say("rbpa", what + run.why_empty(made.distinct));
   }
-  run.summarize(made.duplicates.size(), said(made, kind), list_of(targets));
+  run.summarize(made.duplicates.size(), counts_text(made, kind), list_of(targets));
 }
 
 }  // namespace rbpa::app

@@ -23,7 +23,7 @@ struct GroupSources {
   std::optional<std::string> radius = std::nullopt;  ///< name of the column with the radius of each group
 };
 
-/// Parses from where points and their groups are read. Requires: groups.ask_for_groups(). Throws WrongUsage that names
+/// Parses from where points and their groups are read. Requires: groups.has_groups(). Throws WrongUsage that names
 /// the value.
 GroupSources parse_group_sources(const PointArguments& arguments, const GroupArguments& groups,
                                  const std::optional<std::string>& radius = std::nullopt);

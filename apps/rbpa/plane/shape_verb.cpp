@@ -113,7 +113,7 @@ double bytes_a_point(const ComplexRequest& request) {
 }  // namespace
 
 void run_shape(const ShapeArguments& arguments) {
-  if (arguments.ask_for_groups()) return run_group_shapes(arguments);
+  if (arguments.has_groups()) return run_group_shapes(arguments);
   ComplexRequest request = parse_request(arguments);
   request.bytes_a_point = bytes_a_point(request);
   const PolygonFilter filter{.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),

@@ -11,7 +11,7 @@ namespace rbpa::app {
 
 void add_triangles(Run& run, const Target& target, const TriangleMesh& mesh, const PointFile& about) {
   stop_if_interrupted();
-  const auto list = [&] { return list_of_triangles(mesh, about.crs, about.degrees); };
+  const auto list = [&] { return table_of_triangles(mesh, about.crs, about.degrees); };
   if (is_ogr(target.format)) return add_ogr(run, target, ogr_triangles(target.format, list()));
   run.add(target.path, [&](OutputFile& file) {
     target.format == Format::geojson ? write_triangles_geojson(file, list())

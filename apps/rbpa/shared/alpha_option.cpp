@@ -103,7 +103,7 @@ std::optional<double> choose_alpha(const AlphaChoice& choice, const std::vector<
   return chosen.alpha;
 }
 
-std::string said(const AlphaOption& option, std::optional<double> alpha) {
+std::string alpha_text(const AlphaOption& option, std::optional<double> alpha) {
   if (option.rule == AlphaRule::given)
     return option.converted.empty() ? "" : ", alpha " + text_of(option.radius) + option.converted;
   std::string text = ", alpha " + name_of(option) + " = " + text_of(alpha);

@@ -56,6 +56,6 @@ std::string warning_on_density(const std::vector<Plateau>& plateaus);
 
 /// Returns ", alpha auto = 0.25" for a summary, in digits that read back to the same radius; "" for a radius given by
 /// --alpha.
-std::string said(const AlphaOption& option, std::optional<double> alpha);
+std::string alpha_text(const AlphaOption& option, std::optional<double> alpha);
 
 }  // namespace rbpa::app

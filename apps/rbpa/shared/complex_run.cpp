@@ -61,7 +61,7 @@ std::string ComplexRun::why_empty(std::size_t distinct) const {
 }
 
 void ComplexRun::summarize(std::size_t duplicates, const std::string& made, const std::string& targets) const {
-  Run::summarize(text_of_points(points().size(), duplicates) + ", " + made + said(request.alpha, stats.alpha) +
+  Run::summarize(text_of_points(points().size(), duplicates) + ", " + made + alpha_text(request.alpha, stats.alpha) +
                  targets);
 }
 

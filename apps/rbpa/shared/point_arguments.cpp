@@ -30,7 +30,7 @@ void require_molecule(Format format, const std::string& option, const std::strin
                  readable(Use::space, [](const CloudFormat& reader) { return reader.is_molecule; }));
 }
 
-bool GroupArguments::ask_for_groups() const {
+bool GroupArguments::has_groups() const {
   if (group_by && group_by_file) throw WrongUsage("--group-by-file cannot be combined with --group-by");
   if (inputs.size() > 1 && !group_by && !group_by_file)
     bad_usage(

@@ -57,7 +57,7 @@ struct GroupArguments {
 
   /// Returns whether groups are requested. Throws WrongUsage for several files without a request for groups, and for
   /// two requests.
-  bool ask_for_groups() const;
+  bool has_groups() const;
 };
 
 /// Parses from where, and how, points are read, with `columns` for groups; the format as parse_format(). Throws

@@ -26,11 +26,11 @@ PointFile Run::read_points(const PointSource& source) const {
   PointSource limited = source;
   limited.threads = options_.threads;
   PointFile file = read([&] { return rbpa::app::read_points(limited); });
-  const auto remark_on = [&](const std::string& text) { summarize(input_name(source.path) + ": " + text); };
-  for (const std::string& text : file.warnings) remark_on(text);
+  const auto warn = [&](const std::string& text) { summarize(input_name(source.path) + ": " + text); };
+  for (const std::string& text : file.warnings) warn(text);
   require_fields(file.kept, source.keeps, input_name(source.path));
   if (file.heights.differ() && !source.heights)
-    remark_on("z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface and rbpa solid use it)");
+    warn("z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface and rbpa solid use it)");
   return file;
 }
 

@@ -22,7 +22,7 @@ struct MeshArguments : ComplexArguments {
   bool compact = false;
 };
 void run_mesh(const MeshArguments& arguments);
-/// Runs `rbpa mesh` for each group of the points. Requires: arguments.ask_for_groups().
+/// Runs `rbpa mesh` for each group of the points. Requires: arguments.has_groups().
 void run_group_meshes(const MeshArguments& arguments);
 
 /// The arguments of `rbpa shape`: from a file of points to files of polygons and pictures.
@@ -33,7 +33,7 @@ struct ShapeArguments : ComplexArguments {
   std::optional<std::string> fields, summarize;
 };
 void run_shape(const ShapeArguments& arguments);
-/// Runs `rbpa shape` for each group of the points. Requires: arguments.ask_for_groups().
+/// Runs `rbpa shape` for each group of the points. Requires: arguments.has_groups().
 void run_group_shapes(const ShapeArguments& arguments);
 
 /// The arguments of verbs that compute all radii.
@@ -63,7 +63,7 @@ struct AlphaArguments : RadiiArguments, GroupArguments, RepresentativeArguments 
   std::string dimension = "2";
 };
 void run_alpha(const AlphaArguments& arguments);
-/// Prints the radii to choose for each group of the points. Requires: arguments.ask_for_groups().
+/// Prints the radii to choose for each group of the points. Requires: arguments.has_groups().
 void run_group_alpha(const AlphaArguments& arguments);
 
 /// The arguments of `rbpa report`, which writes a page that shows the complex at every radius.

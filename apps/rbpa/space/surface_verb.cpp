@@ -39,6 +39,7 @@ constexpr std::array<const char*, 13> step_texts{"looking for outliers",
                                                  "filling holes",
                                                  "refining fillings",
                                                  "decimating"};
+static_assert(step_texts.size() == static_cast<std::size_t>(ReconstructionStep::decimating) + 1);
 constexpr std::array source_names{"file", "estimate", "none"};  // indexed by NormalSource
 
 class SurfaceRun : public Run {
@@ -184,7 +185,6 @@ void SurfaceRun::write(SurfaceFacts& facts, const SplitFans& fans, SpacePoints& 
   add(request_.targets,
       [&](OutputFile& out, const Target& target) { files.write(out, target.format, request_.width); });
   if (arguments_.holes) add(*arguments_.holes, [&](OutputFile& out) { files.write_curves(out); });
-  if (!file.index.empty()) renumber(facts, file.index);
 }
 
 std::string SurfaceRun::summary(const SurfaceFacts& facts) const {
@@ -225,6 +225,7 @@ void SurfaceRun::run() {
   for (const Target& target : request_.targets)
     lines.push_back(text_of_shift(target.format, facts.points, facts.surface.triangles, request_.shift, target.path));
   write(facts, fans, file);
+  if (!file.index.empty()) renumber(facts, file.index);  // what follows names points by their input index
   facts.write_seconds = lap();
   if (arguments_.json) add("-", [&](OutputFile& out) { write_surface_json(out, facts); });
   if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& out) { write_surface_stats(out, facts); });

@@ -63,7 +63,7 @@ void triangulate_on_tiles(std::span<const Point> points, double alpha, const Alp
 }
 
 /// Computes the triangles of a radius, and the isolated points.
-AlphaComplex solid(std::span<const Point> points, double alpha, const AlphaComplexOptions& options) {
+AlphaComplex solid_complex(std::span<const Point> points, double alpha, const AlphaComplexOptions& options) {
   AlphaComplex result;
   if (points.size() >= small_set_limit || !triangulate_small_set(points, alpha, options, result))
     triangulate_on_tiles(points, alpha, options, result);
@@ -77,11 +77,11 @@ AlphaComplex solid(std::span<const Point> points, double alpha, const AlphaCompl
 
 AlphaComplex alpha_complex(std::span<const Point> points, double alpha, const AlphaComplexOptions& options) {
   check(points, alpha);
-  if (options.complex == ComplexKind::solid) return solid(points, alpha, options);
+  if (options.complex == ComplexKind::solid) return solid_complex(points, alpha, options);
   AlphaComplexOptions of_delaunay = options;
   of_delaunay.neighbors = true;
   of_delaunay.boundary = false;
-  AlphaComplex result = solid(points, std::numeric_limits<double>::infinity(), of_delaunay);
+  AlphaComplex result = solid_complex(points, std::numeric_limits<double>::infinity(), of_delaunay);
   result.edges = dangling_edges(points, alpha, result);
   keep_within(points, alpha, result);
   result.isolated = isolated_in(result, points.size());

@@ -21,7 +21,7 @@ using Step = ReconstructionStep;
 using Numbers = std::vector<std::uint32_t>;
 
 /// The points over which the ball rolls, with their normals.
-struct Cloud {
+struct RolledPoints {
   std::vector<Point3> points, normals;
   std::vector<Point3> unmoved = {};  // places in the result; empty: as `points`
   std::vector<double> confidence = {};
@@ -43,13 +43,13 @@ struct Cloud {
 };
 
 /// The whole input cloud, from which points are left out.
-struct WholeCloud {
+struct WholeInput {
   std::vector<Point3> points, normals;
   Numbers number = {};  // for each point that is not left out, its index in the input
 
   /// Copies the cloud, then removes the points `left_out` from it, with their normals and viewpoints.
   /// Requires: ascending indices.
-  WholeCloud(Cloud& cloud, std::vector<Point3>& viewpoints, std::span<const std::uint32_t> left_out)
+  WholeInput(RolledPoints& cloud, std::vector<Point3>& viewpoints, std::span<const std::uint32_t> left_out)
       : points(cloud.points), normals(cloud.normals) {
     std::size_t next = 0;
     for (std::uint32_t i = 0; i < points.size(); ++i)
@@ -371,8 +371,8 @@ class Reconstructing {
 
   ReconstructionOptions options_;
   SurfaceOptions run_;
-  Cloud cloud_;
-  std::optional<WholeCloud> whole_ = {};  // the whole input; only if points are left out
+  RolledPoints cloud_;
+  std::optional<WholeInput> whole_ = {};  // the whole input; only if points are left out
   Outliers outliers_ = {};
   std::vector<double> radii_ = {};  // radii of the balls that make the surface
   RepairsOfCurves repairs_ = {};
