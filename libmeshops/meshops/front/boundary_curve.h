@@ -13,16 +13,17 @@
 namespace meshops {
 
 /// The closed curve of the boundary halfedges through a given one, in the order of `next`. It is a view: it owns
-/// nothing, and is valid as long as the boundary does not change.
+/// nothing, and refers to the mesh. It and its iterators are valid until the boundary changes or garbage is collected;
+/// iterators do not refer to the curve.
 class MESHOPS_API BoundaryCurve {
  public:
   class Iterator {
    public:
     using iterator_concept = std::bidirectional_iterator_tag;
-    using iterator_category = std::bidirectional_iterator_tag;
+    using iterator_category = std::input_iterator_tag;  // `*it` is a value
     using value_type = Halfedge;
     using difference_type = std::ptrdiff_t;
-    using pointer = const Halfedge*;
+    using pointer = void;
     using reference = Halfedge;
 
     Iterator() = default;

@@ -4,7 +4,7 @@
 //         ends as exhausted, every edge that is left has no cost, is not allowed, or is refused by collapse_blocker()
 //         toward the end that would survive, provided that the policy decides by the triangles at the ends of an edge.
 // Cost:   for n edges, n costs and n log n steps of a queue; for each collapse, the costs of the edges at the survivor
-//         and of those edges at its neighbors that did not collapse in their turn.
+//         and of those edges at its neighbors that have no cost or did not collapse in their turn.
 // Source: Hoppe, Progressive meshes (1996); Garland and Heckbert (1997).
 #pragma once
 

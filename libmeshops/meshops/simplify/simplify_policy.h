@@ -1,5 +1,5 @@
-// What:   the functions by which a simplification decides: the cost of an edge, the place of the vertex to which the
-//         edge collapses, and whether that is allowed.
+// What:   the functions by which simplify() (simplify.h) decides: the cost of an edge, the place of the vertex to which
+//         the edge collapses, and whether that is allowed.
 // Source: Garland and Heckbert, Surface simplification using quadric error metrics (1997).
 #pragma once
 
@@ -18,15 +18,15 @@ namespace meshops {
 ///                           must not collapse. The least cost comes first
 ///   place(mesh, e)          returns the place of the vertex to which e would collapse: a value of any type, such as a
 ///                           point. Floating-point numbers and ranges of them must be finite, and so must values of
-///                           a type beside which is_finite(place) is declared
+///                           a type in whose namespace is_finite(place), a bool, is declared
 ///   allows(mesh, e, place)  returns whether e may collapse to this place
 ///   key(mesh, v)            returns a key of the vertex that does not depend on its number, such as its point. Edges
 ///                           of equal cost are ordered by the keys of their ends. If all keys differ and no two edges
 ///                           join the same vertices, the result does not depend on the numbers of elements
 /// The engine computes the cost of every edge at the beginning. It computes a cost again when an end of the edge was
-/// merged, and, for an edge that did not collapse in its turn, when a neighbor of an end was merged; other changes of
-/// triangles leave costs as they were. place() and allows() are called in the turn of the edge. No function may change
-/// the mesh.
+/// merged, and, for an edge that has no cost or did not collapse in its turn, when a neighbor of an end was merged;
+/// other changes of triangles leave costs as they were. place() and allows() are called in the turn of the edge. None
+/// of the four may change the mesh.
 template <typename P, typename Mesh>
 concept SimplifyPolicy = requires(P policy, const Mesh& mesh, Edge e, Vertex v) {
   { policy.cost(mesh, e) } -> std::convertible_to<std::optional<double>>;
@@ -41,8 +41,9 @@ using PlaceOf = std::remove_cvref_t<decltype(std::declval<P&>().place(std::declv
 /// Policy that keeps data for vertices, and merges the data of the two ends of an edge:
 ///   merge(mesh, effect, place)  is called when an edge has collapsed. It places the surviving vertex, and merges the
 ///                               data that the policy keeps for the two vertices. It may write points and properties
-///                               of the mesh, but no links. If it throws, the collapse is undone
-/// Without merge(), the engine sets the point of the survivor to the place, if the mesh has points.
+///                               of the mesh, but no links. If it throws, the collapse is undone, but not what it wrote
+/// Without merge(), the engine sets the point of the survivor to the place, if the mesh has points; the place must then
+/// convert to a point.
 template <typename P, typename Mesh>
 concept MergingPolicy = requires(P policy, Mesh& mesh, const WeldEffect& effect, const PlaceOf<P, Mesh>& place) {
   policy.merge(mesh, effect, place);
@@ -64,7 +65,8 @@ concept StoppingPolicy = requires(P policy, const Mesh& mesh, Edge e, double cos
 };
 
 /// Policy that declares `costs_grow`, a bool. The value true promises that the cost of an edge never falls when one of
-/// its ends is merged, as with sums of quadrics. The engine then computes a cost anew only in the turn of the edge.
+/// its ends is merged, as with sums of quadrics. The engine then computes the cost of a waiting edge anew only in its
+/// turn.
 template <typename P>
 concept GrowingPolicy = requires(const P policy) {
   { policy.costs_grow } -> std::convertible_to<bool>;

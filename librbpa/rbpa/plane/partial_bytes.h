@@ -1,6 +1,7 @@
 // What:   writes a Partial as bytes, and reads them on any machine.
 // Law:    partial_from_bytes(to_bytes(p)) has the bytes of p. Unless polygons or holes were removed, bytes do not
-//         depend on the order in which regions were merged. A checksum guards against truncated and changed bytes.
+//         depend on the order in which regions were merged. A checksum detects truncated bytes and bytes changed by
+//         accident, not those changed on purpose.
 // Source: docs/explanation/plane.md, section 22, has the format.
 #pragma once
 
@@ -14,13 +15,13 @@
 namespace rbpa {
 
 /// Returns `partial` as bytes.
-/// Cost: linear, and that of a sort of the polygons.
+/// Cost: linear, and that of a sort of the polygons and of the rings of unfinished components.
 RBPA_API std::vector<std::uint8_t> to_bytes(const Partial& partial);
 
 /// Returns the Partial that to_bytes() wrote.
-/// Throws: InvalidInput with what was found and expected, if the bytes are of another kind or version, do not have
-///         their size or checksum, or break a rule that to_bytes() keeps.
-/// Cost:   linear; n log n in the corners of the merged regions.
+/// Throws: InvalidInput with what was found and expected, if the bytes are of another kind or version, do not have the
+///         size or checksum that they state, or break a rule that to_bytes() keeps.
+/// Cost:   linear; n log n in the corners of the part of the plane that is merged.
 RBPA_API Partial partial_from_bytes(std::span<const std::uint8_t> bytes);
 
 }  // namespace rbpa

@@ -17,10 +17,14 @@ namespace rbpa {
 
 /// Returns at most four radii, ascending, in units of the points. The last radius spans the gaps between neighbors
 /// everywhere, except gaps that may be holes: gaps much larger than nearly all others, and gaps that reach beyond the
-/// 32 nearest neighbors. A smaller radius is added if a ball of less than half the size spans the gaps around more than
-/// one point in twenty; where densities differ much, radii differ by more than a factor of 2. If each point is on one
-/// line with its nearest neighbors, as on lines of points that are far apart, the only radius is half the diagonal of
-/// the box of the points. The result is empty for fewer than three distinct points, and for points on one line.
+/// 32 nearest neighbors. Gaps at outliers and at points whose neighbors lie in no plane do not count, if these are at
+/// most three points in ten. A smaller radius is added if a ball of less than half the size spans the gaps around more
+/// than one point in twenty; where densities differ much, radii differ by more than a factor of 2.
+/// If no point has a gap, as in tiny sets, the only radius is 1.25 times the median of the circumradii of points with
+/// their two nearest neighbors; if each point is on one line with its nearest neighbors, as on lines of points that are
+/// far apart, it is half the diagonal of the box of the points. The result is empty for fewer than three distinct
+/// points, and for points on one line. Distances below 1e-160 of the greatest coordinate count as 0; a radius that is 0
+/// or infinite in double is left out.
 /// Requires: finite points, fewer than 2^32 − 1.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API std::vector<double> auto_radii(std::span<const Point3> points, const SurfaceOptions& options = {});

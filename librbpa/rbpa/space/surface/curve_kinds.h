@@ -1,6 +1,7 @@
 // What: classifies boundary curves of a surface as holes, outer rims, or rims of small islands; finds the islands.
 // Law:  the result depends on the points and the triangles only, not on any order. The area that a curve encloses, seen
-//       along a direction, is the component of its vector area in that direction.
+//       along a direction, is the component of its vector area in that direction. Kinds are right if the areas of
+//       components are in the range of double: for sizes from about 1e-150 to 1e150.
 // Cost: linear in the edges of the curves and the components, and a sort of the curves.
 #pragma once
 

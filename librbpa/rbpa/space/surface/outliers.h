@@ -1,7 +1,8 @@
 // What:   finds outliers in space: points that are much farther from their nearest neighbors than most points are.
 // Law:    a function of the set of points, not of any order or thread; distances are rounded. Equal points count as
 //         one, and are outliers together. Multiplying all points by a power of two multiplies the median distance only.
-// Cost:   a search for the nearest points of each, about a third of the cost of estimate_normals().
+// Cost:   O(n log n), about a third of the cost of estimate_normals(). Memory: 4 · `neighbors` bytes a point, and a few
+//         copies of the points.
 // Source: Rusu, Marton, Blodow, Dolha, Beetz, Towards 3D point cloud based object maps (2008), with the median in place
 //         of mean and deviation, which outliers move.
 #pragma once
@@ -19,8 +20,8 @@ namespace rbpa {
 
 struct OutlierOptions {
   /// A point is an outlier if its distance to the neighbor of rank `neighbors` is more than `factor` times the median
-  /// of these distances at distinct points. If parts of a scan differ in density by more than `factor`, the sparse
-  /// parts are outliers too.
+  /// of these distances at distinct points (of an even number, the upper median). Sparse parts of a scan, with fewer
+  /// than half of the points, are outliers too if their spacing is more than `factor` times that of the rest.
   double factor = 4;
   /// Rank of the neighbor to which the distance is measured; 1 is the nearest other point. If there are fewer other
   /// points, the distance to the farthest counts. Groups of up to `neighbors` outliers close together are found.
@@ -31,11 +32,12 @@ struct OutlierOptions {
 
 struct Outliers {
   std::vector<std::uint32_t> points;  ///< input indices, ascending
-  /// The median distance, rounded, in units of the points; 0, and no outliers, for fewer than two distinct points.
+  /// The median distance, rounded, in units of the points; infinity beyond the largest double; 0, and no outliers, for
+  /// fewer than two distinct points.
   double distance = 0;
 };
 
-/// Finds the outliers.
+/// Finds the outliers, as OutlierOptions::factor defines them, and the median distance.
 /// Requires: finite points, fewer than 2^32 − 1; factor ≥ 1, neighbors ≥ 1.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API Outliers outliers(std::span<const Point3> points, const OutlierOptions& options = {});

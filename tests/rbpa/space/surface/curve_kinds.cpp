@@ -107,7 +107,7 @@ TEST_CASE("a curve of a component that is less than a hundredth of the largest i
   CHECK(kinds_of(alone, 1) == Kinds{CurveKind::rim, CurveKind::rim, CurveKind::rim});
 }
 
-TEST_CASE("kinds do not depend on the place or the size, up to the largest doubles") {
+TEST_CASE("kinds do not depend on the place or the size, where areas are in the range of double") {
   for (const double scale : {1e-140, 1.0, 1e140}) {
     CAPTURE(scale);
     Sheet sheet = zone(-1, 0.7);
