@@ -13,6 +13,7 @@
 
 namespace rbpa::app {
 
+/// A record of third coordinates that shows whether any two of them differ.
 class Heights {
  public:
   void take(double z) {
@@ -60,6 +61,7 @@ struct PointFacts {
   std::vector<std::string> warnings = {};
 };
 
+/// The points of a file in the plane, in memory.
 struct PointFile : PointFacts {
   std::vector<Point> points = {};  ///< in the order of the file, all finite
   bool keys_are_texts = false;     ///< some keys of groups are texts in the file, so that all count as texts

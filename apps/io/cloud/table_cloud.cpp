@@ -1,3 +1,9 @@
+// What: reads a table in text, a point per line: the reader of .csv, .xy, .pts and the like.
+// How:  1. start_table() (table_beginning.h) passes the lines before the points: choose_separator() (table_separator.h)
+//          and lay_out_table() (table_layout.h) find the columns, and table_doubts.h warns if they may be others.
+//       2. next() reads plain lines by read_plain_line(), all others by take_line() with TableFields (table_fields.h);
+//          LineSelection applies --where and --skip-invalid, and table_odd_lines.h recognizes lines that are no points.
+//       3. finish() adds the warnings about the whole table.
 #include <algorithm>
 #include <limits>
 #include <utility>

@@ -1,6 +1,7 @@
 // What: the verbs of `rbpa`: for each verb the arguments as text, the declaration, and the run.
-// Law:  a run checks its whole command line, and throws WrongUsage, before it reads anything. It also throws BadInput,
-//       Failure, ClosedPipe and Cancelled (program/exit_code.h), and then leaves no file behind.
+// Law:  a run checks its command line, and throws WrongUsage, before it reads anything, except what only the input
+//       decides: the format of standard input, equal columns of a table, the number of plateaus. It also throws
+//       BadInput, Failure, ClosedPipe (io/failure.h) and Cancelled (rbpa/base/error.h), and then leaves no file behind.
 #pragma once
 
 #include <optional>
