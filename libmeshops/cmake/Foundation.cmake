@@ -20,3 +20,8 @@ target_compile_options(rbpa_development INTERFACE
   -ffp-contract=off
   # The code reads neither errno nor floating-point exceptions; without them, loops of selections vectorize.
   -fno-math-errno -fno-trapping-math)
+# If several sources are compiled at a time, names of one hide names of another, which is no fault.
+if(RBPA_COMPILE_TOGETHER)
+  add_library(rbpa_together INTERFACE)
+  target_compile_options(rbpa_together INTERFACE -Wno-shadow)
+endif()
