@@ -167,7 +167,7 @@ std::vector<std::string_view> items_of(std::string_view text) {
 WktNode node_of(std::string_view item) {
   const std::size_t bracket = item.find_first_of("[(\"");
   if (bracket == std::string_view::npos || item[bracket] == '"') return {};
-  const std::size_t end = std::min(item.find_last_of("])"), item.size());  // where it is cut off there may be none
+  const std::size_t end = std::min(item.find_last_of("])"), item.size());  // a text that is cut off may have no end
   return {in_capitals(without_blanks_around(item.substr(0, bracket))),
           items_of(item.substr(bracket + 1, end - bracket - 1))};
 }

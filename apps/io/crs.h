@@ -11,7 +11,7 @@ namespace rbpa::app {
 struct Crs {
   std::string authority;  ///< "EPSG", or "OGC" for CRS84
   std::string code;       ///< "28992"
-  bool degrees = false;   ///< geographic: x is a longitude and y a latitude
+  bool degrees = false;   ///< true: x is a longitude and y a latitude
 
   /// Returns "EPSG:28992".
   std::string text() const { return authority + ":" + code; }
@@ -30,23 +30,24 @@ Crs wgs84();
 /// case. Returns nothing for any other name and for systems of heights, such as EPSG:5703.
 std::optional<Crs> crs_of_name(std::string_view name);
 
-/// Returns the horizontal system of well-known text, in either version of the OGC or in that of ESRI, by the AUTHORITY
-/// or ID of the system; of a compound system the horizontal part. Returns nothing if it has neither, and for systems of
-/// heights.
+/// Returns the horizontal system that an AUTHORITY or ID in well-known text names. The text has either version of the
+/// OGC, or that of ESRI. The horizontal part of a compound system counts. Returns nothing for a system without
+/// AUTHORITY and ID, and for a system of heights.
 std::optional<Crs> crs_of_wkt(std::string_view text);
 
 /// Returns the length in meters of the unit of a projected system in well-known text; nothing if the text names no
 /// unit.
 std::optional<double> unit_of_wkt(std::string_view text);
 
-/// Returns the warning that `name`, a file's name of its system that crs_of_name() does not know, is dropped.
+/// Returns the warning that a file's coordinate system `name`, which crs_of_name() does not know, is dropped.
 std::string warning_on_crs(std::string_view name);
 
-/// Throws BadInput unless two files, `name` with `crs` and `first_name` with `first`, have the same system or none.
+/// Throws BadInput unless the system `crs` of the file `name` and the system `first` of the file `first_name` are the
+/// same, or both are absent.
 void require_same_crs(const std::optional<Crs>& crs, const std::string& name, const std::optional<Crs>& first,
                       const std::string& first_name);
 
-/// Parses the value of `--crs`. Throws WrongUsage that names the value.
+/// Parses the value of `--crs`. Throws WrongUsage that names the value unless it names a horizontal system.
 Crs parse_crs(const std::string& text);
 
 }  // namespace rbpa::app

@@ -42,17 +42,17 @@ class ClosedPipe : public std::runtime_error {
 /// Throws WrongUsage "OPTION: found FOUND, expected EXPECTED".
 [[noreturn]] void bad_usage(const std::string& option, const std::string& found, const std::string& expected);
 
-/// Throws WrongUsage "OPTION WHY" for the first of `options` that is given.
+/// Throws WrongUsage "OPTION WHY" for the first option that is given; each of `options` has a flag and a name.
 void refuse_given(std::initializer_list<std::pair<bool, const char*>> options, const std::string& why);
 
-/// Throws BadInput after a call has failed to open the file `name`: either that there is no such file, where `expected`
-/// was expected, or "NAME: cannot open: " with the reason in errno.
+/// Throws BadInput after a call has failed to open the file `name`: "NAME: found no such file, expected EXPECTED", or
+/// "NAME: cannot open: " with the reason in errno. The message for an address ("://") says to download it.
 [[noreturn]] void refuse_to_open(const std::string& name, const std::string& expected);
 
 /// Returns "FILE:LINE", as compilers name a place in a text.
 std::string at_line(std::string_view file, std::size_t line);
 
-/// Returns a piece of input for a message: printable(text), shortened if it is long.
+/// Returns a piece of input for a message: printable(text); if it is longer than 60 bytes, its beginning and "...".
 std::string shown(std::string_view text);
 /// Returns shown(text) in single quotes.
 std::string in_quotes(std::string_view text);
@@ -60,12 +60,12 @@ std::string in_quotes(std::string_view text);
 /// Returns a count with its noun: "1 column", "2 columns".
 std::string counted(std::size_t count, std::string_view noun);
 
-/// Returns the words as a list: with `last` = " and ", "a, b and c".
+/// Returns the words with commas between them, and `last` before the last word: "a, b and c" if `last` is " and ".
 std::string listed(const std::vector<std::string>& words, std::string_view last);
 
-/// Returns the text with escapes in place of invisible characters: \n, \r, \t, and \x1b for each other byte. Invisible
-/// characters are control characters, bytes that are not UTF-8, line separators, marks without width, and marks that
-/// change the direction of writing.
+/// Returns the text with escapes in place of invisible characters: \n, \r, \t, and hexadecimal digits for any other
+/// byte, as in \x1b. Invisible characters are control characters, bytes that are not UTF-8, line separators, marks
+/// without width, and marks that change the direction of writing.
 std::string printable(std::string_view text);
 
 /// Writes "PROGRAM: MESSAGE", made printable, to standard error.

@@ -11,14 +11,14 @@
 namespace rbpa::app {
 namespace {
 
-/// Returns whether the program has the row: rows of GDAL only if it was built with GDAL.
+/// Returns whether the program has the row: rows of GDAL only if the program was built with GDAL.
 bool is_there(const FormatRow& row) {
   constexpr Format of_gdal[] = {Format::ogr, Format::gpkg, Format::fgb, Format::shp};
   return has_gdal() || std::find(std::begin(of_gdal), std::end(of_gdal), row.format) == std::end(of_gdal);
 }
 
-/// Returns a command that converts a file with that ending to a format that is read; empty if none is known.
-/// `is_table`: a table is read.
+/// Returns advice on a file with an ending that is not read, mostly a command that converts it; empty if none is known.
+/// `is_table`: tables are among the formats that are read.
 std::string conversion(std::string_view ending, const std::string& path, bool is_table) {
   if (path.find("://") != std::string::npos) return "download it first: curl -LO " + path;
   if (const std::string command = cloud_conversion(path); !command.empty()) return command;

@@ -7,7 +7,7 @@
 
 namespace rbpa::app {
 
-/// The reader of points of a format (io/cloud/cloud.h); each is defined in the source that reads the format.
+/// The reader of points of a format (io/cloud/cloud.h). The source that reads a format defines the format's reader.
 struct CloudFormat;
 extern const CloudFormat table_reader, pts_reader, xyzn_reader, xyzrgb_reader, las_reader, npy_reader, raw_reader,
     ply_reader, off_reader, obj_reader, pcd_reader, pdb_reader, pqr_reader, cif_reader, gro_reader, dump_reader,
@@ -68,7 +68,7 @@ enum class Use : unsigned {
   polylines = 1U << 8U,  ///< out
   solid = 1U << 9U,      ///< out: tetrahedra
   voids = 1U << 10U,     ///< out
-  cycles = 1U << 11U,    ///< out: representatives of pairs in space
+  cycles = 1U << 11U,    ///< out: representative cycles of persistence pairs in space
   full = 1U << 12U,      ///< out: triangles of the plane with edges and points in no triangle
   isolated = 1U << 13U,  ///< out: points in no polygon
   boundary = 1U << 14U,  ///< out: a surface as a mesh, no picture
@@ -83,7 +83,7 @@ struct FormatRow {
   std::string_view aliases;  ///< further endings and names, which are not listed
   Format format;
   unsigned uses;                        ///< of Use, joined by |
-  const CloudFormat* points = nullptr;  ///< reads points; null for geometries and pixels, which are not columns
+  const CloudFormat* points = nullptr;  ///< reader of points; null for geometries and pixels, which are not columns
 
   constexpr bool is_for(Use use) const { return (uses & static_cast<unsigned>(use)) != 0; }
 };
@@ -140,10 +140,11 @@ inline constexpr FormatRow format_table[] = {
 /// Returns whether this program was built with GDAL. Without it the formats of GDAL have no use.
 bool has_gdal();
 
-/// Returns the format of a name, "npy", or of the ending of a path, "points.npy", in letters of either case.
+/// Returns the format of the use that has `name`, such as "npy", as an ending or an alias, in letters of either case.
 std::optional<Format> find_format(Use use, std::string_view name);
 
-/// Returns the endings of a use for help and messages: "off, ply, obj, stl"; with `fits` those of formats that fit.
+/// Returns the endings of the formats of a use, for help and messages: "off, ply, obj, stl". With `fits`, returns only
+/// the endings of formats for which fits() is true.
 std::string endings(Use use, bool (*fits)(Format) = nullptr);
 
 /// Returns whether the format has a row for the use.
@@ -156,12 +157,12 @@ constexpr bool is_table(Format format) {
 }
 
 /// Returns whether the format has, or may turn out to have, lines and polygons, to which --vertices applies. A table
-/// may have a column of them.
+/// may have a column of geometries.
 constexpr bool has_lines(Format format) {
   return is_table(format) || format == Format::wkt || format == Format::geojson || format == Format::ogr;
 }
 
-/// Returns whether points of the format are those of a laser scan, LAS or LAZ; their reader finds out which of the two.
+/// Returns whether the format is LAS or LAZ, for laser scans. Their common reader finds out which of the two a file is.
 constexpr bool is_las(Format format) { return format == Format::las || format == Format::laz; }
 
 /// Returns whether points of the format are pixels, to which --foreground and --threshold apply.
@@ -173,15 +174,16 @@ std::string_view ending(std::string_view path);
 /// Returns whether the name of a file ends in .gz.
 bool is_gzip_name(std::string_view path);
 
-/// Returns the ending of an input file, before any .gz.
+/// Returns the ending of a file name without its dot and without ".gz" after it: "csv" for "points.csv.gz".
 std::string_view input_ending(std::string_view path);
 
-/// Throw WrongUsage: the name given to `option`, or the ending of `path`, is not among `known`.
+/// Throw WrongUsage that says that `name`, the value of `option`, or the ending of `path` is not among `known`.
 [[noreturn]] void refuse_name(const std::string& option, std::string_view name, std::string_view known);
 [[noreturn]] void refuse_ending(const std::string& path, std::string_view known, const std::string& option);
-/// Returns a command that converts a point cloud in a format that is not read, by its ending; empty for other endings.
+/// Returns a PDAL command that converts the point cloud `path` to LAS; empty unless its ending is known, such as e57.
 std::string cloud_conversion(const std::string& path);
-/// Throws WrongUsage for an input file, as refuse_ending(), and names a command that converts the file if one is known.
+/// Throws WrongUsage for an input file: that it is a folder; or as refuse_ending(), with a command that converts the
+/// file if one is known.
 [[noreturn]] void refuse_input(const std::string& path, Use use, const std::string& option);
 
 /// Throws WrongUsage "OPTION: found a format FOUND, expected EXPECTED" unless the option fits the format.

@@ -9,7 +9,7 @@
 namespace rbpa::app {
 namespace {
 
-// Whether a signal has arrived. It is set in one thread and read in any, which sig_atomic_t does not allow.
+// Whether a signal has arrived. The flag is set in one thread and read in any, which sig_atomic_t does not allow.
 std::atomic<bool> signal_came = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "else no handler may set it");
 
@@ -26,7 +26,7 @@ void catch_interrupts() {
   sigaction(SIGTERM, &action, nullptr);
   struct sigaction hangup {};
   sigaction(SIGHUP, nullptr, &hangup);
-  if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // leave it ignored under nohup
+  if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // leave SIGHUP ignored under nohup
   action.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &action, nullptr);
   sigaction(SIGXFSZ, &action, nullptr);

@@ -8,12 +8,12 @@
 
 namespace rbpa::app {
 
-/// Installs handlers: from then on SIGINT, SIGTERM and SIGHUP (unless it is ignored) only set a flag, and write() fails
-/// for a pipe closed by its reader and for a file at its greatest permitted size.
+/// Installs handlers. From then on SIGINT and SIGTERM, and SIGHUP unless it was ignored, only set a flag; and write()
+/// fails for a pipe closed by its reader and for a file at its greatest permitted size.
 void catch_interrupts();
 
-/// While it exists, interrupted() is also true in the thread that made it whenever go_on() returns false. For programs
-/// that catch signals themselves. Requires: no other Interruption in this thread.
+/// A reason to stop beside signals, for programs that catch signals themselves: while the object exists, interrupted()
+/// is also true in its thread whenever go_on() returns false. Requires: no other Interruption in this thread.
 class Interruption {
  public:
   explicit Interruption(std::function<bool()> go_on);
@@ -35,7 +35,7 @@ std::function<bool()> until_interrupted();
 /// Throws Cancelled if interrupted(). Cost: two loads without an Interruption.
 void stop_if_interrupted();
 
-/// Counter of the steps of loops, as meshops::Steps: throws Cancelled if interrupted() after 16384 more steps.
+/// A counter of the steps of loops: calls interrupted() once in about 16384 steps, and throws Cancelled if it is true.
 class InterruptibleSteps {
  public:
   InterruptibleSteps() = default;

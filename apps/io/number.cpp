@@ -38,7 +38,7 @@ ParsedNumber parse_whole_number(std::string_view text) {
 
 ParsedNumber parse_written_number(std::string_view text) {
   constexpr std::string_view minus = "\xE2\x88\x92";
-  constexpr std::size_t longest = 4096;  // characters of a number with such signs
+  constexpr std::size_t longest = 4096;  // most characters of a number with D or U+2212
   const ParsedNumber number = parse_whole_number(text);
   if (number.fault != NumberFault::not_a_number || text.size() > longest) return number;
   std::string ascii;

@@ -22,19 +22,19 @@ struct ParsedNumber {
   NumberFault fault;
 };
 
-/// Parses the number from `first` to `end`, which from_chars() calls out of range: a number beyond the largest double
-/// is a fault, and a number closer to zero than any double is rounded.
+/// Parses the number from `first` to `end`, which from_chars() reports as out of range. The fault of a number beyond
+/// the largest double is out_of_range; a number too close to zero is rounded.
 ParsedNumber parse_extreme_number(const char* first, const char* last, const char* end);
 
 /// Doubles represent every integer from -exact_integers to exact_integers.
 constexpr double exact_integers = 0x1p53;
 
-/// Returns the number from `first` to `end`, whose absolute value is at least exact_integers and whose nearest double
-/// is `value`; an integer that differs from `value` is a fault.
+/// Returns the number from `first` to `end`, whose nearest double is `value`. The fault of an integer that differs from
+/// `value` is rounded_integer. Requires: the absolute value of `value` is at least exact_integers.
 ParsedNumber parse_large_number(const char* first, const char* end, double value);
 
-/// Parses the longest number that begins at `first`, perhaps with a sign, and rounds it to the nearest double; an
-/// integer that would be rounded is a fault.
+/// Parses the longest number that begins at `first`, perhaps with a sign, and rounds it to the nearest double. Integers
+/// that rounding would change have the fault rounded_integer, inf and nan have not_finite.
 inline ParsedNumber parse_number(const char* first, const char* last) {
   if (last - first > 1 && *first == '+' && first[1] != '-') ++first;
   double value = 0;
@@ -46,7 +46,7 @@ inline ParsedNumber parse_number(const char* first, const char* last) {
   return {value, end, finite ? NumberFault::none : NumberFault::not_finite};
 }
 
-/// Parses `text` as parse_number() does; it is not a number if anything follows.
+/// Parses `text` as parse_number() does. The fault is not_a_number if text follows the number.
 ParsedNumber parse_whole_number(std::string_view text);
 
 /// Parses `text` as parse_whole_number() does, and accepts Fortran's D for E ("1.0D0") and the minus sign − (U+2212).
@@ -63,20 +63,20 @@ constexpr std::size_t number_room = 24;
 inline char* put_number(char* at, std::uint64_t value) { return std::to_chars(at, at + number_room, value).ptr; }
 inline char* put_number(char* at, double value) { return std::to_chars(at, at + number_room, value).ptr; }
 
-/// Return the shortest text that reads back to `value`; "none" if it is absent.
+/// Return the shortest text that reads back to `value`; "none" if `value` is absent.
 inline std::string text_of(double value) {
   char text[number_room];
   return {text, put_number(text, value)};
 }
 inline std::string text_of(const std::optional<double>& value) { return value ? text_of(*value) : "none"; }
 
-/// Returns `value` rounded to `digits` significant digits, for people: "3819.51" has six.
+/// Returns `value` as text, rounded to `digits` significant digits: "3819.51" for six.
 std::string rounded(double value, int digits);
 
-/// Returns the words of a list of an option, which commas separate, without blanks around them.
+/// Returns the parts of `text` between commas, without blanks around each part.
 std::vector<std::string_view> split_at_commas(std::string_view text);
 
-/// A range of numbers, with its ends.
+/// A range of numbers, both ends included.
 struct Range {
   double least = 0;
   double greatest = std::numeric_limits<double>::max();
@@ -84,7 +84,7 @@ struct Range {
 constexpr Range above_0{.least = std::numeric_limits<double>::denorm_min()};
 
 /// Parses the argument of `option`: a number within `allowed`, perhaps inf. Throws WrongUsage that quotes the text and
-/// `expected`, the words for what is right.
+/// says `expected`, a description of valid arguments.
 double parse_real(const std::string& option, const std::string& text, Range allowed, const std::string& expected);
 
 struct WholeNumbers {

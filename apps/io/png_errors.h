@@ -9,14 +9,14 @@
 
 namespace rbpa::app {
 
-/// The base of a class that reads or writes PNG. libpng reports an error by longjmp(), which must not skip a destructor:
-/// steps and callbacks have no objects with destructors.
+/// The base of a class that reads or writes PNG. libpng reports an error by longjmp(), which must not skip a
+/// destructor; therefore steps and callbacks have no objects with destructors.
 class PngErrors {
  public:
   const char* message() const { return message_.data(); }  ///< libpng's message about the last error
 
  protected:
-  /// Does a step; returns false after an error. Requires: `png` was made with errors() and fail().
+  /// Calls step(). Returns false after an error of libpng. Requires: `png` was made with errors() and fail().
   template <typename Step>
   static bool attempt(png_struct* png, const Step& step) {
     if (setjmp(png_jmpbuf(png)) != 0) return false;

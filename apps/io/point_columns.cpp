@@ -14,8 +14,7 @@ namespace rbpa::app {
 
 namespace {
 
-/// Returns a name in small letters without underscores, and the name of the specification of LAS for one of PDAL or
-/// LAStools.
+/// Returns a name in small letters without underscores. A PDAL or LAStools name becomes that of LAS.
 std::string folded_name(std::string_view name) {
   std::string result;
   for (const char c : name)
@@ -99,7 +98,7 @@ bool become_numbers(PointColumn& column) {
 
 namespace {
 
-/// Appends values of the same type, texts with the numbers that they have in `column`.
+/// Appends the values of `more`, a column of the same type. Texts get their numbers in `column`.
 void append_values(PointColumn& column, const PointColumn& more) {
   if (!column.is_text) {
     column.bytes.insert(column.bytes.end(), more.bytes.begin(), more.bytes.end());

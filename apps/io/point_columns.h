@@ -22,12 +22,12 @@ struct PointColumn {
   std::string name;
   Scalar type = Scalar::float64;
   std::vector<char> bytes = {};         ///< the values, in the byte order of the processor
-  bool is_text = false;                 ///< the values, of type int32, number `texts` from 0
-  std::vector<std::string> texts = {};  ///< distinct
-  std::string fault = {};               ///< why the column is left out; else empty
+  bool is_text = false;                 ///< the values, of type int32, are indices in `texts`
+  std::vector<std::string> texts = {};  ///< the distinct texts
+  std::string fault = {};               ///< reason why the column is left out; empty if it is not
 
   const std::string& text(std::size_t i) const { return texts[static_cast<std::size_t>(value<std::int32_t>(i))]; }
-  /// Returns whether a value is missing: NaN, or an empty text.
+  /// Returns whether value number `i` is missing: NaN, or an empty text.
   bool is_missing(std::size_t i) const;
   std::size_t size() const { return bytes.size() / size_of(type); }
   template <typename T>
@@ -43,17 +43,17 @@ struct PointColumn {
 
 /// The fields to keep.
 struct FieldChoice {
-  /// Absent: all. Fields after an empty name are not required.
+  /// Names of the fields; absent: all fields. Fields after an empty name are optional for require_fields().
   std::optional<std::vector<std::string>> names = std::nullopt;
 
   bool has(std::string_view name) const;
 };
 
-/// Parses --fields: "all", or names with commas between them; absent for "none". Throws WrongUsage.
+/// Parses --fields: "all", or names with commas between them; nothing for "none". Throws WrongUsage.
 std::optional<FieldChoice> parse_fields(const std::string& text);
 
-/// Returns whether two names are those of one field: the case of letters and underscores do not count, and PDAL's names
-/// of fields of LAS are known.
+/// Returns whether two names mean one field. Neither underscores nor the case of letters count. PDAL's and LAStools'
+/// names of LAS fields equal those of the specification.
 bool is_same_field(std::string_view a, std::string_view b);
 
 /// Removes columns with a fault, and adds a warning for each.
@@ -62,28 +62,30 @@ void settle_columns(std::vector<PointColumn>& columns, std::vector<std::string>&
 /// Returns the column with exactly this name, else the first with is_same_field(); null if there is none.
 const PointColumn* find_column(std::span<const PointColumn> columns, std::string_view name);
 
-/// Returns find_column(). Throws BadInput that names the file and `option`, which requires a column, if none is there.
+/// Returns the column that find_column() finds. Throws BadInput that names `file` and `option` if there is none.
 const PointColumn& require_column(std::span<const PointColumn> columns, std::string_view name,
                                   const std::string& option, const std::string& file);
 
-/// Requires the columns that the choice of --fields names. Throws as require_column().
+/// Throws as require_column() unless each field that the choice of --fields names, up to an empty name, has a column.
 void require_fields(std::span<const PointColumn> columns, const std::optional<FieldChoice>& choice,
                     const std::string& file);
 
-/// Appends the columns of a further file, `more`, to those of the files before, which are not `first` if there are any:
-/// to each the column with its name. Numbers of several types become float64, if it holds all. A column with texts in
-/// one file and numbers in another, or that a file does not have, gets a fault.
+/// Appends the values of `more`, the columns of another file, to `columns`, those of the files before it: to each
+/// column those of the column with its name. `first`: there is no file before. Numbers of different types become
+/// float64. A column gets a fault if doubles do not hold its numbers, if it has texts in one file and numbers in
+/// another, or if a file does not have it.
 void append_columns(std::vector<PointColumn>& columns, std::vector<PointColumn> more, bool first);
 
 /// Changes the type of a column of numbers to float64. Returns false, and changes nothing, if doubles do not represent
-/// one of them.
+/// one of the numbers.
 bool become_numbers(PointColumn& column);
 
-/// Removes, of the values after the first `before` of each column, those with kept[i − before] = 0.
+/// Removes value number `before` + i of each column for each i with kept[i] = 0.
 void keep_values(std::vector<PointColumn>& columns, std::size_t before, std::span<const std::uint8_t> kept);
 
-/// Appends a value for each added point: of floating-point numbers the mean of the values of the three points around
-/// it; of integers and texts, which may be labels, the value of the nearest of the three.
+/// Appends to each column a value for each of the last between.size() points; between[i] are the three points around
+/// the i-th of them. The value is the mean of the three values for floating-point numbers, and the value of the nearest
+/// of the three points for integers and texts, which may be labels.
 void append_between(std::vector<PointColumn>& columns, std::span<const Point3> points,
                     std::span<const std::array<std::uint32_t, 3>> between);
 
@@ -95,7 +97,7 @@ struct VertexFields {
   std::size_t row(std::size_t vertex) const { return rows.empty() ? vertex : rows[vertex]; }
 };
 
-/// Returns "a name" if `is_taken` is false for it, else the first of "a name_2", "a name_3", … for which it is.
+/// Returns `name` if is_taken(name) is false, else the first of "NAME_2", "NAME_3", … that is not taken.
 template <typename IsTaken>
 std::string untaken(const std::string& name, const IsTaken& is_taken) {
   std::string unique = name;
@@ -103,7 +105,7 @@ std::string untaken(const std::string& name, const IsTaken& is_taken) {
   return unique;
 }
 
-/// Returns the numbers of texts for people: "0 = oak, 1 = elm".
+/// Returns the text for each number of a column of texts: "0 = oak, 1 = elm".
 std::string legend_of(const PointColumn& column);
 
 }  // namespace rbpa::app

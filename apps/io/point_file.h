@@ -35,8 +35,8 @@ class Heights {
 /// Facts that the header of a laser scan states.
 struct ScanFacts {
   unsigned minor = 0;       ///< the version of LAS is 1.minor
-  unsigned format = 0;      ///< of point records
-  unsigned compressor = 0;  ///< of LASzip; 0: the points are not compressed
+  unsigned format = 0;      ///< format of point records
+  unsigned compressor = 0;  ///< version of LASzip's compressor; 0: the points are not compressed
   bool is_copc = false;
   std::array<double, 3> scale = {}, offset = {};
   /// Numbers of points by class and by return, if they were requested; else 0.
@@ -47,13 +47,13 @@ struct ScanFacts {
 /// Facts about the points that were read from a file, in the plane or in space.
 struct PointFacts {
   std::vector<std::uint32_t> index =
-      {};                      ///< number of each among all points of the file; empty if points[i] has index i
+      {};                      ///< number of each point among all of the file, from 0; empty if points[i] has index i
   std::size_t all_points = 0;  ///< number of points of the file, including those that are left out
   std::optional<Crs> crs = std::nullopt;         ///< the coordinate system; absent if the file names none
-  std::vector<PointColumn> kept = {};            ///< fields, in the order of the file, a value for each point
+  std::vector<PointColumn> kept = {};            ///< kept fields, in the order of the file, with a value for each point
   std::optional<ScanFacts> scan = std::nullopt;  ///< absent unless the format is LAS or LAZ
   std::vector<std::vector<double>> fields =
-      {};  ///< a column for each of the condition's columns(), a value for each point
+      {};  ///< a column for each of Condition::columns(), with a value for each point
   /// For each column of `fields` that holds texts: the distinct texts, which the numbers in `fields` index from 0. An
   /// empty text is not the name of a group.
   std::vector<std::optional<std::vector<std::string>>> texts = {};
@@ -68,7 +68,7 @@ struct PointFile : PointFacts {
   /// Third coordinates, one for each point, NaN if it has none; empty unless they were requested and any point has one.
   std::vector<double> z = {};
   bool degrees = false;  ///< x is a longitude and y a latitude, as a CRS or the names of columns say
-  /// Ignored third coordinates, to warn if they differ. Not set for LAS, whose users expect footprints.
+  /// Third coordinates that are ignored, for a warning if they differ. Not set for LAS, whose users expect footprints.
   Heights heights = {};
 };
 

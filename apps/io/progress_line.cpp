@@ -12,8 +12,8 @@
 namespace rbpa::app {
 namespace {
 
-/// While it exists, signals are blocked in threads that this thread starts, so that threads that wait for files get the
-/// signals and their read() returns.
+/// A block of all signals while the object exists. Threads that this thread starts meanwhile inherit the block, so that
+/// signals reach the threads that wait for files, and their read() returns.
 class WithoutSignals {
  public:
   WithoutSignals() {

@@ -17,8 +17,8 @@ std::string short_number(double value);
 /// Returns a duration as text, rounded down: "3 s" below 2 min, "12 min" below 2 h, "5 h".
 std::string short_duration(double seconds);
 
-/// One line on standard error. A thread of its own rewrites it every 0.2 seconds, also while the program waits for a
-/// disk or for a library that reports no progress. The destructor erases it.
+/// A line on standard error that shows progress. A thread of its own rewrites the line every 0.2 seconds, also while
+/// the program waits for a disk or for a library that reports no progress. The destructor erases the line.
 class ProgressLine {
  public:
   /// A function that returns the text of the line after a time in seconds.
@@ -30,7 +30,7 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows text(seconds) from now on. Both this and another thread call it, never at the same time.
+  /// Shows text(seconds) from now on. The caller and the thread of the line call text(), one at a time.
   void say(Text text);
 
  private:
@@ -48,8 +48,8 @@ class ProgressLine {
   std::optional<std::thread> thread_ = std::nullopt;  // absent if nothing is shown
 };
 
-/// Return whether the path to read, or one of the paths to write, is "-" and the standard stream is a terminal, on
-/// which a progress line would disturb.
+/// Return whether `path` is "-" and standard input is a terminal, or whether one of `paths` is "-" and standard output
+/// is a terminal. A progress line would disturb the text on the terminal.
 bool read_from_terminal(const std::string& path);
 bool written_to_terminal(const std::vector<std::string>& paths);
 

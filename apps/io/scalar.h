@@ -78,8 +78,8 @@ inline double load_number(Scalar type, const char* bytes, std::endian order) {
   return with_type(type, [&](auto value) { return static_cast<double>(load<decltype(value)>(bytes, order)); });
 }
 
-/// Returns whether `value` is at most 2^53 in absolute value, up to which doubles represent all integers; true for all
-/// types but 64-bit integers.
+/// Returns whether `value` is at most 2^53 in absolute value, up to which doubles represent all integers; always true
+/// for types other than 64-bit integers.
 template <typename T>
 constexpr bool is_exact_in_double(T value) {
   if constexpr (std::is_integral_v<T> && sizeof(T) == 8) {

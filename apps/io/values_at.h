@@ -18,7 +18,7 @@ std::vector<std::ranges::range_value_t<Values>> values_at(const Values& values, 
   return result;
 }
 
-/// Return number[i] in place of each item i; if `number` is empty, the items unchanged.
+/// Return items with number[i] in place of i; unchanged items if `number` is empty. An item may be an array of indices.
 inline std::uint32_t renumbered(std::uint32_t item, std::span<const std::uint32_t> number) {
   return number.empty() ? item : number[item];
 }

@@ -54,7 +54,7 @@ inline std::string identifier(std::string_view words) {
   return text;
 }
 
-/// Returns `text` as a field of CSV, in quotes if it needs them.
+/// Returns `text` as a field of CSV: in double quotes if it has a separator, a quote, a blank or a line end.
 inline std::string csv_text(std::string_view text) {
   if (text.find_first_of(",;\"\n\r\t ") == std::string_view::npos) return std::string(text);
   std::string quoted = "\"";
@@ -62,7 +62,7 @@ inline std::string csv_text(std::string_view text) {
   return quoted + '"';
 }
 
-/// Returns a word that is an unsigned whole number; nothing for any other word.
+/// Returns the number in a word of decimal digits; nothing for any other word, and for a number beyond std::size_t.
 inline std::optional<std::size_t> parse_count(std::string_view word) {
   std::size_t count = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), count);

@@ -21,7 +21,7 @@ MeshSource parse_source(const std::string& path, const std::optional<std::string
   refuse_ending(path, endings(Use::mesh), "--format");
 }
 
-/// Returns the target of a mesh. The format is that of the ending of `path`, else `format`, that of --output-format.
+/// Returns the target of a mesh. The ending of `path` gives the format; `format` does if the ending is unknown.
 TopologyTarget parse_mesh_target(const std::string& option, const std::string& path,
                                  const std::optional<std::string>& format) {
   const std::optional<Format> named = format ? find_format(Use::mesh, *format) : std::nullopt;
@@ -37,7 +37,7 @@ TopologyTarget parse_generator_target(const std::string& path) {
   bad_usage("--generators", "the ending " + in_quotes(ending(path)), "one of " + endings(Use::polylines));
 }
 
-/// Returns the target of a report, in the format of the ending of `path` or of --json.
+/// Returns the target of a report. The ending of `path` or --json gives the format.
 TopologyTarget parse_report_target(const std::string& path, bool json) {
   if (path == "-") return {path, json ? Format::json : Format::text};
   const std::string_view name = ending(path);
@@ -62,7 +62,7 @@ Edits parse_edits(const TopologyArguments& arguments) {
   return edits;
 }
 
-/// Returns the first option that changes the mesh. Requires: there is one, other than --repair.
+/// Returns the first option that changes the mesh. Requires: an option other than --repair changes the mesh.
 std::string change_option(const TopologyArguments& arguments) {
   return arguments.weld                  ? "--weld"
          : arguments.keep_largest        ? "--keep-largest"
@@ -74,8 +74,8 @@ std::string change_option(const TopologyArguments& arguments) {
                                          : "--remesh";
 }
 
-/// Returns whether -o names the mesh and not the report: --repair has no OUT, or, without --repair, another option
-/// changes the mesh and the format of -o is that of a mesh.
+/// Returns whether -o names the mesh and not the report. With --repair this is so if --repair has no OUT; without
+/// --repair, if another option changes the mesh, and --output-format is given or the ending of -o is that of a mesh.
 bool writes_mesh(const TopologyArguments& arguments) {
   if (arguments.repair) return arguments.repaired.empty();
   const bool changes = arguments.weld || arguments.keep_largest || arguments.drop_small || arguments.orient ||
@@ -83,7 +83,7 @@ bool writes_mesh(const TopologyArguments& arguments) {
   return changes && (arguments.output_format || find_format(Use::mesh, ending(*arguments.output)));
 }
 
-/// Throws WrongUsage for an option that writes a mesh or generators, as it applies only to a single input.
+/// Throws WrongUsage for options that require a single input, as they write a mesh or generators, and for a second "-".
 void require_reports_alone(const TopologyArguments& arguments) {
   const auto refuse = [&](const char* option) {
     bad_usage(option, std::to_string(arguments.meshes.size()) + " meshes", "one");
@@ -106,7 +106,7 @@ std::vector<std::string> TopologyPlan::outputs() const {
 }
 
 TopologyPlan plan(TopologyArguments arguments) {
-  // Accept `--repair MESH -o OUT`: if no mesh is named otherwise, the argument of --repair is the mesh.
+  // Accept `--repair MESH -o OUT`: without any other MESH, the argument of --repair is the mesh.
   if (arguments.meshes.empty() && arguments.output && !arguments.repaired.empty())
     arguments.meshes = {std::exchange(arguments.repaired, std::string())};
   if (arguments.meshes.empty())

@@ -14,7 +14,7 @@
 
 namespace rbpa::app {
 
-/// The arguments as texts.
+/// The arguments of the command line as texts.
 struct TopologyArguments {
   std::vector<std::string> meshes;
   std::optional<std::string> format;
@@ -32,17 +32,17 @@ struct TopologyArguments {
   std::optional<std::string> remesh;
   bool no_crossings = false;
   bool repair = false;
-  std::string repaired;  ///< path OUT of --repair; empty if -o names it
+  std::string repaired;  ///< path OUT of --repair; empty if -o names the mesh
   std::optional<std::string> generators;
   bool shortest = false;
-  std::vector<std::string> checks;  ///< comma-separated lists
+  std::vector<std::string> checks;  ///< comma-separated lists of properties
   std::string max_defects = "20";
   bool quiet = false;
 };
 
-/// A file to write; the format of a report is text or json.
+/// A file to write. The format of a report is text or json.
 struct TopologyTarget {
-  std::string path;  ///< "-" is standard output
+  std::string path;  ///< "-" means standard output
   Format format;
 };
 
@@ -50,27 +50,27 @@ struct TopologyTarget {
 struct TopologyPlan {
   std::vector<MeshSource> sources;  ///< if there are several, only a report is written
   std::size_t max_defects;
-  bool quiet;  ///< show no progress
+  bool quiet;  ///< print neither progress nor the text report
   std::vector<Check> checks = {};
   Edits edits = {};
   bool repair = false;
   std::optional<HoleChoice> fill = std::nullopt;
   std::optional<double> tunnels_below = std::nullopt;
   std::optional<DecimationOptions> decimate = std::nullopt;
-  std::optional<double> remesh = std::nullopt;  ///< the length
+  std::optional<double> remesh = std::nullopt;  ///< target length of an edge, in units of the vertices
   std::optional<TopologyTarget> report = std::nullopt;
-  std::optional<TopologyTarget> written = std::nullopt;  ///< the file for the mesh, edited and repaired as requested
-  std::optional<Shift> shift = std::nullopt;             ///< what is subtracted from positions for STL
+  std::optional<TopologyTarget> written = std::nullopt;  ///< file for the mesh after all edits and repairs
+  std::optional<Shift> shift = std::nullopt;             ///< vector to subtract from the positions in STL
   std::optional<TopologyTarget> generators = std::nullopt;
-  bool shortest = false;  ///< write shortest generators
+  bool shortest = false;  ///< write a basis of the least total length
 
   /// Returns whether an option other than --repair changes the mesh.
   bool changes() const { return edits.any() || fill || tunnels_below || decimate || remesh; }
-  /// Returns the paths of mesh, generators and report, in this order, as far as they are written.
+  /// Returns the paths of the outputs that are written, in this order: mesh, generators, report.
   std::vector<std::string> outputs() const;
 };
 
-/// Parses and checks the arguments. Throws WrongUsage that names the value.
+/// Parses and checks the arguments. Throws WrongUsage that names the option or the value.
 TopologyPlan plan(TopologyArguments arguments);
 
 }  // namespace rbpa::app

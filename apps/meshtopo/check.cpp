@@ -44,7 +44,7 @@ Check parse_check(const std::string& text) {
 
 long value_of(std::size_t number) { return static_cast<long>(number); }
 
-/// Returns the number in the report that the check `name` compares; nothing for the genus of a mesh that has none.
+/// Returns the number in the report that the check `name` compares, or nothing for the genus of a mesh without a genus.
 std::optional<long> count_of(std::string_view name, const Examined& mesh) {
   const meshops::TopologyReport& t = mesh.topology;
   if (name == "euler") return t.euler();
@@ -62,7 +62,7 @@ std::optional<long> count_of(std::string_view name, const Examined& mesh) {
       std::find_if(std::begin(numbers), std::end(numbers), [&](const auto& n) { return n.first == name; })->second);
 }
 
-/// Returns "2 non-manifold edges and 1 pinch"; "" if there is no defect of `kinds`.
+/// Returns the counts of defects of `kinds`, such as "2 non-manifold edges and 1 pinch"; "" if there are none.
 std::string counted_kinds(const Examined& mesh, std::initializer_list<SoupDefectKind> kinds) {
   std::vector<std::string> parts;
   for (const SoupDefectKind kind : kinds) {
@@ -70,7 +70,7 @@ std::string counted_kinds(const Examined& mesh, std::initializer_list<SoupDefect
         std::count_if(mesh.defects.begin(), mesh.defects.end(), [&](const auto& d) { return d.kind == kind; });
     if (count == 0) continue;
     std::string noun(meshops::name(kind));
-    if (kind == SoupDefectKind::pinch && count > 1) noun = "pinche";  // the plural is pinches
+    if (kind == SoupDefectKind::pinch && count > 1) noun = "pinche";  // counted() appends the s of "pinches"
     if (kind == SoupDefectKind::not_orientable) {
       parts.push_back(counted(static_cast<std::size_t>(count), "component") + " not orientable");
       continue;

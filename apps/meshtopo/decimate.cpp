@@ -13,7 +13,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Calls change(halfedges, places) for the halfedge mesh of `mesh`, and returns what it has then.
+/// Calls change(halfedges, places) with the halfedge mesh of `mesh` and its positions, and returns the changed mesh.
 template <typename Change>
 MeshFile changed(const MeshFile& mesh, Change change) {
   OpenMesh::PolyConnectivity halfedges;

@@ -1,6 +1,7 @@
 // What: decimates or remeshes a mesh of triangles, for --decimate and --remesh.
-// Law:  that of rbpa::decimate() and rbpa::remesh(). The vertices of the result that are left are in the order of the given mesh.
-// Cost: that of meshops::build_mesh() and of rbpa::decimate().
+// Law:  that of rbpa::decimate() and rbpa::remesh(). The vertices left by a decimation keep the order of the given
+//       mesh.
+// Cost: that of meshops::build_mesh(), and of rbpa::decimate() or rbpa::remesh().
 #pragma once
 
 #include <cstddef>
@@ -12,12 +13,12 @@
 namespace rbpa::app {
 
 struct DecimatedMesh {
-  MeshFile mesh;  ///< without line numbers; a vertex for each fan of faces
+  MeshFile mesh;  ///< without line numbers; one vertex for each fan of faces
   Decimation report;
 };
 
-/// Decimates a copy of `mesh`. Requires: `mesh` is a surface of triangles without defects other than pinches. Throws
-/// Cancelled.
+/// Decimates a copy of `mesh`, and measures the distance. Requires: `mesh` is a surface of triangles without defects
+/// other than pinches. Throws Cancelled.
 DecimatedMesh decimate(const MeshFile& mesh, const DecimationOptions& choice);
 
 struct RemeshedMesh {
@@ -25,8 +26,8 @@ struct RemeshedMesh {
   Remeshing report;
 };
 
-/// Remeshes a copy of `mesh`, with the default options and a measured distance. Requires: as decimate(). Throws
-/// InvalidInput when the length does not suit the mesh; Cancelled.
+/// Remeshes a copy of `mesh` to edges of about `length`, and measures the distance. Requires: `mesh` is a surface of
+/// triangles without defects other than pinches. Throws InvalidInput if the length does not suit the mesh; Cancelled.
 RemeshedMesh remesh(const MeshFile& mesh, double length);
 
 /// Returns the number of faces of `mesh` that are not triangles.

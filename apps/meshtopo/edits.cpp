@@ -19,8 +19,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Returns whether `a` is lexicographically less than `b`. −0 is less than +0, so that of positions which are equal
-/// numbers one is the least.
+/// Returns whether `a` is lexicographically less than `b`. −0 counts as less than +0, so that the least of several
+/// positions is unique even if they are equal as numbers.
 bool is_before(const Position& a, const Position& b) {
   const auto key = [](const Position& p) {
     return std::tuple(p[0], p[1], p[2], !std::signbit(p[0]), !std::signbit(p[1]), !std::signbit(p[2]));
@@ -53,15 +53,15 @@ void weld(EditedMesh& edited, double distance) {
 }
 
 struct KeptComponents {
-  std::vector<bool> faces;  ///< tells for each face whether it is kept; degenerate and repeated ones are not
+  std::vector<bool> faces;  ///< whether each face is kept; degenerate and repeated faces are not
   std::size_t dropped = 0;  ///< number of dropped components
 };
 
-/// Returns the faces of the chosen components, which are connected through edges. Sizes are those of `rbpa surface`: a
-/// face of n corners counts as n − 2 triangles, a fan. The choice does not depend on the order of vertices and faces.
+/// Returns the faces of the chosen components. Faces that share an edge are in one component. As in `rbpa surface`, a
+/// face of n corners counts as n − 2 triangles. The choice does not depend on the order of vertices and faces.
 /// Requires: `choice` is not restricted to outer shells. Cost: that of meshops::repair(), and O(n log n).
 KeptComponents kept_components(const MeshFile& mesh, const ComponentChoice& choice) {
-  // Repair: it makes the faces of each component agree in direction, and splits no component.
+  // Repair first: a repair makes the faces of each component agree in direction, and splits no component.
   const meshops::Repair repaired = meshops::repair(mesh.soup, until_interrupted());
   const FaceFans fans(repaired, mesh.positions);
   const SurfaceComponents components = surface_components(fans.points, fans.surface, until_interrupted());
@@ -86,8 +86,8 @@ void drop(EditedMesh& edited, const ComponentChoice& choice) {
   renumber(edited, part);
 }
 
-/// Returns for each component the triangles of its faces, which agree in direction, if it is closed and orientable;
-/// else an empty list.
+/// Returns for each component that is closed and orientable the triangles of its faces, which agree in direction; for
+/// any other component an empty list.
 std::vector<std::vector<Triangle>> triangles_by_piece(const MeshFile& mesh, const meshops::Orientation& orientation) {
   std::vector<std::vector<Triangle>> triangles(orientation.pieces.size());
   for (std::size_t f = 0; f < mesh.soup.faces(); ++f) {

@@ -1,6 +1,6 @@
-// What: changes a mesh before a repair, in this order: --weld, --keep-largest and --drop-small, --orient.
-// Law:  no position is changed, and no face is added. The order of vertices and faces affects only their numbers, and
-//       the direction of an open component of which exactly half of the faces have each direction.
+// What: changes a mesh before a repair: --weld, then --keep-largest and --drop-small, then --orient.
+// Law:  no face is added, and no vertex gets a position that no vertex had. The order of vertices and faces affects
+//       only their numbers, and the direction of an open component if exactly half of its faces have each direction.
 #pragma once
 
 #include <cstddef>
@@ -24,19 +24,19 @@ struct Edits {
 
 struct Dropped {
   std::size_t components = 0;
-  std::size_t faces = 0;     ///< dropped faces: of dropped components, degenerate and repeated
-  std::size_t vertices = 0;  ///< dropped vertices: those that are corners of no kept face
+  std::size_t faces = 0;     ///< number of dropped faces: faces of dropped components, degenerate and repeated faces
+  std::size_t vertices = 0;  ///< number of dropped vertices, which are corners of no kept face
 };
 
 struct Oriented {
   std::size_t faces = 0;    ///< number of reversed faces
   std::size_t outward = 0;  ///< number of closed components that enclose a volume and face outward
-  std::size_t inward = 0;   ///< closed components within an odd number of others: walls of cavities
-  std::size_t nested = 0;   ///< closed components within one or more others
-  std::vector<std::size_t> not_orientable = {};  ///< number in the file of the first face of each component
+  std::size_t inward = 0;   ///< number of closed components within an odd number of others: walls of cavities
+  std::size_t nested = 0;   ///< number of closed components within one or more others
+  std::vector<std::size_t> not_orientable = {};  ///< for each such component, the number of its first face in the file
 };
 
-/// The effects of the changes; each is absent unless the change was requested.
+/// The effects of the requested changes. A member is nullopt if the change was not requested.
 struct EditReport {
   std::optional<Welded> weld = {};
   std::optional<Dropped> drop = {};
@@ -47,7 +47,7 @@ struct EditReport {
 
 struct EditedMesh {
   MeshFile mesh;                         ///< without line numbers
-  std::vector<std::uint32_t> point_was;  ///< number of each vertex in the file; of merged vertices the least number
+  std::vector<std::uint32_t> point_was;  ///< number of each vertex in the file; the least number for merged vertices
   std::vector<std::size_t> face_was;     ///< number of each face in the file
   EditReport report;
 };

@@ -13,7 +13,7 @@ namespace {
 
 using Integer = boost::multiprecision::cpp_int;
 
-/// Returns an exponent e such that the finite double x is an integer times 2^e; the greatest int for 0.
+/// Returns an exponent e such that the finite double x is an integer times 2^e; the greatest int if x is 0.
 int unit_exponent(double x) { return x == 0 ? std::numeric_limits<int>::max() : std::ilogb(x) - 52; }
 
 Integer in_units(double x, int exponent) {
@@ -21,7 +21,7 @@ Integer in_units(double x, int exponent) {
   int own = 0;
   const auto digits = static_cast<std::int64_t>(std::scalbn(std::frexp(x, &own), 53));
   return Integer(digits) << static_cast<unsigned>(own - 53 -
-                                                  exponent);  // the shift is not negative, as `exponent` is the least
+                                                  exponent);  // not negative, as `exponent` is the least of all
 }
 
 /// Returns the sign of the volume, computed in integers: exact, but slow.
@@ -44,12 +44,12 @@ int volume_sign_in_integers(std::span<const Position> positions, std::span<const
   return sum.sign();
 }
 
-/// Returns the sign of the volume, computed in rounded numbers; nothing if the sign is not certain. Coordinates are
-/// scaled into [−1, 1], which changes those that underflow by less than 2^−1074, and differences to the first corner
-/// have a relative error of ε = 2^−53. The error of a determinant of three such differences is below 8ε times the sum
-/// of its products, and the error of the sum of n determinants is below (n + 8)ε times the sum of all products (Higham,
-/// Accuracy and Stability of Numerical Algorithms, section 4.2); if products underflow, below 100 · 2^−1074 more for
-/// each triangle.
+/// Returns the sign of the volume, computed in rounded numbers, or nothing if the sign is not certain. Coordinates are
+/// scaled into [−1, 1]; scaling changes a coordinate that underflows by less than 2^−1074. Differences to the first
+/// corner have a relative error of ε = 2^−53. The error of a determinant of three differences is below 8ε times the sum
+/// of its absolute products. The error of the sum of n determinants is below (n + 8)ε times the sum of all absolute
+/// products (Higham, Accuracy and Stability of Numerical Algorithms, section 4.2); if products underflow, below 100 ·
+/// 2^−1074 more for each triangle.
 std::optional<int> rounded_volume_sign(std::span<const Position> positions, std::span<const Triangle> triangles) {
   double greatest = 0;
   for (const Triangle& triangle : triangles)
@@ -91,14 +91,14 @@ int volume_sign(std::span<const Position> positions, std::span<const Triangle> t
 }
 
 bool are_within(const Position& a, const Position& b, double distance) {
-  // Bound the error: the sum of the squares and the square of the distance have relative errors below 6 · 2^−53, unless
+  // Bound the error: the sum of the squares and the square of the distance have relative errors below 6 · 2^−53 unless
   // they underflow.
   const double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
   const double squares = x * x + y * y + z * z, limit = distance * distance;
   constexpr double error = 1e-14, least = 1e-280;
   if (limit > least && std::isfinite(limit)) {
     if (squares < limit * (1 - error)) return true;
-    if (squares > limit * (1 + error)) return false;  // true also for an infinite sum
+    if (squares > limit * (1 + error)) return false;  // taken also for an infinite sum
   }
   int exponent = unit_exponent(distance);
   for (std::size_t k = 0; k < 3; ++k) exponent = std::min({exponent, unit_exponent(a[k]), unit_exponent(b[k])});

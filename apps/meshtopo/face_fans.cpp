@@ -11,7 +11,7 @@
 namespace rbpa::app {
 namespace {
 
-/// A side of a triangle that is also a side of the face; it is opposite to the corner `corner` of the triangle.
+/// A side of a triangle that is also a side of the face. The side is opposite to the corner `corner` of the triangle.
 struct FanSide {
   std::uint32_t low, high;  // vertices at the ends of the side
   std::uint32_t triangle, corner;
@@ -40,8 +40,8 @@ FaceFans::FaceFans(const meshops::Repair& repaired, std::span<const std::array<d
         const std::uint32_t a = surface.triangles[t][(corner + 1) % 3], b = surface.triangles[t][(corner + 2) % 3];
         sides.push_back({std::min(a, b), std::max(a, b), t, corner});
       };
-      // Take corner 0 as the center of the fan: the next triangle of the fan is opposite to corner 1, the previous
-      // opposite to corner 2.
+      // Take corner 0 as the center of the fan. The next triangle of the fan is then opposite to corner 1, the previous
+      // triangle opposite to corner 2.
       surface.neighbors.push_back(
           {Surface::none, t + 1 < end ? t + 1 : Surface::none, t > first ? t - 1 : Surface::none});
       side_of(0);

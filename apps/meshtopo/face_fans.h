@@ -1,5 +1,5 @@
-// What: splits the faces of a surface into triangles, which are glued to each other and where the faces are glued.
-// Why:  the library's functions for triangle surfaces then apply to faces of any number of corners.
+// What: splits the faces of a surface into triangles, glued within each face and where the faces are glued.
+// Why:  the functions of the library for triangle surfaces then apply to faces of any number of corners.
 // Cost: a sort of the sides.
 #pragma once
 
@@ -15,12 +15,12 @@
 namespace rbpa::app {
 
 struct FaceFans {
-  Surface surface = {};             ///< triangles of vertices of the repaired soup; around each vertex they are one fan
-  std::vector<Point3> points = {};  ///< position of each vertex
+  Surface surface = {};                ///< triangles between vertices of the repaired soup, one fan around each vertex
+  std::vector<Point3> points = {};     ///< position of each vertex
   std::vector<std::size_t> face = {};  ///< number of the face of each triangle, in the repaired soup
 
-  /// Splits the faces of `repaired`. Requires: it is the repair of a mesh whose points have the positions `positions`.
-  /// Throws Cancelled.
+  /// Splits the faces of `repaired`. Requires: `repaired` is the repair of a mesh whose points have the positions
+  /// `positions`. Throws Cancelled.
   FaceFans(const meshops::Repair& repaired, std::span<const std::array<double, 3>> positions);
 };
 

@@ -18,7 +18,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Returns the mean of the positions of `corners`, which does not depend on their order.
+/// Returns the mean of the positions of `corners`, which does not depend on the order of the corners.
 Point3 mean_of(std::span<const std::uint32_t> corners, std::span<const Point3> points) {
   const auto mean = [&](double Point3::*coordinate) {
     std::vector<double> shares;
@@ -30,7 +30,7 @@ Point3 mean_of(std::span<const std::uint32_t> corners, std::span<const Point3> p
   return {mean(&Point3::x), mean(&Point3::y), mean(&Point3::z)};
 }
 
-/// The obstacles to new triangles: faces as triangles; a larger face as triangles around the mean of its corners.
+/// The obstacles to new triangles: the faces; a face of more corners as triangles around the mean of its corners.
 struct Obstacles {
   std::vector<Point3> points;
   std::vector<Triangle> triangles;
@@ -53,7 +53,7 @@ Obstacles obstacles_of(const meshops::PolygonSoup& soup, const std::vector<Point
   return obstacles;
 }
 
-/// Returns the chosen boundary curves as lists of vertices, and counts the others by kind.
+/// Returns the chosen boundary curves as lists of vertices. Counts the other curves, by kind, in `not_chosen`.
 std::vector<std::vector<std::uint32_t>> chosen_loops(const FaceFans& fans, std::span<const std::uint32_t> stands_on,
                                                      const CurveChoice& choice,
                                                      std::array<std::size_t, 3>& not_chosen) {
@@ -117,7 +117,7 @@ FilledMesh fill(const MeshFile& mesh, const CurveChoice& choice) {
   result.report.merged = merged.merged;
   result.mesh.soup = std::move(merged.soup);
   result.point_was = std::move(merged.point_was);
-  // Cut edges of more than two faces: merged vertices may have edges in common.
+  // Cut edges with more than two faces: merging vertices can make edges coincide.
   if (!is_surface(result.mesh.soup)) {
     meshops::Repair again = meshops::repair(result.mesh.soup, until_interrupted());
     result.mesh.soup = std::move(again.soup);

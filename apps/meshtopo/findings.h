@@ -1,4 +1,4 @@
-// What: the facts that a run reports about one mesh.
+// What: defines the facts that a run reports about one mesh.
 #pragma once
 
 #include <optional>
@@ -18,17 +18,17 @@
 
 namespace rbpa::app {
 
-/// A required property, or a required number.
+/// A property that --check requires of a mesh, with or without a number.
 struct Check {
   std::string name;
-  std::optional<long> number;  ///< the required number; absent for a property
+  std::optional<long> number;  ///< the required number; nullopt for a property without a number
 };
 
 struct CheckResult {
   Check check;
   bool holds;
   std::string found, expected;  ///< texts for the message
-  std::optional<long> number;   ///< the found number; absent if there is none, such as an undefined genus
+  std::optional<long> number;   ///< the found number; nullopt if there is none, such as an undefined genus
 };
 
 struct Examined {
@@ -41,16 +41,16 @@ struct Examined {
 struct Findings {
   const MeshFile& mesh;
   Examined given;
-  std::optional<std::vector<meshops::RepairStep>> repair = std::nullopt;  ///< absent if not requested
+  std::optional<std::vector<meshops::RepairStep>> repair = std::nullopt;  ///< nullopt if not requested
   EditReport edits = {};
-  std::optional<Filled> fill = std::nullopt;            ///< absent if not requested
-  std::optional<ClosedTunnels> tunnels = std::nullopt;  ///< absent if not requested
-  std::optional<Decimation> decimated = std::nullopt;   ///< absent if not requested
-  std::optional<Remeshing> remeshed = std::nullopt;     ///< absent if not requested
+  std::optional<Filled> fill = std::nullopt;            ///< nullopt if not requested
+  std::optional<ClosedTunnels> tunnels = std::nullopt;  ///< nullopt if not requested
+  std::optional<Decimation> decimated = std::nullopt;   ///< nullopt if not requested
+  std::optional<Remeshing> remeshed = std::nullopt;     ///< nullopt if not requested
 
   bool has_changes() const { return edits.any() || fill || tunnels || decimated || remeshed; }
 
-  std::optional<Examined> result = std::nullopt;  ///< facts about the resulting mesh; absent if it is the given mesh
+  std::optional<Examined> result = std::nullopt;  ///< facts about the resulting mesh; nullopt if nothing requires them
   std::vector<CheckResult> checks = {};
 };
 

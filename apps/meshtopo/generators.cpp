@@ -24,7 +24,7 @@ int scale_of(std::span<const std::array<double, 3>> positions) {
   return greatest > 0 ? -(std::ilogb(greatest) + 1) : 0;
 }
 
-/// Returns the scaled length of each edge, by edge index.
+/// Returns the length of each edge, multiplied by 2^exponent, by edge index.
 std::vector<double> edge_lengths(const Connectivity& mesh, std::span<const std::uint32_t> point_of,
                                  std::span<const std::array<double, 3>> positions, int exponent) {
   std::vector<double> lengths(mesh.n_edges(), 0);
@@ -40,7 +40,7 @@ std::vector<double> edge_lengths(const Connectivity& mesh, std::span<const std::
   return lengths;
 }
 
-/// The surface as a mesh, with the lengths of its edges.
+/// The surface as a halfedge mesh, with the lengths of its edges.
 struct Measured {
   OpenMesh::PolyConnectivity mesh;
   std::vector<std::uint32_t> point_of;  // number of the point of each vertex
@@ -70,7 +70,7 @@ Generators generators(const meshops::PolygonSoup& soup, std::span<const std::arr
   const std::vector<meshops::Loop> loops =
       shortest ? meshops::shortest_homology_basis(of.mesh, of.lengths, until_interrupted())
                : meshops::homology_generators(of.mesh, of.lengths, until_interrupted());
-  std::vector<std::array<double, 3>> places;  // position of each vertex
+  std::vector<std::array<double, 3>> places;  // scaled position of each vertex
   for (const std::uint32_t point : of.point_of) {
     auto& place = places.emplace_back(positions[point]);
     for (double& coordinate : place) coordinate = std::scalbn(coordinate, of.exponent);

@@ -1,5 +1,6 @@
 // What: computes loops that generate the first homology of a surface, as polylines along its edges.
-// Cost: that of meshops::homology_generators() or shortest_homology_loops(), and of loop_kinds().
+// Cost: that of meshops::homology_generators(), shortest_homology_basis() or shortest_homology_loops(), and of
+//       loop_kinds().
 #pragma once
 
 #include <array>
@@ -18,13 +19,14 @@ struct Generators {
       kinds;  ///< kind of each loop: "handle", "tunnel", "neither", "both" or "unknown" (meshops::LoopKind)
 };
 
-/// Returns generators in the order of their kinds: short loops, computed quickly; or with `shortest` a basis of the
-/// least total length, up to rounding, in ascending order of length. At pinches the surface counts as cut apart.
-/// Requires: a surface without defects other than pinches; finite positions. Throws Cancelled.
+/// Returns generators, sorted by kind. With `shortest` they are a basis of the least total length, up to rounding,
+/// ascending by length within a kind; otherwise short loops, computed quickly. A pinch counts as one vertex for each
+/// fan. Requires: a surface without defects other than pinches; finite positions. Throws Cancelled.
 Generators generators(const meshops::PolygonSoup& soup, std::span<const std::array<double, 3>> positions,
                       bool shortest);
 
-/// Returns the loops of a shortest basis that are shorter than `below`. Requires: as generators(). Throws Cancelled.
+/// Returns the loops of a shortest basis that are shorter than `below`, in units of the positions. Requires: as
+/// generators(). Throws Cancelled.
 std::vector<Polyline> shortest_generators(const meshops::PolygonSoup& soup,
                                           std::span<const std::array<double, 3>> positions, double below);
 

@@ -33,7 +33,7 @@ void find_zero_areas(const MeshFile& mesh, std::vector<GeometricDefect>& defects
 void find_coincident(const MeshFile& mesh, std::vector<GeometricDefect>& defects) {
   EqualPositions places(mesh.positions.size());
   std::vector<std::pair<std::uint32_t, std::uint32_t>>
-      repeated;  // the first vertex at a position, and a later vertex there
+      repeated;  // the first vertex at a position, and a later vertex at this position
   for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
     if (i % 16384 == 0) stop_if_interrupted();
     if (const std::uint32_t first = places.first_at(mesh.positions, i); first != i) repeated.emplace_back(first, i);

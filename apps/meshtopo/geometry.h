@@ -1,5 +1,5 @@
 // What: finds geometric defects of a mesh: faces without area, and vertices at equal positions.
-// Law:  exact: faces of a small area, and vertices that are only near each other, are not reported.
+// Law:  the decisions are exact: a face with a small area is no defect, nor are vertices that are only near each other.
 #pragma once
 
 #include <cstddef>
@@ -18,15 +18,15 @@ enum class GeometryKind {
 
 struct GeometricDefect {
   GeometryKind kind;
-  std::vector<std::uint32_t> points;  ///< the corners of the face; all vertices at the position, ascending
+  std::vector<std::uint32_t> points;  ///< the corners of the face; or all vertices at the position, ascending
   std::vector<std::size_t> faces;     ///< the face; empty for coincident vertices
 };
 
 std::string_view name(GeometryKind kind);
 
-/// Returns the faces without area in their order, then the positions with several vertices, in the order of their first
-/// vertices. Ignores faces with fewer than three corners, or with the same vertex twice, which are topological defects.
-/// Cost: linear. Throws Cancelled.
+/// Returns the faces without area, in ascending order, then the positions with several vertices, in the order of their
+/// first vertices. Ignores faces with fewer than three corners or a repeated vertex, which are topological defects.
+/// Cost: linear, and a sort of the coincident vertices. Throws Cancelled.
 std::vector<GeometricDefect> find_geometric_defects(const MeshFile& mesh);
 
 }  // namespace rbpa::app

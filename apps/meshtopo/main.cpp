@@ -1,4 +1,4 @@
-// What: the program `meshtopo`: its command line and exit codes.
+// What: runs the program `meshtopo`: declares its command line, and returns its exit code.
 #include <CLI/App.hpp>
 #include <memory>
 #include <sstream>
@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
   add_manual(app, std::string("meshtopo ") + RBPA_VERSION);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& e) {  // help or version
+  } catch (const CLI::Success& e) {  // help, version, manual page or completion
     std::ostringstream text, nothing;
     app.exit(e, text, nothing);
     return run(program, [&] { print(text.str()); });
@@ -146,7 +146,7 @@ int main(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   int code = 0;
-  // Declare options within run(), which reports it if memory runs out.
+  // Declare the options within run(), which reports an exhausted memory.
   const int failed = rbpa::app::run(rbpa::app::program, [&] { code = rbpa::app::main(argc, argv); });
   return failed != 0 ? failed : code;
 }

@@ -15,7 +15,7 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-/// A compensated sum (Neumaier).
+/// A sum with compensated rounding errors (Neumaier).
 class Sum {
  public:
   void add(double x) {
@@ -45,7 +45,7 @@ std::array<Vector, 2> box_of(const std::vector<Vector>& positions) {
   return box;
 }
 
-/// Returns for each component whether it has a volume: it is closed, and its faces agree in direction.
+/// Returns for each component whether it has a volume: whether it is closed and its faces agree in direction.
 std::vector<bool> pieces_with_volume(const MeshFile& mesh, const meshops::Orientation& orientation) {
   std::vector<bool> have(orientation.pieces.size());
   for (std::size_t p = 0; p < have.size(); ++p)

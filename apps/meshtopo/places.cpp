@@ -15,7 +15,7 @@ std::vector<std::size_t> lines_of(std::span<const Number> numbers, const std::ve
   return result;
 }
 
-/// Appends ", face 7" or ", faces 0 7", with `one` or `several` as noun; nothing if there are no numbers.
+/// Appends ", face 7" or ", faces 0 7" with the noun `one` or `several`; appends nothing if there are no numbers.
 template <typename Number>
 void append(std::string& text, std::string_view one, std::string_view several, std::span<const Number> numbers) {
   constexpr std::size_t most = 8;

@@ -1,4 +1,4 @@
-// What: formats the place of vertices and faces in the file of the mesh, for reports.
+// What: formats the place of a defect or a repair in the file of the mesh: vertices, faces and lines.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +17,12 @@ struct Place {
   std::span<const std::size_t> faces;
 };
 
-/// Returns "vertices 3 4, faces 0 7, lines 12 19": lines are those of the faces, or of the vertices if there are no
-/// faces; none for a binary file. Of a long list only the beginning and the length are shown.
+/// Returns "vertices 3 4, faces 0 7, lines 12 19". Lines are those of the faces, or of the vertices if there are no
+/// faces; a binary file has none. A list of more than eight numbers is cut, and its length follows.
 std::string for_people(const Place& place, const MeshFile& mesh);
 
-/// Returns {"vertices": […], "faces": […]}, for a text file also "vertex_lines" and "face_lines", the number of the
-/// line of each.
+/// Returns {"vertices": […], "faces": […]}. A text file adds "vertex_lines" and "face_lines", the line number of each
+/// vertex and face, as far as the lines are known.
 nlohmann::ordered_json as_json(const Place& place, const MeshFile& mesh);
 
 }  // namespace rbpa::app

@@ -26,8 +26,8 @@ Json piece(const meshops::ComponentReport& p) {
           {"orientable", p.orientable}, {"genus", or_null(p.genus())}, {"betti", p.betti()}};
 }
 
-/// Writes one object, with a line for each member and for each item of a list, one after another, as there may be
-/// millions of items.
+/// Writes one object, with a line for each member and for each item of a list. Items are written one after another, as
+/// a list may have millions of items.
 class Object {
  public:
   explicit Object(OutputFile& file) : file_(file) {}

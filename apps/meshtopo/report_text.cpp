@@ -57,7 +57,7 @@ std::string numbers(const Examined& mesh) {
   return text + sizes(mesh.measures);
 }
 
-/// Returns the line "  ... and 5 more"; "" if all are shown.
+/// Returns the line "  ... and 5 more" for 5 items that are not shown; "" if all are shown.
 std::string rest(std::size_t all, std::size_t shown) {
   return all > shown ? "  ... and " + std::to_string(all - shown) + " more\n" : "";
 }
@@ -83,7 +83,7 @@ std::string pieces(const std::vector<meshops::ComponentReport>& all, std::size_t
   return text + rest(all.size(), shown);
 }
 
-/// Returns defects, or steps of a repair, each in a line: at most `most`, and the number of the others.
+/// Returns a line for each of the first `most` defects or repair steps, and a line with the number of the others.
 template <typename Item>
 std::string listed(const std::vector<Item>& items, const MeshFile& mesh, std::size_t most) {
   std::string text;
@@ -95,7 +95,7 @@ std::string listed(const std::vector<Item>& items, const MeshFile& mesh, std::si
   return text + rest(items.size(), shown);
 }
 
-/// Returns a count with its noun, `one` or `several`.
+/// Returns a count with its noun: `one` for 1, otherwise `several`.
 std::string counted(std::size_t count, const char* one, const char* several) {
   return std::to_string(count) + " " + (count == 1 ? one : several);
 }
@@ -175,7 +175,7 @@ std::string checks(const std::vector<CheckResult>& results) {
 
 }  // namespace
 
-// Explain why there is no genus: a component is not orientable, or else an edge has more than two faces.
+// Tell why the genus is undefined: a component is not orientable, or else an edge has more than two faces.
 std::string genus_text(const meshops::TopologyReport& topology) {
   if (topology.genus) return std::to_string(*topology.genus);
   const bool orientable = std::all_of(topology.per_component.begin(), topology.per_component.end(),

@@ -20,15 +20,15 @@ namespace {
 
 std::string name_of(const MeshSource& source) { return source.path == "-" ? "standard input" : source.path; }
 
-/// Replaces the numbers of vertices and faces in the edited mesh, which `item` has, by their numbers in the file.
+/// Replaces the numbers of vertices and faces in `item`, which refer to the edited mesh, by numbers in the file.
 template <typename Item>
 void number_as_in_file(Item& item, const EditedMesh& edited) {
   for (std::uint32_t& p : item.points) p = edited.point_was[p];
   for (std::size_t& f : item.faces) f = edited.face_was[f];
 }
 
-/// Throws BadInput unless the mesh is a surface, as `option` requires, without other defects than pinches, which are
-/// split automatically.
+/// Throws BadInput unless the mesh is a surface without defects other than pinches, as `option` requires. The options
+/// split pinches automatically.
 void require_surface(const std::string& option, const Findings& findings,
                      const std::vector<meshops::SoupDefect>& defects, const MeshSource& source) {
   const auto defect = std::find_if(defects.begin(), defects.end(), [](const meshops::SoupDefect& d) {
@@ -144,15 +144,15 @@ class Run {
     report(findings);
   }
 
-  /// Examines the mesh that a reader of the STL file gets, and prints a warning about losses. Returns whether the file
-  /// is to be written.
+  /// Examines the mesh that a reader of the STL file gets, and prints warnings about losses. Returns whether to write
+  /// the file.
   bool keep_in_stl(const MeshFile& mesh, bool is_wanted, Findings& findings) {
     const std::string& name = plan_.written->path;
     const TriangulatedFaces faces(mesh.positions, mesh.soup);
     const SinglePositions positions = single_positions(Format::stl, faces.vertices, faces.triangles, plan_.shift, name);
     const std::string why = why_not_kept(positions, Format::stl, faces.vertices, faces.triangles, name);
     const MeshFile kept = as_stl_mesh(positions, faces.triangles);
-    const bool joins = kept.positions.size() < mesh.positions.size();  // true also if a vertex has no face
+    const bool joins = kept.positions.size() < mesh.positions.size();  // also if a vertex has no face
     if (is_wanted || joins) findings.result = examine(kept);
     if (joins && why.empty()) {
       const auto count = [&](meshops::SoupDefectKind kind) {
@@ -222,7 +222,7 @@ class Run {
     file->finish();
   }
 
-  /// Evaluates the checks for the resulting mesh, and prints the checks that do not hold.
+  /// Evaluates the checks for the resulting mesh, and prints the checks that fail.
   void check(Findings& findings, const MeshSource& source) {
     for (const Check& wanted : plan_.checks) {
       findings.checks.push_back(evaluate(wanted, findings.result ? *findings.result : findings.given));
@@ -232,7 +232,7 @@ class Run {
     }
   }
 
-  /// Returns a progress line that shows `doing`; nothing is shown with --quiet or if `in_the_way`.
+  /// Returns a progress line that shows `doing`. The line shows nothing with --quiet or if `in_the_way` is true.
   ProgressLine line(const std::string& doing, bool in_the_way = false) const {
     return {"meshtopo", !plan_.quiet && !in_the_way, doing};
   }

@@ -16,7 +16,7 @@ namespace {
 
 using meshops::PolygonSoup;
 
-/// Returns for each face whether a point of the loop is a corner of it.
+/// Returns for each face whether a point of the loop is a corner of the face.
 std::vector<bool> faces_at(const PolygonSoup& soup, const Polyline& loop) {
   std::vector<bool> is_on_loop(soup.points, false), at(soup.faces(), false);
   for (const std::uint32_t p : loop) is_on_loop[p] = true;
@@ -49,8 +49,8 @@ class Closing {
   }
 
  private:
-  /// Closes loops of which no two have a face in common, so that closing one does not change another. Returns whether
-  /// any was closed.
+  /// Closes loops one after another, unless a face at the loop was removed in this round: closing one loop then does
+  /// not change another. Returns whether a loop was closed.
   bool round() {
     result_.report.left = 0;
     std::size_t closed = 0;
@@ -87,7 +87,7 @@ class Closing {
       if (gone[f])
         for (const std::uint32_t p : soup.face(f)) is_around[p] = true;
     }
-    // Choose the new holes, which have only points of the removed faces; an older hole has other points, or is
+    // Choose the new holes: all their points are corners of removed faces. An older hole has other points, or is
     // unchanged.
     FilledMesh filled = fill(open, [&](const Hole&, CurveKind, std::span<const std::uint32_t> points) {
       return std::all_of(points.begin(), points.end(), [&](std::uint32_t p) { return is_around[p]; });
@@ -110,7 +110,7 @@ class Closing {
            topology.boundary_curves == topology_.boundary_curves && topology.pinches <= topology_.pinches;
   }
 
-  /// Removes points that had faces and have none any more.
+  /// Removes points that had faces and now have none.
   void drop_points() {
     meshops::SoupPart part =
         meshops::keep_faces(result_.mesh.soup, std::vector<bool>(result_.mesh.soup.faces(), true), until_interrupted());

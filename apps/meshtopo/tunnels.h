@@ -1,11 +1,11 @@
-// What: cuts handles and closes tunnels around which there is a short loop, for --close-tunnels-below.
+// What: cuts handles and closes tunnels around which a short loop leads, for --close-tunnels-below.
 // How:  the loops are the shortest generators. Removing the faces at the points of a loop leaves a hole on either side
-//       of the loop; both holes are filled as by --fill-holes. This removes a thin bridge, or closes a small tunnel,
-//       without intersections.
-// Law:  each closed loop reduces the genus by one and adds no component, boundary curve or pinch; if that is
-//       impossible, the mesh is not changed at this loop.
-// Cost: for each round that closes a loop, that of shortest_generators(); for each loop, that of a report and of
-//       rbpa::fill_holes().
+//       of the loop, and both holes are filled as by --fill-holes. This removes a thin bridge, or closes a small
+//       tunnel, without intersections.
+// Law:  each closed loop reduces the genus by one and adds no component, boundary curve or pinch. If this is impossible
+//       at a loop, the mesh does not change there.
+// Cost: one call of shortest_generators() for each round, of which all but the last close loops; one topology report
+//       and one rbpa::fill_holes() for each loop.
 #pragma once
 
 #include <cstddef>
@@ -27,8 +27,8 @@ struct SimplerMesh {
   ClosedTunnels report;
 };
 
-/// Cuts handles and closes tunnels of a copy of `mesh`, along generators shorter than `below`. Requires: `mesh` is a
-/// surface without defects other than pinches. Throws Cancelled.
+/// Cuts handles and closes tunnels of a copy of `mesh` along generators shorter than `below`, in units of the
+/// positions. Requires: `mesh` is a surface without defects other than pinches. Throws Cancelled.
 SimplerMesh close_tunnels(const MeshFile& mesh, double below);
 
 }  // namespace rbpa::app

@@ -28,10 +28,10 @@ std::vector<std::uint32_t> at_equal_places(const Positions& positions) {
   return least;
 }
 
-/// A grid of cells with a side of a little over half the distance: vertices in one cell are near each other, and near
+/// A grid of cells whose side is a little over half the distance. Vertices in one cell are near each other, and near
 /// vertices are in cells at most two apart along each axis. Positions are scaled by a power of two, so that nothing
-/// overflows. The grid only chooses the pairs to compare; are_within() decides. If the distance is below about 2⁻³⁹ of
-/// the box, cells are larger, 2⁴⁰ along the box; then vertices in one cell are also compared.
+/// overflows. The grid only chooses the pairs to compare; are_within() decides. If half the distance is below 2⁻⁴⁰ of
+/// the box, the side is 2⁻⁴⁰ of the box, and vertices in one cell are compared too.
 class NearVertices {
  public:
   NearVertices(const Positions& positions, double distance)
@@ -44,7 +44,7 @@ class NearVertices {
 
   std::vector<std::uint32_t> operator()() {
     for (std::size_t c = 0; c + 1 < begin_.size(); ++c) join_within(c);
-    // Search only the neighbors that are after a cell in the order of cells: half of them.
+    // Search only neighbors that come after a cell in the order of cells: half of all neighbors.
     for (std::int64_t x = 0; x <= 2; ++x)
       for (std::int64_t y = -2; y <= 2; ++y)
         if (x > 0 || y >= 0) join_across(x, y, x == 0 && y == 0 ? 1 : -2);
@@ -93,7 +93,7 @@ class NearVertices {
       sets_.join(vertices_[begin_[cell]].vertex, vertices_[i].vertex);
   }
 
-  /// Joins each cell with the cells that are `x` and `y` cells away along x and y, and `first` to 2 along z.
+  /// Joins each cell with the cells that are `x` and `y` cells away along x and y, and `first` to 2 cells along z.
   void join_across(std::int64_t x, std::int64_t y, std::int64_t first) {
     for (std::size_t c = 0, other = 0; c + 1 < begin_.size(); ++c) {
       if (c % 1024 == 0) stop_if_interrupted();
@@ -104,8 +104,8 @@ class NearVertices {
     }
   }
 
-  /// Joins two cells if a pair of their vertices is near. Unless is_near_within_, compares all pairs, and joins near
-  /// vertices.
+  /// Joins two cells if a vertex of one is near a vertex of the other. Unless is_near_within_, compares all pairs of
+  /// vertices, and joins every near pair.
   void join(std::size_t cell, std::size_t other) {
     if (is_near_within_ && sets_.find(vertices_[begin_[cell]].vertex) == sets_.find(vertices_[begin_[other]].vertex))
       return;
@@ -123,7 +123,7 @@ class NearVertices {
   const Positions& positions_;
   const double distance_;
   meshops::DisjointSets sets_;
-  bool is_near_within_ = true;      // vertices in one cell are near each other
+  bool is_near_within_ = true;      // whether all vertices in one cell are near each other
   std::vector<Placed> vertices_;    // all vertices, in the order of their cells
   std::vector<std::size_t> begin_;  // index of the first vertex of each cell, and the end
 };

@@ -44,8 +44,8 @@ void AreaCoverage::add_row(float* row, double rise, double x_from, double x_to) 
     add(first + 1, rise * (1 - inside));
     return;
   }
-  // Sum over several pixels: the area right of the piece grows quadratically in the first and last pixel, linearly in
-  // between.
+  // Sum over several pixels: the area right of the piece grows quadratically in the first and the last pixel, and
+  // linearly in between.
   const double per_pixel = rise / (right - left);
   const double in_first = static_cast<double>(first) + 1 - left, in_last = right - static_cast<double>(last);
   double total = 0, before = 0;
@@ -90,7 +90,7 @@ void LineCoverage::add_line(const Pixel& from, const Pixel& to, double line_widt
   const auto inside = [](double value, int size) { return static_cast<int>(std::clamp<double>(value, 0, size)); };
   const int y_end = inside(std::ceil(std::max(from.y, to.y) + reach), height_);
   for (int y = inside(std::floor(std::min(from.y, to.y) - reach), height_); y < y_end; ++y) {
-    // Find the part of the line near this row, from t0 to t1: it bounds the columns.
+    // Find the part of the line near this row, from t0 to t1, which limits the columns.
     const double row = y + 0.5;
     double t0 = 0, t1 = 1;
     if (dy != 0) {

@@ -1,7 +1,8 @@
-// What: computes how much of each pixel a shape covers, from 0 to 1.
+// What: computes the share of each pixel that a shape covers, from 0 to 1.
 // How:  areas are exact for each pixel (signed trapezoids, summed along rows), so that shapes with a common edge leave
-//       no seam; a pixel of several lines has the largest of their coverages, so that crossings are not darker. Rows
-//       and pixels are steps: a few lines may cross a large canvas. All throw Cancelled after a signal.
+//       no seam. A pixel of several lines has the largest of their coverages, so that crossings are not darker. Drawing
+//       and take() throw Cancelled after a signal, which they look for within a shape too, as one line may cross a
+//       large canvas.
 // Cost: linear in the pixels that the outlines touch, and one pass over the canvas.
 #pragma once
 
@@ -17,9 +18,9 @@ namespace rbpa::app {
 class AreaCoverage {
  public:
   AreaCoverage(int width, int height);
-  /// Adds a straight piece of an outline. Requires: all pieces of an outline run the same way around it.
+  /// Adds a straight piece of an outline. Requires: all pieces of an outline run around it in one direction.
   void add_piece(const Pixel& from, const Pixel& to);
-  /// Returns the coverage of each pixel, by rows. Call once, last: the memory is released.
+  /// Returns the coverage of each pixel, by rows, and releases the memory. Requires: the last call, and the only one.
   std::vector<float> take();
 
  private:
@@ -32,8 +33,8 @@ class AreaCoverage {
   InterruptibleSteps step_;
 };
 
-/// The coverage of round-ended lines and dots. A line of width w < 1 pixel is drawn one pixel wide, with coverage of at
-/// most w.
+/// The coverage of lines with round ends, and of dots. A line narrower than a pixel is drawn one pixel wide, with a
+/// coverage of at most its width.
 class LineCoverage {
  public:
   LineCoverage(int width, int height);

@@ -10,8 +10,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Returns the closed curve from its least edge on: the lowest index is first. If it occurs several times (a pinch),
-/// the occurrence before the lowest next index is first.
+/// Returns the closed curve rotated so that its least edge is first: the edge from the lowest index. If the lowest
+/// index occurs several times (a pinch), the edge with the lowest next index is first.
 std::vector<std::uint32_t> from_least_edge(std::vector<std::uint32_t> curve) {
   const std::size_t length = curve.size();
   std::size_t first = 0;

@@ -1,5 +1,5 @@
-// What: the content of a picture of a complex, in the coordinates of the input.
-// Law:  a function of the complex alone: the order of edges and curves does not depend on the method of computing it.
+// What: defines the content of a picture of a complex, in the coordinates of the input.
+// Law:  a drawing depends on the complex alone; the order of edges and curves does not depend on the method.
 #pragma once
 
 #include <cstdint>
@@ -14,30 +14,30 @@
 
 namespace rbpa::app {
 
-/// A drawing of a complex or of polygons. Edges, curves and isolated points are lists of indices into `points`.
+/// A drawing of a complex or of polygons. Edges, curves and isolated points are given by indices into `points`.
 struct Drawing {
   std::span<const Point> points;
-  std::vector<Edge> inner_edges;  ///< edges of two triangles; in each the lower index is first; sorted
+  std::vector<Edge> inner_edges;  ///< edges of two triangles, sorted; the lower index of each edge is first
   std::vector<std::vector<std::uint32_t>>
       curves;  ///< boundary curves of a complex, each from its least edge, sorted; or rings of polygons
   std::span<const std::uint32_t> isolated;
   std::span<const Edge> dangling = {};  ///< edges in no triangle
-  /// The index of the first curve of each group, and at the end the number of curves. Empty: one color for all.
+  /// The index of the first curve of each group, and at the end the number of curves. Empty: all curves have one color.
   std::vector<std::size_t> groups = {};
   std::span<const std::string> group_names = {};
 };
 
-/// Returns the drawing of a complex; it refers to `points` and `complex`. The isolated points are those in no triangle,
-/// and in a full complex in no edge either. Requires: `points` are those of `complex`, and complex.neighbors is filled
-/// in.
+/// Returns the drawing of a complex, which refers to `points` and `complex`. The isolated points are the points in no
+/// triangle, and for the full complex in no edge either. Requires: `points` are the points of `complex`;
+/// complex.neighbors is set.
 Drawing drawing_of(std::span<const Point> points, const AlphaComplex& complex, ComplexKind kind);
 
-/// Returns the drawing of the rings of `polygons`, and of `isolated` points. It refers to `points` and `isolated`.
+/// Returns the drawing of the rings of `polygons` and of `isolated` points; it refers to `points` and `isolated`.
 Drawing drawing_of(std::span<const Point> points, std::span<const Polygon> polygons,
                    std::span<const std::uint32_t> isolated);
 
-/// Returns the drawing of groups of polygons, each group in its color; it refers to `points` and `names`. Group g has
-/// the polygons polygon_begin[g] to polygon_begin[g + 1] - 1.
+/// Returns the drawing of groups of polygons, each group in its own color. The drawing refers to `points` and `names`.
+/// Group g has the polygons polygon_begin[g] to polygon_begin[g + 1] - 1.
 Drawing drawing_of(std::span<const Point> points, std::span<const Polygon> polygons,
                    std::span<const std::uint64_t> polygon_begin, std::span<const std::string> names);
 

@@ -23,7 +23,7 @@ std::string number(double value) {
   return text.data();
 }
 
-/// A logarithmic axis: maps the logarithms from low to high to pixels.
+/// A logarithmic axis: maps logarithms from low to high to pixels.
 struct Axis {
   double low, high;
   int from, to;
@@ -43,7 +43,7 @@ void text(std::string& svg, int x, int y, const std::string& words, const char* 
          "\">" + words + "</text>\n";
 }
 
-/// Returns 10 to the power `exponent` as text, also beyond the range of double.
+/// Returns 10 to the power `exponent` as text, even beyond the range of double.
 std::string power_of_ten(double exponent) {
   constexpr double safe = 300;
   if (std::abs(exponent) <= safe) return number(std::pow(10, exponent));
@@ -51,7 +51,7 @@ std::string power_of_ten(double exponent) {
   return number(std::pow(10, exponent - whole)) + (whole > 0 ? "e+" : "e") + number(whole);
 }
 
-/// Returns the ticks of an axis: at most nine powers of ten, or the two ends if fewer than two powers are inside.
+/// Returns the ticks of an axis: at most nine powers of ten, or both ends if fewer than two such powers are inside.
 std::vector<std::pair<double, std::string>> ticks(const Axis& axis) {
   std::vector<std::pair<double, std::string>> all;
   const double stride = std::max(1.0, std::ceil((axis.high - axis.low) / 8));
@@ -73,7 +73,7 @@ void draw_frame(std::string& svg, const Axis& x, int top, int bottom, const char
   line(svg, left, top, left, bottom, "stroke=\"#1b2733\"");
 }
 
-/// Draws a curve. Each column of pixels gets its least, its greatest and its last value.
+/// Draws a curve. Each column of pixels shows its least, its greatest and its last value.
 void draw_curve(std::string& svg, const FiltrationPlot& plot, const Axis& x, const Axis& y, const PlotCurve& curve) {
   svg += std::string("<path fill=\"none\" stroke-width=\"2\" stroke=\"") + curve.color + "\" d=\"M" +
          std::to_string(left) + " " + std::to_string(y.from);
@@ -107,7 +107,7 @@ void draw_band(std::string& svg, const Axis& x, const Plateau& plateau) {
          "\" fill=\"#e6f0f9\"/>\n";
 }
 
-/// Draws a key to the right of the plot.
+/// Draws an entry of the key to the right of the plot.
 void draw_key(std::string& svg, int y, const std::string& name, const std::string& color) {
   line(svg, right + 15, y - 5, right + 35, y - 5, ("stroke-width=\"3\" stroke=\"" + color + "\"").c_str());
   text(svg, right + 42, y, name, "start");
@@ -137,7 +137,7 @@ void draw_curves(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
   draw_mark(svg, x, plot.least_connected, "auto", 62);
 }
 
-/// Draws the pairs as dots. Dots that would cover each other are drawn once.
+/// Draws the pairs as dots. Dots of one color at one pixel are drawn once.
 void draw_diagram(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
   const Axis y{x.low, x.high, diagram_bottom, last_death};
   draw_frame(svg, x, diagram_top, diagram_bottom, "birth");

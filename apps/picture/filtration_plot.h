@@ -1,5 +1,5 @@
-// What: draws a filtration: its counts against alpha, and births against deaths.
-// Law:  the same set of points gives the same bytes. The number of bytes is bounded by the pixels, however many steps
+// What: draws a filtration: its counts against alpha, and births against deaths of persistence pairs.
+// Law:  a set of points always gives the same bytes. The number of bytes is bounded by the pixels, however many steps
 //       and pairs there are.
 #pragma once
 
@@ -36,15 +36,15 @@ struct FiltrationPlot {
   std::optional<Plateau> plateau = std::nullopt;         ///< shown as a band, with its alpha marked "plateau"
 };
 
-/// Returns the plot for points in the plane: the counts of `steps` as curves, and `pairs`, those of components and of
-/// holes. No radius is marked.
+/// Returns the plot for points in the plane: the counts of `steps` as curves, and `pairs` of components and holes. No
+/// radius is marked.
 FiltrationPlot plot_of(std::span<const FiltrationStep> steps, std::vector<PersistencePair> pairs);
 
-/// Returns the plot for points in space: Betti numbers, counted from the births and deaths of `pairs`. No radius is
-/// marked.
+/// Returns the plot for points in space: Betti numbers as curves, counted from the births and deaths of `pairs`, and
+/// `pairs`. No radius is marked.
 FiltrationPlot plot_of(std::span<const SolidPair> pairs);
 
-/// Returns the plot as an SVG file.
+/// Returns the plot as the content of an SVG file.
 std::string svg_of(const FiltrationPlot& plot);
 
 }  // namespace rbpa::app

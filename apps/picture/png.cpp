@@ -53,7 +53,7 @@ class Canvas {
   InterruptibleSteps step_;
 };
 
-/// Calls visit(from, to) for every piece of the curves.
+/// Calls visit(from, to) for each straight piece of the curves.
 template <typename Visit>
 void for_each_boundary_piece(const Scene& scene, std::span<const std::vector<std::uint32_t>> curves, Visit&& visit) {
   for (const std::vector<std::uint32_t>& curve : curves)

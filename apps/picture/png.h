@@ -1,5 +1,5 @@
-// What: writes a scene as PNG with our own anti-aliasing rasterizer.
-// Law:  the same scene gives the same pixels.
+// What: writes a scene as PNG; an own rasterizer smooths the edges.
+// Law:  a scene always gives the same pixels.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace rbpa::app {
 
-/// Writes a picture, of which `pixels` has red, green and blue of each pixel, by rows. Throws Failure if it cannot be
-/// encoded, and as OutputFile does.
+/// Writes a picture. `pixels` has red, green and blue of each pixel, by rows. Throws Failure if the picture cannot be
+/// encoded; as OutputFile does; Cancelled.
 void write_png(OutputFile& file, int width, int height, const std::vector<std::uint8_t>& pixels);
 
 void write_png(OutputFile& file, const Scene& scene);

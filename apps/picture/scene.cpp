@@ -36,7 +36,7 @@ double length(const Pixel& a, const Pixel& b) {
   return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
 }
 
-/// Returns the median length of a sample of a few thousand edges; 0 if there are none.
+/// Returns the median length of a sample of at most 20000 edges; 0 if there are no edges.
 double typical_length(const Drawing& drawing, const std::vector<Pixel>& at) {
   constexpr std::size_t enough = 10000;
   std::vector<double> lengths;
@@ -73,11 +73,11 @@ Scene place(const Drawing& drawing, int width) {
   constexpr double flattest = 0.125, tallest = 2;  // ratio of height to width of the inner part
   const Frame frame(drawing.points);
 
-  // If all points are equal, the box is a unit square. An infinite ratio does no harm: it is clamped before it is used.
+  // The box is a unit square if all points are equal. An infinite ratio is harmless, as it is clamped before use.
   const double ratio = frame.width > 0 ? frame.height / frame.width : (frame.height > 0 ? tallest + 1 : flattest);
   const double inner_height = std::round(inner_width * std::clamp(ratio, flattest, tallest));
   const bool by_width = ratio <= tallest;
-  // Compute positions as fractions of the box first, as the number of pixels per unit may be out of range.
+  // Compute positions as fractions of the box first: the number of pixels for each unit may be out of range.
   const double box = by_width ? frame.width : frame.height;
   const double box_pixels = by_width ? inner_width : inner_height;
   const double used_width = by_width ? inner_width : inner_height / ratio;

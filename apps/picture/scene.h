@@ -1,5 +1,5 @@
-// What: maps a drawing to the pixels of a canvas, y down.
-// Law:  any finite coordinates fit, however large, small or flat; the same drawing gives the same numbers everywhere.
+// What: maps a drawing to the pixels of a canvas, with y downward.
+// Law:  any finite coordinates fit, however large, small or flat. A drawing gives the same numbers on every machine.
 #pragma once
 
 #include <vector>
@@ -25,8 +25,8 @@ struct Scene {
 constexpr int least_width = 64;
 constexpr int greatest_width = 8192;
 
-/// Returns the scene of a drawing, to which it refers. Both axes have the same scale; the height follows the points,
-/// from about 0.18 to 1.94 times the width. Requires: least_width ≤ width ≤ greatest_width. Cost: linear.
+/// Returns the scene of a drawing, which refers to the drawing. Both axes have one scale. The height follows the
+/// points, from about 0.18 to 1.94 times the width. Requires: least_width ≤ width ≤ greatest_width. Cost: linear.
 Scene place(const Drawing& drawing, int width);
 
 }  // namespace rbpa::app

@@ -13,7 +13,7 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 
-/// Returns the points centered and scaled so that the longest side of their box is 2, also for coordinates near the
+/// Returns the points, centered and scaled so that the longest side of their box is 2, even for coordinates near the
 /// largest double.
 std::vector<Vector> normalized(std::span<const Point3> points) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -39,8 +39,8 @@ Vector upward(const Vector& axis) {
 }
 
 /// Returns the coordinate axis, 1 (y) or 2 (z), that is upright for a viewer in the direction `viewer`. The points do
-/// not determine this axis: it is y in most models and z in most scans. If the viewer looks along one of the two, the
-/// other is upright; otherwise y, unless the points extend much more in z.
+/// not determine this axis: it is y in most models and z in most scans. If the viewer looks along y or z, the other
+/// axis is upright; otherwise y is, unless the points extend much more in z.
 Eigen::Index upright(const Vector& viewer, const Vector& variances) {
   constexpr double taller = 1.5;
   Eigen::Index along = 0;
@@ -49,7 +49,7 @@ Eigen::Index upright(const Vector& viewer, const Vector& variances) {
   return variances.z() > taller * taller * variances.y() ? 2 : 1;
 }
 
-/// Returns the matrix whose rows point to the right, up, and to the viewer, such that `axis` points up in the picture.
+/// Returns the matrix whose rows point to the right, up and to the viewer. `axis` points up in the picture.
 Eigen::Matrix3d with_upright(const Vector& axis, const Vector& viewer) {
   const Vector up = (axis - axis.dot(viewer) * viewer).normalized();
   Eigen::Matrix3d view;
@@ -57,10 +57,10 @@ Eigen::Matrix3d with_upright(const Vector& axis, const Vector& viewer) {
   return view;
 }
 
-/// Returns the view of points, a matrix as of with_upright(). The viewer is at least 45 degrees from the axis before
-/// the turn, so it stays at least 25 from it.
+/// Returns the view of the points, a matrix like that of with_upright(). The viewer is at least 45 degrees from the
+/// upright axis before the turn of 20 degrees toward it, and at least 25 degrees after the turn.
 Eigen::Matrix3d directions(std::vector<Vector> points) {
-  // Sort, as sums of floating-point numbers depend on their order.
+  // Sort first: sums of floating-point numbers depend on their order.
   sort(points, [](const Vector& a, const Vector& b) {
     return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
   });

@@ -1,8 +1,8 @@
-// What: views points in space from a direction that follows from them, on the pixels of a canvas.
-// Law:  a function of the set of points, up to rounding, in whatever order they come; any finite coordinates fit.
-// How:  orthographic. The shortest principal axis of the points points to the viewer; y or z is upright, whichever is
-//       not the direction of view. The view is then turned by 25 degrees to the side and 20 from above, so that flat
-//       and straight sets show their depth.
+// What: views points in space, on the pixels of a canvas, from a direction that follows from the points.
+// Law:  up to rounding, the view depends on the set of points, not on their order. Any finite coordinates fit.
+// How:  the view is orthographic. The shortest principal axis of the points points to the viewer; y or z, whichever is
+//       not the direction of view, is upright. The view is then turned by 25 degrees to the side and 20 from above, so
+//       that flat and straight sets show their depth.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// What: colors and line widths of our pictures.
-// Why:  blue against orange and dark against light differ for every kind of color vision, and in gray.
+// What: defines the colors and line widths of all pictures.
+// Why:  blue against orange, and dark against light, differ for every kind of color vision, and in gray.
 #pragma once
 
 #include <cstddef>
@@ -17,19 +17,19 @@ constexpr Color edge_color{0x4A, 0x86, 0xB4};
 constexpr Color boundary_color{0x10, 0x33, 0x5C};
 constexpr Color isolated_color{0xD5, 0x5E, 0x00};
 
-/// The colors of a group of polygons; groups may overlap.
+/// The colors of a group of polygons. Groups may overlap.
 struct GroupColors {
   Color fill, boundary;
 };
 constexpr double group_opacity = 0.6;  ///< opacity of the fill of groups, from 0 to 1
 constexpr std::size_t group_color_count = 24;
 
-/// Returns the colors of group k; group k + group_color_count has the colors of group k. The first eight hues differ
-/// for every kind of color vision (Okabe and Ito); lighter and darker shades of these follow.
+/// Returns the colors of group k. Colors repeat after group_color_count groups. The first eight hues differ for every
+/// kind of color vision (Okabe and Ito); a lighter and a darker shade of each hue follow.
 constexpr GroupColors group_colors(std::size_t k) {
   constexpr Color hues[] = {{0x00, 0x72, 0xB2}, {0xE6, 0x9F, 0x00}, {0x00, 0x9E, 0x73}, {0xCC, 0x79, 0xA7},
                             {0xD5, 0x5E, 0x00}, {0x56, 0xB4, 0xE9}, {0xB8, 0xAE, 0x00}, {0x77, 0x77, 0x77}};
-  constexpr int shades[] = {60, 35, 85};  // percent of the hue, the rest is white
+  constexpr int shades[] = {60, 35, 85};  // percent of the hue; the rest is white
   const Color hue = hues[k % 8];
   const int shade = shades[k / 8 % 3];
   const auto lit = [shade](std::uint8_t value) { return static_cast<std::uint8_t>(255 - (255 - value) * shade / 100); };
@@ -37,7 +37,7 @@ constexpr GroupColors group_colors(std::size_t k) {
   return {{lit(hue.red), lit(hue.green), lit(hue.blue)}, {dark(hue.red), dark(hue.green), dark(hue.blue)}};
 }
 
-/// Line widths and the radius of dots, in pixels. Lines are thinner where edges are shorter, so that they do not hide
+/// Line widths and the radius of dots, in pixels. Lines are thinner where edges are shorter, so that lines do not hide
 /// the triangles.
 struct Strokes {
   double edge_width;

@@ -21,8 +21,8 @@ constexpr Color filled_color{0x9F, 0xD3, 0xB4};  // lighter than the boundary, g
 constexpr Color rim_color{0xE6, 0x9F, 0x00};
 constexpr Color island_color{0xCC, 0x79, 0xA7};
 
-/// A canvas of samples, each with a color and a depth. Of all that is drawn on a sample, the part nearest to the viewer
-/// remains.
+/// A canvas of samples, each with a color and a depth. A sample shows the part nearest to the viewer of all that is
+/// drawn on it.
 class DepthCanvas {
  public:
   DepthCanvas(int width, int height) : width_(width), height_(height) {
@@ -87,7 +87,7 @@ class DepthCanvas {
     }
   }
 
-  /// Returns the pixels; each is the mean of a square of `side` × `side` samples.
+  /// Returns the pixels. Each is the mean of a square of `side` × `side` samples.
   std::vector<std::uint8_t> pixels(int side) {
     std::vector<std::uint8_t> bytes;
     bytes.reserve(depths_.size() * 3);
@@ -120,8 +120,8 @@ class DepthCanvas {
   InterruptibleSteps step_;
 };
 
-/// Returns the color of a triangle under light. The light comes from the viewer's upper left. As y points down, a
-/// triangle that is counter-clockwise for the viewer has a negative area.
+/// Returns the color of a triangle under light from the upper left of the viewer. As y points down, a triangle that is
+/// counter-clockwise for the viewer has a negative area.
 Color shade(const Place& a, const Place& b, const Place& c, const Color& front_own) {
   const double u[] = {b[0] - a[0], a[1] - b[1], b[2] - a[2]}, v[] = {c[0] - a[0], a[1] - c[1], c[2] - a[2]};
   const double n[] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
@@ -134,8 +134,8 @@ Color shade(const Place& a, const Place& b, const Place& c, const Color& front_o
   return {lit(own.red), lit(own.green), lit(own.blue)};
 }
 
-/// Returns the color of a triangle before shading: the color of filled holes if it fills one, else the mean color of
-/// its corners, or the default color if the points have none.
+/// Returns the color of a triangle before shading: the color of filled holes if it fills a hole, otherwise the mean
+/// color of its corners, or the default color if the points have no colors.
 Color own_color(const SurfacePicture& picture, std::size_t triangle) {
   if (!picture.filled.empty() && picture.filled[triangle]) return filled_color;
   const auto& t = picture.triangles[triangle];
@@ -162,7 +162,7 @@ void write_surface_png(OutputFile& file, const SurfacePicture& picture, int widt
     const Place &a = view.at[t[0]], &b = view.at[t[1]], &c = view.at[t[2]];
     canvas.triangle(a, b, c, shade(a, b, c, own_color(picture, i)));
   }
-  // Lines are raised by their thickness towards the viewer, so that a rim is visible along its whole length.
+  // Raise lines by their thickness toward the viewer, so that a rim is visible along its whole length.
   const double radius = side * std::max(1.0, width / 700.0);
   const auto raised = [&](std::uint32_t i) { return Place{view.at[i][0], view.at[i][1], view.at[i][2] + 2 * radius}; };
   for (const std::uint32_t i : picture.unused) {

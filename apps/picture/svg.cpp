@@ -12,7 +12,7 @@
 namespace rbpa::app {
 namespace {
 
-/// A step of the pen, in hundredths of a pixel.
+/// A position or a step of the pen, in hundredths of a pixel.
 struct Step {
   long x, y;
   friend bool operator==(const Step&, const Step&) = default;
@@ -32,7 +32,7 @@ std::string decimal(long hundredths) {
   return text;
 }
 
-/// Writes a path. The pen moves by whole hundredths, so that positions do not drift.
+/// Writes the data of a path. The pen moves by whole hundredths of a pixel, so that positions do not drift.
 class Path {
  public:
   explicit Path(OutputFile& file) : file_(file) {}
@@ -102,7 +102,7 @@ void write_curves(OutputFile& file, const Scene& scene, std::span<const std::vec
   }
 }
 
-/// Writes a path for each group, with its name, in its colors.
+/// Writes a path for each group, with the name and the colors of the group.
 void write_groups(OutputFile& file, const Scene& scene) {
   const std::vector<std::size_t>& begin = scene.drawing->groups;
   for (std::size_t g = 0; g + 1 < begin.size(); ++g) {

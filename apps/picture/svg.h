@@ -1,5 +1,5 @@
-// What: writes a scene as SVG, one path per layer.
-// Law:  the same scene gives the same bytes. Positions are multiples of 0.01 pixels.
+// What: writes a scene as SVG, with one path for each layer.
+// Law:  a scene always gives the same bytes. Positions are multiples of 0.01 pixels.
 #pragma once
 
 #include "io/bytes/output_file.h"
@@ -7,7 +7,7 @@
 
 namespace rbpa::app {
 
-/// Writes the scene. Throws as OutputFile::write().
+/// Writes the scene. Throws as OutputFile::write() does.
 void write_svg(OutputFile& file, const Scene& scene);
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: the exit codes of our programs, and the last line that they print.
+// What: defines the exit codes of rbpa and meshtopo, and prints their results and messages.
 #pragma once
 
 #include <functional>
@@ -6,7 +6,7 @@
 
 namespace rbpa::app {
 
-/// Exit codes. `cancelled` and `closed_pipe` are the statuses that a shell reports for a process that SIGINT or SIGPIPE
+/// Exit codes. `cancelled` and `closed_pipe` are the codes that a shell reports for a process that SIGINT or SIGPIPE
 /// has ended.
 enum ExitCode {
   done = 0,
@@ -28,8 +28,8 @@ int report(const std::string& program, const std::string& message, ExitCode code
 /// Writes `text` to standard output. Throws Failure, ClosedPipe, Cancelled.
 void print(const std::string& text);
 
-/// Calls `work` and returns the exit code `done`. If it throws, prints one line on standard error (none for ClosedPipe)
-/// and returns the exit code of the exception.
+/// Calls `work` and returns the exit code `done`. If `work` throws, prints one line on standard error (none for
+/// ClosedPipe) and returns the exit code of the exception.
 int run(const std::string& program, const std::function<void()>& work);
 
 }  // namespace rbpa::app

@@ -28,7 +28,7 @@ std::vector<const CLI::Option*> positionals_of(const CLI::App& app) {
 
 bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
-/// Returns the names of an option, such as "-o" and "--output".
+/// Returns the names of an option with their dashes, such as "-o" and "--output".
 std::vector<std::string> names_of(const CLI::Option& option) {
   std::vector<std::string> names;
   for (const std::string& name : option.get_snames()) names.push_back("-" + name);
@@ -42,7 +42,7 @@ std::string joined(const std::vector<std::string>& words, const std::string& bet
   return text;
 }
 
-/// Returns the names of the options that --help of `app`, a program or a verb, lists.
+/// Returns the names of all options that --help of `app` lists; `app` is a program or a verb.
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> all;
   for (const CLI::Option* option : options_of(app))
@@ -52,8 +52,7 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 // ---- roff
 
-/// Returns the text escaped for roff, so that roff reads no character of it as a request, an escape, a hyphen or a
-/// quote.
+/// Returns the text escaped for roff. No character of the text then acts as a request, an escape, a hyphen or a quote.
 std::string roff(const std::string& text) {
   std::string shown;
   for (const char c : text) {
@@ -75,7 +74,7 @@ std::string roff(const std::string& text) {
   return shown;
 }
 
-/// Returns the text in roff: indented lines as they are, other lines as paragraphs.
+/// Returns the text in roff: indented lines unfilled, other lines as paragraphs.
 std::string roff_paragraphs(const std::string& text) {
   std::istringstream lines(text);
   std::string shown;
@@ -92,7 +91,7 @@ std::string roff_paragraphs(const std::string& text) {
   return shown + (is_indented ? ".fi\n" : "");
 }
 
-/// Returns the usage in roff, such as "rbpa mesh POINTS [OPTIONS]", of `app`, which is called as `called`.
+/// Returns the usage of `app` in roff, such as "rbpa mesh POINTS [OPTIONS]", where `called` is "rbpa mesh".
 std::string roff_usage(const std::string& called, const CLI::App& app) {
   std::string usage = "\\fB" + roff(called) + "\\fR";
   for (const CLI::Option* positional : positionals_of(app)) usage += " \\fI" + roff(positional->get_name()) + "\\fR";
@@ -116,7 +115,7 @@ std::string roff_options(const CLI::App& app) {
   return text;
 }
 
-/// Returns the footer of the help without the exit codes, which have a section of their own.
+/// Returns the footer of the help without the exit codes: the manual page has a section for them.
 std::string footer_of(const CLI::App& app) {
   std::string footer = app.get_footer();
   if (const auto codes = footer.find(exit_codes); codes != std::string::npos) footer.resize(codes);
@@ -126,7 +125,7 @@ std::string footer_of(const CLI::App& app) {
 
 // ---- shells
 
-/// Returns text as a shell word in single quotes.
+/// Returns the text as a shell word in single quotes.
 std::string in_single_quotes(const std::string& text) {
   std::string safe = "'";
   for (const char c : text) {
@@ -138,7 +137,7 @@ std::string in_single_quotes(const std::string& text) {
   return safe += "'";
 }
 
-/// Returns the text escaped for an argument of zsh's _arguments.
+/// Returns the text escaped for an argument of the zsh function _arguments.
 std::string zsh_text(const std::string& text) {
   std::string safe;
   for (const char c : text) {
@@ -201,7 +200,7 @@ std::string bash_completion(const CLI::App& app) {
             "' ;;\n  esac\n  if [ \"$COMP_CWORD\" -eq 1 ]; then\n" + "    words='" + joined(verbs, " ") + " " + own +
             "'\n    COMPREPLY=($(compgen -W \"$words\" -- \"$current\"))\n    return\n  fi\n";
   text += "  case $current in\n    -*) COMPREPLY=($(compgen -W \"$words\" -- \"$current\")) ;;\n";
-  // bash completes file names itself, also those with blanks, and folders.
+  // Leave names of files and folders, also those with blanks, to the completion of bash itself.
   text += "    *) COMPREPLY=() ;;\n  esac\n}\ncomplete -o bashdefault -o default -F " + function + " " + program + "\n";
   return text;
 }
@@ -222,7 +221,7 @@ std::string zsh_completion(const CLI::App& app) {
 
 namespace {
 
-/// Ends parsing with `text`, which CLI11 prints. Requires: `text` ends in a line end; CLI11 adds it again.
+/// Ends parsing by a CLI::Success, which prints `text`. Requires: `text` ends in a line end, which CLI11 adds again.
 [[noreturn]] void answer(std::string text) {
   text.pop_back();
   throw CLI::CallForVersion(text, 0);

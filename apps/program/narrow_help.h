@@ -1,4 +1,4 @@
-// What: formats help in lines of at most 100 characters, unless one word is longer; a verb is shown by its summary.
+// What: formats help in lines of at most 100 characters, unless one word is longer; lists verbs by their summaries.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -10,7 +10,7 @@
 
 namespace rbpa::app {
 
-/// Returns the summary of a verb: the first line of its description. The help of the verb has all of it.
+/// Returns the summary of a verb: the first line of its description. The help of the verb shows all lines.
 inline std::string summary_of(const CLI::App& verb) {
   const std::string description = verb.get_description();
   return description.substr(0, description.find('\n'));
@@ -20,8 +20,8 @@ class NarrowHelp : public CLI::Formatter {
  public:
   static constexpr std::size_t columns = 100;
 
-  /// Returns CLI11's help with longer lines broken: an indented line continues below the descriptions of options, any
-  /// other at the left.
+  /// Returns the help of CLI11 with lines above 100 characters broken. The rest of an indented line is indented to the
+  /// column of the descriptions; the rest of any other line begins at the left.
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
     std::istringstream lines(CLI::Formatter::make_help(app, name, mode));
     std::string text;

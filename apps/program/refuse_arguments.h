@@ -11,8 +11,8 @@
 
 namespace rbpa::app {
 
-/// Returns the message about an unknown `word` after `called`: the program, with its verb if one is given. An empty
-/// word is no word.
+/// Returns the message about an unknown `word` on a command line. `called` is the program, followed by the verb if one
+/// is given. An empty `word` means that a verb is missing.
 inline std::string unexpected(const std::string& word, const CLI::App& app, const std::string& called) {
   const std::string found = "found " + (word.empty() ? "no verb" : in_quotes(word)) + ", expected ",
                     way = " (see " + called + " --help)";
@@ -23,8 +23,8 @@ inline std::string unexpected(const std::string& word, const CLI::App& app, cons
   return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + called + way;
 }
 
-/// Returns the message of CLI11 in our words: with what is expected in place of a missing value, and with the
-/// description of a missing option.
+/// Returns a message of CLI11 in our words. The message about a missing value names the expected value; the message
+/// about a missing option adds the description of the option.
 inline std::string in_our_words(std::string message, const CLI::App& verb) {
   constexpr std::string_view value = ": 1 required ", no_value = " missing", no_option = " is required",
                              note = " (required)";
@@ -40,11 +40,11 @@ inline std::string in_our_words(std::string message, const CLI::App& verb) {
   return message + ": " + description;
 }
 
-/// Prints on standard error what is wrong with the command line that `app` refused by `error`; returns wrong_usage.
+/// Prints on standard error why `app` refused the command line with `error`, and returns wrong_usage.
 inline int refuse_arguments(const CLI::App& app, const CLI::ParseError& error) {
   const auto verbs = app.get_subcommands();
   const std::string called = app.get_name() + (verbs.empty() ? "" : " " + verbs.front()->get_name());
-  // A required option may be missing because its name is misspelled.
+  // Report an unknown word first: a required option may be missing because its name is misspelled.
   const std::vector<std::string> unknown = app.remaining(true);
   const bool lacks_verb = verbs.empty() && app.get_require_subcommand_min() > 0 &&
                           dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;

@@ -90,7 +90,7 @@ void run_alpha(const AlphaArguments& arguments) {
   }
   run.stats.build_seconds = run.lap();
 
-  // Open files before anything is printed, so that a file that cannot be written is refused first.
+  // Open files before anything is printed: a file that cannot be written is then refused first.
   OutputFile* picture = arguments.picture ? &run.files().add(*arguments.picture) : nullptr;
   OutputFile* stats_file = arguments.stats ? &run.files().add(*arguments.stats) : nullptr;
   {

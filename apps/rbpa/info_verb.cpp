@@ -28,11 +28,11 @@ struct Box {
 struct Info {
   std::size_t points = 0;
   std::size_t distinct = 0;
-  std::optional<Box> box = std::nullopt;  ///< absent if there are no points
+  std::optional<Box> box = std::nullopt;  ///< nullopt if there are no points
   std::optional<Crs> crs = std::nullopt;
-  std::optional<ScanFacts> scan = std::nullopt;  ///< absent unless the points are those of a laser scan
-  bool flattened = false;                        ///< the points have different heights, which are ignored
-  std::optional<double> spacing = std::nullopt;  ///< √(area of the box / distinct points); absent if the area is 0
+  std::optional<ScanFacts> scan = std::nullopt;  ///< nullopt unless the points come from a laser scan
+  bool flattened = false;                        ///< whether the points have different heights, which are ignored
+  std::optional<double> spacing = std::nullopt;  ///< √(area of the box / distinct points); nullopt if the area is 0
 };
 
 Info examine(std::vector<Point> points, const RunOptions& run) {
@@ -130,7 +130,7 @@ std::string as_json(const Info& info) {
   return report.dump(2) + "\n";
 }
 
-/// Writes a line for each group of points, or with `json` a list with an object for each.
+/// Writes a table with a line for each group of points; with `json`, a list with an object for each group.
 void write_groups(OutputFile& out, const NamedGroups& named, bool json) {
   char line[160];
   const auto row = [&](const std::string& points, const std::string& distinct, const std::string& spacing,

@@ -1,4 +1,4 @@
-// What: the program `rbpa`: reads the command line and runs a verb.
+// What: runs the program `rbpa`: reads the command line, and runs a verb.
 #include <CLI/App.hpp>
 #include <algorithm>
 #include <functional>
@@ -20,10 +20,11 @@ namespace {
 
 constexpr const char* program = "rbpa";
 
-/// Returns the words of the command line in reverse order, as CLI11 parses them. "help VERB" becomes "VERB --help".
+/// Returns the words of the command line in reverse order, as CLI11 parses them. "help VERB" becomes "VERB --help", and
+/// "help" alone "--help".
 std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
-  // Version 0.1 had --suggest-repairs under the name --remedies.
+  // Accept --remedies, the name of --suggest-repairs in version 0.1.
   std::replace(words.begin(), words.end(), std::string("--remedies"), std::string("--suggest-repairs"));
   if (!words.empty() && words[0] == "help") {
     words.erase(words.begin());
@@ -74,7 +75,7 @@ int main(int argc, char** argv) {
   add_manual(app, std::string("rbpa ") + RBPA_VERSION);
   try {
     app.parse(words_of(app, argc, argv));
-  } catch (const CLI::Success& e) {  // help or version
+  } catch (const CLI::Success& e) {  // help, version, manual page or completion
     std::ostringstream text, nothing;
     app.exit(e, text, nothing);
     return run(program, [&] { print(text.str()); });
@@ -83,7 +84,7 @@ int main(int argc, char** argv) {
   }
   const auto chosen =
       std::find_if(verbs.begin(), verbs.end(), [](const Verb& verb) { return verb.declared->parsed(); });
-  return run(program, chosen->run);  // never null: a verb is required
+  return run(program, chosen->run);  // chosen is never the end: a verb is required
 }
 
 }  // namespace
@@ -91,7 +92,7 @@ int main(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   int code = 0;
-  // Declare options within run(), which reports it if memory runs out.
+  // Declare the options within run(), which reports an exhausted memory.
   const int failed = rbpa::app::run(rbpa::app::program, [&] { code = rbpa::app::main(argc, argv); });
   return failed != 0 ? failed : code;
 }

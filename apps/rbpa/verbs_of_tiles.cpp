@@ -1,4 +1,4 @@
-// What: declares the verb that works tile by tile, on more points than fit into memory.
+// What: declares the verb `stream`, which works tile by tile on more points than fit into memory.
 #include <CLI/App.hpp>
 #include <string>
 #include <utility>
@@ -40,7 +40,7 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
       ->type_name("S");
   add_switch(verb, "--keep-tiles", arguments.keep_tiles,
              "Keep the files of tiles in --scratch (by default they are removed at the end)");
-  // Declare options of rbpa shape, hidden from the help: their refusal names the verb that has them.
+  // Declare two options of rbpa shape, hidden from the help: the message that refuses them names rbpa shape.
   for (const auto& [name, value] :
        {std::pair("--min-hole-area", &arguments.min_hole_area), std::pair("--min-part-area", &arguments.min_part_area)})
     verb.add_option(name, *value)->group("");

@@ -7,7 +7,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Bytes encoded at a time: a multiple of three, so that the pieces together are the base64 of the whole.
+/// Bytes encoded at a time: a multiple of three, so that the encoded pieces together are the base64 of all bytes.
 constexpr std::size_t piece = std::size_t{3} << 14U;
 
 }  // namespace

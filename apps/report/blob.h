@@ -1,5 +1,5 @@
 // What: writes an array of numbers as an element of a page, in base64: little-endian doubles, or whole numbers with
-//       seven bits a byte, the lowest first, and 128 added to each byte but the last.
+//       seven bits in each byte, the lowest bits first, and 128 added to each byte but the last.
 // Law:  the bytes depend on the numbers alone.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace rbpa::app {
 class Blob {
  public:
   /// Writes <script type="application/base64" id="data-NAME">. Keeps a reference to `file`. All members throw as
-  /// OutputFile::write() does.
+  /// OutputFile::write() does; Cancelled.
   Blob(OutputFile& file, std::string_view name);
   Blob(const Blob&) = delete;
   Blob& operator=(const Blob&) = delete;
@@ -26,7 +26,7 @@ class Blob {
   void put_signed(std::int64_t value) {
     put_whole(static_cast<std::uint64_t>(value) << 1U ^ static_cast<std::uint64_t>(value >> 63U));
   }
-  /// Writes the rest of the bytes and the end of the element. Call once, last.
+  /// Writes the waiting bytes and the end of the element. Requires: the last call, and the only one.
   void end();
 
  private:

@@ -1,4 +1,4 @@
-// What: the HTML of the pages in page/ and space_page/, with style and script (embed.cmake), without data.
+// What: declares the HTML of the pages in page/ and space_page/, with style and script but without data (embed.cmake).
 #pragma once
 
 #include <string_view>

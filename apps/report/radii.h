@@ -1,4 +1,4 @@
-// What: the critical radii of points, the radii that --alpha knows by name, and the recommended radius.
+// What: defines the critical radii of points, the radii that --alpha knows by name, and the recommended radius.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@
 namespace rbpa::app {
 
 struct Radii {
-  std::size_t points = 0;          ///< number of points, duplicates included
-  std::size_t max_components = 1;  ///< the most solid components of "auto"
+  std::size_t points = 0;          ///< number of points, including duplicates
+  std::size_t max_components = 1;  ///< the most solid components at the radius "auto"
   double cover = 1;                ///< share of the points that least_covering and least_connected cover
-  std::optional<double> least_covering = std::nullopt;   ///< "min"
-  std::optional<double> least_connected = std::nullopt;  ///< "auto"
+  std::optional<double> least_covering = std::nullopt;   ///< the radius "min"
+  std::optional<double> least_connected = std::nullopt;  ///< the radius "auto"
   std::vector<Plateau> plateaus = {};                    ///< the best first
   Filtration filtration = {};
 };

@@ -90,7 +90,7 @@ void write_areas(OutputFile& file, const std::vector<FiltrationStep>& steps) {
   blob.end();
 }
 
-/// Writes the counts of all steps as differences from the step before.
+/// Writes the counts of all steps as differences from the previous step.
 void write_counts(OutputFile& file, const std::vector<FiltrationStep>& steps) {
   Blob blob(file, "counts");
   FiltrationStep before;
@@ -103,7 +103,7 @@ void write_counts(OutputFile& file, const std::vector<FiltrationStep>& steps) {
   blob.end();
 }
 
-/// Returns the first step whose radius is at least `alpha`: from it on, elements that appear at `alpha` are visible.
+/// Returns the first step whose radius is at least `alpha`, from which on elements that appear at `alpha` are visible.
 std::size_t step_at(const std::vector<FiltrationStep>& steps, double alpha) {
   const auto step = std::lower_bound(steps.begin(), steps.end(), alpha,
                                      [](const FiltrationStep& s, double a) { return s.alpha < a; });
@@ -122,7 +122,7 @@ void write_free_edges(OutputFile& file, const Report& report) {
   blob.end();
 }
 
-/// Writes the pairs. Births and deaths are steps: a death is the number of steps after the birth, or 0 for never.
+/// Writes the pairs. A birth is a step. A death is the number of steps after the birth, or 0 if the pair never dies.
 void write_pairs(OutputFile& file, const Report& report) {
   Blob blob(file, "pairs");
   for (const auto& [pair, triangle] : report.arrays.pairs) {

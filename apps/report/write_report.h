@@ -1,5 +1,5 @@
 // What: writes a filtration as one HTML page that shows the complex at every radius.
-// Law:  the bytes depend on Report alone. The page makes no request.
+// Law:  the bytes depend on Report alone. The page makes no network request.
 // Source: docs/reference/file_formats.md has the format of the data in the page.
 #pragma once
 
@@ -17,7 +17,7 @@ struct Report {
   std::string source;                                   ///< name of the input for people
   std::optional<std::string_view> unit = std::nullopt;  ///< name of the unit of the coordinates, if known
   const Radii& radii;
-  std::optional<Recommendation> recommended = std::nullopt;  ///< absent if there is no triangle
+  std::optional<Recommendation> recommended = std::nullopt;  ///< nullopt if there is no triangle
   FiltrationArrays arrays = {};
 };
 

@@ -47,8 +47,8 @@ class Numbering {
   std::vector<std::uint32_t> number_, points_;
 };
 
-/// Returns the steps of the slider: the radii that have a name or belong to a shown pair, and radii in even ratios from
-/// the least edge to 1.2 times the largest of the named and shown radii. The complex at each step is exact.
+/// Returns the steps of the slider: radii that have a name or belong to a shown pair, and radii in even ratios from the
+/// least radius of an edge to 1.2 times the largest of these radii. The complex at each step is exact.
 std::vector<double> steps_of(const SpaceReport& report) {
   constexpr std::size_t even_steps = 600;
   std::vector<double> steps;
@@ -72,17 +72,17 @@ std::vector<double> steps_of(const SpaceReport& report) {
   return steps;
 }
 
-/// Returns the first step at which elements that appear at `alpha` are present; the number of steps if none is.
+/// Returns the first step at which elements that appear at `alpha` are present; the number of steps if none has them.
 std::uint64_t step_at(const std::vector<double>& steps, double alpha) {
   return static_cast<std::uint64_t>(std::lower_bound(steps.begin(), steps.end(), alpha) - steps.begin());
 }
 
 struct Wall {
   Triangle corners;
-  std::array<std::uint64_t, 3> steps;  ///< the first at which it exists, has a tetrahedron on one side, on both
+  std::array<std::uint64_t, 3> steps;  ///< first steps with it, with a tetrahedron on one side, on both
 };
 
-/// Returns the triangles that are visible at some step: at it they exist, and not both sides have a tetrahedron.
+/// Returns the triangles that are visible at some step: they exist at the step, and lack a tetrahedron on a side.
 std::vector<Wall> walls_of(const SpaceReport& report, const Numbering& number, const std::vector<double>& steps) {
   const SolidFiltration& filtration = report.filtration;
   std::vector<std::array<double, 2>> sides(filtration.triangles.size(), {infinity, infinity});
@@ -117,7 +117,7 @@ void write_walls(OutputFile& file, const std::vector<Wall>& walls) {
   blob.end();
 }
 
-/// Writes for each step the number of tetrahedra and Betti numbers 0 to 2, as differences from the step before.
+/// Writes for each step the number of tetrahedra and the Betti numbers 0 to 2, as differences from the previous step.
 void write_counts(OutputFile& file, const SpaceReport& report, const std::vector<double>& steps) {
   std::vector<std::array<std::int64_t, 4>> changes(steps.size() + 1, {0, 0, 0, 0});
   for (const double alpha : report.filtration.tetrahedron_alpha) ++changes[step_at(steps, alpha)][0];

@@ -1,6 +1,6 @@
 // What: writes the alpha complex of points in space as one HTML page: its boundary at every radius, which the reader
 //       can turn; the persistence diagram; cycles and surfaces of its longest pairs.
-// Law:  the bytes depend on SpaceReport alone. The page makes no request.
+// Law:  the bytes depend on SpaceReport alone. The page makes no network request.
 // Source: docs/reference/file_formats.md has the format of the data in the page.
 #pragma once
 
@@ -22,7 +22,7 @@ struct SpaceReport {
   std::span<const Point3> points;
   const SolidFiltration& filtration;
   double least_covering, least_connected;  ///< the radii "min" and "auto"
-  std::optional<double> plateau;           ///< radius of the best plateau; absent if there is no tetrahedron
+  std::optional<double> plateau;           ///< radius of the best plateau; nullopt if there is no plateau
   std::span<const SolidPair> pairs;        ///< all pairs
   std::span<const SolidPair> shown;        ///< the pairs with representatives
   std::span<const SolidRepresentative> representatives;

@@ -18,8 +18,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Returns the memory that is not for tiles: that of the program, and three sixteenths: one that the allocator may keep
-/// (return_freed_memory()), one for triangles that wait to be written, and one for unfinished parts between tiles.
+/// Returns the memory that tiles may not use, in bytes: that of the program, and three sixteenths of `memory`: one for
+/// freed memory that the allocator keeps, one for triangles that wait, one for unfinished parts between tiles.
 std::uint64_t reserve_of(std::uint64_t memory) { return program_bytes + memory / 16 * 3; }
 
 /// Throws Failure if the disk of `folder` has less room than `needed` bytes. Does nothing if the room is unknown.
@@ -36,7 +36,7 @@ void require_room(const std::string& folder, double needed, const std::string& w
 
 Budget divide(std::uint64_t memory, unsigned threads) {
   const std::uint64_t left = memory - std::min(memory, reserve_of(memory));
-  // Prefer fewer workers to smaller tiles, which have more points around them than in them.
+  // Prefer fewer workers to smaller tiles: a small tile has more points around it than in it.
   constexpr std::uint64_t points_worth_a_worker = 50'000;
   const std::uint64_t most = std::max<std::uint64_t>(left / (points_worth_a_worker * bytes_of_tile_point), 1);
   Budget budget{};
@@ -50,9 +50,9 @@ Budget divide(std::uint64_t memory, unsigned threads) {
 
 void return_freed_memory([[maybe_unused]] std::uint64_t memory, [[maybe_unused]] unsigned workers) {
 #ifdef __GLIBC__
-  // Set the size from which arrays are mapped separately, so that they are returned when freed. Of smaller arrays each
-  // thread, including the one that reads, may keep twice this size: together a sixteenth of the memory. A size above
-  // the upper bound gains nothing.
+  // Set the size from which arrays are mapped separately, so that freeing returns them to the system. Each thread,
+  // including the reading thread, may keep twice this size of smaller arrays: all threads together a sixteenth of
+  // `memory`. A size above the upper limit gains nothing.
   const std::uint64_t share = memory / 32 / (workers + 1);
   const auto size =
       static_cast<int>(std::clamp<std::uint64_t>(share, std::uint64_t{1} << 17U, std::uint64_t{1} << 23U));
@@ -74,7 +74,7 @@ std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads) {
 
 void PackedSample::add(std::span<const Point> points, std::uint64_t first) {
   if (points.empty()) return;
-  // Sample the first nine blocks, and from the 19th on every second block.
+  // Sample the first nine blocks, no block up to the 18th, and every second block from the 19th on.
   if (blocks_++ < 2 * taken_ && taken_ > 8) return;
   ++taken_;
   const std::span<const Point> some = points.first(std::min(points.size(), most_in_packed_block));
@@ -92,8 +92,8 @@ double PackedSample::bytes_per_point() const {
 }
 
 void require_room_for_tiles(const std::string& folder, double points, const PackedSample& sample) {
-  // Count 0.8 times the bytes of the sample for a point, the least: in a tile indices are farther apart and coordinates
-  // closer.
+  // Multiply the bytes for each point of the sample by 0.8, a lower estimate: in the file of a tile indices are farther
+  // apart and coordinates closer than in the input.
   require_room(folder, points * sample.bytes_per_point() * 0.8, folder,
                "the files of tiles (--scratch DIR on another disk)");
 }

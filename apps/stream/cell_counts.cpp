@@ -9,7 +9,7 @@ namespace {
 
 constexpr int least_exponent = -1074, greatest_exponent = 1023;
 
-/// Multiplies by 2^−exponent, as two factors, each within the range of double.
+/// Multiplies a coordinate by 2^−exponent and rounds down. Two factors keep each of them within the range of double.
 struct Scaling {
   explicit Scaling(int exponent)
       : first(std::ldexp(1.0, -exponent / 2)), second(std::ldexp(1.0, -exponent - -exponent / 2)) {}
@@ -30,7 +30,7 @@ CellCounts::CellCounts(std::size_t most) : most_(most), table_(64) {}
 
 double CellCounts::side() const { return std::ldexp(1.0, exponent_); }
 
-/// Sets the size of cells by the first points; for later points it may become larger.
+/// Sets the side of the cells so that the extent of the first points spans about 2^12 cells. The side may grow later.
 void CellCounts::begin() {
   const double extent = std::max(greatest_.x / 2 - least_.x / 2, greatest_.y / 2 - least_.y / 2);
   constexpr int cells_across = 12;  // binary logarithm of the number of cells across the first points
@@ -47,7 +47,7 @@ void CellCounts::add(std::span<const Point> points) {
   if (points_ == 0) begin();
   const double largest =
       std::max({std::abs(least_.x), std::abs(least_.y), std::abs(greatest_.x), std::abs(greatest_.y)});
-  // Limit the numbers of columns to 60 bits and a sign.
+  // Limit the absolute value of a column or row number to 60 bits.
   constexpr int bits = 60;
   if (largest > 0 && std::ilogb(largest) - bits >= exponent_)
     grow_side(std::min(std::ilogb(largest) - bits + 1, greatest_exponent) - exponent_);

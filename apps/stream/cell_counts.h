@@ -1,6 +1,6 @@
 // What: counts points in the squares of a grid. The side of a square is a power of two that grows with the extent of
 //       the points.
-// Law:  the counts add up to the number of points, for any finite coordinates. Counts choose tiles and do not affect
+// Law:  the counts add up to the number of points, for any finite coordinates. Counts choose tiles; they do not affect
 //       the result.
 // Cost: one access of a hash table for each point, fewer if successive points are in one square; memory for `most`
 //       cells.
@@ -15,7 +15,7 @@
 
 namespace rbpa::app {
 
-/// A square that contains points, and their number. Coordinates of its corners are multiples of the side.
+/// A square with points, and their number. The coordinates of the corners of the square are multiples of its side.
 struct Cell {
   std::int64_t column = 0, row = 0;
   std::uint64_t count = 0;
@@ -23,7 +23,7 @@ struct Cell {
 
 class CellCounts {
  public:
-  /// Uses at most `most` cells: doubles the side whenever there would be more.
+  /// Prepares counting in at most `most` cells. The side of the cells doubles whenever more cells would be needed.
   explicit CellCounts(std::size_t most);
 
   /// Counts the points. Requires: finite coordinates.
@@ -33,7 +33,7 @@ class CellCounts {
   double side() const;
   std::uint64_t points() const { return points_; }
   const Point& least() const { return least_; }        ///< least coordinates of all points; (0, 0) without points
-  const Point& greatest() const { return greatest_; }  ///< greatest coordinates; (0, 0) without points
+  const Point& greatest() const { return greatest_; }  ///< greatest coordinates of all points; (0, 0) without points
 
  private:
   void begin();
@@ -44,7 +44,7 @@ class CellCounts {
 
   std::size_t most_;
   std::size_t used_ = 0;
-  std::vector<Cell> table_;  // open addressing, at most half full; a free place has count 0
+  std::vector<Cell> table_;  // open addressing, at most half full; a free entry has count 0
   int exponent_ = 0;         // the side is 2^exponent_
   std::uint64_t points_ = 0;
   Point least_ = {}, greatest_ = {};

@@ -53,11 +53,11 @@ std::vector<Partial> read_partials(const std::string& path, std::size_t count) {
   return partials;
 }
 
-/// The progress of the computation, saved in files of scratch. It is saved completely or not at all: the file with the
-/// open parts is complete before progress.json names it.
+/// The progress of the computation, which is saved in files of scratch, completely or not at all: progress.json names
+/// the file with the open parts only when that file is complete.
 struct ComputeState {
   std::uint64_t generation = 0;
-  std::size_t tiles_done = 0;  ///< number of tiles that are done, in the order of the tree
+  std::size_t tiles_done = 0;  ///< number of computed tiles, in the order of the tree
   std::uint64_t points_done = 0;
   std::vector<Partial> open = {};  ///< results of parts of the tree that are not merged with others yet
   RowsState rows = {};
@@ -78,7 +78,7 @@ void save(const ComputeState& state, const Scratch& scratch) {
   if (state.generation > 0) unlink(scratch.partials(state.generation - 1).c_str());
 }
 
-/// Returns the saved state, or nothing if no tile was done. Throws BadInput if the files are damaged.
+/// Returns the saved state, or nothing if no state was saved. Throws BadInput if a file is damaged.
 std::optional<ComputeState> load_state(const Scratch& scratch) {
   const std::string text = checked_content(scratch.progress());
   if (text.empty()) return std::nullopt;
@@ -98,8 +98,7 @@ std::optional<ComputeState> load_state(const Scratch& scratch) {
   }
 }
 
-/// Returns for each tile, in the order of the tree, how many parts of the tree are complete with this tile and were not
-/// before.
+/// Returns for each tile, in the order of the tree, the number of cut parts of the tree whose last tile it is.
 std::vector<unsigned> parts_that_end(const TileTree& tree) {
   std::vector<unsigned> ends;
   const auto visit = [&](const auto& self, std::uint32_t at, unsigned above) -> void {
@@ -141,7 +140,7 @@ class Computation {
 
   PartialCounts run() {
     const auto tile = [&](std::size_t i) { return order_[begun_ + i]; };
-    // Call a tile small if its result takes little memory compared with computing a tile.
+    // Treat a tile as small if its result takes little memory compared with computing a tile.
     const auto is_small = [&](std::size_t i) { return manifest_.tiles[tile(i)].points <= budget_.tile_points / 8; };
     join_in_order(
         budget_.workers, order_.size() - begun_, [&](std::size_t i) { return compute(tile(i)); }, is_small,
@@ -154,7 +153,7 @@ class Computation {
   }
 
  private:
-  /// Throws BadInput unless there are as many open parts as the tree has after tiles_done tiles.
+  /// Throws BadInput unless the number of open parts is the one that the tree has after tiles_done tiles.
   void require_plausible() const {
     std::size_t open = 0;
     for (std::size_t i = 0; i < std::min(state_.tiles_done, ends_.size()); ++i) open = open + 1 - ends_[i];
@@ -162,7 +161,7 @@ class Computation {
     begin_anew(scratch_.progress(), "the progress of another run", scratch_.folder());
   }
 
-  /// Returns the points of a tile. If the file of the tile is damaged, makes the file again.
+  /// Returns the points of a tile. Makes the file of the tile again if it is damaged.
   IndexedPoints points_of(std::uint32_t tile) {
     try {
       return read(tile);
@@ -193,7 +192,7 @@ class Computation {
     return made;
   }
 
-  /// Merges the result of a tile into the open parts. Requires: calls are in the order of the tiles, one at a time.
+  /// Merges the result of a tile into the open parts. Requires: calls in the order of the tiles, one at a time.
   void commit(std::size_t position, PartialAndItems made) {
     if (request_.wants(StreamFormat::npy)) rows_.add(made.owned.triangles);
     made.owned = {};
@@ -213,8 +212,8 @@ class Computation {
     state_.tiles_done = position + 1;
   }
 
-  /// Moves finished polygons and holes from `partial` to files, or drops them if no polygons are requested, so that
-  /// memory does not grow with their number.
+  /// Moves finished polygons and holes from `partial` to files, or drops them if no polygons are requested. Memory then
+  /// does not grow with the number of polygons.
   void keep_finished(Partial& partial) {
     const Finished finished = take_finished(partial);
     if (!request_.wants_polygons()) return;
@@ -222,7 +221,8 @@ class Computation {
     polygons_.add(finished.holes);
   }
 
-  /// Returns whether to save the progress now: so rarely that saving takes a small part of the time.
+  /// Returns whether to save the progress now. Saves are so rare that they take about a twentieth of the time. Returns
+  /// false without --scratch and after the last tile.
   bool is_time_to_save(std::size_t position) const {
     if (!request_.scratch || position + 1 == order_.size()) return false;
     constexpr int part = 20;

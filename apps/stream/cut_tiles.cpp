@@ -18,8 +18,8 @@
 namespace rbpa::app {
 namespace {
 
-/// Returns the part of a tile's box that is farther than `reach` from the border of the box: other tiles do not need
-/// the points there.
+/// Returns the part of the box of a tile that is farther than `reach` from the border of the box. Points in this part
+/// do not matter for other tiles.
 Region inside_of(const Region& box, double reach) {
   const auto low = [&](double at) { return std::isinf(at) ? at : above(above(at, reach), 0); };
   const auto high = [&](double at) { return std::isinf(at) ? at : below(below(at, reach), 0); };
@@ -36,11 +36,11 @@ class Cutter {
     }
   }
 
-  /// Continues the files from the state `tiles`.
+  /// Continues the files of tiles from the state `tiles`.
   void resume(const std::vector<TileSummary>& tiles) {
     for (std::size_t tile = 0; tile < tiles.size(); ++tile) writers_[tile].resume(tiles[tile]);
   }
-  /// From now on add() writes only the points of `tile`.
+  /// Makes later calls of add() write only the points of `tile`.
   void want_only(std::uint32_t tile) { wanted_ = tile; }
 
   void add(const std::vector<Point>& points, std::uint64_t first) {
@@ -97,14 +97,14 @@ class Cutter {
   std::size_t most_waiting_, waiting_ = 0;
   std::vector<TileWriter> writers_;
   std::vector<Region> inside_;
-  std::uint32_t last_ = 0;  // tile of the last point: successive points are usually close
+  std::uint32_t last_ = 0;  // tile of the last point: successive points are usually close to each other
   std::optional<std::uint32_t> wanted_ = std::nullopt;
 };
 
 /// Time between two saves; each save writes all waiting points.
 constexpr std::chrono::seconds time_between_saves(10);
 
-/// A line that cuts a tile in the middle, across its longer axis.
+/// A line that cuts the points of a tile at the median coordinate of the axis of their larger extent.
 struct Line {
   TileTree::Part::Kind kind;
   double at;
@@ -132,7 +132,7 @@ std::optional<Line> middle_of(std::vector<Point>& sample) {
   return Line{TileTree::Part::Kind::cut_y, y};
 }
 
-/// Approximate number of points in the sample that determines the middle.
+/// Approximate number of sampled points that determine the median.
 constexpr std::size_t sample_size = 1U << 14U;
 
 class SmallerCutter {
@@ -153,7 +153,7 @@ class SmallerCutter {
     return tile.points > budget_.tile_points || tile.owned > request_.tile_size.value_or(budget_.tile_points);
   }
 
-  /// Returns an even sample of the points that the tile owns, and sets `extent` to the extent of all of these points.
+  /// Returns an even sample of the points that the tile owns. Sets `extent` to the bounding box of all owned points.
   std::vector<Point> sample_of(std::uint32_t tile, Region& extent) const {
     const Region box = manifest_.tree.box(tile);
     const std::uint64_t step = manifest_.tiles[tile].owned / sample_size + 1;
@@ -174,7 +174,7 @@ class SmallerCutter {
     return sample;
   }
 
-  /// Returns how many points of the file are within reach of `extent`, the extent of the tile's own points.
+  /// Returns the number of points in the file within reach of `extent`, the bounding box of the owned points.
   std::uint64_t count_near(std::uint32_t tile, const Region& extent) const {
     const double reach = reach_of(request_.alpha);
     TileReader reader(scratch_.tile(tile), manifest_.tree.box(tile), request_.alpha);
@@ -197,13 +197,13 @@ class SmallerCutter {
     }
   }
 
-  /// Cuts a tile in two. Returns false if it cannot be cut.
+  /// Cuts a tile in two. Returns false if no cut helps. Throws Failure if too many points are within reach of a point.
   bool cut(std::uint32_t tile) {
     Region extent;
     std::vector<Point> sample = sample_of(tile, extent);
     const TileSummary& summary = manifest_.tiles[tile];
     const std::optional<Line> line = middle_of(sample);
-    // Refuse a small extent: the points around any part of it are around all of it, so that a cut does not help.
+    // Refuse a small extent: any part of it has about the same points around it, so that a cut does not help.
     const double size = std::max(extent.x1 - extent.x0, extent.y1 - extent.y0);
     const bool hopeless = !line || size < reach_of(request_.alpha) / 8;
     if (hopeless && summary.points > budget_.tile_points) {
@@ -211,7 +211,7 @@ class SmallerCutter {
       if (near > budget_.tile_points) refuse_dense({{extent.x0, extent.y0}, near}, request_, budget_);
       return false;  // a cut leaves most of the points, which are around the box, in one half
     }
-    if (!line) return false;  // all points are equal, and have to be in one tile
+    if (!line) return false;  // all points are equal, so that one tile contains them
     split(tile, *line);
     return true;
   }
@@ -222,7 +222,7 @@ class SmallerCutter {
     const std::uint32_t other = tree.cut(tile, line.kind, line.at);
     const double reach = reach_of(request_.alpha);
     const bool x = line.kind == TileTree::Part::Kind::cut_x;
-    // Write the first part to a new file, which replaces the old one when both parts are complete.
+    // Write the first part to a new file. Replace the old file by it when both parts are complete.
     const std::string whole = scratch_.tile(tile), part = whole + ".new";
     TileWriter first(part, tree.box(tile), request_.alpha),
         second(scratch_.tile(other), tree.box(other), request_.alpha);

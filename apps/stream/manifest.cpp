@@ -34,8 +34,8 @@ void require(bool is_so, const char* found) {
   if (!is_so) throw std::runtime_error(found);
 }
 
-/// Throws std::runtime_error unless parents precede their parts, each part has one parent, and tiles have different
-/// numbers from 0 on.
+/// Throws std::runtime_error unless each part except the first has exactly one parent, which precedes it, cuts have a
+/// known kind and a finite line, and tiles have different numbers in range.
 void require_tree(const std::vector<TileTree::Part>& parts) {
   using Kind = TileTree::Part::Kind;
   require(!parts.empty(), "no tiles");
@@ -108,14 +108,14 @@ void read_facts(const Json& json, PointsFacts& facts) {
   facts.degrees = json.at("degrees");
 }
 
-/// Returns a path of the manifest in the form that a user may write: relative if the file is in the current folder.
+/// Returns a path of the manifest as a user may write it: relative if the file is in the current folder.
 std::string short_path(const Json& path) {
   const std::string text = bytes_of_json_text(path.get<std::string>());
   const std::string here = std::filesystem::current_path().string() + "/";
   return printable(text.starts_with(here) ? text.substr(here.size()) : text);
 }
 
-/// Returns the options of the command line that give `key` of json_of(RunKey) the value `value`.
+/// Returns a text that gives `key` of json_of(RunKey) the value as on the command line, such as "--keep-tiles".
 std::string as_options(const std::string& key, const Json& value) {
   std::string text;
   if (key == "targets") {
@@ -135,7 +135,7 @@ std::string as_options(const std::string& key, const Json& value) {
   return "--" + key + " " + value.dump() + (key == "memory" ? " (bytes)" : "");
 }
 
-/// Throws WrongUsage that names a difference if `before`, the request of the run in `folder`, is not `run_key`.
+/// Throws WrongUsage that names one difference if `run_key` differs from `before`, the request of the run in `folder`.
 void require_same(const Json& before, const RunKey& run_key, const std::string& folder) {
   const Json now = json_of(run_key);
   if (before == now) return;

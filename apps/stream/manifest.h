@@ -1,5 +1,5 @@
 // What: saves the progress of a run in a file of its scratch folder, so that another run can resume it.
-// Law:  the file is written completely or not at all, after the files whose state it records.
+// Law:  the file is written completely or not at all, and after the files whose state it records.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace rbpa::app {
 
-/// A file of the input, with its size and its time of change at the beginning of the run.
+/// An input file, with its size and its time of change when the run began.
 struct InputFile {
   std::string path;
   std::uint64_t size = 0;
@@ -27,7 +27,7 @@ struct InputFile {
 /// The request of a run. A run can be resumed only with an equal request.
 struct RunKey {
   std::vector<InputFile> inputs = {};
-  std::string options = {};  ///< the options about reading the inputs, as text
+  std::string options = {};  ///< the options that tell how the inputs are read, as text
   double alpha = 0;
   std::uint64_t memory = 0, tile_size = 0;
   bool keep_tiles = false;
@@ -41,8 +41,8 @@ struct RunKey {
   }
 };
 
-/// Returns the key of a request, with the sizes and times of its files. Throws BadInput if a file is missing, or is a
-/// pipe, a socket or a device.
+/// Returns the key of a request, with the sizes and times of change of its files. Throws BadInput if a file is missing,
+/// or is a pipe, a socket or a device.
 RunKey run_key_of(const StreamRequest& request);
 
 /// The extent and coordinate system of all points.
@@ -59,23 +59,23 @@ struct Manifest {
   unsigned workers = 1;
   Pass pass = Pass::count;
 
-  // The rest is filled in from Pass::cut on.
+  // The members below are set from Pass::cut on.
   std::uint64_t points = 0;
   PointsFacts facts = {};
   TileTree tree = {};
 
-  // While tiles are cut, the number of input files that are done, and the index after their points. Then `tiles` has
-  // the summaries of the files of tiles as they were at that place of the input.
+  // While tiles are cut, files_done is the number of input files that are done, next_index the number of points in
+  // them, and `tiles` has the summaries of the tile files after exactly these points.
   std::size_t files_done = 0;
   std::uint64_t next_index = 0;
   std::vector<TileSummary> tiles = {};  ///< indexed by the number of the tile
 };
 
-/// Replaces the manifest in `scratch`, atomically. Throws as ScratchFile.
+/// Replaces the manifest in `scratch`, atomically. Throws as ScratchFile does.
 void save(const Manifest& manifest, const Scratch& scratch);
 
-/// Loads the manifest of a run with the same request. Throws WrongUsage that names a difference between the requests;
-/// BadInput if the file is not a manifest; Failure.
+/// Loads the manifest of a run. Throws WrongUsage that names one difference if the request of that run is not
+/// `run_key`; BadInput if the file is damaged or not a manifest; Failure.
 Manifest load_manifest(const Scratch& scratch, const RunKey& run_key);
 
 }  // namespace rbpa::app

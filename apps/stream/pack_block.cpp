@@ -10,11 +10,11 @@
 namespace rbpa::app {
 namespace {
 
-// Packing: numbers of any width from 0 to 64 bits, without gaps between them.
+// Packing stores numbers of any width from 0 to 64 bits without gaps between them.
 
 unsigned bits_of(std::uint64_t value) { return static_cast<unsigned>(std::bit_width(value)); }
 
-/// Returns how many bytes `count` packed numbers of `width` bits take, rounded up to whole words of 8 bytes.
+/// Returns the size in bytes of `count` packed numbers of `width` bits, rounded up to whole words of 8 bytes.
 std::size_t packed_size(std::size_t count, unsigned width) { return (count * width + 63) / 64 * 8; }
 
 /// Appends the lowest `width` bits of each value to `bytes`. Requires: the other bits are 0.
@@ -40,7 +40,7 @@ void pack(std::span<const std::uint64_t> values, unsigned width, std::string& by
   if (used > 0) emit();
 }
 
-/// Reverses pack(): sets all `values`. Requires: `bytes` points to packed_size(values.size(), width) bytes.
+/// Reverses pack(): sets all `values`. Requires: width > 0; `bytes` points to packed_size(values.size(), width) bytes.
 void unpack(const char* bytes, unsigned width, std::span<std::uint64_t> values) {
   const std::uint64_t mask = width == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << width) - 1;
   std::uint64_t word = 0;
@@ -67,7 +67,7 @@ constexpr std::array<double, 16> powers = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6
 constexpr std::uint8_t as_keys = 0xff;
 constexpr std::uint64_t sign = std::uint64_t{1} << 63U;
 
-/// Returns an integer for a double, such that integers have the order of the doubles.
+/// Returns an integer for a double, so that the order of the integers is the order of the doubles.
 std::uint64_t key_of(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   return (bits & sign) != 0 ? ~bits : bits | sign;
@@ -76,7 +76,7 @@ double of_key(std::uint64_t key) { return std::bit_cast<double>((key & sign) != 
 
 using Values = std::array<std::uint64_t, most_in_packed_block>;
 
-/// The frame of a column of a block: value i is base + (packed value i << shift).
+/// The frame of a column of a block. Coordinate i is base + (packed value i << shift); index i is base + values 0 to i.
 struct Frame {
   std::uint8_t kind;   // number of decimal places, or as_keys; 0 for indices
   std::uint8_t width;  // number of bits of a packed value
@@ -102,13 +102,13 @@ void append_packed(std::uint8_t kind, std::span<std::uint64_t> values, std::uint
   pack(values, width, bytes);
 }
 
-/// Sets `values` to the coordinates times 10^places, as integers. Returns false unless division gives the same bits
-/// back.
+/// Sets `values` to the coordinates times 10^places, as integers. Returns false unless dividing each integer gives the
+/// bits of its coordinate back.
 template <double Point::*axis>
 bool as_decimals(std::span<const Point> points, unsigned places, std::span<std::uint64_t> values) {
   const double power = powers[places];
   // Add `rounding`, so that the last bits of the sum are the nearest integer. Refuse numbers of magnitude 2⁵¹ or more:
-  // with them the sum could leave [2⁵², 2⁵³), where the last bits of a double are a whole number.
+  // their sum could leave [2⁵², 2⁵³), where the last bits of a double are a whole number.
   constexpr double most = 0x1p51, rounding = 0x1.8p52;
   const auto rounding_bits = std::bit_cast<std::uint64_t>(rounding);
   bool exact = true;
@@ -129,7 +129,7 @@ bool find_decimals(std::span<const Point> points, unsigned& hint, std::span<std:
     return as_decimals<axis>(points.first(few), places, values) && as_decimals<axis>(points, places, values);
   };
   if (hint == as_keys) return false;
-  // Begin with `hint` places: numbers with fewer decimal places also fit.
+  // Begin with `hint` places: numbers with fewer decimal places fit too.
   for (unsigned places = hint; places < powers.size(); ++places)
     if (fits(places)) {
       hint = places;
@@ -165,7 +165,7 @@ void pack_indices(std::span<const std::uint64_t> indices, std::string& bytes) {
 }
 
 /// Removes the frame and the packed values of a column from the front of `bytes`, and sets `values` to the packed
-/// values. Returns the frame; nothing if the bytes are not a column.
+/// values. Returns the frame, or nothing if the bytes are not a column.
 std::optional<Frame> unpack_column(std::string_view& bytes, std::span<std::uint64_t> values) {
   if (bytes.size() < frame_size) return std::nullopt;
   Frame frame{static_cast<std::uint8_t>(bytes[0]), static_cast<std::uint8_t>(bytes[1]),

@@ -1,7 +1,7 @@
-// What: compresses and decompresses points and their indices.
-// Law:  decompressing gives the same bits, also for -0.
-// Cost: one pass. A coordinate with few decimals takes as many bits as its distance from the least coordinate of the
-//       block needs, any other at most 64. docs/reference/file_formats.md has the format.
+// What: compresses and decompresses points and their indices, block by block.
+// Law:  decompressing gives the bits of the compressed coordinates and indices, also for -0.
+// Cost: one pass. A column of coordinates with few decimal places takes for each point the bits of its largest distance
+//       from the least coordinate; any other column at most 64 bits. docs/reference/file_formats.md has the format.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace rbpa::app {
 /// Points and their indices in the input.
 struct IndexedPoints {
   std::vector<Point> points = {};
-  std::vector<std::uint64_t> indices = {};  ///< index of each point, ascending
+  std::vector<std::uint64_t> indices = {};  ///< input index of each point, ascending
 
   std::size_t size() const { return points.size(); }
   void clear() {
@@ -29,17 +29,17 @@ struct IndexedPoints {
 /// The most points that a block may have.
 constexpr std::size_t most_in_packed_block = 4096;
 
-/// The numbers of decimal places of the last block of a tile, with which the search for those of the next block begins.
+/// The numbers of decimal places of x and y in the last block of a tile; the search for the next block begins there.
 struct PackingHint {
   unsigned places[2] = {0, 0};
 };
 
-/// Appends a compressed block to `bytes`, and updates `hint`. Requires: 1 to most_in_packed_block points, finite, with
+/// Appends a compressed block to `bytes`, and updates `hint`. Requires: 1 to most_in_packed_block finite points with
 /// ascending indices.
 void pack_block(std::span<const Point> points, std::span<const std::uint64_t> indices, PackingHint& hint,
                 std::string& bytes);
 
-/// Appends the points of the block `bytes` to `points`. Returns false if the bytes are not a block.
+/// Appends the points of the block `bytes` to `points`. Returns false, with `points` unspecified, if it is no block.
 bool unpack_block(std::string_view bytes, IndexedPoints& points);
 
 }  // namespace rbpa::app

@@ -7,7 +7,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Returns "2/4 cutting, 45 %, 12.0 M points, 3.40 M/s, 20 s left".
+/// Returns the line of progress, such as "2/4 cutting, 45 %, 12.0 M points, 3.40 M/s, 20 s left".
 std::string pass_text(const std::string& doing, double share, double points, double seconds) {
   share = std::clamp(share, 0.0, 1.0);
   std::string text =

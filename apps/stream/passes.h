@@ -1,8 +1,9 @@
-// What: the passes of a run, from the plan of tiles to the requested files.
-// Law:  the file of a tile has all points in the box of the tile, and all others within 2 alpha of the box. The result
-//       does not depend on the tiles and their order: files have the bytes that `rbpa mesh` and `rbpa shape` write.
-// Cost: cutting reads the input once and writes it once, with waiting points in memory. Computing triangulates every
-//       tile, in several threads, with the tiles that are computed and the unfinished parts between tiles in memory.
+// What: runs the passes of `rbpa stream`, from cutting the input into tiles to writing the requested files.
+// Law:  the file of a tile contains all points in its box, and all others within 2 alpha of the box. The result does
+//       not depend on the tiles and their order: files have the bytes that `rbpa mesh` and `rbpa shape` write.
+// Cost: cutting reads the input once and writes each point to the file of every tile that needs it; waiting points are
+//       in memory. Computing triangulates every tile, in several threads; the tiles in work and the unfinished parts
+//       between tiles are in memory.
 #pragma once
 
 #include <cstdint>
@@ -19,26 +20,27 @@
 
 namespace rbpa::app {
 
-/// Cuts the input into tiles, from the place of the input that the manifest records. Afterwards the manifest has the
-/// summaries of the files. Throws as read_points(), Failure, Cancelled.
+/// Cuts the input into tiles, from the place of the input that the manifest records. Sets the tile summaries of the
+/// manifest. Throws as read_points() does; Damaged, Failure, Cancelled.
 void cut_tiles(const StreamRequest& request, const Budget& budget, const Scratch& scratch, Manifest& manifest);
 
 /// Makes the file of tile number `tile` again. Throws as cut_tiles() does.
 void cut_again(const StreamRequest& request, const Budget& budget, const Scratch& scratch, Manifest& manifest,
                std::uint32_t tile);
 
-/// Cuts tiles that have more points than `budget` allows, until there are none. Throws Failure if no cut helps, and as
-/// cut_tiles().
+/// Cuts tiles with more points than `budget` or the request allows, until a cut no longer helps. Throws Failure if too
+/// many points for the memory are within reach of each other, and as cut_tiles() does.
 void cut_smaller(const StreamRequest& request, const Budget& budget, const Scratch& scratch, Manifest& manifest);
 
-/// Computes all tiles, from the progress saved in `scratch` on if there is any. Returns the counts; triangles are in
-/// `rows` and polygons in `polygons`. Throws BadInput if a file of scratch is damaged; Failure, Cancelled.
+/// Computes all tiles; continues from the progress saved in `scratch`, if there is any. Returns the counts, adds
+/// triangles to `rows` and polygons to `polygons`. Throws BadInput if a file of scratch is damaged; Failure, Cancelled;
+/// as cut_again() does if the file of a tile is damaged.
 PartialCounts compute_tiles(const StreamRequest& request, const Budget& budget, const Scratch& scratch,
                             Manifest& manifest, TriangleRows& rows, PolygonLog& polygons);
 
-/// Adds the targets, except meshes of single tiles, to `outputs`, complete except for their names, and fills in the
-/// values of `result` about polygons. Requires: result.counts is filled in. Throws BadInput if a file of scratch is
-/// damaged; Failure, ClosedPipe, Cancelled.
+/// Adds the targets, except meshes of single tiles, to `outputs`: files that are complete but have no name yet. Sets
+/// the polygon members of `result`. Requires: result.counts is set. Throws BadInput if a file of scratch is damaged;
+/// Failure, ClosedPipe, Cancelled.
 void write_targets(const StreamRequest& request, const PointsFacts& facts, const TriangleRows& rows,
                    const PolygonLog& polygons, std::uint64_t sort_bytes, OutputSet& outputs, StreamResult& result);
 

@@ -31,7 +31,7 @@ class Planner {
  private:
   double begin(std::int64_t number) const { return static_cast<double>(number) * side_; }
 
-  /// Returns the share of a cell, along an axis, that is within reach of the box, which extends from `low` to `high`.
+  /// Returns the share of a cell, along one axis, within reach of a box that extends from `low` to `high` on the axis.
   double share(std::int64_t number, double low, double high) const {
     const double first = std::max(begin(number), below_or_same(low)),
                  last = std::min(begin(number + 1), above_or_same(high));
@@ -45,7 +45,7 @@ class Planner {
     return static_cast<double>(cell.count) * share(cell.column, box.x0, box.x1) * share(cell.row, box.y0, box.y1);
   }
 
-  /// Returns the box around the cells.
+  /// Returns the bounding box of the cells.
   Region extent_of(std::span<const Cell> cells) const {
     Cell least = cells.front(), greatest = cells.front();
     for (const Cell& cell : cells) {
@@ -55,7 +55,7 @@ class Planner {
     return {begin(least.column), begin(least.row), begin(greatest.column + 1), begin(greatest.row + 1)};
   }
 
-  /// Throws TooDense if every part of `extent` would have too many points around it, so that cutting does not help.
+  /// Throws TooDense if every part of `extent` would have too many points around it. Cutting does not help then.
   void stop_if_dense(const Region& extent, std::span<const Cell> owned, std::span<const Cell> around) const {
     const double wide = extent.x1 - extent.x0, high = extent.y1 - extent.y0;
     const double left = limits_.reach - std::max(wide, high);
@@ -71,8 +71,8 @@ class Planner {
     if (points > limits_.points) throw TooDense{{extent.x0, extent.y0}, points};
   }
 
-  /// Returns the line between columns (or rows, unless `x`) that best halves the `count` points; nothing if all are in
-  /// one column or row. Sorts `cells`.
+  /// Returns the line between columns (between rows if `x` is false) that best halves the `count` points, or nothing if
+  /// all points are in one column or row. Sorts `cells`.
   std::optional<double> middle(std::vector<Cell>& cells, bool x, std::uint64_t count) const {
     const auto number = along(x);
     std::sort(cells.begin(), cells.end(), [&](const Cell& a, const Cell& b) { return a.*number < b.*number; });
@@ -108,7 +108,7 @@ class Planner {
     bool x = extent.x1 - extent.x0 >= extent.y1 - extent.y0;
     std::optional<double> line = middle(owned, x, count);
     if (!line) line = middle(owned, x = !x, count);
-    if (!line || !std::isfinite(*line)) return keep(all);  // cut it later, by its points
+    if (!line || !std::isfinite(*line)) return keep(all);  // cut the tile later, by its points
 
     const std::uint32_t other = tree_.cut(tile, x ? Kind::cut_x : Kind::cut_y, *line);
     const auto number = along(x);
@@ -119,7 +119,7 @@ class Planner {
     std::vector<Cell> around_first = around, around_second = std::move(around);
     around_first.insert(around_first.end(), second.begin(), second.end());
     around_second.insert(around_second.end(), first.begin(), first.end());
-    // Finish the first half before the second, so that few cells are in memory at a time.
+    // Finish the first half before the second, so that few cells are in memory at the same time.
     divide(tile, std::move(first), std::move(around_first));
     divide(other, std::move(second), std::move(around_second));
   }

@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::size_t read_ahead = std::size_t{1} << 20U;
 
-/// The key by which polygons, and the holes of a polygon, are sorted: the first two points of a ring.
+/// The sort key of polygons, and of the holes of one polygon: the first two points of a ring (of a polygon, its shell).
 struct RingKey {
   Point first, second;
   friend auto operator<=>(const RingKey&, const RingKey&) = default;
 };
 
-/// The head of the record of a polygon. The rings that are not in the file of holes follow: for each, the number of
-/// points and the points.
+/// The head of the record of a polygon. After it come the rings that are not in the file of holes: for each, the number
+/// of points and the points.
 struct PolygonHead {
   std::uint64_t size;   // bytes of the record after the head
   std::uint64_t taken;  // number of holes of the polygon that are in the file of holes
@@ -30,15 +30,15 @@ struct PolygonHead {
 };
 static_assert(sizeof(PolygonHead) == 48 && std::is_trivially_copyable_v<PolygonHead>);
 
-/// The head of a record in the file of holes. The `points` points of a hole follow; or, if `points` is 0, the key of
-/// the polygon to which the holes called `name` belong.
+/// The head of a record in the file of holes. If points > 0, the points of one hole follow. If points = 0, the key of
+/// the polygon follows whose holes carry `name`.
 struct HoleHead {
   std::uint64_t points;
   ComponentName name;
 };
 static_assert(sizeof(HoleHead) == 32 && std::is_trivially_copyable_v<HoleHead>);
 
-/// The key of a hole among the holes of all polygons.
+/// The sort key of a hole among the holes of all polygons.
 struct HoleKey {
   RingKey polygon, hole;
   friend auto operator<=>(const HoleKey&, const HoleKey&) = default;
@@ -62,8 +62,8 @@ struct RecordFile {
   ScratchFile file;
 };
 
-/// Appends to `record`, the beginning of a record of `size` bytes, the rest of it; if size > long_record, only skips
-/// the rest.
+/// Completes `record`, which holds the beginning of a record of `size` bytes, by reading the rest. Reads and drops the
+/// rest if size > long_record.
 void take_rest(RecordReader& from, std::uint64_t size, std::string& record) {
   const bool all = size <= long_record;
   for (std::uint64_t left = size - record.size(), some = 0; left > 0; left -= some) {
@@ -78,7 +78,7 @@ void require_same(bool is_so, const std::string& path, const char* what, const S
   if (!is_so) begin_anew(path, std::string("other ") + what + " than were written", scratch.folder());
 }
 
-/// The holes in the file of holes, sorted by polygon and key.
+/// The holes of the file of holes, sorted by polygon and then by their own key.
 class HolesInOrder {
  public:
   HolesInOrder(const RecordLog& log, const Scratch& scratch, RunFiles& runs, std::uint64_t memory)
@@ -100,8 +100,8 @@ class HolesInOrder {
     sorted_.begin();
   }
 
-  /// Gives the next hole of `polygon` to `sink` if there is one and its key is below `before`, or `before` is null.
-  /// Returns whether it has.
+  /// Gives the next hole of `polygon` to `sink` if there is one and its key is below `before`; null sets no limit.
+  /// Returns whether a hole was given.
   bool show_next(const RingKey& polygon, const RingKey* before, PolygonSink& sink) {
     if (sorted_.at_end() || sorted_.key().polygon != polygon) return false;
     if (before != nullptr && !(sorted_.key().hole < *before)) return false;
@@ -125,7 +125,7 @@ class HolesInOrder {
     sink.ring(ring_);
   }
 
-  /// Reads the file into `names` and `holes`, both with the component name as key. Returns the checksum of the file.
+  /// Reads the file into `names` and `holes`; the key of both is the component name. Returns the checksum of the file.
   std::uint32_t read(SortedRecords<ComponentName>& names, SortedRecords<ComponentName>& holes) const {
     RecordReader reader = file_.reader(0, read_ahead);
     std::string record;
@@ -194,7 +194,7 @@ class PolygonsInOrder {
     return reader.checksum();
   }
 
-  /// Gives the current polygon to `sink`. take(size) returns the next `size` bytes of its record.
+  /// Gives the current polygon to `sink`. take(size) returns the next `size` bytes of the record of the polygon.
   template <typename Take>
   void show_one(Take take, HolesInOrder* holes, PolygonSink& sink) {
     std::string_view bytes = take(sizeof(PolygonHead));
@@ -226,7 +226,7 @@ class PolygonsInOrder {
 }  // namespace
 
 Finished take_finished(Partial& partial) {
-  // Take holes from this number of corners on: with so many they take more memory than the record that replaces them.
+  // Take holes of at least this number of corners: they take more memory than the record that replaces the hole.
   constexpr std::size_t many_corners = 256;
   std::vector<CornerPolygon> polygons = take_settled(partial);
   return {std::move(polygons), take_holes(partial, many_corners)};
@@ -274,8 +274,8 @@ LogState PolygonLog::flush() { return {polygons_.flush(), holes_.flush()}; }
 void PolygonLog::sorted(std::uint64_t memory, PolygonSink& sink) const {
   if (polygons_.state().bytes > 0) {
     RunFiles runs(scratch_);
-    // Divide the memory by three, for names, holes by name, and holes by polygon. Later there are only two sorts: of
-    // holes by polygon, and of polygons.
+    // Divide the memory by three: for names, for holes by name, and for holes by polygon. Afterwards only two sorts are
+    // left: of holes by polygon, and of polygons.
     const bool any = holes_.state().bytes > 0;
     std::unique_ptr<HolesInOrder> holes;
     if (any) holes = std::make_unique<HolesInOrder>(holes_, scratch_, runs, memory / 3);

@@ -1,7 +1,7 @@
-// What: stores polygons in a file of scratch in the order in which they are finished, and in another file holes that
-//       are finished before the polygon around them; reads polygons in canonical order.
-// Cost: each polygon is written and read once, or twice if all do not fit into memory; each hole in the other file
-//       twice more. The largest ring has to fit into memory.
+// What: stores polygons in a file of scratch in the order in which they are finished, and in another file the holes
+//       that are finished before the polygon around them; reads polygons in canonical order.
+// Cost: each polygon is written and read once, or twice if all polygons together exceed the memory; each hole of the
+//       other file twice more. The largest ring has to fit into memory.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,15 @@
 
 namespace rbpa::app {
 
-/// Polygons and holes that other tiles cannot change.
+/// Polygons and holes that no other tile can change.
 struct Finished {
   std::vector<CornerPolygon> polygons;
   std::vector<TakenHoles> holes;
 };
-/// Removes the finished polygons, and holes of at least 256 corners, from `partial`, and returns them.
+/// Removes finished polygons, and finished holes of at least 256 corners, from `partial`, and returns both.
 Finished take_finished(Partial& partial);
 
-/// The state of the files, from which they can be resumed.
+/// The state of both files, from which writing can be resumed.
 struct LogState {
   RecordState polygons = {}, holes = {};
 };
@@ -32,18 +32,18 @@ class PolygonLog {
  public:
   explicit PolygonLog(const Scratch& scratch);
 
-  /// Continues from a state that flush() returned: cuts off what was written after it. Throws BadInput if a file is
-  /// shorter; Failure.
+  /// Continues from a state that flush() returned: cuts off bytes that were written later. Throws BadInput if a file is
+  /// shorter than its state tells; Failure.
   void resume(const LogState& state);
   void add(std::span<const CornerPolygon> polygons);
-  /// Adds holes, with the names of their polygons. Requires: these polygons are added later.
+  /// Adds holes, with the names of their polygons. Requires: the polygon around each hole is added, before or after.
   void add(std::span<const TakenHoles> holes);
-  /// Writes everything that was added to the files, and returns the state of the files. Throws Failure, Cancelled.
+  /// Writes all added polygons and holes to the files, and returns the state of the files. Throws Failure, Cancelled.
   LogState flush();
 
   /// Gives all polygons to `sink` in canonical order, and calls sink.finish(). Uses about `memory` bytes. Requires:
-  /// flush() after the last add(). Throws BadInput if a file is damaged, perhaps after polygons were given; Failure,
-  /// Cancelled, and what `sink` throws.
+  /// flush() after the last add(). Throws BadInput if a file is damaged, perhaps after some polygons were given;
+  /// Failure, Cancelled, and what `sink` throws.
   void sorted(std::uint64_t memory, PolygonSink& sink) const;
 
  private:

@@ -1,4 +1,4 @@
-// What: the request of a run of `rbpa stream`: inputs, outputs and limits.
+// What: defines the request of a run of `rbpa stream`: inputs, outputs and limits.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 namespace rbpa::app {
 
 enum class StreamFormat {
-  npy,      ///< triangles, with the bytes of `rbpa mesh`
-  geojson,  ///< polygons, as `rbpa shape` writes them
-  wkt,      ///< polygons, as `rbpa shape` writes them
-  ply       ///< a mesh for each tile: the name has a '*' for the number of the tile
+  npy,      ///< triangles, with the bytes that `rbpa mesh` writes
+  geojson,  ///< polygons, with the bytes that `rbpa shape` writes
+  wkt,      ///< polygons, with the bytes that `rbpa shape` writes
+  ply       ///< one mesh for each tile: the path has a '*' in place of the number of the tile
 };
 
 struct StreamTarget {
@@ -24,11 +24,11 @@ struct StreamTarget {
 
 struct StreamRequest {
   std::vector<PointSource> sources = {};
-  std::string options = {};  ///< the options about reading the sources, as text
+  std::string options = {};  ///< the options that tell how the sources are read, as text
   double alpha = 0;
   std::uint64_t memory = 0;                               ///< memory in bytes
-  std::optional<std::uint64_t> tile_size = std::nullopt;  ///< the most points that a tile may own
-  std::optional<std::string> scratch = std::nullopt;  ///< the folder; absent: a new folder in that of the first target
+  std::optional<std::uint64_t> tile_size = std::nullopt;  ///< the most points in the box of a tile
+  std::optional<std::string> scratch = std::nullopt;      ///< the folder; nullopt: a new folder beside the first target
   bool keep_tiles = false;
   bool resume = false;
   unsigned threads = 1;  ///< the most threads

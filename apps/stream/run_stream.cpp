@@ -33,8 +33,8 @@ class Run {
     write();
     result_.write_seconds = lap();
     before_names(result_);
-    // Remove a temporary folder first: a process that is killed from here on leaves none. Keep the folder of --scratch
-    // until all outputs have their names: until then the run can be resumed.
+    // Remove a temporary folder first: a process that is killed from now on leaves no folder. Keep the folder of
+    // --scratch until all outputs have their names: the run can be resumed until then.
     if (!request_.scratch) scratch_.clear(request_.keep_tiles);
     outputs_.publish();
     if (request_.scratch) scratch_.clear(request_.keep_tiles);
@@ -64,7 +64,7 @@ class Run {
     manifest_.workers = budget_.workers;
     if (!scratch_.has_run()) return save(manifest_, scratch_);
     manifest_ = load_manifest(scratch_, run_key_);
-    // Take the number of workers for which the run that made the tiles chose the size of tiles.
+    // Use the number of workers of the run that made the tiles: it determined the size of the tiles.
     budget_ = divide(request_.memory, manifest_.workers);
     budget_.workers = std::min(budget_.workers, std::max(request_.threads, 1U));
   }
@@ -109,7 +109,7 @@ class Run {
     save(manifest_, scratch_);
   }
 
-  /// Returns the plan of the tiles. Small tiles are fastest unless there are many points around them.
+  /// Returns the plan of the tiles. Small tiles are fastest unless the tiles have many points around them.
   TilePlan plan_for(const CellCounts& counts) const {
     constexpr std::uint64_t small = 1U << 17U;
     TileLimits limits{budget_.tile_points, std::min(request_.tile_size.value_or(small), budget_.tile_points),
@@ -126,7 +126,7 @@ class Run {
   void cut() {
     try {
       cut_tiles(request_, budget_, scratch_, manifest_);
-    } catch (const Damaged&) {  // damaged since the earlier run
+    } catch (const Damaged&) {  // a file was damaged after the earlier run
       manifest_.files_done = manifest_.next_index = 0;
       manifest_.tiles.clear();
       cut_tiles(request_, budget_, scratch_, manifest_);

@@ -1,6 +1,6 @@
-// What: computes a complex of more points than fit into memory, from files to files, by way of files of tiles.
-// Law:  targets have the bytes that `rbpa mesh` and `rbpa shape` write, for any tiles, and appear complete or not at
-//       all.
+// What: computes a complex of more points than fit into memory, from files to files, through files of tiles.
+// Law:  targets have the bytes that `rbpa mesh` and `rbpa shape` write, for any tiles, and each appears complete or not
+//       at all.
 // Source: docs/how_to/more_points_than_memory.md.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace rbpa::app {
 struct StreamResult {
   PartialCounts counts = {};
   std::size_t tiles = 0;
-  /// Numbers of polygons and of their holes; 0 unless polygons are requested.
+  /// Numbers of polygons and of their holes; 0 if no polygons are requested.
   std::uint64_t polygons = 0, holes = 0;
   double area = 0, perimeter = 0;
   std::optional<std::string> caution =
@@ -28,7 +28,7 @@ struct StreamResult {
 };
 
 /// Adds the targets to `outputs`, calls before_names(result), gives the files their names, and removes the files of
-/// scratch, except tiles that request.keep_tiles keeps. Throws BadInput, WrongUsage, Failure, ClosedPipe, Cancelled.
+/// scratch; request.keep_tiles keeps tiles and manifest. Throws BadInput, WrongUsage, Failure, ClosedPipe, Cancelled.
 StreamResult run_stream(const StreamRequest& request, OutputSet& outputs,
                         const std::function<void(const StreamResult&)>& before_names);
 

@@ -30,10 +30,10 @@ constexpr const char* lock_name = "/lock";
 constexpr const char* parts[] = {"tiles", "triangles", "partials", "runs"};
 constexpr const char* files[] = {"manifest.json",     "manifest.json.new", "progress.json",
                                  "progress.json.new", "polygons",          "holes"};
-constexpr const char* created_name = "created";  // marks a folder that we made, and remove with its files
+constexpr const char* created_name = "created";  // marks a folder that rbpa made, and removes with its files
 constexpr std::string_view beginning = ".rbpa-stream-";
 constexpr const char* dead_name = ".dead-";
-constexpr const char* unmarked_name = ".rbpa-new";  // suffix of a folder that is not marked yet, or not any more
+constexpr const char* unmarked_name = ".rbpa-new";  // suffix of a folder that has no mark yet, or no longer
 
 std::string numbered(const std::string& folder, const char* part, std::uint64_t number) {
   return folder + "/" + part + "/" + file_number(number);
@@ -41,7 +41,7 @@ std::string numbered(const std::string& folder, const char* part, std::uint64_t 
 
 enum class Lock { ours, busy, gone };
 
-/// Returns whether the file that `descriptor` has open is still at `path`.
+/// Returns whether the file that is open as `descriptor` is still the file at `path`.
 bool is_same_file(int descriptor, const std::string& path) {
   struct stat open_one {
   }, named{};
@@ -49,7 +49,8 @@ bool is_same_file(int descriptor, const std::string& path) {
          open_one.st_ino == named.st_ino;
 }
 
-/// Locks the file at `path`. Sets `descriptor` to the open file if this process has the lock (Lock::ours), else to −1.
+/// Locks the file at `path`. Sets `descriptor` to the open file if this process has the lock (Lock::ours), otherwise to
+/// −1. Throws Failure if the file cannot be opened for another reason than that it is missing.
 Lock lock_file(const std::string& path, int flags, int& descriptor) {
   descriptor = open(path.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW | flags, 0666);
   if (descriptor < 0 && errno == ENOENT) return Lock::gone;
@@ -60,8 +61,8 @@ Lock lock_file(const std::string& path, int flags, int& descriptor) {
   return is_busy ? Lock::busy : Lock::gone;
 }
 
-/// Returns ".rbpa-stream-PROCESS-RANDOM", with a random number, as processes in two containers can have the same
-/// number.
+/// Returns ".rbpa-stream-PROCESS-RANDOM". The number of the process alone is not enough: processes in two containers
+/// can have the same number.
 std::string new_name() {
   char random[16];
   std::snprintf(random, sizeof random, "-%08x", std::random_device()());
@@ -72,12 +73,12 @@ std::string new_name() {
 int rename_to_new(const std::string& from, const std::string& to) {
   if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != ENOSYS && errno != EINVAL) return errno;
-  // Check first on a disk that cannot do this atomically; an empty folder that appears after the check is replaced.
+  // Check first on a disk that cannot do both atomically. An empty folder that appears after the check is replaced.
   if (access(to.c_str(), F_OK) == 0) return EEXIST;
   return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
-/// Returns whether the process with the number in the name of the folder may exist.
+/// Returns whether the process may exist whose number is in the name of the folder.
 bool is_alive(const fs::path& folder) {
   const std::string number = folder.filename().string().substr(beginning.size());
   const long id = std::strtol(number.c_str(), nullptr, 10);
@@ -86,11 +87,11 @@ bool is_alive(const fs::path& folder) {
 
 /// Removes the folders of dead runs in the folder `beside`.
 /// No run loses its folder to another run that starts at the same time. A process uses a folder only after it has
-/// locked the file in it, and then checked that the locked file is still at its path (Lock::ours). A process removes a
-/// folder only under the same condition, and renames the folder first, while the file is locked. If the owner of the
-/// folder locks first, the other process finds the lock held and stops. If the other process locks first, the owner
-/// finds the lock held, or no folder, or another file at the path, and makes a new folder. An empty folder without a
-/// lock may be removed at any time; the owner then makes a new folder.
+/// locked the file in the folder, and then checked that the locked file is still at its path (Lock::ours). A process
+/// removes a folder only after the same lock and check, and renames the folder first, while the file is locked. If the
+/// owner of the folder locks first, the other process finds the lock held and stops. If the other process locks first,
+/// the owner finds the lock held, or no folder, or another file at the path, and makes a new folder. An empty folder
+/// without a lock may be removed at any time; the owner then makes a new folder.
 void clear_dead(const std::string& beside) {
   std::error_code error;
   std::vector<fs::path> found;
@@ -104,7 +105,7 @@ void clear_dead(const std::string& beside) {
       fs::remove_all(folder, error);
       continue;
     }
-    if (access(lock.c_str(), F_OK) != 0) {  // a run is about to make the lock, or was killed before
+    if (access(lock.c_str(), F_OK) != 0) {  // a run is about to make the lock, or was killed before that
       if (is_alive(folder)) continue;
       fs::remove(folder / created_name, error);
       fs::remove(folder, error);
@@ -114,7 +115,7 @@ void clear_dead(const std::string& beside) {
     try {
       if (lock_file(lock, 0, descriptor) != Lock::ours) continue;
     } catch (const Failure&) {
-      continue;  // the folder is that of another user
+      continue;  // the folder belongs to another user
     }
     const fs::path dead = folder.string() + dead_name + std::to_string(getpid());
     fs::rename(folder, dead, error);
@@ -123,7 +124,7 @@ void clear_dead(const std::string& beside) {
   }
 }
 
-/// Returns the folder of the first target that is a file, not a device or pipe; else the current folder.
+/// Returns the folder of the first target whose path names a folder and is no device or pipe; else the current folder.
 std::string folder_of(const StreamRequest& request) {
   for (const StreamTarget& target : request.targets) {
     std::error_code error;
@@ -152,7 +153,7 @@ Scratch::Scratch(const StreamRequest& request)
     if (!is_asked_for_) folder_ = beside + "/" + new_name();
     try {
       if (make(request)) return;
-    } catch (...) {  // the destructor is not called
+    } catch (...) {  // the destructor of an object is not called when its constructor throws
       if (is_new_) remove_own();
       if (lock_ >= 0) close(lock_);
       throw;
@@ -168,7 +169,7 @@ bool Scratch::make(const StreamRequest& request) {
     throw Failure(folder_ + ": cannot make the folder: " + (error ? error.message() : "there is a file of this name"));
   has_run_ = fs::exists(manifest());
   if (!is_new_ && !has_run_) {
-    // Allow files of these names: a run that was killed at its beginning may have left some.
+    // Allow files of these names: a run that was killed at its beginning may have left some of them.
     const auto is_other = [](const fs::directory_entry& entry) {
       const std::string name = entry.path().filename().string();
       return name != lock_name + 1 && name != created_name &&
@@ -205,7 +206,7 @@ void Scratch::remove_own() noexcept {
   std::error_code error;
   try {
     fs::remove_all(folder_, error);
-  } catch (...) {  // NOLINT(bugprone-empty-catch): the next run with this target removes a folder that stays
+  } catch (...) {  // NOLINT(bugprone-empty-catch): the next run with this target removes the folder
   }
 }
 
@@ -217,15 +218,15 @@ std::string Scratch::sorted_run(std::size_t number) const { return numbered(fold
 void Scratch::clear(bool keep_tiles) {
   std::error_code error;
   const std::string created = folder_ + "/" + created_name;
-  // Remove the manifest before the files that it lists: the process may be killed in between.
+  // Remove the manifest before the files that it lists: the process may be killed between both.
   for (const char* file : files)
     if (!keep_tiles || std::string_view(file) != "manifest.json") fs::remove(folder_ + "/" + file, error);
   for (const char* part : parts)
     if (!keep_tiles || std::string_view(part) != "tiles") fs::remove_all(folder_ + "/" + part, error);
   fs::remove(folder_ + lock_name, error);
   if (keep_tiles || !fs::exists(created)) return;
-  // Rename the folder before its mark is removed: without a mark it counts as the user's. Keep it if it has other
-  // files.
+  // Rename the folder before its mark is removed: a folder without a mark counts as the user's. Keep a folder with
+  // other files.
   const auto is_other = [](const fs::directory_entry& entry) { return entry.path().filename() != created_name; };
   const fs::directory_iterator entries(folder_, error);
   if (error || std::any_of(begin(entries), end(entries), is_other)) {
@@ -249,8 +250,8 @@ void Scratch::clear_leftovers() const {
   }
 }
 
-/// Makes the requested folder, with a mark before it has its name; returns false if there is a folder of this name. A
-/// folder that a killed run has left before renaming is used again.
+/// Makes the requested folder. The folder has its mark before it has its name. Returns false if a folder of this name
+/// exists. Uses an unmarked folder that a killed run has left before renaming.
 bool Scratch::make_marked() const {
   std::error_code error;
   const std::string unmarked = folder_ + unmarked_name;

@@ -1,5 +1,5 @@
-// What: the folder in which a run keeps the data that do not fit into memory.
-// Law:  only one run uses the folder at a time; files in it that do not belong to a run are never changed.
+// What: manages the folder in which a run stores the data that do not fit into memory.
+// Law:  only one run uses the folder at a time. Files in the folder that do not belong to a run are never changed.
 #pragma once
 
 #include <cstdint>
@@ -13,11 +13,11 @@ namespace rbpa::app {
 
 class Scratch {
  public:
-  /// Opens or makes the requested folder; without a request makes one in the folder of the first target, after removing
-  /// folders of killed runs there. Throws WrongUsage if the folder contains other files, or a run and not
-  /// request.resume; Failure if it cannot be made or another run uses it.
+  /// Opens or makes the folder of --scratch. Without --scratch, removes folders of killed runs beside the first target,
+  /// and makes a new folder there. Throws WrongUsage if the folder contains other files, or a run that request.resume
+  /// does not allow to continue; Failure if the folder cannot be made or another run uses it.
   explicit Scratch(const StreamRequest& request);
-  /// Removes the folder unless it was requested; in a requested folder the run can be resumed.
+  /// Removes the folder unless --scratch names it: a run in a named folder can be resumed.
   ~Scratch();
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
@@ -31,12 +31,12 @@ class Scratch {
   std::string holes() const { return folder_ + "/holes"; }
   std::string sorted_run(std::size_t number) const;
   const std::string& folder() const { return folder_; }
-  /// Returns whether the folder had a manifest of an earlier run when it was opened.
+  /// Returns whether the folder contained the manifest of an earlier run when it was opened.
   bool has_run() const { return has_run_; }
 
-  /// Removes all files of a finished run, or, with `keep_tiles`, all except the tiles and the manifest. Ignores errors.
+  /// Removes the files of a finished run; `keep_tiles` keeps tiles and manifest. Ignores errors.
   void clear(bool keep_tiles);
-  /// Removes the files of the computing pass, except the progress. Ignores errors.
+  /// Removes the files of the computing pass, except progress.json. Ignores errors.
   void clear_rows() const;
 
  private:
@@ -48,7 +48,7 @@ class Scratch {
   std::string folder_;
   bool is_asked_for_, is_new_ = false, has_run_ = false;
   int lock_ = -1;
-  std::unique_ptr<char[]> reserve_;  // freed, so that the folder can be removed when memory has run out
+  std::unique_ptr<char[]> reserve_;  // freed first when the folder is removed, in case memory has run out
 };
 
 }  // namespace rbpa::app

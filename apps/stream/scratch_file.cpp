@@ -16,7 +16,7 @@
 namespace rbpa::app {
 namespace {
 
-constexpr std::size_t at_once = std::size_t{4} << 20U;  // so that a signal is noticed between two of them
+constexpr std::size_t at_once = std::size_t{4} << 20U;  // bytes of one system call; signals are noticed between calls
 
 int flags_of(ScratchFile::Mode mode) {
   switch (mode) {
@@ -35,7 +35,7 @@ int flags_of(ScratchFile::Mode mode) {
 }  // namespace
 
 ScratchFile::ScratchFile(const std::string& path, Mode mode)
-    // Open without blocking: a pipe in place of a file would otherwise block forever.
+    // Open without blocking: opening a pipe in place of a file would otherwise block forever.
     : path_(path), descriptor_(open(path.c_str(), flags_of(mode) | O_CLOEXEC | O_NONBLOCK | O_NOCTTY, 0666)) {
   if (descriptor_ < 0) fail("cannot open");
   struct stat status {};
@@ -109,7 +109,7 @@ namespace {
 constexpr std::size_t checksum_digits = 8;
 constexpr char hex[] = "0123456789ABCDEF";
 
-/// Returns the last line of a checked file: the checksum of `text`, which precedes it.
+/// Returns the last line of a checked file, the checksum of `text`; `text` is all that precedes the line.
 std::string last_line(std::string_view text) {
   const std::uint32_t sum = checksum_of(text);
   std::string line;

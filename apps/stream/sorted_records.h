@@ -1,6 +1,6 @@
-// What: sorts records by their keys, also if only few records fit into memory.
-// Cost: if not all fit, each record is written and read once, and once more for each factor of most_merged in the
-//       number of sorted files; about `memory` bytes, and the longest record, are in memory.
+// What: sorts records by their keys, even if only few records fit into memory.
+// Cost: if not all records fit, each is written and read once, and once more for each factor of most_merged in the
+//       number of sorted files. About `memory` bytes, and the longest record, are in memory.
 #pragma once
 
 #include <unistd.h>
@@ -19,7 +19,7 @@
 
 namespace rbpa::app {
 
-/// Makes names for files of sorted records; next() returns a new name each time.
+/// Makes names for files of sorted records. next() returns a new name in each call.
 class RunFiles {
  public:
   explicit RunFiles(const Scratch& scratch) : scratch_(scratch) {}
@@ -30,21 +30,21 @@ class RunFiles {
   std::size_t number_ = 0;
 };
 
-/// Sorts records: add all, then call begin(). key() and record() belong to the current record, which is the least after
-/// begin(); next() goes to the next record.
+/// Sorts records. The caller adds all records, and then calls begin(), which makes the least record current. key() and
+/// record() belong to the current record; next() makes the following record current.
 template <typename Key>
 class SortedRecords {
  public:
-  /// Uses about `memory` bytes. Keeps a reference to `files`.
+  /// Prepares sorting with about `memory` bytes. Keeps a reference to `files`.
   SortedRecords(RunFiles& files, std::uint64_t memory) : files_(files), memory_(memory) {}
 
-  /// Adds a record. Requires: it is not empty.
+  /// Adds a record. Requires: `record` is not empty.
   void add(const Key& key, std::string_view record) {
     make_room();
     entries_.push_back({key, bytes_.size(), record.size()});
     bytes_ += record;
   }
-  /// Adds a record that is in a file of the caller, at byte `place`.
+  /// Adds a record that stays in a file of the caller, at byte `place`.
   void add_place(const Key& key, std::uint64_t place) {
     make_room();
     entries_.push_back({key, place, 0});
@@ -64,10 +64,10 @@ class SortedRecords {
   bool at_end() const { return merge_ ? merge_->at_end() : current_ == entries_.size(); }
   /// Returns the key of the current record. Requires: not at_end().
   const Key& key() const { return entry().key; }
-  /// Returns whether the current record was added by add_place(); place() returns its place.
+  /// Returns whether the current record was added by add_place(); place() returns its place in the file of the caller.
   bool is_elsewhere() const { return entry().size == 0; }
   std::uint64_t place() const { return entry().begin; }
-  /// Returns the bytes of the current record; valid until next(). Requires: not at_end().
+  /// Returns the bytes of the current record, which are valid until next(). Requires: not at_end().
   std::string_view record() const {
     return merge_ ? merge_->record() : std::string_view(bytes_).substr(entry().begin, entry().size);
   }
@@ -75,15 +75,15 @@ class SortedRecords {
 
  private:
   static_assert(std::is_trivially_copyable_v<Key>);
-  static constexpr std::size_t most_merged = 64;  // the most files of a level; all are open while they are merged
+  static constexpr std::size_t most_merged = 64;  // the most files of a level; a merge opens all of them
 
   struct Entry {
     Key key;
     std::uint64_t begin;  // position in bytes_, or place in the file of the caller
-    std::uint64_t size;   // 0: the record was added by add_place()
+    std::uint64_t size;   // 0 if the record was added by add_place()
   };
 
-  /// A file of sorted records; the destructor removes the file.
+  /// A file of sorted records. The destructor removes the file.
   struct StoredRun {
     StoredRun(const std::string& at, std::size_t ahead)
         : path(at), file(at, ScratchFile::Mode::read), reader(file, path, 0, ahead) {}
@@ -142,7 +142,7 @@ class SortedRecords {
   void sort() {
     std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) { return a.key < b.key; });
   }
-  /// Sorts the records in memory, and moves them to a file of level 0.
+  /// Sorts the records in memory, and moves them to a new file of level 0.
   void keep() {
     sort();
     const std::string path = files_.next();
@@ -158,7 +158,7 @@ class SortedRecords {
     bytes_ = {};
     keep(path, 0);
   }
-  /// Adds a file to a level. If the level is full then, merges its files into a file of the next level.
+  /// Adds a file to a level. If the level is full afterwards, merges its files into one file of the next level.
   void keep(const std::string& path, std::size_t level) {
     if (levels_.size() == level) levels_.emplace_back();
     levels_[level].push_back(path);

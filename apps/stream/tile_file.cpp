@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view magic = "RBPATILE";
 constexpr std::uint32_t file_version = 1;
 
-/// The first bytes of a file, as they are in the memory of a little-endian machine.
+/// The first bytes of a file, in the layout of a little-endian machine.
 struct Header {
   char magic[8];
   std::uint32_t version;
@@ -45,7 +45,7 @@ std::string bytes_of(const Region& box, double alpha, const TileSummary& summary
   return {bytes, sizeof header};
 }
 
-/// The bytes before each block.
+/// The size and the checksum of a block, which precede the block in the file.
 struct BlockFrame {
   std::uint32_t size, checksum;
 };

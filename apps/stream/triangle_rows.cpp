@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t few_bytes = std::uint64_t{1} << 20U;
 constexpr std::size_t buffer_bytes = 12 * 4096;  // a whole number of rows, of 12 bytes or of 24
 
-/// Returns a hash of a row. The sum of the hashes of rows does not depend on their order.
+/// Returns a hash of a row. The sum of the hashes of several rows does not depend on the order of the rows.
 std::uint64_t number_of(const TriangleRow& row) {
   std::uint64_t h = row[0] * 0x9e3779b97f4a7c15U;
   h = (h ^ h >> 32U ^ row[1]) * 0xc2b2ae3d27d4eb4fU;
@@ -57,7 +57,7 @@ std::vector<std::array<Index, 3>> sorted_rows(const std::string& path, std::uint
   return rows;
 }
 
-/// Sorts the rows of a file part by part. The smallest indices of rows are from `first` to `last` − 1.
+/// Sorts the rows of a file part by part. Requires: the smallest index of each row is in [`first`, `last`).
 template <typename Index>
 class BucketSort {
  public:
@@ -69,7 +69,7 @@ class BucketSort {
         counts_(last - first + 1),
         most_(std::max<std::uint64_t>(memory / sizeof(Row), 4096)) {}
 
-  /// Adds the number of rows to `rows`, and returns the sum of the hashes of the rows.
+  /// Counts the rows by smallest index, adds their number to `rows`, and returns the sum of the hashes of the rows.
   std::uint64_t count(std::uint64_t& rows) {
     std::uint64_t sum = 0;
     file_.for_each([&](const Row& row) {
@@ -128,7 +128,7 @@ std::uint64_t RowsState::total() const { return std::accumulate(rows.begin(), ro
 TriangleRows::TriangleRows(const Scratch& scratch, std::uint64_t points, std::uint64_t file_bytes)
     : scratch_(scratch), short_(points <= std::numeric_limits<std::uint32_t>::max()) {
   // Expect at most two triangles for each point. If points are in random order, files of small least indices get three
-  // times the average.
+  // times the average number of triangles.
   const std::uint64_t bytes = 2 * points * row_bytes();
   constexpr std::uint64_t most_files = 4096, least_waiting = 24 * 64;
   const std::uint64_t all_waiting = file_bytes / 4;
@@ -196,7 +196,7 @@ void TriangleRows::sorted(std::uint64_t memory, const std::function<void(std::st
       begin_anew(scratch_.rows(i), "other triangles than were written", scratch_.folder());
     };
     std::uint64_t sum = 0;
-    // Sort the rows if few indices are the least of a triangle: that is cheaper than a counter for each index.
+    // Sort all rows if few indices are the least of a triangle. Sorting is cheaper then than a counter for each index.
     if (4 * buckets_[i].rows < width_ && buckets_[i].rows * row_bytes() < std::max(memory / 2, few_bytes)) {
       const auto rows = sorted_rows<Index>(scratch_.rows(i), sum);
       require_same(rows.size(), sum);

@@ -14,7 +14,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Passes polygons on to a writer, and counts polygons, holes, area and perimeter.
+/// Passes polygons to a writer, and sums up the numbers of polygons and holes, the area and the perimeter.
 class Adding final : public PolygonSink {
  public:
   explicit Adding(PolygonSink& to) : to_(to) {}

@@ -17,7 +17,7 @@ constexpr std::array texts{"filled", "where any filling crosses the surface",
                            "where any filling has an edge that already has two triangles", "with all points on a line",
                            "where the surroundings exceed the limit of work"};
 
-/// Returns the sum of the values, added in ascending order, so that it does not depend on their order.
+/// Returns the sum of the values. They are added in ascending order, so that the sum does not depend on their order.
 double sorted_sum(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return std::accumulate(values.begin(), values.end(), 0.0);

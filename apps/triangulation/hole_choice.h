@@ -1,4 +1,4 @@
-// What: parses --fill-holes, the choice of the holes of a surface that are filled.
+// What: parses --fill-holes, which chooses the holes of a surface to fill.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace rbpa::app {
 
-/// Parses "all": all holes; "rims": also the rims of sheets and of islands; "30": holes of at most 30 edges, at least
-/// 3; "length=2.5": holes of at most this length, above 0. Throws WrongUsage that names the option.
+/// Parses "all": all holes; "rims": also the rims of sheets and of islands; "30": holes of at most 30 edges, a number
+/// from 3; "length=2.5": holes of at most this length, above 0. Throws WrongUsage that names the option.
 HoleChoice parse_fill_holes(const std::string& text);
 
 }  // namespace rbpa::app

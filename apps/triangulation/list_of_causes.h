@@ -1,4 +1,4 @@
-// What: lists causes with their counts as a text.
+// What: formats causes with their counts as text.
 #pragma once
 
 #include <algorithm>

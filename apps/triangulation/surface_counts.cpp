@@ -31,7 +31,7 @@ SurfaceCounts count(const SplitFans& fans, const SurfaceComponents& components) 
 }
 
 std::size_t non_manifold_edges(std::span<const std::array<Index, 3>> triangles) {
-  // List for each point the other end of each side of which it is the lesser end.
+  // List for each point the other ends of the sides that have this point as their lesser end.
   Index most = 0;
   for (const auto& triangle : triangles) most = std::max({most, triangle[0], triangle[1], triangle[2]});
   std::vector<std::size_t> begin(std::size_t{most} + 2, 0);

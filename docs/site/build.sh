@@ -43,7 +43,7 @@ PYTHON
 {
   cat docs/site/Doxyfile
   echo "OUTPUT_DIRECTORY = $root/build/site_pages/extra"
-  echo "INPUT = $(echo libmeshops/meshops libmeshops/meshops/{core,front,graph,handle,history,patch,stellar,topology} librbpa/rbpa/{,base,plane,fill,space/{solid,surface,repair,persistence,balls}})"
+  echo "INPUT = $(echo libmeshops/meshops libmeshops/meshops/*/ librbpa/rbpa/{,base,plane,fill,space/{solid,surface,repair,simplify,persistence,balls}})"
 } | doxygen -
 
 # The page that computes in the browser.

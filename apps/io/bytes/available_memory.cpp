@@ -13,8 +13,8 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// Returns the first number in a file of the system; nothing if there is no such file or it begins with a word, such as
-/// "max".
+/// Returns the first number in a file of the system; nothing if there is no such file, or if the file begins with a
+/// word, such as "max".
 std::optional<double> first_number(const std::string& path) {
   std::ifstream file(path);
   double number = 0;

@@ -18,7 +18,7 @@
 namespace rbpa::app {
 namespace {
 
-constexpr std::size_t at_once = std::size_t{1} << 20U;  // so that a signal is noticed between two of them
+constexpr std::size_t at_once = std::size_t{1} << 20U;  // bytes of a read; a signal is noticed after it
 
 }  // namespace
 
@@ -26,7 +26,7 @@ constexpr std::size_t at_once = std::size_t{1} << 20U;  // so that a signal is n
 struct Content::File {
   File(const std::string& path, bool may_decompress);
 
-  /// Copies the next `size` bytes to `to`, fewer only at the end; returns how many.
+  /// Copies the next `size` bytes to `to`, fewer only at the end. Returns the number of copied bytes.
   std::size_t read(char* to, std::size_t size);
   /// Skips `size` bytes, or fewer at the end.
   void skip(std::uint64_t size);
@@ -48,7 +48,7 @@ struct Content::File {
   Descriptor file;
   struct stat status {};
   std::uint64_t bytes_read = 0;
-  std::optional<Decompressing> decompressing = std::nullopt;  // if the file is compressed
+  std::optional<Decompressing> decompressing = std::nullopt;  // present if the file is compressed
 };
 
 Content::File::File(const std::string& path, bool may_decompress)
@@ -92,7 +92,7 @@ void Content::File::skip(std::uint64_t size) {
   }
 }
 
-/// Reads at most `size` bytes, and at least one unless the end is reached; returns how many.
+/// Reads at most `size` bytes, and at least one unless the end is reached. Returns the number of read bytes.
 std::size_t Content::File::read_file(char* to, std::size_t size) {
   while (true) {
     const ssize_t count = pread(file.number(), to, size, static_cast<off_t>(bytes_read));
@@ -147,7 +147,7 @@ std::string_view Content::ahead(std::size_t size) {
   if (bytes_.size() >= size || ended_) return bytes_;
   buffer_.erase(buffer_.begin(), buffer_.end() - static_cast<std::ptrdiff_t>(bytes_.size()));
   while (buffer_.size() < size && !ended_) {  // grow step by step: a header may claim a larger `size` than there is
-    constexpr std::size_t first = std::size_t{1} << 16U;  // a header
+    constexpr std::size_t first = std::size_t{1} << 16U;  // enough for a header
     const std::size_t before = buffer_.size(), passed = std::min<std::uint64_t>(bytes_read(), at_once);
     const std::size_t wanted = is_sparse_ ? std::min(size - before, at_once) : std::max(passed, first);
     buffer_.resize(before + wanted);

@@ -1,8 +1,8 @@
 // What: gives the bytes of a file in their order, either from memory or by reading the file piece by piece.
-// Law:  both kinds have one interface. A file that is read piece by piece up to its end is refused if its length or the
-//       time of its last change is then not what it was when the file was opened.
-// Cost: of a file that is read piece by piece, at most the requested bytes and a mebibyte are in memory. Not more than
-//       the requested bytes are read after bytes that were skipped and not in memory.
+// Law:  content in memory and content of a file have one interface. A file that is read piece by piece up to its end is
+//       refused if its length or the time of its last change is then not what it was when the file was opened.
+// Cost: of a file that is read piece by piece, at most the requested bytes and a mebibyte are in memory. After a skip
+//       beyond the bytes in memory of a file that is not compressed, only requested bytes are read.
 #pragma once
 
 #include <cstddef>
@@ -20,10 +20,10 @@ constexpr std::size_t unknown_size = std::numeric_limits<std::size_t>::max() / 2
 
 class Content {
  public:
-  /// Views bytes in memory, which must outlive this object and each again(). `name` stands for them in messages.
+  /// Views bytes in memory, which must outlive this object and each result of again(). Messages call the bytes `name`.
   Content(std::string_view bytes, std::string name);
-  /// Opens the file at `path`. With `decompresses`, decompresses it if it begins like a gzip file. Throws BadInput
-  /// unless it is a regular file, which can be read twice; Failure.
+  /// Opens the file at `path`. With `decompresses`, decompresses a file that begins like a gzip file. Throws BadInput
+  /// unless the file is a regular file, which can be read twice; Failure.
   static Content of_file(const std::string& path, bool decompresses);
   Content(Content&&) noexcept;
   Content& operator=(Content&&) noexcept;

@@ -24,9 +24,9 @@ Gunzip::Gunzip(const std::string& name) : name_(name) {
 
 std::size_t Gunzip::inflate(std::string_view& compressed, char* to, std::size_t size) {
   if (between_members_) inflateReset(&state_);
-  constexpr std::size_t at_once = std::size_t{1} << 20U;  // so that a signal is noticed between two of them
+  constexpr std::size_t at_once = std::size_t{1} << 20U;  // bytes of a step; a signal is noticed after it
   const std::size_t given = std::min(compressed.size(), at_once);
-  state_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(compressed.data()));  // which zlib only reads
+  state_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(compressed.data()));  // zlib only reads the bytes
   state_.avail_in = static_cast<uInt>(given);
   state_.next_out = reinterpret_cast<Bytef*>(to);
   state_.avail_out = static_cast<uInt>(size);

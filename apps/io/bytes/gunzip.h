@@ -15,7 +15,7 @@ bool is_gzip(std::string_view bytes);
 /// Decompresses the members of a gzip file, one after another.
 class Gunzip {
  public:
-  /// `name` stands for the file in messages; it must outlive this object.
+  /// Messages call the file `name`, which must outlive this object.
   explicit Gunzip(const std::string& name);
   ~Gunzip() { inflateEnd(&state_); }
   Gunzip(const Gunzip&) = delete;
@@ -25,7 +25,7 @@ class Gunzip {
   /// Returns how many were written, perhaps none. An empty `compressed` stands for the end of the file. Throws BadInput
   /// that names the fault.
   std::size_t inflate(std::string_view& compressed, char* to, std::size_t size);
-  /// Returns whether the bytes decompressed until now end with a whole member, so that the file may end here.
+  /// Returns whether the bytes decompressed until now end with a whole member, after which the file may end.
   bool is_between_members() const { return between_members_; }
 
  private:

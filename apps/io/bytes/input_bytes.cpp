@@ -56,7 +56,7 @@ InputBytes::InputBytes(const std::string& name, const std::string& expected, con
 }
 
 void InputBytes::decompress(const Decompression& how) {
-  constexpr std::size_t at_once = std::size_t{1} << 20U;  // so that a signal is noticed between two of them
+  constexpr std::size_t at_once = std::size_t{1} << 20U;  // bytes of a step; a signal is noticed after it
   constexpr std::size_t always = 64 * at_once, greatest_ratio = 500;
   const double available = available_memory().value_or(std::numeric_limits<double>::infinity());
   const std::unique_ptr<char, Free> all = std::move(data_);

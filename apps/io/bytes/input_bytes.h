@@ -21,7 +21,7 @@ class InputBytes {
  public:
   /// Reads `name`, a path or "-" for standard input. Decompresses a gzip file: at most to a fifth of the available
   /// memory, and beyond 64 MiB at most to 500 times its compressed size, which only long runs of one byte exceed. In
-  /// messages `expected` is the noun for the expected content. Throws BadInput if there is no such file, if it
+  /// messages `expected` is the noun for the expected content. Throws BadInput if there is no such file, if the file
   /// decompresses to more, or if a regular file changes while it is read; Failure if reading fails; Cancelled.
   InputBytes(const std::string& name, const std::string& expected, const Decompression& how = {});
 

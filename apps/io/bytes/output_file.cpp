@@ -40,7 +40,7 @@ void OutputFile::open_beside(const std::string& path) {
     errno = error.code().value();
     fail("cannot create a file in this folder");
   }
-  if (exists) (void)fchmod(temporary_->descriptor(), status.st_mode & 07777U);  // if possible
+  if (exists) (void)fchmod(temporary_->descriptor(), status.st_mode & 07777U);  // keep the permissions if possible
 }
 
 void OutputFile::write_far(std::string_view bytes) {

@@ -68,8 +68,8 @@ class OutputFile {
   void written(const char* end) { used_ = static_cast<std::size_t>(end - buffer_.get()); }
   static constexpr std::size_t max_room = 4096;
 
-  /// Writes everything to the disk, so that any error is thrown here. Call once, before publish(); write nothing
-  /// afterwards.
+  /// Writes all remaining bytes, a temporary file to the disk, so that finish() throws any error. Call once, before
+  /// publish(); write nothing afterwards.
   void finish();
   /// Renames the temporary file, if there is one, to the target.
   void publish();
@@ -106,7 +106,8 @@ class OutputFile {
   std::size_t used_ = 0;
 };
 
-/// The output files of one run. All are complete before the first takes its name.
+/// The output files of one run. Requires: every file is finished before publish(), so that all are complete before the
+/// first takes its name.
 class OutputSet {
  public:
   /// Adds a file, which belongs to this set. Throws as the constructor of OutputFile.

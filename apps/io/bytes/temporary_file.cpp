@@ -59,7 +59,8 @@ bool TemporaryFile::create(const std::string& name) {
   const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0 && errno == EEXIST) return false;
   if (descriptor < 0) fail("cannot create");
-  // Check the lock: before it, another process may have removed the file as abandoned, or may be about to do so.
+  // Check the lock: before this process had the lock, another process may have removed the file as abandoned, or may be
+  // about to do so.
   const bool taken = flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   struct stat status {};
   if (taken || fstat(descriptor, &status) != 0 || status.st_nlink == 0) {
@@ -88,7 +89,7 @@ void clear_abandoned(const std::string& path) {
   for (const std::filesystem::directory_iterator end; !error && entry != end; entry.increment(error)) {
     if (!is_temporary(entry->path().filename().native())) continue;
     const std::string name = entry->path().string();
-    // Open for writing, as some file systems lock only such files, and without blocking, in case it is a pipe.
+    // Open for writing, as some file systems lock only such files, and without blocking, in case the file is a pipe.
     const Descriptor file(open(name.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
     if (file.number() < 0 || flock(file.number(), LOCK_EX | LOCK_NB) != 0) continue;
     // Check the name: if the writer has finished since open(), the file is now the target.

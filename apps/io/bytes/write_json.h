@@ -9,7 +9,7 @@
 
 namespace rbpa::app {
 
-/// Passes the output of nlohmann's serializer to `file`, to which it keeps a reference.
+/// An adapter that passes the output of nlohmann's serializer to `file`, to which the adapter keeps a reference.
 class JsonToFile : public nlohmann::detail::output_adapter_protocol<char> {
  public:
   explicit JsonToFile(OutputFile& file) : file_(file) {}

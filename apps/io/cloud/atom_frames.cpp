@@ -18,9 +18,9 @@
 namespace rbpa::app {
 namespace {
 
-/// Keeps one location of each atom, and returns how many are left out. The location of a residue is the one with the
-/// highest occupancy of an atom, of equal ones that of the first letter; an atom without it has its own best one. Where
-/// locations are different residues, the atoms of the others are left out.
+/// Keeps one location of each atom, and returns the number of removed rows. A residue has the location of its atom with
+/// the highest occupancy, of equal occupancies the first letter. An atom without this location keeps its own best one.
+/// If locations have different residue names, atoms with names other than that of the location are removed.
 std::size_t keep_best_locations(AtomFrame& frame) {
   using Residue = std::tuple<std::uint32_t, std::uint64_t, std::uint32_t>;
   const auto residue_of = [](const AtomRow& row) {
@@ -30,7 +30,7 @@ std::size_t keep_best_locations(AtomFrame& frame) {
     const double a = std::isnan(row.occupancy) ? 0 : row.occupancy, b = std::isnan(than.occupancy) ? 0 : than.occupancy;
     return a > b || (a == b && frame.text(row.altloc) < frame.text(than.altloc));
   };
-  std::map<Residue, const AtomRow*> best;  // an atom with the best location of each residue that has several
+  std::map<Residue, const AtomRow*> best;  // an atom with the best location, of each residue with locations
   for (const AtomRow& row : frame.rows) {
     if (row.altloc == 0) continue;
     const auto [place, is_new] = best.try_emplace(residue_of(row), &row);
@@ -38,7 +38,7 @@ std::size_t keep_best_locations(AtomFrame& frame) {
   }
   if (best.empty()) return 0;
   std::vector<char> leaves(frame.rows.size(), 0);
-  std::map<std::pair<Residue, std::uint32_t>, std::size_t> kept;  // atoms of these residues, by name
+  std::map<std::pair<Residue, std::uint32_t>, std::size_t> kept;  // the atom kept, by name in such a residue
   for (std::size_t i = 0; i < frame.rows.size(); ++i) {
     const AtomRow& row = frame.rows[i];
     const auto residue = best.find(residue_of(row));

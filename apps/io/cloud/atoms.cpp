@@ -12,7 +12,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Returns the cosine of an angle in degrees; exactly where it is rational.
+/// Returns the cosine of an angle in degrees; exact for 60, 90 and 120 degrees.
 double cosine(double degrees) {
   for (const auto& [angle, exact] : {std::pair(60.0, 0.5), {90.0, 0.0}, {120.0, -0.5}})
     if (degrees == angle) return exact;

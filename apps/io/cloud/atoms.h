@@ -1,5 +1,5 @@
-// What: the atoms of a molecule's file, of any format, frame by frame and one after the other as texts in columns.
-// Law:  the atoms of a frame are in the order of the file. What follows the last frame that is read is only counted.
+// What: reads the atoms of a molecule's file of any format, frame by frame, each atom as texts in columns.
+// Law:  the atoms of a frame are in the order of the file. Frames after the last frame that is read are only counted.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace rbpa::app {
 
-/// The columns of an atom; the first names_of_atom of them name it, and the first columns_of_pdb are those of PDB.
+/// The columns of an atom. The first names_of_atom columns name the atom; the first columns_of_pdb are those of PDB.
 inline constexpr std::array<std::string_view, 15> atom_columns = {"serial", "chain",     "resseq",  "icode",  "resname",
                                                                   "name",   "element",   "x",       "y",      "z",
                                                                   "altloc", "occupancy", "bfactor", "charge", "radius"};
@@ -40,11 +40,11 @@ bool is_text_of_atom(std::size_t column);
 bool is_water(std::string_view residue);
 
 struct Atom {
-  std::size_t line = 0;                                      ///< of the file, where the atom begins
+  std::size_t line = 0;                                      ///< number of the line where the atom begins
   std::array<std::string, atom_columns.size()> fields = {};  ///< an empty text where the file has no value
-  std::vector<std::string> others = {};                      ///< values of all columns, if they are named by the file
-  bool is_hetero = false;                                    ///< of a record HETATM
-  std::size_t name_begins = 0;  ///< the column of the line where the name begins, if PDB says the element so
+  std::vector<std::string> others = {};                      ///< values of all columns, if the file names its columns
+  bool is_hetero = false;                                    ///< the atom is in a record HETATM
+  std::size_t name_begins = 0;  ///< column of the line where the name begins, which shows the element in PDB; else 0
 };
 
 class AtomSource {
@@ -53,34 +53,34 @@ class AtomSource {
   AtomSource(const AtomSource&) = delete;
   AtomSource& operator=(const AtomSource&) = delete;
 
-  /// Goes to the next frame, and passes over the rest of the current one; returns false at the end. Throws BadInput,
-  /// also if the file has no atom at all; Cancelled.
+  /// Goes to the next frame, and skips the rest of the current frame; returns false at the end of the file. Throws
+  /// BadInput, also if the file has no atom at all; Cancelled.
   virtual bool next_frame() = 0;
-  /// Reads the next atom of the frame; returns false at its end. Throws BadInput, Cancelled.
+  /// Reads the next atom of the frame; returns false at the end of the frame. Throws BadInput, Cancelled.
   virtual bool next(Atom& atom) = 0;
   /// Returns the number in a column of the atom, NaN if the column is empty. Throws BadInput with the line; `where` is
   /// the end of the message.
   double number(const Atom& atom, std::size_t column, std::string_view where = "") const;
-  /// Returns the place of the atom. Throws BadInput with the line.
+  /// Returns the position of the atom's center. Throws BadInput with the line.
   Point3 center(const Atom& atom) const;
-  /// Returns the index of a column: in atom_columns, or no_atom_column and more for Atom::others. Requires: a frame.
-  /// Throws BadInput if the file has no such column.
+  /// Returns the index of the column called `name`: its index in atom_columns, or no_atom_column plus its index in
+  /// Atom::others. Requires: next_frame() has returned true. Throws BadInput if the file has no such column.
   virtual std::size_t column(std::string_view name) const;
-  /// Returns whether the file has radii. Requires: a frame.
+  /// Returns whether the file has radii. Requires: next_frame() has returned true.
   virtual bool has_radii() const { return false; }
-  /// Returns the text in a column().
+  /// Returns the text of the atom in the column with the index `column`, as the member function column() returns it.
   static const std::string& text(const Atom& atom, std::size_t column) {
     return column < no_atom_column ? atom.fields[column] : atom.others[column - no_atom_column];
   }
 
   std::size_t frames() const { return frames_; }  ///< frames with atoms, as far as the file has been read
   std::size_t blocks() const { return blocks_; }  ///< data blocks with atoms; known at the end; only the first is read
-  UnitCell& cell() { return cell_; }              ///< of the frame; known at its end
+  UnitCell& cell() { return cell_; }              ///< box of the frame; known at the end of the frame
   std::string_view remark() const { return remark_; }  ///< a warning about all coordinates; empty if there is none
 
  protected:
   explicit AtomSource(const std::string& name) : name_(name) {}
-  /// Throws BadInput if a value before the current atom may be missing, so that later values are in wrong columns.
+  /// Throws BadInput if a value of an earlier atom may be missing, so that later values are in wrong columns.
   virtual void require_columns() const {}
   /// Returns the number in a column of the atom, in the units of the result. Throws BadInput, also for an empty text.
   virtual double parsed(const Atom& atom, std::size_t column, std::string_view where) const;
@@ -91,12 +91,12 @@ class AtomSource {
   std::string_view remark_ = {};
 };
 
-/// Opens the atoms of a format, one of those below. The text and `name` must outlive the result. `all_frames`: the
-/// later frames will be read, too.
+/// A function that opens the atoms in a text of one format. The text and `name` must outlive the result. `all_frames`:
+/// the caller will also read frames after the first.
 using OpenAtoms = std::unique_ptr<AtomSource> (*)(std::string_view text, const std::string& name, bool all_frames);
 
-/// Return the atoms of PDB's records ATOM and HETATM; of PQR; of PDBx/mmCIF's category _atom_site; of GROMACS' .gro; of
-/// LAMMPS' dump; of the .xyz of chemistry.
+/// Open the atoms in a text of a format: PDB (records ATOM and HETATM), PQR, PDBx/mmCIF (category _atom_site), GROMACS'
+/// .gro, LAMMPS' dump, or the .xyz of chemistry.
 std::unique_ptr<AtomSource> pdb_atoms(std::string_view text, const std::string& name, bool all_frames);
 std::unique_ptr<AtomSource> pqr_atoms(std::string_view text, const std::string& name, bool all_frames);
 std::unique_ptr<AtomSource> cif_atoms(std::string_view text, const std::string& name, bool all_frames);
@@ -104,17 +104,17 @@ std::unique_ptr<AtomSource> gro_atoms(std::string_view text, const std::string& 
 std::unique_ptr<AtomSource> dump_atoms(std::string_view text, const std::string& name, bool all_frames);
 std::unique_ptr<AtomSource> xyz_atoms(std::string_view text, const std::string& name, bool all_frames);
 
-/// Returns the source of atoms of a format of molecules; null for other formats.
+/// Returns the function that opens the atoms of a format of molecules; null for other formats.
 OpenAtoms atoms_of(Format format);
 
-/// Evaluates a condition for one atom after the other, and finds the columns that it requests for each.
+/// Evaluates a condition for one atom after the other, and returns the values that the condition requests of each atom.
 class AtomSelection {
  public:
-  /// Requires: a frame of `source`. Throws BadInput for a column that the file does not have.
+  /// Requires: source.next_frame() has returned true. Throws BadInput for a column that the file does not have.
   AtomSelection(const Condition& where, const AtomSource& source);
 
   bool holds(const Atom& atom);
-  /// Returns whether the condition names residues, so that it decides about water.
+  /// Returns whether the condition names residues, so that the condition decides about water.
   bool names_residues() const { return names_residues_; }
   /// Returns whether the condition's column k holds texts.
   bool is_text(std::size_t k) const { return is_text_[k]; }
@@ -125,16 +125,17 @@ class AtomSelection {
  private:
   const AtomSource& source_;
   std::vector<std::size_t> places_ = {};                         // columns of the condition's fields
-  std::vector<std::pair<std::size_t, std::string>> texts_ = {};  // columns of its texts, and the texts
+  std::vector<std::pair<std::size_t, std::string>> texts_ = {};  // columns compared with texts, and the texts
   std::vector<bool> is_text_ = {};
   bool names_residues_ = false;
   Selection selection_;
 };
 
-/// Returns the unit cell of three lengths and three angles, in degrees, from a record of the file; none of empty texts.
+/// Returns the unit cell of three lengths and three angles, in degrees; no cell if all texts are empty. UnitCell::fault
+/// names `record`, the record of the file with the values.
 UnitCell unit_cell(const std::string& record, const std::array<std::string_view, 6>& values);
 
-/// Returns the unit cell of three edges from a record of the file.
+/// Returns the unit cell of three edges. UnitCell::fault names `record`, the record of the file with the edges.
 UnitCell unit_cell(const std::string& record, const std::array<std::array<double, 3>, 3>& edges,
                    const std::array<bool, 3>& repeats = {true, true, true});
 

@@ -112,7 +112,7 @@ std::pair<double, std::string_view> BallRadii::find(const AtomFrame& frame, cons
 std::vector<double> BallRadii::of(const AtomFrame& frame, const std::string& name) {
   std::vector<double> radii;
   radii.reserve(frame.rows.size());
-  // Equal elements, names and residues have equal radii, unless the file has them.
+  // Find a radius once for atoms with equal element, name and residue, unless the file of atoms has the radii.
   using Kind = std::array<std::uint32_t, 3>;
   std::map<Kind, std::pair<double, UsedRadii*>> known;
   for (const AtomRow& atom : frame.rows) {

@@ -147,7 +147,7 @@ constexpr std::array<std::array<std::string_view, 2>, atom_columns.size()> names
      {"occupancy"},
      {"B_iso_or_equiv"}}};
 
-/// Returns the name of an item of the category without the category; empty for an item of another one. Early
+/// Returns the name of an item of the category without the category; empty for an item of another category. Early
 /// dictionaries have an underscore in place of the dot.
 std::string_view item_of(std::string_view name, std::string_view category) {
   if (name.size() <= category.size() + 1 || !same_letters(name.substr(0, category.size()), category)) return {};
@@ -200,7 +200,7 @@ class CifAtoms final : public AtomSource {
     return false;
   }
 
-  /// Finds the cell of all frames, also if it is behind the atoms.
+  /// Finds the cell of all frames, also if the text has the cell behind the atoms.
   void find_cell() {
     const bool is_found =
         std::any_of(cell_values_.begin(), cell_values_.end(), [](auto value) { return !value.empty(); });
@@ -232,7 +232,8 @@ class CifAtoms final : public AtomSource {
     }
   }
 
-  /// Reads the names of a loop; returns whether they are items of atoms. Reads the first row of a loop of the cell.
+  /// Reads the names of a loop; returns whether it has items of atoms. Of other loops also reads the first row, for the
+  /// cell.
   bool read_names() {
     bool is_of_atoms = false;
     std::vector<std::string_view> of_cell;
@@ -379,7 +380,7 @@ class CifAtoms final : public AtomSource {
   std::vector<std::string_view> row_ = {};                    // values of the current atom
   std::array<std::array<std::size_t, 2>, atom_columns.size()> places_ = {};
   std::size_t width_ = 0, model_ = none, group_ = none, row_line_ = 0, odd_line_ = 0;
-  bool waits_ = false, is_new_frame_ = true;  // the row is the next atom; it is the first of a frame
+  bool waits_ = false, is_new_frame_ = true;  // row_ is the next atom; the next atom is the first of a frame
   bool in_rows_ = false, has_pairs_ = false, is_by_lines_ = true, is_first_row_ = true;
   std::string_view first_model_ = {}, last_model_ = {};
   std::set<std::string_view> model_names_ = {};

@@ -241,7 +241,7 @@ class WindowCloud final : public Cloud {
   std::string name_;
   PointWindow window_;
   CloudBlock block_ = {};
-  const std::vector<double>* z_;  // of block_
+  const std::vector<double>* z_;  // heights of block_
   WindowFilter filter_;
   std::vector<std::uint8_t> kept_ = {};
   std::size_t read_ = 0, selected_ = 0;

@@ -1,7 +1,7 @@
 // What: the interface of point readers, one for each format: a file becomes blocks of columns x, y, or x, y, z, normals
 //       and colors. read_points.h, read_space_points.h and point_blocks.h make points of the columns.
-// Law:  the blocks of a file, one after another, have its points in the order of the file, whether it is in memory or
-//       streamed. Coordinates and normals are finite.
+// Law:  the blocks of a file, one after another, have its points in the order of the file, whether the file is in
+//       memory or streamed. Coordinates and normals are finite.
 // Cost: one pass over the file; only requested columns are filled in.
 #pragma once
 
@@ -61,12 +61,12 @@ struct CloudBlock {
   std::array<std::vector<double>, columns> column = {};
   std::vector<double> heights = {};  ///< one for each point, for CloudRequest::heights; NaN if a point has none
   std::vector<std::vector<double>> fields = {};  ///< a column for each of the columns() of CloudRequest::where
-  /// The number, from 0, of each point among all points of the file, if some may be left out; otherwise empty. It
-  /// counts records of LAS, vertices, atoms, or lines of a table after its header, also lines that are left out.
+  /// The number, from 0, of each point among all points of the file, if some may be left out; otherwise empty. The
+  /// number counts records of LAS, vertices, atoms, or lines of a table after its header, also lines that are left out.
   std::vector<std::uint64_t> index = {};
 };
 
-/// The number of points in a block: few enough that their columns fit in the cache.
+/// The usual greatest number of points in a block: few enough that their columns fit in the cache.
 constexpr std::size_t points_at_once = 4096;
 
 /// The range of a channel of a color.
@@ -83,9 +83,9 @@ struct UnitCell {
   /// Why `sides` is absent: "CRYST1 with angles of 90, 90 and 120 degrees"; empty if the file names no cell, or `sides`
   /// is present.
   std::string fault = {};
-  /// The edges a, b and c of a cell of any angles; of lengths and angles, a along x and b in the plane of x and y.
+  /// The edges a, b and c of a cell of any angles. From lengths and angles, a is along x and b in the plane of x and y.
   std::optional<std::array<std::array<double, 3>, 3>> edges = std::nullopt;
-  std::array<bool, 3> repeats = {true, true, true};  ///< along a, b and c
+  std::array<bool, 3> repeats = {true, true, true};  ///< whether the cell repeats along a, b and c
 
   bool is_there() const { return sides || edges || !fault.empty(); }
 };
@@ -147,7 +147,7 @@ struct CloudFormat {
   FieldNames (*fields)() =
       nullptr;                 ///< returns the rule for names in CloudRequest::where; null if points have no fields
   bool streams = false;        ///< reads a file piece by piece; false: the file has to be in memory
-  bool skips_invalid = false;  ///< CloudRequest::skip_invalid has a meaning
+  bool skips_invalid = false;  ///< CloudRequest::skip_invalid has an effect
   bool is_molecule = false;    ///< points are atoms, perhaps with a cell
   bool is_text = false;        ///< a file has no zero bytes
   bool has_signature = true;   ///< false: raw numbers, which are decompressed only if the name ends in .gz
@@ -160,11 +160,11 @@ std::unique_ptr<Cloud> open_as(Content content, const CloudRequest& request) {
   return std::make_unique<Reader>(std::move(content), request, more...);
 }
 
-/// Opens a file, and leaves out points that are not in request.window. Throws as CloudFormat::open(), and Cloud::next()
-/// then throws BadInput if points have no height, and the window has bounds of heights.
+/// Opens a file, and leaves out points that are not in request.window. Throws as CloudFormat::open(). If the window
+/// bounds heights, Cloud::next() of the result also throws BadInput for points without heights.
 std::unique_ptr<Cloud> open_cloud(const CloudFormat& format, Content content, const CloudRequest& request);
 
-/// Returns the reader of a format; null for geometries and pixels, which are not columns.
+/// Returns the reader of a format; null for formats without points in columns, such as geometries and pixels.
 const CloudFormat* cloud_format(Format format);
 
 /// Returns whether the format has a reader (cloud_format()), and the reader has the property.
@@ -214,13 +214,13 @@ double load_exactly(Scalar type, const char* at, std::endian order, const Place&
 void load_column(std::vector<double>& column, Scalar type, const char* at, std::size_t stride, std::size_t count,
                  std::endian order, std::size_t first, const std::string& name);
 
-/// Removes the points with kept[i] = 0 from the columns and the heights of `block`, and counts the others.
+/// Removes the points with kept[i] = 0 from the columns and the heights of `block`, and sets block.count.
 void keep_points(CloudBlock& block, const std::vector<std::uint8_t>& kept);
 
-/// Throws BadInput for points without heights and a window that bounds them.
+/// Throws BadInput that says that the points of the file `name` have no heights, which a window bounds.
 [[noreturn]] void refuse_flat_points(const std::string& name);
 
-/// Returns "--bounds selects 3 of 8 points".
+/// Returns the warning that a window selects some points: "--bounds selects 3 of 8 points".
 std::string warning_on_window(const PointWindow& window, std::size_t selected, std::size_t all);
 
 /// Removes the points for which the condition is false from `block`. `fields` has a column for each field of the

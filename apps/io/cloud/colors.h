@@ -1,7 +1,6 @@
 // What: reads colors that follow the vertices of a text file as numbers.
-// Law:  every vertex has a color, or none has and a warning says so: partial colors are dropped. Channels are from 0 to
-//       1; if a channel of the file is greater than 1, all are from 0 to 255; if one is greater than 255 and `allowed`,
-//       from 0 to 65535.
+// Law:  every vertex has a color, or none has: partial colors are dropped with a warning. The greatest channel of the
+//       file gives the range of all channels: 0 to 1; else 0 to 255; else, if `allowed` is 65535, 0 to 65535.
 #pragma once
 
 #include <array>

@@ -57,7 +57,7 @@ class Search {
     for (std::size_t k = 0; k < 3; ++k) {
       center_[k] = number(k);
       finite = finite && std::isfinite(center_[k]);
-      // Rounding of the cube, and of points to its sides, is far below this.
+      // The errors by rounding of the cube, and of points at its sides, are far below this margin.
       margin_[k] = std::abs(scale[k]) + 1e-9 * (half_ + std::abs(center_[k]));
     }
     if (!finite)
@@ -145,8 +145,8 @@ class Search {
   double half_ = 0;
   int deepest_ = 0;  // level
   std::vector<Page> pages_ = {};
-  std::unordered_set<std::uint64_t> begins_ = {};  // of pages
-  std::uint64_t all_ = 0;                          // bytes of pages
+  std::unordered_set<std::uint64_t> begins_ = {};  // where pages begin
+  std::uint64_t all_ = 0;                          // sum of the sizes of pages, in bytes
   std::vector<LazNode> nodes_ = {};
 };
 

@@ -1,8 +1,8 @@
-// What: finds, by the hierarchy of a COPC file, the chunks of points that a box and a resolution need.
+// What: finds in the hierarchy of a COPC file the chunks of points that a box and a resolution require.
 // Law:  the chunks are those of all nodes whose cube meets the box, down to the first level whose spacing is at most
 //       the resolution.
-// Cost: reads only pages of the hierarchy with such nodes; in memory are 64 KiB of a page, and 32 bytes for each chunk
-//       and each page that is found.
+// Cost: reads only the pages of the hierarchy whose cube meets the box at a level that the law includes; in memory are
+//       64 KiB of a page, and less than 100 bytes for each chunk and each page that is found.
 // Source: COPC specification 1.0 (copc.io).
 #pragma once
 
@@ -18,8 +18,8 @@
 
 namespace rbpa::app {
 
-/// Returns the nodes, ordered by `begin`. `info` is the data of the record "copc" 1, `scale` the size of the units of
-/// coordinates. Throws BadInput that names the byte, for a hierarchy whose pages or keys cannot be right.
+/// Returns the nodes of the chunks, ordered by LazNode::begin. `info` is the data of the record "copc" 1, `scale` the
+/// size of the units of coordinates. Throws BadInput that names the byte, for invalid pages or keys of the hierarchy.
 std::vector<LazNode> find_copc_nodes(const Content& content, std::string_view info, const std::array<double, 3>& scale,
                                      const PointWindow& window);
 

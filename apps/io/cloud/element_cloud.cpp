@@ -32,8 +32,8 @@ std::uint32_t color_bits(double number, Scalar type, const std::string& here) {
   return static_cast<std::uint32_t>(static_cast<std::int64_t>(number));  // signed or unsigned
 }
 
-/// Returns the index of the property of numbers called `field`, or else so in letters of either case. Throws
-/// BadInput that names `option`, which requires it.
+/// Returns the index of the property of numbers called `field`, or else called so in letters of either case. Throws
+/// BadInput that names `option`, which requires the property, if there is none.
 std::size_t find_field(const PlyElement& points, const std::string& field, std::string_view option,
                        const std::string& name) {
   for (const bool in_any_case : {false, true})
@@ -116,7 +116,7 @@ class ElementCloud final : public Cloud {
   }
 
  private:
-  /// Chooses the numbers beside those of the layout that are kept.
+  /// Chooses the properties that are kept: single numbers that the layout does not use.
   void choose_fields(const FieldChoice& choice) {
     for (std::size_t k = 0; k < vertex_.properties.size(); ++k) {
       const PlyProperty& property = vertex_.properties[k];
@@ -222,7 +222,7 @@ class ElementCloud final : public Cloud {
     if (takes_z) target[*layout_.height] = block.heights.data();
     std::vector<char> is_channel(target.size(), 0);
     for (const auto& [column, property] : layout_.columns) is_channel[property] = column >= CloudBlock::color ? 1 : 0;
-    std::vector<std::size_t> kept(target.size(), kept_.size());  // for each property its column, or the number of them
+    std::vector<std::size_t> kept(target.size(), kept_.size());  // index in kept_ of each property, or kept_.size()
     for (std::size_t k = 0; k < kept_.size(); ++k) kept[kept_[k]] = k;
     const std::size_t size = target.size(), first = first_;
     text_->pass(vertex_, first, first + block.count, [&](std::size_t i, std::string_view& rest) {
@@ -251,7 +251,7 @@ class ElementCloud final : public Cloud {
       bad_input(here(), in_quotes(text_of(number)), "a channel of a color: a whole number from 0 to 255");
   }
 
-  /// Notes the height in the next word, if it is a number.
+  /// Records the height in the next word, if the word is a number.
   void find_height(CloudBlock& block, std::size_t i, std::string_view rest) {
     const ParsedNumber z = parse_whole_number(take_word(rest));
     if (z.fault == NumberFault::none) take_height(block, i, z.value);
@@ -272,9 +272,9 @@ class ElementCloud final : public Cloud {
   PointLayout layout_;
   const PlyElement& vertex_;
   std::vector<std::size_t> condition_ = {};       // properties that the condition reads
-  std::vector<std::vector<double>> fields_ = {};  // their columns
+  std::vector<std::vector<double>> fields_ = {};  // values of these properties
   std::vector<std::size_t> kept_ = {};            // properties that are kept
-  std::vector<bool> is_kept_ = {};                // whether each of fields_ is requested, and kept instead
+  std::vector<bool> is_kept_ = {};                // whether each of fields_ is kept instead of filled in
   std::size_t taken_ = 0;                         // points in earlier blocks
   bool keeps_heights_;
   std::optional<Selection> selection_ = std::nullopt;

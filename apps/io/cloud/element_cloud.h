@@ -17,17 +17,17 @@ namespace rbpa::app {
 /// Maps the properties of an element to the columns of a point.
 struct PointLayout {
   std::size_t element = 0;                                        ///< index among the header's elements
-  std::vector<std::pair<std::size_t, std::size_t>> columns = {};  ///< column of the block and its property
-  std::optional<std::size_t> height = std::nullopt;               ///< property z, unless it is a column
-  std::optional<std::size_t> color = std::nullopt;                ///< 0xRRGGBB in an integer, or in the bits of a float
-  bool colors_behind = false;                                     ///< text: three words after the properties
+  std::vector<std::pair<std::size_t, std::size_t>> columns = {};  ///< column of the block, and index of its property
+  std::optional<std::size_t> height = std::nullopt;               ///< index of property z, unless z is a column
+  std::optional<std::size_t> color = std::nullopt;                ///< property 0xRRGGBB: an integer, or bits of a float
+  bool colors_behind = false;                                     ///< text: colors are three words after the properties
   bool has_room = false;                                          ///< the data are known to be long enough
   bool by_columns = false;              ///< binary without lists: all values of one property before those of the next
   std::vector<char> decompressed = {};  ///< decompressed data, which the header's data view
   CloudFacts facts = {};
 };
 
-/// Adds the columns of the normal if all of `names` are there, and a warning if only some are.
+/// Adds the columns of the normal if the element has all properties `names`, and a warning if it has only some.
 void lay_out_normal(const PlyElement& element, const std::string_view (&names)[3], PointLayout& layout);
 
 /// Returns a reader of the points of `content`, whose header is `header`.

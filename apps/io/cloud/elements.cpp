@@ -51,12 +51,12 @@ std::string_view element_of_name(std::string_view name, std::string_view residue
   for (const auto& [ion, symbol] : ions)
     if (name == ion && residue == ion) return symbol;
   if (two.empty() || begins == 14) return likely;
-  // Other ions have them too: NA, CU1.
+  // Other ions, too, have the names of their residues: NA, CU1.
   const bool is_ion = word.size() == 2 && same_letters(residue.substr(0, 2), word) &&
                       std::none_of(residue.begin() + 2, residue.end(), is_letter);
   const bool is_mixed = std::islower(static_cast<unsigned char>(word[1])) != 0;
   if (is_ion || is_mixed || is_word_of(two, "Cl Br Si Se") || (begins == 13 && name.size() < 4)) return two;
-  // The first letter is the element of C12A and HG11, but F is not that of FE.
+  // The first letter is the element of C12A and HG11, but F is not the element of FE.
   return is_word_of(one, "H D C N O P S") || (word.size() > 2 && !one.empty()) ? one : two;
 }
 

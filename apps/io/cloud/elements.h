@@ -12,7 +12,7 @@ namespace rbpa::app {
 
 struct Element {
   std::string_view symbol;
-  double radius;  ///< of van der Waals, in angstroms; 0 if none is known
+  double radius;  ///< van der Waals radius, in angstroms; 0 if none is known
 };
 
 /// Returns the element of a symbol in letters of either case, perhaps with a charge or number ("FE3+", "C12"); also "D"
@@ -22,7 +22,7 @@ const Element* find_element(std::string_view symbol);
 /// Returns whether the radius of the element is Mantina's, not Bondi's.
 bool is_of_mantina(std::string_view symbol);
 
-/// Returns the symbol of the atom's element; empty if neither the column nor the name tells it.
+/// Returns the symbol of the atom's element; empty if neither the column nor the name shows an element.
 std::string_view element_of(const Atom& atom);
 
 inline bool is_hydrogen(std::string_view symbol) { return symbol == "H" || symbol == "D" || symbol == "T"; }

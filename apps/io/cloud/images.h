@@ -1,6 +1,6 @@
 // What: reads the foreground pixels of an image as points: from PNG, and from the portable gray map (PGM) of Netpbm.
-// Law:  without a request, the background is the shade of most pixels of the border, and all other pixels are
-//       foreground; a transparent pixel is never foreground.
+// Law:  without a choice of the foreground, the background is the shade of most pixels of the border, and all other
+//       pixels are foreground; a transparent pixel is never foreground.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@ enum class Foreground { dark, light };
 
 /// The rule that decides by gray values which pixels are foreground.
 struct PixelRule {
-  std::optional<Foreground> foreground = std::nullopt;  ///< absent: the shade that is not that of the border
-  double threshold = 0.5;                               ///< a pixel is light from this share of white on, from 0 to 1
+  std::optional<Foreground> foreground = std::nullopt;  ///< absent: all shades but that of the border
+  double threshold = 0.5;                               ///< share of white, from 0 to 1, from which on a pixel is light
 };
 
 enum class Shade : std::uint8_t { clear, dark, light };

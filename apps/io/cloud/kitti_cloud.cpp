@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view fields[] = {"x", "y", "z", "reflectance"};
 
-/// The names of the fields, in letters of either case.
+/// Returns the rule for names of fields: x, y, z, reflectance, in letters of either case.
 FieldNames names_of_kitti_fields() {
   return {[](std::string_view word) {
             return std::any_of(std::begin(fields), std::end(fields),

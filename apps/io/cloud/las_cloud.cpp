@@ -25,7 +25,7 @@ void require_range(const LasHeader& header, std::size_t axis, const std::string&
               "coordinates within the range of a double");
 }
 
-/// Returns whether the field is a channel of the colors, which points in space have already.
+/// Returns whether the field is a channel of the colors, which CloudBlock already has for points in space.
 bool is_color(std::string_view name) { return name == "red" || name == "green" || name == "blue"; }
 
 class LasCloud final : public Cloud {
@@ -83,7 +83,7 @@ class LasCloud final : public Cloud {
       window_ = request.window;
       facts_.is_in_window = true;
       if (!copc.empty() && !content_.is_compressed()) nodes = find_copc_nodes(content_, copc, header_.scale, window_);
-      filter_.emplace(window_, in_space_, !nodes);  // of COPC levels thin the points
+      filter_.emplace(window_, in_space_, !nodes);  // levels of COPC thin the points already
     }
     const LasCrs system = find_system(first);
     facts_.file.crs = system.crs;
@@ -97,7 +97,7 @@ class LasCloud final : public Cloud {
                    LazChoice{read_bytes(), skip_invalid_, request.threads, std::move(nodes)});
     if (!system.warning.empty() && !in_space_) facts_.file.warnings.push_back(system.warning);
     if (in_space_ && system.crs) facts_.file.degrees = system.crs->degrees;
-    // A point for each record, unless there is a window; but LAZ may promise many more points than there are bytes.
+    // Expect a point for each record unless points are selected; but LAZ may promise many more points than bytes.
     if (!selection_ && !request.window.selects() && is_settled_ && !content_.is_compressed() &&
         count_ <= content_.size())
       facts_.expected = count_;
@@ -140,7 +140,7 @@ class LasCloud final : public Cloud {
  private:
   /// Returns the coordinate system of the file; also reads the records after the points.
   LasCrs find_system(std::string_view before) const {
-    // A COPC file has the name of its system before the points, and the whole hierarchy behind them.
+    // A COPC file has the name of its system before the points, and the whole hierarchy behind the points.
     const bool has_more = !facts_.file.scan->is_copc && !content_.is_compressed() && header_.extended_records > 0 &&
                           header_.extended_begin > header_.begin && header_.extended_begin < content_.size();
     if (!has_more) return las_crs(before, {}, header_);
@@ -150,7 +150,7 @@ class LasCloud final : public Cloud {
     return las_crs(before, more.ahead(most), header_);
   }
 
-  /// Returns which bytes of a record are read.
+  /// Returns for each byte of a record whether it is read.
   std::vector<bool> read_bytes() const {
     std::vector<bool> wanted(header_.length);
     const auto want = [&](std::size_t offset, std::size_t size) {
@@ -166,7 +166,7 @@ class LasCloud final : public Cloud {
     return wanted;
   }
 
-  /// Ends the points before those of LAZ that cannot be decoded, which --skip-invalid leaves out.
+  /// Ends the points before those that cannot be decoded from LAZ; --skip-invalid leaves the latter out.
   void leave_out_rest() {
     facts_.file.warnings.push_back(std::to_string(count_ - first_) + " of the " + counted(count_, "point") +
                                    " in the header are left out: " + laz_->fault());
@@ -178,7 +178,7 @@ class LasCloud final : public Cloud {
       const LasPlace& place = places_[i];
       if (const Scalar type = place.field.kept_type(); !place.axis && is_integer(type) && size_of(type) == 8)
         load_exactly(type, record + place.field.offset, std::endian::little,
-                     [&] { return content_.name() + ": point " + std::to_string(point); });  // refuses what is rounded
+                     [&] { return content_.name() + ": point " + std::to_string(point); });  // refuses to round
       return place.value(record, axes_);
     };
     if (!selection_->holds(number, [](std::size_t) { return false; })) return false;
@@ -261,7 +261,7 @@ class LasCloud final : public Cloud {
   std::vector<LasPlace> places_ = {};
   std::vector<LasField> kept_ = {};
   std::optional<LasField> withheld_ = std::nullopt, red_ = std::nullopt;  // green and blue follow red
-  std::optional<LasField> class_ = std::nullopt, return_ = std::nullopt;  // if they are counted
+  std::optional<LasField> class_ = std::nullopt, return_ = std::nullopt;  // present if points are counted by them
   PointWindow window_ = {};
   std::optional<WindowFilter> filter_ = std::nullopt;  // for the window, if it selects
   std::size_t first_ = 0, count_ = 0, taken_ = 0, withheld_points_ = 0;

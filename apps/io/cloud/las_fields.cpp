@@ -118,7 +118,7 @@ std::vector<NamedLasField> all_las_fields(unsigned format, unsigned minor, std::
   for (; extra.size() >= entry; extra.remove_prefix(entry)) {
     const unsigned type = static_cast<unsigned char>(extra[2]), options = static_cast<unsigned char>(extra[3]);
     constexpr unsigned most = 30, has_scale = 8, has_offset = 16;
-    if (type > most) break;  // what follows is somewhere else
+    if (type > most) break;  // the places of further fields are not known
     const Scalar scalar = types[type == 0 ? 0 : (type - 1) % std::size(types)];
     const std::size_t count = type == 0 ? options : 1 + (type - 1) / std::size(types);  // 11 to 30: lists of 2 and 3
     const std::size_t size = count * size_of(scalar);
@@ -144,8 +144,7 @@ struct Decimal {
   int places;
 };
 
-/// Returns the digits of `decimal` with `places` places, at least as many as it has; nothing if they exceed
-/// greatest_exact.
+/// Returns the digits of `decimal` with `places` ≥ decimal.places places; nothing if they exceed greatest_exact.
 std::optional<std::int64_t> with_places(Decimal decimal, int places) {
   for (; decimal.places < places; ++decimal.places) {
     if (std::abs(decimal.digits) > greatest_exact / 10) return std::nullopt;
@@ -154,7 +153,7 @@ std::optional<std::int64_t> with_places(Decimal decimal, int places) {
   return decimal.digits;
 }
 
-/// Returns the shortest decimal that reads back to `value`; nothing if it exceeds greatest_exact or max_places.
+/// Returns the shortest decimal that reads back to `value`; nothing beyond greatest_exact or max_places.
 std::optional<Decimal> decimal_of(double value) {
   char text[32];
   char* const end = std::to_chars(text, text + sizeof text, value, std::chars_format::scientific).ptr;

@@ -27,12 +27,12 @@ struct LasField {
   Scalar type;
   unsigned first_bit = 0, bits = 0;  ///< bits = 0: the field is the whole number
   double unit = 1;                   ///< factor by which the number is multiplied
-  double shift = 0;                  ///< is added then
+  double shift = 0;                  ///< number that is added to the product
 
   double value(const char* record) const;
   /// Returns the type that holds all values.
   Scalar kept_type() const { return bits > 0 ? Scalar::uint8 : unit != 1 || shift != 0 ? Scalar::float64 : type; }
-  /// Appends the value to a column of kept_type().
+  /// Appends the value in a record to a column of kept_type().
   void append_to(PointColumn& column, const char* record) const;
 };
 
@@ -65,7 +65,7 @@ class ScaledInteger {
   double divisor_ = 1;
 };
 
-/// Returns the rule for names of fields: x, y, z, those of all formats, and any other, which extra bytes may have.
+/// Returns the rule for names of fields: any word, as extra bytes may have any name. Messages list the known names.
 FieldNames names_of_las_fields();
 
 /// The place, in a record, of a value that a condition reads.

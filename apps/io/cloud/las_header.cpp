@@ -54,7 +54,7 @@ void require_version(std::string_view bytes, const std::string& name) {
     bad_input(name, "LAS version " + std::to_string(major) + "." + std::to_string(minor), "1.0 to 1.4");
 }
 
-/// Returns the number of points. Version 1.4 counts in 64 bits; its older 32-bit field is 0 if it cannot hold the
+/// Returns the number of points. Version 1.4 counts in 64 bits; its older 32-bit field is 0 if 32 bits cannot hold the
 /// number.
 std::size_t point_count(std::string_view bytes, const LasHeader& header) {
   const std::size_t legacy = load_little<std::uint32_t>(bytes.data() + 107);

@@ -1,7 +1,7 @@
 // What: reads the public header block of a LAS file, versions 1.0 to 1.4: the number and the place of the point
 //       records, and the coordinate reference system.
-// Law:  the number of point records comes only from LasCount::settle(), which throws BadInput, or warns, if it differs
-//       between the header and the file. All records that settle() counts lie within the file.
+// Law:  the number of point records comes only from LasCount::settle(), which throws BadInput, or warns, if the number
+//       differs between the header and the file. All records that settle() counts lie within the file.
 // Source: ASPRS, LAS specification 1.4 R15, and the specifications of earlier versions.
 #pragma once
 
@@ -51,8 +51,8 @@ struct LasHeader {
   bool is_compressed;  ///< the points are those of LAZ
   std::size_t size;
   std::size_t records;  ///< number of variable length records, which begin after the header
-  LasCount count;  ///< number of points: in the header, and in the room before the next part of the file; of LAZ twice
-                   ///< that in the header
+  LasCount count;  ///< number of points: in the header, and in the room before the next part of the file; for LAZ both
+                   ///< are the number in the header
   std::size_t length;  ///< size of a point record in bytes, with extra bytes
   std::size_t begin;   ///< offset of the first point record
   std::size_t extended_begin,
@@ -62,16 +62,16 @@ struct LasHeader {
 };
 
 /// Reads the header of a file of `size` bytes. Requires: `bytes` are the first of the file, and hold its header; the
-/// signature of version 1.0 is recognized only if they also hold two bytes from the beginning of the points on. Throws
-/// BadInput that names the fault if the file cannot be read.
+/// signature of version 1.0 is recognized only if `bytes` also hold two bytes from the beginning of the points on.
+/// Throws BadInput that names the fault if the file cannot be read.
 LasHeader read_las_header(std::string_view bytes, std::size_t size, const std::string& name);
 
 /// Throws BadInput if the scale or the offset of x, y or z (axis 0, 1, 2) gives no coordinates. read_las_header()
 /// checks x and y; the caller checks z if it is requested.
 void require_las_axis(const LasHeader& header, std::size_t axis, const std::string& name);
 
-/// Returns the data of the record number `number` of a user, such as "copc"; empty without it. `before` is the file up
-/// to its points at least.
+/// Returns the data of the first record with the number `number` of `user`, such as "copc"; empty if there is none.
+/// `before` is the file up to its points at least.
 std::string_view las_record(std::string_view before, const LasHeader& header, std::string_view user, unsigned number);
 /// Returns the record by which LASzip says how points are compressed.
 inline std::string_view laszip_record(std::string_view before, const LasHeader& header) {

@@ -33,7 +33,7 @@ class AlternateLocations {
   const std::string& first() const { return first_; }
 
  private:
-  std::unordered_map<std::string, std::size_t> places_ = {};  // of each atom with a letter of an alternate location
+  std::unordered_map<std::string, std::size_t> places_ = {};  // number for each atom with alternate locations
   std::size_t count_ = 0;
   std::string first_ = {};  // the first letter of an alternate location
 };
@@ -122,12 +122,12 @@ class MoleculeCloud final : public Cloud {
   Waters waters_;
   Atom atom_ = {};
   std::optional<AtomSelection> selection_ = std::nullopt;
-  std::vector<TextNumbers> numbers_ = {};  // numbers of the texts in each of its columns
+  std::vector<TextNumbers> numbers_ = {};  // numbers of the texts in each column of the condition
   AlternateLocations alternates_ = {};
   std::size_t atoms_ = 0, water_atoms_ = 0;
 };
 
-/// Returns the rule for the first `columns` of atom_columns.
+/// Returns the rule for names of fields: the first `columns` of atom_columns.
 template <std::size_t columns>
 FieldNames names_of_atoms() {
   std::string all;

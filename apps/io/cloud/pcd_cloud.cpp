@@ -121,7 +121,7 @@ class PcdHeaderReader {
       if (!count || *count > most)
         bad_input(name_ + ": field " + shown(fields_[i]), "a count of " + in_quotes(counts_[i]),
                   "one from 0 to " + std::to_string(most));
-      if (*count == 0) continue;  // it has no bytes
+      if (*count == 0) continue;  // a field without values has no bytes
       // Skip fields called "_": the Point Cloud Library does not write these gaps if it compresses.
       if (is_compressed_ && fields_[i] == "_") continue;
       points_.properties.push_back({std::string(fields_[i]), *type, std::nullopt, *count});
@@ -220,7 +220,7 @@ struct CompressedSizes {
         decompressed(load<std::uint32_t>(data.data() + sizeof compressed, std::endian::little)) {}
 };
 
-/// Returns the decompressed data.
+/// Returns the decompressed data of a file whose data are compressed. Throws BadInput that names `name`.
 std::vector<char> decompress(const PlyHeader& header, const std::string& name) {
   const PlyElement& points = header.elements.front();
   const std::string_view data = header.data;

@@ -29,7 +29,7 @@ bool is_atom(std::string_view line) {
          (line.starts_with("ATOM") && line.size() > 5 && may_follow(line[4]) && may_follow(line[5]));
 }
 
-/// Returns the decimal text of a number in so many columns, also in hybrid-36 notation: A000 in four columns is 10000.
+/// Returns the decimal text of a number in `columns` columns, also in hybrid-36: A000 in four columns is 10000.
 /// Asterisks give an empty text.
 std::string number_in(std::string_view text, std::size_t columns) {
   if (text.find_first_not_of('*') == std::string_view::npos) return {};
@@ -119,7 +119,7 @@ class PdbAtoms final : public AtomSource {
                    std::string(at_columns(line, 61, 66))};
   }
 
-  /// Takes an atom of PQR: words, the chain among them or not; or the columns of PDB, and behind them words.
+  /// Takes an atom of PQR: words, with or without the chain; or the columns of PDB, then words: charge, radius.
   void take_pqr(std::string_view line, Atom& atom) const {
     take(line, atom);
     atom.name_begins = 0;

@@ -16,7 +16,7 @@ constexpr std::size_t pixel_limit = std::size_t{1} << 30U;  // rbpa() refuses so
 Shade ground_of(const Shades& image) {
   std::array<std::size_t, 3> count{};
   for (std::size_t row = 0; row < image.height; ++row) {
-    const bool is_of_border = row == 0 || row + 1 == image.height;  // of other rows only the two ends are on it
+    const bool is_of_border = row == 0 || row + 1 == image.height;  // only the ends of other rows are on the border
     const std::size_t step = is_of_border ? 1 : std::max<std::size_t>(image.width - 1, 1);
     for (std::size_t column = 0; column < image.width; column += step)
       ++count[static_cast<std::size_t>(image.pixels[row * image.width + column])];
@@ -63,7 +63,8 @@ class Numbers {
  public:
   Numbers(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
 
-  /// Takes the next number, and returns it. Throws BadInput with `expected` unless it is from `least` to `greatest`.
+  /// Takes the next number, and returns it. Throws BadInput with `expected` unless the number is from `least` to
+  /// `greatest`.
   std::size_t take(std::size_t least, std::size_t greatest, const std::string& expected) {
     const std::string_view word = next_word();
     if (word.empty()) bad_input(at_line(name_, line_), "the end of the file", expected);
@@ -117,7 +118,7 @@ struct Pgm {
   std::string_view data;
 
   std::size_t pixels() const { return width * height; }
-  /// Returns the size of the pixels in bytes. For text it is a lower bound: each number has a digit and a blank.
+  /// Returns the size of the pixels in bytes. For text the size is a lower bound: each number has a digit and a blank.
   std::size_t size() const { return (text || white >= 256 ? 2 : 1) * pixels(); }
 };
 

@@ -200,7 +200,7 @@ void PlyText::next(const PlyElement& element, std::size_t index) {
   rest_ = lines_.line();
 }
 
-/// Decides what words after an element in its line are: ignored words, or the next elements.
+/// Decides whether the words after an element in its line are ignored, or are the next elements.
 void PlyText::settle_rest(const PlyElement& element, std::size_t index) {
   if (rest_.front() != '#' && is_by_words_) return;
   if (rest_.front() != '#' && !is_by_lines_) {

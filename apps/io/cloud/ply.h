@@ -1,6 +1,6 @@
 // What: reads the header of a PLY file, and passes once over its elements, one kind after another. The readers of PCD
 //       and OFF also describe their points as elements.
-// Law:  no step reads beyond the data; it throws BadInput that names the element and the count in the header.
+// Law:  no step reads beyond the data; if data are missing, it throws BadInput that names the element and its count.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct PlyProperty {
   std::optional<Scalar> count_type = std::nullopt;  ///< type of the length of a list; absent if it is not a list
   std::size_t count = 1;  ///< number of values, unless it is a list; 1 in PLY, any number in PCD
 
-  /// Returns the size of the property in a binary file, in bytes; of a list the size when it is empty.
+  /// Returns the size of the property in a binary file, in bytes; for a list, the size of an empty list.
   std::size_t least_size() const { return count_type ? size_of(*count_type) : count * size_of(type); }
 };
 
@@ -56,8 +56,8 @@ std::string announced(const PlyElement& element);
 /// Returns the element "vertex". Throws BadInput that names `name` if there is none.
 const PlyElement& vertices_of(const PlyHeader& header, const std::string& name);
 
-/// Returns the index, among the properties of `element`, of the one called `property`; nothing if there is none or it
-/// is not a single number.
+/// Returns the index, among the properties of `element`, of the one called `property`; nothing if there is none, or if
+/// the property is not a single number.
 std::optional<std::size_t> number_place(const PlyElement& element, std::string_view property);
 
 /// Returns the indices of the properties of `element` that are called one of `names` and are single numbers, in the
@@ -153,7 +153,7 @@ class PlyText {
     });
   }
 
-  /// Removes the words of one property from `rest`, of which `read` have been removed already.
+  /// Removes the words of one property from `rest`. The caller has already removed the first `read` of them.
   void pass_words(const PlyProperty& property, std::string_view& rest, std::size_t read = 0) const;
 
   const Lines& lines() const { return lines_; }

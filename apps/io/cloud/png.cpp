@@ -32,7 +32,7 @@ class PngDecoder : public PngErrors {
     return attempt(png_, [this] {
       png_set_read_fn(png_, this, read);
       png_set_user_limits(png_, PNG_UINT_31_MAX,
-                          PNG_UINT_31_MAX);  // no limit: require_image_size() refuses
+                          PNG_UINT_31_MAX);  // no limit: require_image_size() refuses large images
       png_read_info(png_, info_);
     });
   }

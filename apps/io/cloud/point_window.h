@@ -13,7 +13,7 @@ namespace rbpa::app {
 
 /// A box with its boundary.
 struct PointBox {
-  std::array<double, 3> least, greatest;  ///< −inf and inf of z if heights are not bounded
+  std::array<double, 3> least, greatest;  ///< for z, −inf and inf if heights are not bounded
 
   bool contains(const std::array<double, 3>& point) const {
     bool inside = true;
@@ -26,8 +26,7 @@ struct PointBox {
 
 struct PointWindow {
   std::optional<PointBox> bounds = std::nullopt;
-  /// Side of the cells of which each has at most one point; of COPC the greatest spacing of the finest level that is
-  /// read.
+  /// Side of cells, each with at most one selected point; for COPC, the greatest spacing of the finest level.
   std::optional<double> resolution = std::nullopt;
 
   bool selects() const { return bounds || resolution; }
@@ -39,10 +38,11 @@ PointBox box_of(const std::string& option, std::span<const double> numbers);
 /// Parses the values of --bounds and --resolution. Throws WrongUsage.
 PointWindow parse_window(const std::optional<std::string>& bounds, const std::optional<std::string>& resolution);
 
-/// Tests one point after another. Of the points in a cell, a square in the plane or a cube in space, keeps the first.
+/// Tests one point after another. Keeps points within the bounds, and of the points in a cell, a square in the plane or
+/// a cube in space, only the first.
 class WindowFilter {
  public:
-  /// Takes `resolution` into account only if `thins`.
+  /// Takes window.resolution into account only if `thins`.
   WindowFilter(const PointWindow& window, bool in_space, bool thins)
       : bounds_(window.bounds), side_(thins ? window.resolution : std::nullopt), in_space_(in_space) {}
 

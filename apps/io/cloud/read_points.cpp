@@ -56,8 +56,8 @@ PointFile parse(std::string_view bytes, const std::string& name, const PointSour
   return read_plane_points(*open_plane_cloud(Content(bytes, name), source));
 }
 
-/// Adds the warning that all points are one, or that some are (0, 0) or (-9999, -9999), say, and far from all others:
-/// outside of their box by more than its longer side.
+/// Adds a warning if all points are equal; or if points such as (0, 0) or (-9999, -9999) are far from the others:
+/// farther outside of the bounding box of the others than its longer side.
 void warn_of_odd_points(PointFile& file) {
   const auto stands_for_nothing = [](const Point& p) {
     constexpr double signs[] = {0, 999, 9999, 99999, 999999};
@@ -203,7 +203,7 @@ PointFile read_points(const PointSource& source) {
   PointSource known = source;
   known.format = format_of_content(Use::points, input.bytes(), input.name(), Format::text);
   if (known.format == Format::geojson) {
-    if (known.where && !known.where->selects()) known.where.reset();  // it names only properties of groups
+    if (known.where && !known.where->selects()) known.where.reset();  // the condition names only properties of groups
   } else {
     known.properties = {};
   }

@@ -40,7 +40,7 @@ struct PointSource {
 /// or two columns are the same; Failure; Cancelled.
 PointFile read_points(const PointSource& source);
 
-/// The names of the options that not every format has data for; null for an option that is absent.
+/// The names of options that request data that not every format has; null for an option that is not given.
 struct OptionNames {
   const char* columns = nullptr;
   const char* skip_invalid = nullptr;
@@ -49,8 +49,7 @@ struct OptionNames {
   std::vector<std::string> others = {};  ///< formats that are not named in with_fields(), and fit `fields`
 };
 
-/// Throws WrongUsage if points of `format` do not have what an option requests. `found` is the beginning of what was
-/// found.
+/// Throws WrongUsage if points of `format` lack data that an option requests. `found` begins the text after "found".
 void require_readable(Use use, Format format, const OptionNames& options, const std::string& found = "a format");
 
 /// Throws WrongUsage like require_readable() for standard input, whose content shows `format` only after options are
@@ -58,14 +57,15 @@ void require_readable(Use use, Format format, const OptionNames& options, const 
 void require_readable_input(Use use, Format format, bool columns, bool skip_invalid, bool vertices,
                             const std::optional<Condition>& where);
 
-/// Sets file.crs to `said`, the value of --crs, if it is present, and adds a warning if the file names another system.
+/// Sets file.crs to `said`, the value of --crs, if it is present, with a warning if the file names another system. Sets
+/// file.degrees if the system is geographic.
 void settle_crs(PointFile& file, const std::optional<Crs>& said);
 
-/// Reads points from `bytes`, the content of a file; `name` stands for it in messages, and source.path is ignored.
-/// Throws as read_points().
+/// Reads points from `bytes`, the content of a file; messages call the file `name`, and source.path is ignored. Throws
+/// as read_points().
 PointFile points_in(std::string_view bytes, const std::string& name, const PointSource& source);
 
-/// Returns whether the file may be a COPC file of which only a part is needed, so that it is not read into memory.
+/// Returns whether the file may be a COPC file of which only a part is needed; such a file is not read into memory.
 bool reads_parts(const std::string& path, Format format, const PointWindow& window);
 
 /// Opens content. Requires: source.format has a cloud_format(). Throws as read_points(), and BadInput if the content is

@@ -25,7 +25,7 @@ struct SpacePoints : PointFacts {
 /// columns are the same.
 SpacePoints read_space_points(const std::string& path, Format format, const CloudRequest& request = {});
 
-/// Reads points from `bytes`, the content of a file; `name` stands for it in messages. Throws as read_space_points().
+/// Reads points from `bytes`, the content of a file; messages call the file `name`. Throws as read_space_points().
 SpacePoints space_points_in(std::string_view bytes, const std::string& name, Format format,
                             const CloudRequest& request = {});
 

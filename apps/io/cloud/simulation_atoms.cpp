@@ -15,7 +15,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Frames of lines.
+/// The source of atoms that are one to a line: the base class of all formats of simulations.
 class LineAtoms : public AtomSource {
  protected:
   LineAtoms(std::string_view text, const std::string& name) : AtomSource(name), lines_(text) {}
@@ -42,8 +42,8 @@ class LineAtoms : public AtomSource {
   std::size_t left_ = 0;  // atoms of the frame that are not read yet
 };
 
-/// Returns ten times a number, rounded once: the digits are read as they stand, with another exponent. A text that has
-/// an exponent is read first.
+/// Returns ten times the number in `text`, whose nearest double is `number`. The result is rounded once, as the digits
+/// are read with another exponent, unless `text` has an exponent.
 double ten_times(double number, std::string_view text) {
   if (text.find_first_of("eE") != std::string_view::npos) return 10 * number;
   return parse_whole_number(std::string(text) + "e1").value;
@@ -101,7 +101,7 @@ class GroAtoms final : public LineAtoms {
     return column >= x_of_atom && column < x_of_atom + 3 ? ten_times(number, atom.fields[column]) : number;
   }
 
-  /// Reads v1(x) v2(y) v3(z), and for other than right angles v1(y) v1(z) v2(x) v2(z) v3(x) v3(y).
+  /// Reads v1(x) v2(y) v3(z), and, for a box with other than right angles, v1(y) v1(z) v2(x) v2(z) v3(x) v3(y).
   void read_box() {
     take_line("the box, three or nine numbers");
     constexpr std::size_t places[] = {0, 4, 8, 1, 2, 3, 5, 6, 7};
@@ -178,8 +178,8 @@ class NamedAtoms : public LineAtoms {
     return numbers;
   }
 
-  /// Sets the columns of the first frame, and finds those of atoms by their names, which blanks separate; the first
-  /// that is there counts. Other frames must have the same columns.
+  /// Sets the names of the columns in the first frame, and finds the column of each of `of_atoms`: the first of its
+  /// names, which blanks separate, that is there. Throws BadInput if a later frame has other columns.
   void set_names(std::vector<std::string> names,
                  std::initializer_list<std::pair<std::size_t, std::string_view>> of_atoms) {
     if (frames_ > 0 && names != names_) bad_input(here(), "other columns than in the first frame", list_of_names());
@@ -193,9 +193,9 @@ class NamedAtoms : public LineAtoms {
   }
   bool has(std::size_t k) const { return places_[k] < names_.size(); }
 
-  std::vector<std::string> names_ = {};  // of the columns in the file
+  std::vector<std::string> names_ = {};  // names of the columns in the file
   std::array<std::size_t, atom_columns.size()> places_ =
-      {};  // of atom_columns in names_; their number if there is none
+      {};  // index in names_ of each of atom_columns; names_.size() if there is none
 
  private:
   std::size_t place_of(std::string_view name) const {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view way_of_comments = " (quotes around the first field of a line make it one)";
 
-/// Returns the value of "Properties=" in a comment; empty if it has none.
+/// Returns the value of "Properties=" in a comment; empty if the comment has none.
 std::string_view properties_in(std::string_view comment) {
   constexpr std::string_view key = "properties=";
   const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
@@ -27,7 +27,7 @@ std::string_view properties_in(std::string_view comment) {
   return comment.substr(0, std::min(comment.find_first_of(quoted ? "\"" : " \t"), comment.size()));
 }
 
-/// Returns the names of the columns that "species:S:1:pos:R:3" describes; empty if it is not understood.
+/// Returns the names of the columns that "species:S:1:pos:R:3" describes; empty if the description is not understood.
 std::vector<std::string> names_of(std::string_view properties) {
   std::deque<std::string> room;
   const std::vector<std::string_view> words = split(properties, ':', room);
@@ -50,7 +50,7 @@ std::vector<std::string> names_of(std::string_view properties) {
   return has_place ? names : std::vector<std::string>();
 }
 
-/// Returns whether `line`, of numbers, is data and not a comment: `next` has equally many fields.
+/// Returns whether `line` is data and not a comment: all its fields are numbers, as many as the fields of `next`.
 bool are_both_data(std::string_view line, std::string_view next) {
   std::size_t numbers = 0;
   for (Fields fields(line, blanks); !fields.at_end();)
@@ -110,8 +110,9 @@ class Starter {
     if (start_.has_line && !lines_.comment_before().empty()) comment_ = lines_.comment_before();
   }
 
-  /// Takes the count and the comment of the .xyz format of chemistry; returns whether there are any. Elements may be
-  /// numbers only if the ending of the file is .xyz or absent.
+  /// Takes the count and the comment of the .xyz format of chemistry, if there are any. Returns whether they give the
+  /// layout, which they do unless columns are requested. Elements may be numbers only if the ending of the file is .xyz
+  /// or absent.
   bool take_atoms() {
     if (kind_ != TableKind::any || !parse_count(lines_.line())) return false;
     const std::string_view known = input_ending(lines_.name());
@@ -120,7 +121,7 @@ class Starter {
     start_.announced = AnnouncedPoints{atoms->count, lines_.number(), true};
     lines_.pass_line(atoms->behind_comment);
     start_.has_line = lines_.next();
-    if (request_.columns) {  // which may name columns by these names
+    if (request_.columns) {  // the request may name columns by these names
       comment_.clear();
       for (const std::string& name : atoms->names) comment_ += name + ' ';
       return false;
@@ -219,7 +220,7 @@ class Starter {
   }
 
   /// Throws WholeRefusal if one of the next `count` lines, which do not fit the lines after them, is a header with
-  /// known names: these lines have its columns in other places, or another separator.
+  /// known names: the lines after them have the columns in other places, or another separator.
   void refuse_lost_header(std::size_t count) {
     TableLines lines(Content(lines_.ahead(separator_sample), lines_.name()));
     for (std::size_t i = 0; i < count && lines.next(); ++i) {
@@ -244,8 +245,8 @@ class Starter {
   }
 
   /// Returns a rank for the current line of `lines` as header of the table that `choice` describes: the higher, the
-  /// more likely; 0 if it is no header. A line of numbers, or a line with another separator than the data, is a header
-  /// only if it has known names.
+  /// more likely; 0 if the line is no header. A line of numbers, or a line with another separator than the data, is a
+  /// header only if it has known names.
   int header_rank(const TableLines& lines, const SeparatorChoice& choice, bool is_data) const {
     if (lines.is_open()) return 0;
     char separator = choice.separator;
@@ -271,7 +272,7 @@ class Starter {
     char separator = choice.separator;
     lines_.set_layout(separator, choice.fields.to_last_text);
     if (!is_said && choice.lines > 0 &&
-        count_fields(lines_.line(), separator).all == 1) {  // a line with one field does not show it
+        count_fields(lines_.line(), separator).all == 1) {  // a line with one field does not show the separator
       separator = separator_of(lines_.line());
       lines_.set_layout(separator, choice.fields.to_last_text);
     }
@@ -331,7 +332,7 @@ class Starter {
     selection_.find_columns(start_.layout.names, lines_.lines(), lines_.name());
     std::string room;
     for (const std::string_view name : start_.layout.names) start_.names.emplace_back(text_of_field(name, room));
-    start_.layout.names.clear();  // they view a line that is replaced next
+    start_.layout.names.clear();  // the names view a line that is replaced next
     lines_.set_layout(separator, start_.layout.width.to_last_text);
     if (!start_.layout.wkt) lines_.set_coordinates(start_.layout.numbers, start_.layout.width, separator);
   }

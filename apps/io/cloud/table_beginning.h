@@ -1,7 +1,6 @@
 // What: reads the beginning of a table, before its first point: "sep=;", the number of points, a comment with names, a
 //       header, or the count and the comment of atoms.
-// Law:  if lines that are not points may be left out, the first lines are left out as well, up to a line with the form
-//       of the other lines.
+// Law:  with --skip-invalid, the lines before the first line with the form of the other lines are also left out.
 #pragma once
 
 #include <cstddef>
@@ -29,22 +28,22 @@ struct XyzBeginning {
 /// `text` is not an atom. `by_number`: elements may be numbers.
 std::optional<XyzBeginning> find_xyz_atoms(std::string_view text, bool by_number);
 
-/// Returns the names of the columns in the comment of an extended .xyz; none if it names no columns.
+/// Returns the names of the columns in the comment of an extended .xyz; none if the comment names no columns.
 std::vector<std::string> xyz_columns(std::string_view comment);
 
 /// The number of points that a line before the points announces.
 struct AnnouncedPoints {
   std::size_t count, line;
-  bool atoms = false;  ///< the points are atoms of the first model of a molecule; others may follow
+  bool atoms = false;  ///< the points are atoms of the first model of a molecule; more models may follow
 };
 
-/// Returns the warning that a table has `lines` lines of points and not as many as announced; empty if it has. Throws
-/// BadInput instead unless `skips_invalid`.
+/// Returns the warning that a table has `lines` lines of points and not as many as announced; empty if the numbers are
+/// equal. Unless `skips_invalid`, throws BadInput instead of returning a warning.
 std::string check_announced(const AnnouncedPoints& announced, std::size_t lines, const std::string& name,
                             bool skips_invalid);
 
-/// Returns the warning that the current line, after the announced atoms, and all after it are not read. Throws BadInput
-/// unless it begins the next frame of a trajectory, or `skips_invalid`.
+/// Returns the warning that the current line, which follows the announced atoms, and all later lines are not read.
+/// Throws BadInput unless the current line begins the next frame of a trajectory, or `skips_invalid`.
 std::string check_after_atoms(const AnnouncedPoints& announced, const TableLines& lines, bool skips_invalid);
 
 struct TableStart {

@@ -79,7 +79,7 @@ class TableCloud final : public Cloud {
   std::uint64_t bytes_read() const override { return lines_.content().bytes_read(); }
 
  private:
-  /// The role of a column: the index of a column of CloudBlock, or one of these.
+  /// The role of a column: the index of a column of CloudBlock, `height` or `nothing`.
   static constexpr std::uint8_t first_color = CloudBlock::color, height = 9, nothing = 10;
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
   using Numbers = std::array<double, CloudBlock::color>;
@@ -291,7 +291,8 @@ class TableCloud final : public Cloud {
     append(value, block);
   }
 
-  /// Records the height in a field; ignores a field that is not a number. Does nothing after two heights differ.
+  /// Records the height in a field; ignores a field that is not a number. After two heights differ, ignores the column
+  /// of heights unless heights are requested.
   void take_height(std::string_view field) {
     std::string text(field);
     if (separator_ != ',') std::replace(text.begin(), text.end(), ',', '.');  // a decimal comma
@@ -366,7 +367,7 @@ class TableCloud final : public Cloud {
   std::size_t index_ = 0;  // number of the next point among all points of the file
   bool has_line_ = false, ended_ = false, any_points_ = false;
   char separator_ = blanks;
-  std::size_t numbers_ = 0;                        // how many numbers a point has
+  std::size_t numbers_ = 0;                        // number of numbers of a point
   std::vector<std::uint8_t> role_ = {};            // role of each column
   std::optional<std::size_t> wkt_ = std::nullopt;  // the column of geometries, in place of x and y
   std::size_t first_line_ = 0;                     // number of the line that sets the number of columns
@@ -379,11 +380,11 @@ class TableCloud final : public Cloud {
   LineSelection selection_;
   TextColors colors_ = TextColors(widest_channel);
   bool is_unnamed_ = false,
-       is_by_content_ = false;  // the last three columns have no names; their values show what they are
+       is_by_content_ = false;  // the last three columns have no names; their values show whether they are colors
   LastColumns last_ = {};
   bool has_crs_warning_ = false;
   std::string doubt_ = {};      // warning about the last line if it is a point
-  bool is_last_point_ = false;  // the line before was a point
+  bool is_last_point_ = false;  // the line that was read last is a point
   bool has_heights_ = false;    // heights are requested, and there may be some
   double z_ = none;             // height of the point that is being read
 };

@@ -81,14 +81,14 @@ std::string column_text(std::size_t column) { return "column " + std::to_string(
   throw WholeRefusal(at_line(table.lines.name(), table.lines.number()) + ": found " + found + ", expected " + expected);
 }
 
-/// Returns what shows that column 0 or 1 of a table without a header is no coordinate but, if numbers follow, a number
-/// or a label of each line, or a time; empty if nothing does.
+/// Returns the sign that column 0 or 1 of a table without a header is no coordinate but numbers or labels the lines, or
+/// is a time. Empty without a sign, or if the other columns before column 3 have texts.
 std::string doubt_column(const TableSample& sample, std::size_t column) {
   if (sample.lines() < 3 || !sample.any(2, is_number, 0) || !sample.all(2, is_number_or_missing, 0) ||
       !sample.all(1 - column, is_number_or_missing, 0))
     return "";
   std::set<double> values;
-  std::size_t decimals = 0;  // of the other columns
+  std::size_t decimals = 0;  // number of decimals in the other columns
   double first = 0, step = 0, last = 0;
   bool are_whole = true, ascend = true, are_even = true, differ = false;
   for (std::size_t i = 0; i < sample.lines(); ++i) {
@@ -99,7 +99,7 @@ std::string doubt_column(const TableSample& sample, std::size_t column) {
     are_whole = are_whole && std::trunc(*value) == *value;
     ascend = ascend && (i == 0 || *value > last);
     are_even = are_even && (i == 0 || std::abs(*value - last - step) <= 1e-6 * step);
-    differ = differ || sample.field(i, 1 - column) != sample.field(0, 1 - column);  // it does not in a row of a grid
+    differ = differ || sample.field(i, 1 - column) != sample.field(0, 1 - column);  // false in a row of a grid
     for (const std::size_t other : {1 - column, std::size_t{2}})
       decimals += is_decimal(sample.field(i, other)) ? 1U : 0U;
     values.insert(last = *value);
@@ -115,8 +115,9 @@ std::string doubt_column(const TableSample& sample, std::size_t column) {
   return "";
 }
 
-/// Returns whether the numbers of columns 1 and 2 may be latitudes and longitudes: a longitude is beyond 90, and the
-/// points are not around (0, 0), or a longitude is below -90.
+/// Returns whether the numbers of columns 1 and 2 may be latitudes and longitudes: column 1 is within ±90; column 2 is
+/// within ±180, but not within ±90; and column 2 has a number below -90, or all its numbers are larger in absolute
+/// value than all of column 1.
 bool are_exchanged(const TableSample& sample) {
   double greatest_x = 0, least_y = 180, greatest_y = 0;
   bool is_west = false;
@@ -131,9 +132,9 @@ bool are_exchanged(const TableSample& sample) {
   return greatest_x <= 90 && greatest_y > 90 && greatest_y <= 180 && (is_west || least_y > greatest_x);
 }
 
-/// Returns whether `count` pairs of columns from `first` on are numbers with decimal commas in a table with commas as
-/// separator, "13,28,52,56": a fraction begins with 0, blanks show it, as in "1,5, 2,5", all numbers are large and all
-/// fractions short, or few numbers have many fractions.
+/// Returns whether `count` pairs of columns from `first` on may be numbers with decimal commas in a table with commas
+/// as separator, "13,28,52,56". One of four signs suffices: a fraction begins with 0; blanks follow only every second
+/// comma, "1,5, 2,5"; all numbers are long and all fractions short; few numbers have many fractions.
 bool are_split_decimals(const TableBeginning& table, const TableSample& sample, std::size_t first, std::size_t count) {
   bool has_zeros = false, are_large = true, are_few = sample.lines() > 1, are_apart = true;
   for (std::size_t k = first; k < first + 2 * count; k += 2) {
@@ -155,8 +156,8 @@ bool are_split_decimals(const TableBeginning& table, const TableSample& sample, 
 }
 
 /// Throws WholeRefusal if a name or another column says that the numbers of axis 0 or 1 have another sign, or are
-/// degrees and minutes: 4807.038 beside N. The other column is anywhere if the layout has degrees, else beside that of
-/// the axis, whose name is unknown.
+/// degrees and minutes: 4807.038 beside N. The other column is any column if the layout has degrees, else one beside
+/// the column of the axis, whose name is unknown.
 void doubt_sign(const TableBeginning& table, const TableLayout& layout, std::size_t axis, const TableSample& sample) {
   const std::size_t column = layout.numbers[axis], first = layout.header ? 1 : 0;
   const std::string way =
@@ -225,7 +226,7 @@ std::string doubt_first_line(const TableBeginning& table, const TableLayout& lay
          ", is read as a point, and may be a header that numbers the columns (then delete it)";
 }
 
-/// Adds a warning if a column of zones, of UTM or other systems, has several, and no condition selects lines.
+/// Adds a warning if a column of zones, of UTM or other systems, has several zones, and no condition selects lines.
 void doubt_zones(const TableBeginning& table, const CloudRequest& request, const TableSample& sample,
                  std::vector<std::string>& warnings) {
   for (std::size_t i = 0; i < table.fields.size() && !request.where; ++i) {
@@ -240,9 +241,9 @@ void doubt_zones(const TableBeginning& table, const CloudRequest& request, const
   }
 }
 
-/// Returns the columns that are most likely x and y below a header with unknown names: by words of the names, else by a
-/// known name of one of them, then the first columns of decimals, of numbers but a first column of different integers,
-/// and of numbers; fewer than two if there are none.
+/// Returns the columns that are most likely x and y below a header with unknown names: by words of the names. Else each
+/// by a known name, or the first free column of decimals, else of numbers but a first column of distinct integers, else
+/// of numbers. Returns fewer than two columns if there are no others.
 std::vector<std::size_t> find_likely(const TableBeginning& table, const TableSample& sample) {
   std::vector<std::size_t> places = find_likely_columns(table.fields);
   if (!places.empty()) return places;
@@ -252,7 +253,7 @@ std::vector<std::size_t> find_likely(const TableBeginning& table, const TableSam
     for (std::size_t i = 0; i < width && places[axis] == none; ++i)
       if (places[1 - axis] != i && fits(i)) places[axis] = i;
   };
-  std::set<std::string_view> values;  // of the first column
+  std::set<std::string_view> values;  // distinct fields of the first column
   for (std::size_t i = 1; i < sample.lines(); ++i) values.insert(sample.field(i, 0));
   const bool has_identifiers = values.size() > 1 && values.size() + 1 == sample.lines() && sample.all(0, is_whole, 1);
   for (const std::size_t axis : {0U, 1U})

@@ -1,5 +1,5 @@
 // What: looks in the first lines of a table for signs that its numbers are not the coordinates that its layout takes.
-// Law:  a sign that nearly proves it refuses the table, also with --skip-invalid; any other sign gives a warning.
+// Law:  a sign that is nearly a proof refuses the table, also with --skip-invalid; any other sign gives a warning.
 #pragma once
 
 #include <cstddef>
@@ -31,10 +31,10 @@ class TableSample {
   std::vector<std::vector<std::string_view>> rows_ = {};
 };
 
-/// Returns the end of a warning about columns x and y, which are taken by their names: the columns to choose instead.
+/// Returns the end of a warning about columns x and y, which were found by their names: the columns to choose instead.
 std::string other_columns(const std::vector<std::string_view>& fields, std::size_t x, std::size_t y, bool in_space);
 
-/// Adds the warning that not all of the first `numbers` columns, which are taken, have known names.
+/// Adds the warning that the first `numbers` columns are read as coordinates, although not all have known names.
 void warn_of_unknown_names(const TableBeginning& table, std::size_t numbers, std::vector<std::string>& warnings);
 
 /// Throws WholeRefusal if the header has no known names and the line after it has three numbers or more, so that any

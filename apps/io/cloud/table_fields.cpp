@@ -60,7 +60,7 @@ double TableFields::read(Fields& fields, std::string_view where, std::size_t axi
   refuse(field, way.empty() ? expected : with_way(expected, way));
 }
 
-/// Throws BadInput for a field: WholeRefusal if it shows how all numbers are written, so that others may be wrong
+/// Throws BadInput for a field: WholeRefusal if the field shows a way of writing in which other fields may be misread.
 void TableFields::refuse(std::string_view field, const std::string& expected) const {
   const std::string message = here() + ": found " + in_quotes(field) + ", expected " + expected;
   if (has_thousands(field) || has_stray_byte(field)) throw WholeRefusal(message);
@@ -87,8 +87,8 @@ double TableFields::read_decimal_comma(std::string_view field) {
   return value;
 }
 
-/// Returns a hint to choose other columns if the current line is the first of points, has more than two columns and any
-/// number: a line of names shows that the lines before it are titles.
+/// Returns a hint if the current line is the first line of points in the plane and has more than two columns: to choose
+/// other columns; or, if the line has no number, to leave out titles above the header.
 std::string TableFields::other_columns() const {
   if (in_space_ || lines_.number() != first_point_ || count_fields(lines_.line(), separator_).all <= 2) return "";
   bool any_number = false;

@@ -19,28 +19,28 @@ namespace rbpa::app {
 
 class TableFields {
  public:
-  /// Adds warnings to `file`, whose `degrees` says that x is a longitude and y a latitude. Requires: `lines` and `file`
-  /// live as long.
+  /// Views `lines` and `file`, which must outlive this object. Adds warnings to `file`, and sets file.degrees for
+  /// angles.
   TableFields(const TableLines& lines, PointFile& file) : lines_(lines), file_(file) {}
 
-  /// Begins with the current line as the first of points, below `header`, which is empty if there is none.
+  /// Begins with the current line as the first line of points, below the line `header`; empty if there is none.
   void begin(char separator, bool in_space, std::string_view header);
   /// Sets the block whose first `numbers` columns hold the numbers that are read next.
   void begin_block(const CloudBlock& block, std::size_t numbers);
-  /// Records the numbers of the block, which is complete.
+  /// Records whether the numbers of the block, which is complete, are whole.
   void end_block();
 
   /// Returns the number in the next of `fields`, a field of the current line. In messages `where` follows what is
-  /// expected; it is empty for a coordinate of a point, on `axis`. Throws BadInput.
+  /// expected; `where` is empty for a coordinate of a point, on `axis`. Throws BadInput.
   double read(Fields& fields, std::string_view where = {}, std::size_t axis = 0);
 
-  bool has_commas() const { return comma_.is_used(); }  ///< a number had a decimal comma
+  bool has_commas() const { return comma_.is_used(); }  ///< some number had a decimal comma
 
   /// Keeps the words of a column, from 0, in PointFile::kept. Requires: columns ascend.
   void keep(std::size_t column, const std::string& name);
   bool keeps_any() const { return !kept_.empty(); }
   void take_words();    ///< reads the words of the current line
-  void append_words();  ///< appends them for a point of the line
+  void append_words();  ///< appends the words that were read for a point of the line
 
  private:
   [[noreturn]] void refuse(std::string_view field, const std::string& expected) const;
@@ -62,7 +62,7 @@ class TableFields {
   DecimalComma comma_ = {};
   bool has_angles_ = false;
   std::vector<std::size_t> kept_ = {};   // columns that are kept, ascending
-  std::vector<std::string> words_ = {};  // their fields in the current line
+  std::vector<std::string> words_ = {};  // fields of the kept columns in the current line
   std::vector<std::unordered_map<std::string, std::int32_t>> numbers_of_texts_ = {};
 };
 

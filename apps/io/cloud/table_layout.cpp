@@ -114,8 +114,8 @@ void find_height_column(const FieldTexts& fields, TableLayout& layout) {
     layout.height.reset();
 }
 
-/// Returns the names of the columns of a table of a kind other than any. Throws BadInput if the kind does not have as
-/// many columns.
+/// Returns the names of the columns of a table of a kind other than any. Throws BadInput unless the kind may have as
+/// many columns as the table.
 FieldTexts names_of_kind(TableKind kind, const TableBeginning& table) {
   std::vector<std::string> widths, longest;
   for (const KindRow& row : kind_rows) {
@@ -156,7 +156,7 @@ bool find_by_comment(const TableBeginning& table, bool in_space, TableLayout& la
   return true;
 }
 
-/// Throws BadInput if the first of `columns` may be numbers of elements, which are not coordinates.
+/// Throws BadInput that advises to choose `columns` if the first of four columns in .xyz may be numbers of elements.
 void refuse_atoms(const TableBeginning& table, const std::string& columns) {
   if (input_ending(table.lines.name()) == "xyz" && table.fields.size() == 4 && table.choice.begin_with_atoms)
     bad_input(here(table), found_fields(table) + ", the first of which may be the number of an element",
@@ -169,8 +169,8 @@ void warn_of_no_header(const TableBeginning& table, const std::string& columns, 
   if (table.says_columns) warnings.push_back("no header was found; " + columns + " (--columns chooses others)");
 }
 
-/// Returns whether a first line without known names is a header by the line after it: the columns at `places`, or
-/// without any two or more, are names above numbers. Other fields may be whole numbers, such as years.
+/// Returns whether a first line without known names is a header by the line after it: the columns at `places`, or, if
+/// `places` is empty, at least two columns are names above numbers. Other fields may be whole numbers, such as years.
 bool is_above_numbers(const FieldTexts& fields, const TableSample& sample, std::vector<std::size_t> places) {
   if (sample.lines() < 2) return false;
   const auto is_above = [&](std::size_t i) { return is_header(fields, {i}) && is_number(sample.field(1, i)); };
@@ -244,7 +244,7 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
       refuse_atoms(table, "2,3");
       warn_of_no_header(table, "x is column 1, and y is column 2", warnings);
     }
-    // Take a third number as height in .xyz, or if heights are requested; otherwise it may be anything.
+    // Take a third number as height in .xyz, or if heights are requested; otherwise a third number may be anything.
     const bool has_number = is_number(fields[x]) || is_number(fields[y]);
     const bool is_xyz = input_ending(table.lines.name()) == "xyz",
                may_be_z = request.heights && fields.size() == 3 && is_number(fields.back());
@@ -334,7 +334,7 @@ TableLayout lay_out_space(const TableBeginning& table, TableKind kind, const Clo
   if (!layout.header) return layout;
   layout.degrees = is_longitude(fields[layout.numbers[0]]) && is_latitude(fields[layout.numbers[1]]);
   layout.colors = find_color_columns(fields);
-  const auto is_taken = [&](std::size_t color) {  // has another role
+  const auto is_taken = [&](std::size_t color) {  // the column has another role
     return std::find(layout.numbers.begin(), layout.numbers.end(), color) != layout.numbers.end();
   };
   if (std::any_of(layout.colors.begin(), layout.colors.end(), is_taken)) layout.colors.clear();
@@ -394,8 +394,8 @@ const CloudFormat pts_reader = table_format<TableKind::pts>;
 /// Reads a table whose columns, if no header names them, are x, y, z, nx, ny, nz.
 const CloudFormat xyzn_reader = table_format<TableKind::xyzn>;
 
-/// Reads a table whose columns, if no header names them, are x, y, z, red, green, blue: from 0 to 1, or from 0 to 255
-/// if any in the file is greater than 1.
+/// Reads a table whose columns, if no header names them, are x, y, z, red, green, blue: from 0 to 1; or to 255 if a
+/// channel in the file is greater than 1; or to 65535 if one is greater than 255.
 const CloudFormat xyzrgb_reader = table_format<TableKind::xyzrgb>;
 
 }  // namespace rbpa::app

@@ -1,9 +1,9 @@
 // What: finds the meaning of the columns of a table from its first line and from the request.
 // Law:  a first line is a header if none of its requested columns looks like a number and none of its other columns is
 //       a number. Known names, such as lat and lon, give the columns of x and y, or the column of geometries in
-//       well-known text. A comment in the line before the first line of numbers is also a header, if it has as many
-//       names and x, y, in space also z, are among them. Without known names, a column whose first value is a geometry
-//       is the column of geometries.
+//       well-known text. A comment in the line before the first line of numbers is also a header, if it has a name for
+//       each column, among them x, y, and in space z. Without known names, a column whose first value is a geometry is
+//       the column of geometries.
 #pragma once
 
 #include <cstddef>

@@ -22,7 +22,7 @@ bool TableLines::next() {
   do {
     while (!lines_.next())
       if (!next_text(0)) return false;
-    line = without_mark(lines_.line());  // of one of several files that are joined
+    line = without_mark(lines_.line());  // a mark within the text is that of a file that was appended
   } while (is_passed_over(line));
   line_ = line;
   spanned_ = 0;

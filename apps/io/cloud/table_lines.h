@@ -31,7 +31,8 @@ class TableLines {
   void set_layout(char separator, std::size_t least_fields);
 
   /// Sets the columns of coordinates, from 0, by which a comment is recognized that may be a point: "#3,0,3" below
-  /// "tree,x,y". None is recognized if one of them is the first, as its mark makes that no number.
+  /// "tree,x,y". No comment is recognized if `columns` has the first column, whose field is no number with the
+  /// comment's mark.
   void set_coordinates(const std::vector<std::size_t>& columns, const FieldCount& width, char separator);
   /// Returns the warning about comments that may be points; empty if there are none.
   std::string warning_on_comments() const;
@@ -81,7 +82,7 @@ class TableLines {
   FieldCount width_ = {};
   char separator_of_points_ = '\0';               // '\0': the columns are not known
   std::size_t comments_ = 0, passed_points_ = 0;  // passed_points_: comments that may be points
-  std::string first_passed_ = {};                 // the first of these, and its place
+  std::string first_passed_ = {};                 // the first comment that may be a point, and its place
 };
 
 }  // namespace rbpa::app

@@ -54,8 +54,8 @@ struct Group {
   }
 };
 
-/// Returns the group of lines of data with as many fields as the first line if that is not data and there is such a
-/// group; else the largest group. `by_most`: as for choose_separator().
+/// Returns the largest group of lines of data; but if the first line is not data, the first group of lines with as many
+/// fields as the first line, if there is one. `by_most`: as for choose_separator().
 Group largest_group(std::string_view text, char separator, bool by_most, const std::string& name) {
   constexpr std::size_t most_lines = 64;
   TableLines lines(Content(text, name));

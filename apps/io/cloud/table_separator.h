@@ -1,7 +1,7 @@
 // What: finds the separator of the fields of a table.
-// Law:  "sep=" decides. Otherwise the first lines decide. Best is a separator with which lines are data, all with as
-//       many fields as the first line; then the tab, if the file ends in .tsv; then the separator with which most lines
-//       are data with equally many fields. Commas that are decimal signs in all lines separate nothing.
+// Law:  "sep=" decides. Otherwise the first lines decide. Best is a separator with which lines of data have as many
+//       fields as the first line; then the tab, if the file ends in .tsv; then the separator with which most lines are
+//       data with equally many fields. Commas that are decimal signs in all lines separate nothing.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@ namespace rbpa::app {
 struct SeparatorChoice {
   char separator = blanks;
   std::size_t lines = 0;   ///< number of lines of data with that separator; 0: the first line alone decided
-  FieldCount fields = {};  ///< number of fields of each of these lines
-  bool first_fits = true;  ///< the first line has as many fields as these lines
-  std::optional<std::size_t> geometry = std::nullopt;  ///< index of the field that is a geometry in each of these lines
-  bool begin_with_atoms = false;                       ///< the first field of each may be the number of an element
+  FieldCount fields = {};  ///< number of fields of each line of data
+  bool first_fits = true;  ///< the first line has as many fields as the lines of data
+  std::optional<std::size_t> geometry = std::nullopt;  ///< index of the field that is a geometry in lines of data
+  bool begin_with_atoms = false;                       ///< first fields of lines of data may be numbers of elements
 };
 
 /// The size of the text, in bytes, by which the separator is chosen.
@@ -31,7 +31,7 @@ constexpr std::size_t separator_sample = std::size_t{1} << 16U;
 SeparatorChoice choose_separator(std::string_view text, std::optional<char> said, bool by_most,
                                  const std::string& name);
 
-/// Returns the numbers of fields of `line` if it is data, that is, has two numbers or a geometry; else nothing.
+/// Returns the numbers of fields of `line` if the line is data, with two numbers or a geometry; else nothing.
 std::optional<FieldCount> fields_of_data(std::string_view line, char separator);
 
 }  // namespace rbpa::app

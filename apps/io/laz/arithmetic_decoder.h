@@ -128,7 +128,7 @@ class ArithmeticDecoder {
     return is_one ? 1 : 0;
   }
 
-  /// Decodes a number of so many bits, which no model predicts. Requires: 1 ≤ bits ≤ 32. Throws BadStream.
+  /// Decodes a number of `bits` bits, which no model predicts. Requires: 1 ≤ bits ≤ 32. Throws BadStream.
   std::uint32_t bits(unsigned bits) {
     if (bits > 19) {
       const std::uint32_t low = this->bits(16);
@@ -149,7 +149,7 @@ class ArithmeticDecoder {
 
   /// Returns the next byte to read: after the last symbol of a stream the byte behind the stream.
   const char* at() const { return at_; }
-  /// Continues with `bytes`, a copy of those from at() on, or more of them.
+  /// Continues with `bytes`, a copy of the bytes from at() on, perhaps with more bytes after them.
   void move_to(std::string_view bytes) {
     at_ = bytes.data();
     end_ = bytes.data() + bytes.size();

@@ -67,7 +67,7 @@ void ChunkDecoder::begin(std::string_view bytes, std::size_t points) {
   std::size_t offset = 0, size_at = format_.length + 4, layer_at = head;
   for (const LazItem& item : format_.items) {
     ItemStart start{first_ + offset, item.size, item.version, {}, state_};
-    std::vector<bool> layers;  // those that are wanted
+    std::vector<bool> layers;  // whether each layer of the item is wanted
     for (std::size_t i = 0; i < item.size && format_.is_layered; ++i) {
       const std::size_t layer = item.kind->layers.empty() ? i : std::size_t(item.kind->layers[i] - 'a');
       layers.resize(std::max(layers.size(), layer + 1));

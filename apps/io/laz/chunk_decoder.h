@@ -1,5 +1,5 @@
 // What: reads how the points of a LAZ file are compressed, and decodes chunks of points to records of LAS.
-// Law:  a chunk is decoded without any other.
+// Law:  a chunk is decoded without the bytes of other chunks.
 // Source: M. Isenburg, LASzip: lossless compression of LiDAR data, PE&RS 79(2), 2013; the record "laszip encoded".
 #pragma once
 
@@ -21,10 +21,10 @@ struct LazItem {
 };
 
 struct LazFormat {
-  unsigned compressor = 0;  ///< of LASzip: 1, 2 or 3
+  unsigned compressor = 0;  ///< version of LASzip's compressor: 1, 2 or 3
   bool has_chunks = false, is_layered = false;
   std::uint32_t chunk_size = varying;  ///< number of points in each chunk but the last
-  std::size_t length = 0;              ///< of a record, in bytes
+  std::size_t length = 0;              ///< size of a record, in bytes
   std::size_t layers = 0;              ///< number of layers of all items
   std::vector<LazItem> items = {};
 
@@ -43,13 +43,14 @@ struct LazChunk {
   std::uint64_t size;  ///< in bytes
 };
 
-/// Returns the layered chunk that begins with `head`: the first record, the number of points, the sizes of the layers.
+/// Returns the number of points and the size of the layered chunk that begins with `head`, which holds the first
+/// record, the number of points, and the sizes of the layers.
 LazChunk layered_chunk(const LazFormat& format, std::string_view head);
 
 class ChunkDecoder {
  public:
-  /// Makes a decoder that decodes, of layers, those that have a byte k of a record with wanted[k]; others stay as in
-  /// the first record. `format` and `wanted` must outlive the decoder.
+  /// Makes a decoder. In a layered chunk it decodes only layers that have a byte k of a record with wanted[k]; the
+  /// bytes of other layers stay as in the first record. `format` and `wanted` must outlive the decoder.
   ChunkDecoder(const LazFormat& format, const std::vector<bool>& wanted) : format_(format), wanted_(wanted) {}
 
   /// Begins a chunk. Its bytes must outlive the decoding. Throws BadStream.
@@ -57,9 +58,9 @@ class ChunkDecoder {
   /// Decodes the next record to `to`. Throws BadStream.
   void next(char* to);
 
-  /// Returns the byte behind those that are decoded. Requires: the format is not layered.
+  /// Returns the byte after the decoded bytes. Requires: the format is not layered.
   const char* at() const { return state_.stream->at(); }
-  /// Continues with `bytes`, which are those from at() on at another place. Requires: as at().
+  /// Continues with `bytes`, a copy of the bytes from at() on. Requires: as at().
   void move_to(std::string_view bytes) { state_.stream->move_to(bytes); }
 
  private:

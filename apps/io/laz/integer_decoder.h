@@ -34,7 +34,7 @@ class IntegerDecoder {
   }
 
   std::size_t contexts() const { return sizes_.size(); }
-  /// Returns the k of the last integer.
+  /// Returns the number k of binary digits of the last difference.
   unsigned size() const { return k_; }
 
  private:

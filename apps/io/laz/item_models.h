@@ -16,7 +16,7 @@
 
 namespace rbpa::app {
 
-/// Store a number at `to`, little-endian; add to the number there.
+/// Store `value` at `to`, little-endian, or add `more` to the number at `to`.
 template <typename T>
 void store(char* to, T value) {
   value = load_little<T>(reinterpret_cast<const char*>(&value));
@@ -69,8 +69,8 @@ class StreamingMedian {
 };
 
 /// Decodes coordinates: x and y as differences to the last place, predicted by medians of the last differences in each
-/// of `contexts` contexts; z as the difference to the last z of the same level, for as many returns after it in a
-/// pulse.
+/// of `contexts` contexts; z as the difference to the last z of the same level, the number of returns after a point in
+/// its pulse.
 template <std::size_t contexts>
 class PlaceDecoder {
  public:
@@ -99,8 +99,8 @@ class PlaceDecoder {
   std::array<std::int32_t, 8> z_ = {};
 };
 
-/// Decodes times as bits of doubles, of four sequences that alternate: each as a multiple of the last difference in
-/// its sequence. With `may_stay` a symbol stands for the same time again.
+/// Decodes times as bits of doubles, of four sequences that alternate: each time by its difference to the time before
+/// in its sequence, mostly a multiple of the last difference. With `may_stay` a symbol stands for the same time again.
 template <bool may_stay>
 class TimeDecoder {
  public:
@@ -174,13 +174,13 @@ class TimeDecoder {
   std::size_t now_ = 0, last_made_ = 0;
 };
 
-/// Decodes colors of three channels of 16 bits: each byte as its difference to the last color, of green and blue also
-/// to the change of the channels before.
+/// Decodes colors of three channels of 16 bits: each byte as its difference to the byte of the last color, which for
+/// green and blue is first changed as the channels before changed.
 class ColorDecoder {
  public:
   static constexpr std::size_t size = 6;
 
-  /// Replaces the color at `last` by the next.
+  /// Replaces the color at `last` by the next color.
   void next(ArithmeticDecoder& decoder, char* last) {
     const unsigned changed = decoder.symbol(changed_);
     std::array<int, size> old, now;  // low and high byte of red, green, blue
@@ -206,7 +206,7 @@ class ColorDecoder {
   std::array<SymbolModel<256>, size> bytes_ = {};
 };
 
-/// Decodes a byte as its difference to the last.
+/// Decodes a byte as its difference to the last byte.
 struct ByteDecoder {
   static constexpr std::size_t size = 1;
 

@@ -37,7 +37,7 @@ struct ItemStart {
   const char* first;  ///< the item of the first record of the chunk, which is not compressed
   std::size_t size;   ///< in bytes
   unsigned version;
-  std::vector<std::string_view> streams;  ///< of the layers; an empty one is not decoded, and its field stays the same
+  std::vector<std::string_view> streams;  ///< of the layers; fields of an empty one are not decoded, and do not change
   ChunkState& chunk;
 };
 
@@ -55,7 +55,7 @@ std::unique_ptr<ItemDecoder> make_item(const ItemStart& start) {
 
 constexpr unsigned point14 = 10;  ///< the type of the first item in layers
 
-/// Return the kind of an item; null if it is not known.
+/// Return the kind of the items with a type and a version; null if there is no such kind.
 const ItemKind* find_pointwise_item(unsigned type, unsigned version);
 const ItemKind* find_layered_item(unsigned type, unsigned version);
 

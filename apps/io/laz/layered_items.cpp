@@ -20,7 +20,7 @@ LayerDecoder decoder_of(std::string_view stream) {
   return stream.empty() ? LayerDecoder() : LayerDecoder(ArithmeticDecoder(stream));
 }
 
-/// Offsets in a record of formats 6 to 10; `flags` are four of the class, the channel, direction and edge.
+/// Offsets in a record of formats 6 to 10; `flags` has four flags of the class, the channel, direction and edge.
 namespace at14 {
 constexpr std::size_t z = 8, intensity = 12, returns = 14, flags = 15, classification = 16, user_data = 17,
                       scan_angle = 18, source = 20, time = 22, size = 30;
@@ -98,7 +98,7 @@ class Point14 final : public ItemDecoder {
  private:
   static unsigned byte(const Channel& c, std::size_t at) { return static_cast<unsigned char>(c.last[at]); }
 
-  /// Returns the byte with the number of the return and the number of returns.
+  /// Returns the next byte with the number of the return and the number of returns.
   unsigned next_returns(Channel& c, unsigned changed) {
     ArithmeticDecoder& decoder = *decoders_[layer14::place];
     unsigned number = byte(c, at14::returns) & 15U, count = byte(c, at14::returns) >> 4U;
@@ -169,7 +169,7 @@ struct InfraredDecoder {
   std::array<ByteDecoder, size> bytes = {};
 };
 
-/// A layer whose bytes `Models` decodes from the last ones of the same channel.
+/// A layer whose bytes `Models` decodes from the last bytes of the same channel.
 template <typename Models>
 class ChannelLayer {
  public:
@@ -187,7 +187,8 @@ class ChannelLayer {
         channels_[channel] = std::make_unique<Models>();
         std::memcpy(last_[channel], last, Models::size);
       }
-      // In version 3 the first point after a change is predicted by the last one of the old channel, and replaces it.
+      // In version 3 the first point after a change is predicted by the last point of the old channel, and replaces
+      // that.
       if (is_new || version_ > 3) last = last_[channel];
       now_ = channel;
     }

@@ -16,13 +16,13 @@ namespace {
 constexpr std::size_t piece_bytes = std::size_t{8} << 20U;  // most bytes of the records of a piece
 constexpr std::size_t batch_bytes = 4 * piece_bytes;        // limit for several chunks that are decoded together
 constexpr std::size_t window_points = 16384;                // points in a piece of a chunk whose size is not known
-constexpr std::size_t most_growth = 8;  // a compressed record has at most so many times the bytes of the record
+constexpr std::size_t most_growth = 8;  // most bytes of a compressed record for each byte of the record
 
 std::string byte_of(const Content& content, std::uint64_t at) {
   return content.name() + ": byte " + std::to_string(at);
 }
 
-/// Throws BadInput for a file that promises more than 500 times its size, as of gzip files (input_bytes.h).
+/// Throws BadInput for a file that promises more than 500 times its size, the limit of gzip files (input_bytes.h).
 void require_ratio(const Content& content, std::size_t begin, std::size_t length, std::size_t points) {
   constexpr std::size_t always = std::size_t{64} << 20U, greatest_ratio = 500;
   const std::size_t size = content.size() - std::min(begin, content.size());
@@ -69,7 +69,7 @@ std::optional<std::vector<LazChunk>> read_chunk_table(const Content& content, st
         last.points = varies ? numbers.decode(decoder, static_cast<std::uint32_t>(last.points), 0)
                              : std::min<std::size_t>(format.chunk_size, left);
         last.size = numbers.decode(decoder, static_cast<std::uint32_t>(last.size), 1);
-        const bool is_empty = last.points == 0 && varies;  // some compressors write such chunks
+        const bool is_empty = last.points == 0 && varies;  // some compressors write empty chunks
         if ((!is_empty && (last.points == 0 || last.size < format.length)) || last.points > left ||
             last.size > left_bytes)
           bad_input(where,
@@ -101,7 +101,7 @@ LazRecords::LazRecords(const Content& content, std::size_t begin, LazFormat form
     try {
       table_ = read_chunk_table(content, begin, format_, points);
     } catch (const BadInput&) {
-      if (!choice_.skip_invalid) throw;  // else read on without it
+      if (!choice_.skip_invalid) throw;  // else read on without the table
     }
     place_ += 8;
     if (is_windowed() && format_.chunk_size == LazFormat::varying)
@@ -171,7 +171,7 @@ bool LazRecords::make(Batch& batch) {
           batch.pieces.push_back(std::move(piece));
           if (batch.pieces.back().fault) throw *batch.pieces.back().fault;
         });
-    const bool all_decoded = slots_.front().left == 0;  // several chunks are decoded at once
+    const bool all_decoded = slots_.front().left == 0;  // if there are several chunks, each is decoded whole
     const std::size_t size = is_windowed() ? static_cast<std::size_t>(slots_.front().decoder->at() - window_.data())
                              : all_decoded ? window_.size()
                                            : 0;
@@ -201,7 +201,7 @@ void LazRecords::begin_chunks() {
         const std::string_view found = require_ahead(chunk.size);
         begin(chunk.points, {});
         Slot& slot = slots_[in_use_ - 1];
-        slot.copy.assign(found.begin(), found.end());  // as the next chunk may be elsewhere
+        slot.copy.assign(found.begin(), found.end());  // as the view ends with the next require_ahead()
         slot.bytes = {slot.copy.data(), slot.copy.size()};
       } else {
         first_ += chunk.points;

@@ -1,8 +1,8 @@
 // What: decompresses the point records of a LAZ file, which are then read as those of LAS.
 // Law:  the records do not depend on the number of threads.
-// Cost: chunks are decoded by all threads while the caller reads records of those before; in memory are the compressed
-//       and decompressed bytes of as many chunks as there are threads, twice, at most some tens of megabytes. Of a file
-//       without chunks or without their table only some thousand points at a time.
+// Cost: chunks are decoded by all threads while the caller reads records of the chunks before; in memory are the
+//       compressed and decompressed bytes of as many chunks as there are threads, twice, at most some tens of
+//       megabytes. Of a file without chunks or without their table only some thousand points at a time.
 #pragma once
 
 #include <cstddef>
@@ -27,9 +27,9 @@ struct LazNode {
 };
 
 struct LazChoice {
-  std::vector<bool> wanted;   ///< see ChunkDecoder
+  std::vector<bool> wanted;   ///< the bytes of a record to decode, as for ChunkDecoder
   bool skip_invalid = false;  ///< the records end without an exception where they cannot be decoded
-  unsigned threads = 0;       ///< the most that decode; 0: one for each processor
+  unsigned threads = 0;       ///< the most threads that decode; 0: one for each processor
   /// The chunks to decode, ordered by their places; absent: all.
   std::optional<std::vector<LazNode>> nodes = std::nullopt;
 };
@@ -39,10 +39,10 @@ class LazRecords {
   /// Decompresses `points` records from byte `begin` of `content` on. Throws BadInput.
   LazRecords(const Content& content, std::size_t begin, LazFormat format, std::size_t points, LazChoice choice);
 
-  /// Returns the next records, at least one, unless there are no more; they are valid until the next call. Throws
-  /// BadInput that names the byte, unless LazChoice::skip_invalid; Failure, Cancelled.
+  /// Returns the next records, at least one unless there are no more. The view is valid until the next call of ahead().
+  /// Throws BadInput that names the byte, unless LazChoice::skip_invalid; Failure, Cancelled.
   std::string_view ahead();
-  /// Returns the number, among the points of the file, of the first record that ahead() returned.
+  /// Returns the number, among the points of the file, of the first record that is not skipped.
   std::uint64_t first() const { return batch_.pieces[piece_].first + skipped_ / format_.length; }
   /// Skips `size` bytes of those that ahead() returned.
   void skip(std::size_t size) { skipped_ += size; }
@@ -76,13 +76,13 @@ class LazRecords {
   bool make(Batch& batch);
   /// Fills slots_: with the next chunk, or with one chunk for each thread.
   void begin_chunks();
-  /// Requires that the chunks of the choice are some of the table, and marks them in is_wanted_. Throws BadInput.
+  /// Marks the chunks of the choice in is_wanted_. Throws BadInput unless each of them is in the table.
   void choose_chunks();
   /// Returns the place in the file of a byte that a decoder names.
   std::uint64_t place_of(const char* at) const;
   /// Returns the next `size` bytes of the file. Throws BadStream if there are fewer.
   std::string_view require_ahead(std::uint64_t size);
-  /// Gives a chunk to the next slot.
+  /// Begins a chunk in the next slot.
   void begin(std::size_t points, std::string_view bytes);
   /// Returns the greatest number of records in a piece.
   std::size_t most_at_once() const;
@@ -104,7 +104,7 @@ class LazRecords {
   std::size_t in_use_ = 0;  // slots
   bool ended_ = false;
 
-  Batch batch_ = {};  // what ahead() returns
+  Batch batch_ = {};  // has the records that ahead() returns
   std::size_t piece_ = 0, skipped_ = 0;
   std::unique_ptr<ReadAhead<Batch>> batches_ = nullptr;  // the last member, as its thread uses the others
 };

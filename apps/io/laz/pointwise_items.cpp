@@ -9,7 +9,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Decodes items, each from the last one, by `Models`.
+/// Decodes items, each from the item before, by `Models`.
 template <typename Models>
 class PointwiseItem final : public ItemDecoder {
  public:
@@ -34,7 +34,7 @@ constexpr std::size_t intensity = 12, returns = 14, classification = 15, scan_an
 struct PointModels {
   using Bytes = ModelTable<256, 256>;
 
-  /// Replaces the byte at `at`, with a model for each value of the last.
+  /// Replaces the byte at `at` by the next byte, with a model for each value of the last byte.
   static void replace(ArithmeticDecoder& decoder, char* at, Bytes& models) {
     *at = static_cast<char>(decoder.symbol(models[static_cast<unsigned char>(*at)]));
   }
@@ -87,7 +87,8 @@ class Point10Version1 : PointModels {
 };
 
 /// Contexts for a return number (second index) of a number of returns (first index) from 0 to 7, in hexadecimal digits.
-/// Numbers from 1 to 5 as they should be have contexts of their own, 0 to 14 in their order; others share them.
+/// Return numbers from 1 to the number of returns, up to 5, have the contexts 0 to 14, one each; other pairs share
+/// contexts.
 constexpr char contexts_of_returns[8][9] = {"fedcba98", "e0136aa9", "d1247bba", "c3458ccb",
                                             "b6789ddc", "aabcdeed", "9abcdefe", "89abcdef"};
 
@@ -119,7 +120,7 @@ class Point10Version2 : PointModels {
  private:
   std::array<std::uint16_t, 16> intensities_ = {};
   IntegerDecoder<16> intensity_ = IntegerDecoder<16>(4);
-  std::array<SymbolModel<256>, 2> angle_ = {};  // for both directions of the scan
+  std::array<SymbolModel<256>, 2> angle_ = {};  // one for each direction of the scan
   PlaceDecoder<16> place_ = {};
 };
 
@@ -156,7 +157,7 @@ struct Time11Version2 : TimeDecoder<true> {
   explicit Time11Version2(const std::vector<char>& first) : TimeDecoder<true>(first.data()) {}
 };
 
-/// Bytes by integers, of extra bytes all; of colors those whose bit is set in a symbol.
+/// Decodes bytes as integers: all extra bytes, or those bytes of a color whose bits are set in a symbol.
 template <bool are_colors>
 struct BytesVersion1 {
   explicit BytesVersion1(const std::vector<char>& first) : bytes(first.size()) {}

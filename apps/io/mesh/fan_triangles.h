@@ -11,7 +11,7 @@
 namespace rbpa::app {
 
 /// Calls use(triangle) for each triangle of the fan around the lexicographically least corner of a face, in the face's
-/// direction. If the face has a corner twice, some triangles may have it twice.
+/// direction. If the face has a corner twice, some triangles may have that corner twice.
 template <typename Use>
 void for_each_fan_triangle(std::span<const std::uint32_t> face, std::span<const std::array<double, 3>> positions,
                            Use use) {

@@ -142,7 +142,7 @@ class ObjCloud final : public Cloud {
     std::size_t line;
   };
 
-  /// Appends the corners of a face that have a normal: v and vn of v//vn or v/vt/vn.
+  /// Appends those corners of a face to corners_ that have a normal: v and vn of v//vn or v/vt/vn.
   void take_face(std::string_view rest, std::size_t points, std::size_t line) {
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
       if (word.front() != '-' && std::isdigit(static_cast<unsigned char>(word.front())) == 0)
@@ -154,7 +154,8 @@ class ObjCloud final : public Cloud {
     }
   }
 
-  /// Appends the normal of every vertex to the block; or none, and adds a warning, if some vertex has not exactly one.
+  /// Appends the normal of every vertex to the block; none, with a warning, if a vertex has no normal or different
+  /// ones.
   void settle_normals(CloudBlock& block) {
     if (corners_.empty()) {
       if (normals_.size() == block.count)

@@ -1,6 +1,6 @@
 // What: fields of vertices as properties of PLY.
-// Law:  numbers are exact. Integers of 64 bits, which PLY has not, are written as int or uint, else as double, if these
-//       hold all values of the column; a column that none holds is left out.
+// Law:  numbers are exact. A column of 64-bit integers, which PLY does not have, is written as int, uint or double, the
+//       first type that holds all its values; it is left out if none does.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ class PlyFields {
 
   /// Returns the lines of the header that declare the properties.
   const std::string& lines() const { return lines_; }
-  /// Returns the lines of the header with the text of each number that stands for one.
+  /// Returns comment lines of the header, which list the text for each number of a column of texts.
   const std::string& comments() const { return comments_; }
   /// Writes the fields of a vertex.
   void write(OutputFile& file, std::size_t vertex) const;

@@ -22,7 +22,7 @@ namespace rbpa::app {
 // A `Mesh` below has the counts points() and faces(); point(i), three coordinates; and face(f), a range of corners,
 // each a std::uint32_t from 0.
 
-/// Writes `before`, "1.5 2 0" and a line end.
+/// Writes `before`, the coordinates of `p` as in "1.5 2 0", and a line end.
 inline void write_position(OutputFile& file, std::string_view before, const std::array<double, 3>& p) {
   char* at = file.room(before.size() + 3 * (number_room + 1));
   at = std::copy(before.begin(), before.end(), at);
@@ -36,7 +36,7 @@ inline void write_position(OutputFile& file, std::string_view before, const std:
 
 inline void write_obj_vertex(OutputFile& file, const std::array<double, 3>& p) { write_position(file, "v ", p); }
 
-/// Writes " 4 5 6" and a line end.
+/// Writes the corners as in " 4 5 6", with `first_index` added to each, and a line end.
 inline void write_corners(OutputFile& file, std::span<const std::uint32_t> corners, std::uint32_t first_index) {
   constexpr std::size_t at_once = 64;
   do {
@@ -71,7 +71,7 @@ void write_obj(OutputFile& file, const Mesh& mesh) {
   }
 }
 
-/// Writes binary little-endian PLY. A mesh may have more properties of a vertex: properties() returns their lines of
+/// Writes binary little-endian PLY. A mesh may have further properties of a vertex: properties() returns their lines in
 /// the header, with line ends, and write_properties(file, i) writes their values; face_properties() and
 /// write_face_properties(file, f) do so for a face; comments() returns lines before the elements. The number of corners
 /// of a face is a byte, which every reader supports, unless a face has more than 255 corners.

@@ -41,7 +41,7 @@ struct MeshSource {
 /// or the element, what was found and what was expected; Failure; Cancelled.
 MeshFile read_mesh(const MeshSource& source);
 
-/// Reads a mesh from the content of a file; `name` stands for it in messages. Throws as read_mesh().
+/// Reads a mesh from the content of a file; messages call the file `name`. Throws as read_mesh().
 MeshFile mesh_in(std::string_view bytes, const std::string& name, Format format);
 
 /// Reads OFF with any of the prefixes ST, C, N: one vertex per line, x y z first, and one face per line, whose color is
@@ -63,9 +63,10 @@ MeshFile read_obj_mesh(std::string_view text, const std::string& name);
 
 /// Reads STL. Corners at equal positions are one point; points are in the order of their first corners. The file is
 /// binary if its size fits the number of facets at byte 80, or if it does not begin with "solid", or if it has zero
-/// bytes and no facet in the second line. Coordinates are floats in a binary file, and the nearest doubles in a text.
-/// Ignores normals, colors and names, and, with a warning, attributes of facets and data after the last facet. Throws
-/// BadInput that names the line, or the facet of a binary file (counted from 0); Cancelled.
+/// bytes and its second line begins with neither "facet" nor "endsolid". Coordinates are floats in a binary file, and
+/// the nearest doubles in a text. Ignores normals, colors and names, and, with a warning, attributes of facets and data
+/// after the last facet. Throws BadInput that names the line, or the facet of a binary file (counted from 0);
+/// Cancelled.
 MeshFile read_stl_mesh(std::string_view bytes, const std::string& name);
 
 /// Returns the mesh that read_stl_mesh() would read from a binary file of `triangles` at `positions`.

@@ -53,8 +53,8 @@ struct Lost {
 Lost lost(std::span<const Point3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles,
           const SinglePositions& rounded);
 
-/// Returns "o.stl: single precision leaves 8 of 12 triangles without area (...)" with a way to avoid it: --shift auto,
-/// if that suffices, or another format. Empty if nothing is lost. Requires: `rounded` is the result of
+/// Returns "o.stl: single precision leaves 8 of 12 triangles without area (...)" with a way to avoid the loss: --shift
+/// auto, if that suffices, or another format. Empty if nothing is lost. Requires: `rounded` is the result of
 /// single_positions() for the same mesh. Throws as single_positions(); Cancelled.
 std::string why_not_kept(const SinglePositions& rounded, Format format, std::span<const Point3> vertices,
                          std::span<const std::array<std::uint32_t, 3>> triangles, const std::string& file);

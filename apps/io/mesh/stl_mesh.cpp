@@ -47,8 +47,8 @@ bool begins_with_word(const Lines& lines, std::string_view word) {
   return same_letters(take_word(rest), word);
 }
 
-/// Returns whether the file is binary: its size is that of a binary file, or it is not text. A binary file may also
-/// begin with "solid".
+/// Returns whether the file is binary: its size fits the number of facets, or its bytes are not text. A binary file may
+/// also begin with "solid".
 bool is_binary(std::string_view bytes) {
   if (bytes.size() >= header_size && bytes.size() == header_size + facet_size * announced_facets(bytes)) return true;
   Lines lines(bytes);

@@ -1,4 +1,4 @@
-// What: a mesh whose vertices are at points, any number of them at each, with the attributes of the points.
+// What: a mesh whose vertices are at points, any number of vertices at each point, with the attributes of the points.
 #pragma once
 
 #include <array>

@@ -63,8 +63,8 @@ struct VtuGrid {
 /// Returns VtuGrid::positions for `points`, which must outlive the array.
 inline VtuArray vtu_positions(std::span<const Point3> points) { return vtu_array("", points, position_of); }
 
-/// Appends the fields of the vertices to grid.of_points, with distinct names, and to grid.comments which numbers stand
-/// for texts. Requires: grid.positions is set, and `fields` views data that outlive the grid.
+/// Appends the fields of the vertices to grid.of_points, with distinct names. Appends to grid.comments the text for
+/// each number of a column of texts. Requires: grid.positions is set, and `fields` views data that outlive the grid.
 void add_fields(const VertexFields& fields, VtuGrid& grid);
 
 void write_vtu(OutputFile& file, const VtuGrid& grid);

@@ -63,8 +63,8 @@ void write_surface(OutputFile& file, Format format, const SpaceMesh& mesh);
 void write_vtu(OutputFile& file, const SpaceMesh& mesh);
 
 /// Writes GLB: one double-sided mesh. Positions are in single precision, less the shift, which, unless it is 0, is the
-/// `translation` of a node. Throws as kept_positions(). Colors are linear, as the format demands. Input indices are not
-/// written. Without triangles the scene is empty.
+/// `translation` of a node. Throws as kept_positions(), and BadInput from 2^32 bytes on. Colors are linear, as the
+/// format demands. Input indices are not written. Without triangles the scene is empty.
 void write_glb(OutputFile& file, const SpaceMesh& mesh);
 
 /// A closed polyline: its vertices in order; the first follows the last and is not repeated.

@@ -73,9 +73,9 @@ class CompactMesh {
 
 /// Writes OFF, PLY (binary little-endian, coordinates as double), OBJ or VTU (write_vtu() below); or an .npy array of
 /// uint32: triangles with shape (n, 3), edges with shape (n, 2) or points with shape (n). In PLY each face has the
-/// number of its feature as a property called features->name, and each vertex its fields (ply_fields.h). OBJ, as lines
-/// f, l and p, and VTU have triangles, edges and points; OFF and PLY have triangles only. Requires: not a picture
-/// format.
+/// number of its feature, if there are features, as a property called features->name, and each vertex has its fields
+/// (ply_fields.h). OBJ, as lines f, l and p, and VTU have triangles, edges and points; OFF and PLY have triangles only.
+/// Requires: not a picture format.
 void write_triangles(OutputFile& file, Format format, const TriangleMesh& mesh);
 
 /// Returns the triangles for geographic information systems: attributes of each are the number or name of its feature,

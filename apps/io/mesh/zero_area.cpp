@@ -16,7 +16,7 @@ constexpr std::pair<std::size_t, std::size_t> planes[] = {{0, 1}, {1, 2}, {2, 0}
 
 /// Returns whether the projections of three points to one of the planes certainly span an area. The error of the
 /// determinant is below (3 + 16ε)ε times the sum of its two products (Shewchuk 1997, section 4.4), ε = 2⁻⁵³, unless
-/// products underflow, which changes it by less than 2⁻¹⁰⁷³. If products overflow, no comparison is true.
+/// products underflow, which changes the determinant by less than 2⁻¹⁰⁷³. If products overflow, no comparison is true.
 bool surely_span_area(const Position& a, const Position& b, const Position& c) {
   constexpr double error = 4e-16, least = 1e-300;
   return std::any_of(std::begin(planes), std::end(planes), [&](const auto& plane) {

@@ -19,7 +19,7 @@ using PositionRing = std::vector<Point3>;
 /// Returns whether some longitude (x) is beyond ±180, and none is beyond ±360.
 bool is_beyond_antimeridian(std::span<const Point> points);
 
-/// Returns the equal longitude from -180 to 180. Requires: -540 ≤ longitude ≤ 540.
+/// Returns the longitude from -180 to 180 of the same meridian. Requires: -540 ≤ longitude ≤ 540.
 double within_antimeridian(double longitude);
 
 /// Returns the parts of a polygon, each with its shell first, counter-clockwise, and then its holes, clockwise.

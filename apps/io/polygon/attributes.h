@@ -34,13 +34,13 @@ struct Attribute {
   }
 };
 
-/// Returns a pointer to a column that it does not own.
+/// Returns a pointer that does not own the column.
 inline std::shared_ptr<const PointColumn> view_of(const PointColumn& column) {
   return {std::shared_ptr<void>(), &column};
 }
 
-/// Returns an attribute for each column, with its name; one that is taken, in letters of either case, by
-/// another column or `taken` gets a suffix _2, _3 and so on. The attributes view the columns.
+/// Returns an attribute for each column, with the column's name. A name that an earlier column or `taken` already has,
+/// in letters of either case, gets a suffix _2, _3 and so on. The attributes view the columns.
 std::vector<Attribute> attributes_of(std::span<const PointColumn> columns, std::vector<std::string> taken);
 
 /// Returns a text in quotes for JSON. Bytes that are not UTF-8, such as Latin-1, are written as the replacement

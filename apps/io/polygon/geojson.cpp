@@ -184,7 +184,7 @@ class Events {
     std::size_t geometries = 0;                                // number of geometries before it
     std::size_t points = 0;                                    // number of points before it
     std::vector<std::pair<std::string, double>> numbers = {};  // its properties that are numbers
-    std::string key = {};                                      // its properties that group points
+    std::string key = {};                                      // its property that names the group of points
     double radius = not_a_number;
   };
 
@@ -197,7 +197,7 @@ class Events {
     file_.keys_are_texts = file_.keys_are_texts || (is_text && !text.empty());
   }
   /// Throws BadInput that names `option` if there are points and, as `is_there` tells, no Feature has the property; a
-  /// value of null counts as having it.
+  /// Feature with the value null has the property.
   void require_property(const std::optional<std::string>& property, bool is_there, const std::string& option) const {
     if (property && !is_there && !file_.points.empty())
       bad_input(name_, "no Feature with a property " + in_quotes(*property),
@@ -370,7 +370,7 @@ class Events {
   bool vertices_;
   PolygonFile* polygons_;
   GroupColumns columns_;
-  bool has_key_ = false, has_radius_ = false;  // some Feature has it
+  bool has_key_ = false, has_radius_ = false;  // some Feature has the property
   PointFile file_ = {};
   std::unordered_map<std::string, std::size_t> key_numbers_ = {};  // numbers of keys in file_.texts[0]
   std::vector<Frame> frames_ = {};

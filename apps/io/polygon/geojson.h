@@ -16,14 +16,14 @@ namespace rbpa::app {
 /// Reads the points of Point and MultiPoint, and with `vertices` those of all geometries; the point at which a ring
 /// closes counts once. Without "crs" points are longitudes and latitudes of WGS 84. A warning counts Features without a
 /// geometry. Fields of a point are the `properties` of its Feature: a key, which is a text, a number, true or false,
-/// and a radius, a number; if it has no such property, the key is empty and the radius NaN. Throws BadInput that names
-/// the line; Cancelled.
+/// and a radius, a number. Without the property, the key is empty or the radius NaN. Throws BadInput that names the
+/// line; Cancelled.
 PointFile read_geojson_points(std::string_view text, const std::string& name, bool vertices,
                               const GroupColumns& properties = {});
 
 /// Reads each Polygon and MultiPolygon, also in collections, as a geometry, and the properties of Features that are
-/// numbers. Geometries outside of any Feature form one feature. Throws BadInput that names the line, also for other
-/// kinds of geometries; Cancelled.
+/// numbers. The geometries of a text outside of any Feature form one feature. Throws BadInput that names the line, also
+/// for other kinds of geometries; Cancelled.
 PolygonFile read_geojson_polygons(std::string_view text, const std::string& name);
 
 }  // namespace rbpa::app

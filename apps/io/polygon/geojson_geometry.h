@@ -23,8 +23,8 @@ inline constexpr GeoJsonKind geojson_kinds[] = {{"Point", 1, true},          {"M
                                                 {"LineString", 2},           {"MultiLineString", 3},
                                                 {"Polygon", 3, false, true}, {"MultiPolygon", 4, false, true}};
 
-/// Collects the coordinates of a geometry; its type may follow them. open(), add() and close() return a fault as text,
-/// or null.
+/// Collects the coordinates of a geometry. The type of the geometry may follow its coordinates. open(), add() and
+/// close() return a fault as text, or null.
 class GeoJsonGeometry {
  public:
   /// `first` is the number of points before this geometry.
@@ -104,7 +104,7 @@ class GeoJsonGeometry {
   std::size_t coordinates_ = 0;  // number of coordinates of the current position
   std::array<double, 3> position_{};
   std::vector<std::size_t> ends_ = {};   // end of each innermost list, as the number of points before it
-  std::vector<std::size_t> lists_ = {};  // end of each list of such lists, as the number of ends_ before it
+  std::vector<std::size_t> lists_ = {};  // end of each list of innermost lists, as the number of ends_ before it
 };
 
 }  // namespace rbpa::app

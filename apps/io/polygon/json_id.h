@@ -1,4 +1,4 @@
-// What: tells the position of a JSON parser in its text, and finds the member "id" of an object, for messages.
+// What: reports the position of a JSON parser in its text, and finds the member "id" of an object, for messages.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ class JsonPosition {
 
   explicit JsonPosition(const char*& at) : at_(&at) {}
   reference operator*() const { return **at_; }
-  /// Throws Cancelled after a signal: a text or a number may have hundreds of megabytes.
+  /// Advances by a character. Throws Cancelled after a signal: a text or a number may have hundreds of megabytes.
   JsonPosition& operator++() {
     constexpr std::uintptr_t often = std::uintptr_t{1} << 20U;
     if (reinterpret_cast<std::uintptr_t>(++*at_) % often == 0) stop_if_interrupted();

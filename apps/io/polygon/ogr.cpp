@@ -314,7 +314,7 @@ class OgrWriter {
     OGRFieldDefn field(name, type);
     if (layer.CreateField(&field) != OGRERR_NONE) fail(gdal_.reason());
   }
-  /// Adds a field for each attribute. OGR has no unsigned integers of 64 bits: they become texts.
+  /// Adds a field for each attribute. Unsigned integers of 64 bits, which OGR does not have, become texts.
   void add_attributes(OGRLayer& layer, std::span<const Attribute> attributes) const {
     for (const Attribute& attribute : attributes) {
       const PointColumn& column = *attribute.column;

@@ -35,8 +35,8 @@ inline std::vector<std::string> ogr_endings(Format format) {
 }
 
 /// Returns the files of polygons with number, area, perimeter, holes and points; a GeoPackage also has the isolated
-/// points, as a layer "isolated". This and the functions below throw Failure with GDAL's message; Cancelled. Require:
-/// is_ogr(format).
+/// points, as a layer "isolated". This function and the functions below throw Failure with GDAL's message; Cancelled.
+/// Require: is_ogr(format).
 std::vector<OgrFile> ogr_polygons(Format format, const Shape& shape);
 /// Returns the files of a multipolygon for each group, with group, points, alpha, area, perimeter, polygons and problem
 /// as in GeoJSON. A group without a polygon has no geometry, and is left out of a FlatGeobuf.

@@ -60,7 +60,7 @@ class PolyReader {
       refuse(in_quotes(word), what + ": a whole number from 0 to " + std::to_string(greatest));
     return static_cast<std::size_t>(value);
   }
-  /// Reads the number of `what`. Throws BadInput if it exceeds the number of bytes of the file.
+  /// Reads the number of `what`. Throws BadInput if the number exceeds that of the bytes after the line.
   std::size_t count(const std::string& what) {
     next_line(what);
     return whole(what, lines_.rest().size());

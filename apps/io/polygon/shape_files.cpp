@@ -207,7 +207,7 @@ void for_each_isolated(const Shape& shape, const Visit& visit) {
   }
 }
 
-/// Writes the rings of the polygons of a group, or, if `cuts`, of the parts of these polygons.
+/// Writes the rings of the polygons of a group; or, if `cuts`, the rings of the parts within ±180 of each polygon.
 void write_polygons_of(OutputFile& file, const PolygonSigns& signs, const NamedShapes& groups, std::size_t group,
                        bool cuts) {
   const std::uint64_t first = groups.shapes.polygon_begin[group], last = groups.shapes.polygon_begin[group + 1];

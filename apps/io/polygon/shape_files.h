@@ -57,7 +57,7 @@ struct PolygonFacts {
   double area = 0;
   double perimeter = 0;
   std::uint64_t holes = 0;
-  std::uint64_t points = 0;  ///< number of points in it and in no polygon before it
+  std::uint64_t points = 0;  ///< number of points in this polygon and in no earlier one
 };
 
 /// A receiver of polygons, ring by ring.
@@ -79,14 +79,14 @@ class PolygonSink {
 
 struct PolygonSigns;
 
-/// Writes the geometry of a polygon as an object of GeoJSON: a Polygon; or, if `cuts` and it is cut at the
-/// antimeridian, a MultiPolygon of its parts. With `has_z` positions have three numbers.
+/// Writes the geometry of a polygon as an object of GeoJSON: a Polygon; or, if `cuts` is true and the polygon is cut at
+/// the antimeridian, a MultiPolygon of its parts. With `has_z` positions have three numbers.
 void write_geojson_polygon(OutputFile& file, const std::vector<PositionRing>& polygon, bool cuts, bool has_z);
 
 /// Writes polygons as GeoJSON or well-known text. GeoJSON (RFC 7946): a FeatureCollection with one Feature for each
 /// polygon, whose properties are "number", from 1, "area", "perimeter", "holes" (their number) and "points" (the number
-/// of points in it and in no polygon before it). An area beyond the range of double is null. A system other than WGS 84
-/// is a member "crs". If coordinates are degrees, a polygon on both sides of longitude 180 is cut there
+/// of points in this polygon and in no earlier one). An area beyond the range of double is null. A system other than
+/// WGS 84 is a member "crs". If coordinates are degrees, a polygon on both sides of longitude 180 is cut there
 /// (antimeridian.h), and its geometry is a MultiPolygon. Well-known text: one MULTIPOLYGON, or MULTIPOLYGON EMPTY.
 class PolygonWriter final : public PolygonSink {
  public:

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view statistics[] = {"min", "max", "mean", "sum", "majority"};
 
-/// Returns the row of the minimum, maximum or majority of sorted values with their rows.
+/// Returns the row of the minimum, maximum or majority of `sorted`, pairs of a value and its row; else no_row.
 template <typename Entry>
 std::uint32_t row_of(Statistic statistic, const std::vector<Entry>& sorted) {
   if (sorted.empty()) return Attribute::no_row;
@@ -62,7 +62,7 @@ std::vector<SummaryChoice> parse_summaries(const std::optional<std::string>& tex
 std::optional<FieldChoice> with_summaries(std::optional<FieldChoice> choice,
                                           const std::vector<SummaryChoice>& summaries) {
   if (!choice && !summaries.empty()) choice.emplace().names.emplace();
-  if (!summaries.empty() && choice->names) choice->names->emplace_back();  // Summaries requires its fields itself
+  if (!summaries.empty() && choice->names) choice->names->emplace_back();  // summaries_of() requires the fields
   for (const SummaryChoice& summary : summaries)
     if (choice->names) choice->names->push_back(summary.field);
   return choice;

@@ -11,7 +11,8 @@
 namespace rbpa::app {
 namespace {
 
-/// A kind of geometry: its name, the number of brackets around its positions, and whether it contains geometries.
+/// A kind of geometry: its name, the number of brackets around its positions (0 for a collection), and whether the
+/// innermost brackets are rings.
 struct Kind {
   std::string_view name;
   int depth;
@@ -92,7 +93,7 @@ void WktGeometries::take_srid() {
 
 bool WktGeometries::next(std::vector<Point>& points) {
   do skip_space();
-  while (take_sign(';'));  // some writers end each geometry with it
+  while (take_sign(';'));  // some writers end each geometry with a semicolon
   if (text_.empty()) return false;
   take_srid();
   take_geometry(points, 0);
@@ -206,7 +207,7 @@ void WktGeometries::take_position(std::vector<Point>& points) {
     };
     ParsedNumber number = parse_number(text_.data(), text_.data() + text_.size());
     if (number.fault != NumberFault::none || !ends_at(number.end)) {
-      // Show only the word in the message.
+      // Show only the word in the message, not the rest of the text.
       const std::size_t size = std::min(text_.find_first_of(" \t\r\n,()"), text_.size());
       const ParsedNumber word = parse_written_number(text_.substr(0, size));
       if (word.fault == NumberFault::none)

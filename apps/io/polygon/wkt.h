@@ -27,11 +27,11 @@ struct WktFault {
 class WktGeometries {
  public:
   /// Reads points from `text`, which must outlive this object. With `vertices`, the vertices of geometries other than
-  /// POINT and MULTIPOINT count as points, the point at which a ring closes once; without it such geometries are
-  /// refused.
+  /// POINT and MULTIPOINT count as points, the point at which a ring closes once; without it, geometries of other kinds
+  /// are refused.
   WktGeometries(std::string_view text, bool vertices) : text_(text), vertices_(vertices) {}
-  /// Reads polygons and appends them to `polygons`, with their geometries; the points go where next() puts them.
-  /// Refuses geometries that do not consist of polygons. A collection is one feature.
+  /// Reads polygons and appends them to `polygons`, with their geometries; polygons index the points that next()
+  /// appends. Refuses geometries that do not consist of polygons. A collection is one feature.
   WktGeometries(std::string_view text, PolygonFile& polygons) : text_(text), vertices_(true), polygons_(&polygons) {}
 
   /// Appends the points of the next geometry; returns false if there is none. Throws WktFault.

@@ -92,7 +92,7 @@ const std::vector<Names>& known_names() {
         "pohjoinen", "pohjoiskoordinaatti", "polnoc", "sever", "eszak", "kuzey", "север"}}};
   return known;
 }
-/// Names that may also be a side of a box, or the length and the width of a thing: less sure than any other name.
+/// Names that may also mean a side of a box, or the length or the width of a thing: less sure than any other name.
 constexpr std::string_view weak_names[] = {"e",      "n",       "lange",     "laenge",    "breite",   "pituus",
                                            "leveys", "dlugosc", "szerokosc", "hosszusag", "szelesseg"};
 constexpr std::string_view south_names[] = {"s", "south", "sud", "sued", "sur"},
@@ -152,7 +152,7 @@ bool take_folded(std::string_view& text, std::string& to) {
   return to.size() > before;
 }
 
-/// Returns a name without its unit, in brackets or the last word, and the unit.
+/// Returns a name without its unit, and the unit: the text in brackets, or the last word if that is a known unit.
 std::pair<std::string_view, std::string_view> split_unit(std::string_view name) {
   if (const std::size_t bracket = name.find_first_of("(["); bracket < name.size())
     return {name.substr(0, bracket), name.substr(bracket + 1, name.find_first_of(")]") - bracket - 1)};
@@ -170,8 +170,8 @@ std::string folded(std::string_view name) {
   return result;
 }
 
-/// Returns the words of a name, in the normal form, also those in brackets: between other characters than letters and
-/// digits, and from a capital after a small letter on ("stopLat").
+/// Returns the words of a name in the normal form, also words in brackets. A word ends before a character that is
+/// neither a letter nor a digit, and before a capital after a small letter ("stopLat").
 std::vector<std::string> words_of(std::string_view name) {
   std::vector<std::string> words(1);
   name = name.substr(0, longest_name);
@@ -233,7 +233,8 @@ bool is_one_of(const std::vector<std::string_view>& names, std::string_view name
   return is_among(folded(name), names) || !with_word({name}, names).empty();
 }
 
-/// Returns the names that may stand for points in a table with this header: above sides of boxes, not east and north.
+/// Returns the names that may stand for points in a table with this header: all names but east and north if the columns
+/// are sides of boxes.
 std::span<const Names> names_for(const std::vector<std::string_view>& header) {
   return std::span(known_names()).first(known_names().size() - (are_sides(header) ? 1U : 0U));
 }

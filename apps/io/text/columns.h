@@ -34,14 +34,15 @@ struct NamedColumns {
 
 /// Returns the columns whose names are a pair such as lon and lat, x and y, or easting and northing, in any order and
 /// among other columns: the leftmost pair, or else the only pair whose names have such a word ("stop_lat", "X_WGS84")
-/// or ending ("INTPTLAT"). A pair of names such as E and N, which may mean another thing, comes last, and is none above
-/// sides of boxes.
+/// or ending ("INTPTLAT"). A pair such as E and N, whose names may mean other things, is returned only if there is no
+/// other pair. East and north are no pair in a header with names of south and west (are_sides()).
 std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>& header);
 
 /// Returns whether the header has names of south and west, as of boxes with four sides.
 bool are_sides(const std::vector<std::string_view>& header);
 
-/// Returns the first columns for x and y that have such a word, of perhaps several pairs; empty if there are none.
+/// Returns the first columns for x and y by words or endings of their names, also of several pairs; empty if there are
+/// none.
 std::vector<std::size_t> find_likely_columns(const std::vector<std::string_view>& header);
 
 /// Returns the indices of the columns called x, y and z, or easting, northing and height; then of nx, ny and nz if all

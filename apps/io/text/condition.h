@@ -26,8 +26,9 @@ FieldNames names_of_columns();
 /// A column that is read for each point in addition to its position.
 struct WantedColumn {
   enum class Kind {
-    /// Numbers if the first value that is not missing is one, else texts; for atoms, by the column. Unspecified, as
-    /// kept with its type instead, in LAS and in binary PLY and PCD if CloudRequest::keeps chooses the field.
+    /// Numbers if the first value that is not missing is a number, else texts; for atoms, the column decides. The
+    /// values are unspecified in LAS if CloudRequest::keeps is present, and in binary PLY and PCD if it chooses the
+    /// field: the field is then kept with its type instead.
     by_value,
     number,
     text,
@@ -53,13 +54,13 @@ class Condition {
   /// Parses a condition. Throws WrongUsage that names the part that is not understood, also for an empty text.
   Condition(const std::string& text, const FieldNames& names);
   /// Parses a condition. The first of fields() are `columns`, which `option` requests for each point. An empty text
-  /// selects all points. Requires: the names of `columns` are different. Throws WrongUsage, also if one is not a name
-  /// of a field.
+  /// selects all points. Requires: the names of `columns` are different. Throws WrongUsage, also if the name of a
+  /// column is not a name of a field.
   Condition(const std::string& text, const FieldNames& names, const std::vector<WantedColumn>& columns,
             std::string_view option = "--where");
   /// Parses a condition. The first of fields() are the key and the radius of groups, if `columns` names them. Keys are
-  /// texts, even if they look like numbers. An empty text selects all points. Throws WrongUsage, also if one is not a
-  /// name of a field.
+  /// texts, even if they look like numbers. An empty text selects all points. Throws WrongUsage, also if the key or the
+  /// radius is not a name of a field.
   static Condition of_groups(const GroupColumns& columns, const std::string& text, const FieldNames& names);
 
   enum class Step {
@@ -76,7 +77,7 @@ class Condition {
     negation,
     text,
     unless_true,  ///< if the last value is not 0, makes it 1 and jumps to instruction Instruction::field
-    unless_false  ///< if the last value is 0, makes it 0 and jumps to that instruction
+    unless_false  ///< if the last value is 0, jumps to instruction Instruction::field
   };
   /// A step of a stack machine: operands come before their operator.
   struct Instruction {
@@ -88,7 +89,7 @@ class Condition {
   };
   const std::vector<Instruction>& instructions() const { return instructions_; }
   /// Returns the names of fields, without quotes: first the columns(), then the fields that are compared with numbers
-  /// or are alone. Each part has a name once; a name may be in both.
+  /// or are alone. Neither part repeats a name, but a name may be in both parts.
   const std::vector<std::string>& fields() const { return fields_; }
   /// Returns the number of columns that are requested for each point. They are the first of fields().
   std::size_t columns() const { return columns_.size(); }
@@ -122,7 +123,7 @@ class Condition {
   bool selects_ = true;
 };
 
-/// Evaluates a condition for one point after another. Counts the points, and those for which it is true.
+/// Evaluates a condition for one point after another. Counts the points, and those that it selects.
 class Selection {
  public:
   explicit Selection(const Condition& condition)

@@ -113,20 +113,20 @@ struct FieldCount {
 };
 FieldCount count_fields(std::string_view line, char separator);
 
-/// Returns the text of a field, without quotes around it and with one quote for two. If the text has such quotes, it is
-/// in `room`, whose content it replaces.
+/// Returns the text of a field, without quotes around it and with one quote in place of each two. If the field has
+/// doubled quotes, the text replaces the content of `room`.
 std::string_view text_of_field(std::string_view field, std::string& room);
 
 /// Returns the texts of all fields of `line`; texts that differ from the line are added to `room`.
 std::vector<std::string_view> split(std::string_view line, char separator, std::deque<std::string>& room);
 
 /// Returns the end of the record that begins with `line`: the end of that line, or, if a quoted text spans lines, of a
-/// later line before `end`. Null if a quoted text does not end, is longer than a mebibyte, or is followed by more text
-/// in its field.
+/// later line before `end`. Null if a quoted text does not end, is longer than a mebibyte, or spans lines and is
+/// followed by more text in its field.
 const char* end_of_record(std::string_view line, const char* end, char separator);
 
-/// Returns the separator of the line: comma, semicolon, tab or '|', the first of these that is in it outside of quotes,
-/// else blanks. Commas do not count if each is the decimal comma of a number, or between its thousands.
+/// Returns the separator of the line: comma, semicolon, tab or '|', the first of these that separates fields of the
+/// line, else blanks. Commas do not count if each is the decimal comma of a number, or between its thousands.
 char separator_of(std::string_view line);
 
 /// Returns whether `line`, split at `separator`, has several fields and a comma, and all commas of a field are one

@@ -36,8 +36,8 @@ class TextNumbers {
   std::unordered_map<std::string, std::size_t> numbers_ = {};
 };
 
-/// A refusal of a table that --skip-invalid does not mend: the points would be wrong without the refused lines, or there
-/// is no end of a line.
+/// A refusal of a table that --skip-invalid does not mend: points would be wrong without the refused lines, or a line
+/// has no end.
 struct WholeRefusal : BadInput {
   using BadInput::BadInput;
 };
@@ -68,7 +68,8 @@ class LineSelection {
 
   /// Returns whether the condition is true for a line, whose fields are `fields`. Calls take_width(count), which may
   /// refuse the number of fields, a FieldCount; then read(fields), which returns the next of `fields` as a number, only
-  /// for fields that decide and, if the line is selected, for columns of numbers. Throws what these throw.
+  /// for fields that decide and, if the line is selected, for columns of numbers. Throws what read() and take_width()
+  /// throw.
   template <typename Read, typename TakeWidth>
   bool is_selected(Fields fields, const Read& read, const TakeWidth& take_width) {
     if (!where_) return true;
@@ -105,7 +106,8 @@ class LineSelection {
   }
 
   /// Calls take(), which reads the current line. If take() throws BadInput, leaves the line out and counts it, or,
-  /// without --skip-invalid, throws it, and with_hint() if has_points(): other lines are points. Throws WholeRefusal.
+  /// without --skip-invalid, throws the BadInput: with_hint() if has_points(), that is, if other lines are points.
+  /// Throws WholeRefusal.
   template <typename Take, typename HasPoints>
   void attempt(const Take& take, const HasPoints& has_points) {
     try {
@@ -119,7 +121,7 @@ class LineSelection {
     }
   }
 
-  /// Returns the refusal of a line with a hint added: that --skip-invalid leaves out such lines.
+  /// Returns the refusal of a line with the hint that --skip-invalid leaves out lines that are not points.
   static BadInput with_hint(const BadInput& refusal);
 
   /// Returns whether --skip-invalid leaves out lines; if so, counts the current line as left out because of `refusal`.

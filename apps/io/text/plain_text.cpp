@@ -30,7 +30,7 @@ std::string_view other_encoding(std::string_view bytes) {
 /// Returns the first CR that ends a line alone; null if there is none. A CR at the end of the text may be half of a
 /// CRLF, and counts as a blank.
 const char* lone_return(const char* at, const char* end) {
-  constexpr std::ptrdiff_t at_once = std::ptrdiff_t{16} << 20U;  // so that a signal is noticed between two of them
+  constexpr std::ptrdiff_t at_once = std::ptrdiff_t{16} << 20U;  // bytes of a step; a signal is noticed after it
   for (std::size_t steps = 0; at < end; ++steps) {
     if (steps % 65536 == 0) stop_if_interrupted();
     const std::ptrdiff_t some = std::min(end - at, at_once);
@@ -47,8 +47,8 @@ const char* lone_return(const char* at, const char* end) {
   return nullptr;
 }
 
-/// Returns `bytes` with LF in place of each CR that ends a line alone among the first `size` bytes; `room` holds them
-/// if there is one.
+/// Returns `bytes` with LF in place of each CR that ends a line alone among the first `size` bytes. `room` then holds
+/// the result.
 std::string_view with_line_feeds(std::string_view bytes, std::size_t size, std::string& room) {
   const char* const found = lone_return(bytes.data(), bytes.data() + size);
   if (found == nullptr) return bytes;

@@ -19,12 +19,12 @@ std::string_view plain_text(std::string_view bytes, const std::string& name, For
 /// Returns the text after any byte-order marks of UTF-8.
 std::string_view without_mark(std::string_view text);
 
-/// Returns the normal form of `text`, a later piece of a text, which size_of_lines() has cut: it begins with a line. If
-/// a line ends in CR alone, the result is in `room`. Throws Cancelled.
+/// Returns the normal form of `text`, a later piece of a text, which begins at the beginning of a line and ends as
+/// size_of_lines() says. If a line ends in CR alone, the result is in `room`. Throws Cancelled.
 std::string_view with_line_feeds(std::string_view text, std::string& room);
 
-/// Returns the size in bytes of the whole lines at the front of `text`; 0 if no line certainly ends in it: a CR at its
-/// end may be followed by LF.
+/// Returns the size in bytes of the whole lines at the front of `text`; 0 if no line certainly ends in `text`: a CR at
+/// its end may be followed by LF.
 std::size_t size_of_lines(std::string_view text);
 
 }  // namespace rbpa::app

@@ -14,7 +14,8 @@ namespace rbpa::app {
 std::string_view ending_of_content(std::string_view bytes);
 
 /// Returns the format of `bytes`, the content of standard input, for a use; `otherwise` if no format is recognized.
-/// Throws BadInput that names `name` if the format has not this use or GDAL reads it, or if there is neither.
+/// Throws BadInput that names `name` if the recognized format does not have the use or needs GDAL, or if no format is
+/// recognized and `otherwise` is absent.
 Format format_of_content(Use use, std::string_view bytes, const std::string& name, std::optional<Format> otherwise);
 
 }  // namespace rbpa::app

@@ -12,7 +12,8 @@ namespace rbpa::app {
 
 /// Appends the text of a field of a table to a column. The column has integers (int64) as long as all texts are
 /// integers as they are written; then numbers (float64, NaN where a value is missing), if doubles represent the
-/// integers before; else texts. Requires: the column began empty, as int64; `numbers` is its own.
+/// integers before; else texts. Requires: the column began empty, as int64; `numbers`, of the texts, is for this column
+/// only.
 void append_word(PointColumn& column, std::string_view word, std::unordered_map<std::string, std::int32_t>& numbers);
 
 }  // namespace rbpa::app

@@ -20,7 +20,8 @@ struct Angle {
 /// "52d34m03s" or "52-34-03N"; nothing for a number alone and any other text.
 std::optional<Angle> parse_angle(std::string_view text);
 
-/// Returns whether a byte follows an ASCII character as none does in UTF-8: a degree sign or a space of CP1252.
+/// Returns whether a byte from 0x80 to 0xBF, such as CP1252's degree sign, follows an ASCII character or begins the
+/// text.
 bool has_stray_byte(std::string_view text);
 
 /// Returns the text for "expected …" in a message about a field in which parse_written_number() finds `fault`, with a
@@ -28,14 +29,14 @@ bool has_stray_byte(std::string_view text);
 std::string expected_for(std::string_view field, NumberFault fault);
 
 /// Returns " (…)" with the way to write geometries as text if the field is a geometry in another form: GeoJSON, or
-/// bytes in hexadecimal digits; else nothing.
+/// bytes in hexadecimal digits; else an empty text.
 std::string way_to_text(std::string_view field);
 
 /// Returns " (…)" with the reason why `line` has more or fewer fields than others of its table, if one shows: decimal
-/// commas or geometries that are split at the separator, or a line that is one text in quotes; else nothing.
+/// commas or geometries that are split at the separator, or a line that is one text in quotes; else an empty text.
 std::string way_of_fields(std::string_view line, char separator, bool are_more);
 
-/// Returns `message` with a way out in brackets, within the brackets at its end if they have another.
+/// Returns `message` with a way out in brackets; if the message ends with brackets around another way out, in those.
 std::string with_way(std::string message, const std::string& way);
 
 }  // namespace rbpa::app

@@ -65,11 +65,11 @@ FillRequest parse(const FillArguments& arguments) {
   return request;
 }
 
-/// Bytes of memory that a run needs for each estimated triangle, with a margin: a run that makes a million triangles
-/// takes 228 bytes for each at its peak (docs/explanation/plane.md, Triangles of a given size).
+/// Memory that a run needs for each estimated triangle, in bytes, with a margin: a run that makes a million triangles
+/// takes 228 bytes for each triangle at its peak (docs/explanation/plane.md, Triangles of a given size).
 constexpr double bytes_a_triangle = 320;
 
-/// Throws BadInput that names the needed and the available memory if `triangles` triangles need more than is available.
+/// Throws BadInput that names both amounts if `triangles` triangles need more memory than is available.
 void require_memory(const std::string& name, double triangles) {
   const std::optional<double> there = available_memory();
   const double wanted = bytes_a_triangle * triangles;
@@ -116,7 +116,7 @@ Filling make(const Run& run, const FillRequest& request, const PolygonFile& file
   }
 }
 
-/// Returns for each triangle the number of its feature, and the numeric properties of all features.
+/// Returns the number of the feature of each triangle, and the numeric properties of all features.
 TriangleFeatures features_of(const Filling& filling, const ValidFeatures& valid, const PolygonFile& file) {
   TriangleFeatures features;
   for (const std::size_t group : filling.groups) features.of_triangle.push_back(valid.feature[group]);
@@ -124,7 +124,7 @@ TriangleFeatures features_of(const Filling& filling, const ValidFeatures& valid,
   return features;
 }
 
-/// Returns the heights of the points of the filling; empty unless the polygons have heights and a target stores them.
+/// Returns the heights of the points of the filling; empty if the polygons have no heights or no target stores heights.
 std::vector<double> heights_of(const Run& run, const FillRequest& request, const PolygonFile& file,
                                const Filling& filling, const ValidFeatures& valid) {
   std::vector<double> z = file.vertices.z;
@@ -133,7 +133,7 @@ std::vector<double> heights_of(const Run& run, const FillRequest& request, const
   return z.empty() ? z : values_on_filling(filling, z, valid.groups, until_interrupted());
 }
 
-/// Returns the filling as an AlphaComplex, as pictures and counts require.
+/// Returns the filling as an AlphaComplex, which pictures and counts require.
 AlphaComplex arrays_of(const Filling& filling) {
   AlphaComplex arrays{.triangles = filling.triangles,
                       .neighbors = filling.neighbors,

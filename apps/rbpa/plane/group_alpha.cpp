@@ -22,7 +22,7 @@
 namespace rbpa::app {
 namespace {
 
-/// The radii of a group; if the group has none, `problem` is the reason.
+/// The radii of a group. If the group has no radii, `problem` is the reason.
 struct GroupRadii {
   std::size_t points = 0, distinct = 0;
   std::optional<double> least_covering = std::nullopt, least_connected = std::nullopt, plateau = std::nullopt;

@@ -28,8 +28,8 @@ void require_of_groups(const MeshArguments& arguments, const ComplexRequest& req
                 "a mesh or an array (rbpa shape --group-by draws its polygons)");
 }
 
-/// The group of each triangle, and the properties of each group: its number of points, alpha, area, and its name if
-/// that is a number.
+/// The group of each triangle, and the properties of each group: number of points, alpha, area, and the name if all
+/// names are numbers.
 struct GroupNumbers {
   explicit GroupNumbers(const GroupRun& run) {
     const GroupShapes& shapes = run.shapes;

@@ -23,14 +23,14 @@ GroupRequest parse_group_request(const ComplexArguments& arguments, const std::v
 
 namespace {
 
-/// Returns the radius of each group, or the rule that chooses the radius. The result refers to the radii of `named`.
+/// Returns the radius of each group, or the rule that chooses the radii. The result refers to the radii of `named`.
 GroupAlpha group_alpha(const AlphaOption& option, const NamedGroups& named) {
   GroupAlpha alpha{.choice = option};
   if (option.column) alpha.given = named.radii;
   return alpha;
 }
 
-/// Replaces, for each group to which the column gives no radius, the problem in `shapes` by the reason in `named`.
+/// Replaces the problem in `shapes` by the reason in `named` for each group whose column of radii gives no radius.
 void explain_radii(const NamedGroups& named, GroupShapes& shapes) {
   if (named.radius_problems.empty()) return;
   for (GroupProblem& problem : shapes.problems)

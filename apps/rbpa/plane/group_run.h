@@ -1,4 +1,4 @@
-// What: a run on groups of points, from the command line to a complex for each group.
+// What: runs a verb on groups of points, from the command line to a complex for each group.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace rbpa::app {
 
-/// The command line, parsed.
+/// The parsed command line.
 struct GroupRequest {
   ComplexRequest complex;
   GroupSources sources;
@@ -24,21 +24,21 @@ struct GroupRequest {
 };
 
 /// Parses the command line, and reads no file. Throws WrongUsage that names the value; Failure if a target cannot be
-/// written there.
-/// Requires: arguments.has_groups(), and `targets` are parsed from the arguments.
+/// written.
+/// Requires: arguments.has_groups(); `targets` are parsed from `arguments`.
 GroupRequest parse_group_request(const ComplexArguments& arguments, const std::vector<Target>& targets);
 
 struct GroupRun : Run {
-  /// Reads the points, makes the complex of each group, and prints warnings unless quiet. Fills in `points`,
-  /// `read_seconds` and `build_seconds` of `stats`. Throws BadInput, Failure, Cancelled.
+  /// Reads the points, makes the complex of each group, and prints warnings unless quiet. Sets `points`, `read_seconds`
+  /// and `build_seconds` of `stats`. Throws BadInput, Failure, Cancelled.
   GroupRun(const GroupRequest& wanted, const ComplexArguments& arguments, GroupShapesOptions shape_options);
 
   NamedShapes named_shapes() const;
   std::size_t triangles() const { return shapes.triangle_begin.back(); }
-  /// Writes the report of --stats if it is requested, gives all files their names, and prints, unless quiet, how many
-  /// groups have no polygon. Throws Failure, ClosedPipe, Cancelled.
+  /// Writes the report of --stats if requested, gives all files their names, and prints, unless quiet, the number of
+  /// groups without a polygon. Throws Failure, ClosedPipe, Cancelled.
   void finish();
-  /// Prints, unless quiet: "8 points, 3 groups, MADE -> TARGETS".
+  /// Prints "8 points, 3 groups, MADE -> TARGETS" unless quiet.
   void summarize(const std::string& made) const;
 
   GroupRequest request;
@@ -46,7 +46,7 @@ struct GroupRun : Run {
   NamedGroups named;
   GroupShapes shapes;
   std::vector<std::size_t> sizes;  ///< number of points in each group
-  Stats stats = {};                ///< the verb fills in what the members of GroupRun do not
+  Stats stats = {};                ///< the verb sets the members that GroupRun does not set
 };
 
 }  // namespace rbpa::app

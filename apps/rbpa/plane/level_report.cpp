@@ -35,7 +35,7 @@ std::array<Item, 13> items_of(const Level& level, const ComplexCounts& counts, s
            {"seconds", level.seconds}}};
 }
 
-/// Calls line(items) for each level, with the names and values of its columns.
+/// Calls line(items) for each level; `items` are the names and values of the columns for the level.
 template <typename Line>
 void for_each_level(const Hierarchy& hierarchy, Line line) {
   const std::vector<ComplexCounts> counts = level_topology(hierarchy);
@@ -76,7 +76,7 @@ void write_json(OutputFile& file, const Hierarchy& hierarchy, const Method& meth
       file.write_all(std::exchange(before, ", "), "\"", item.name, "\": ");
       const double* number = std::get_if<double>(&item.value);
       if (number && std::isinf(*number))
-        file.write("\"inf\"");  // as in --stats
+        file.write("\"inf\"");  // as in the report of --stats
       else
         write_value(file, item);
     }

@@ -20,7 +20,7 @@ bool is_array(Format format) {
   return format == Format::npy || format == Format::npy_edges || format == Format::npy_points;
 }
 
-/// Parses --complex. Throws WrongUsage for the full complex unless the method is in tiles.
+/// Parses --complex. Throws WrongUsage for the full complex with --method hrbpa or --search paper.
 ComplexKind parse_complex(const MeshArguments& arguments, const Method& method) {
   if (!parse_is_full(arguments.complex)) return ComplexKind::solid;
   if (method.leaf_capacity) throw WrongUsage("--complex full requires --method rbpa");
@@ -58,7 +58,7 @@ void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Bu
       if (!compact) compact.emplace(whole);
       add_triangles(run, target, compact->mesh(), run.file);
     } else {
-      // Write input indices to .npy also with --compact: the file has no vertices.
+      // Write input indices to .npy even with --compact: the file has no vertices.
       add_triangles(run, target, whole, run.file);
     }
   }

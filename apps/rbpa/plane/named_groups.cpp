@@ -36,7 +36,7 @@ class NameTable {
   std::unordered_map<std::string, std::uint32_t> numbers_ = {};
 };
 
-/// Returns whether the text is a number of JSON (RFC 8259): neither "007" nor "+1" is one.
+/// Returns whether the text is a number of JSON (RFC 8259); "007" and "+1" are not.
 bool is_json_number(std::string_view text) {
   const auto pass = [&](std::string_view any_of) {
     if (text.empty() || any_of.find(text.front()) == std::string_view::npos) return false;
@@ -59,8 +59,8 @@ bool is_json_number(std::string_view text) {
   return text.empty();
 }
 
-/// Returns the value of each name; nothing unless all names are numbers of JSON with different values below 2^53. From
-/// 2^53 on two whole numbers may round to one double.
+/// Returns the value of each name, or nothing unless all names are numbers of JSON with different values of magnitude
+/// below 2^53. From 2^53 on two whole numbers may round to one double.
 std::optional<std::vector<double>> values_of(const std::vector<std::string>& names) {
   constexpr double greatest = 9007199254740992.0;  // 2^53
   std::vector<double> values;
@@ -76,7 +76,7 @@ std::optional<std::vector<double>> values_of(const std::vector<std::string>& nam
   return values;
 }
 
-/// Appends the points of one file after another, with the group of each point.
+/// Appends the points of one file after another, and records the group of each point.
 class Gatherer {
  public:
   explicit Gatherer(const GroupSources& sources) : sources_(sources) {}
@@ -118,7 +118,7 @@ class Gatherer {
   }
 
  private:
-  /// Throws BadInput if the file has another coordinate system than the files before.
+  /// Throws BadInput if the coordinate system of the file differs from that of the earlier files.
   void agree(const PointFile& file, const std::string& path) {
     if (std::exchange(any_, true))
       require_same_crs(file.crs, input_name(path), result_.file.crs, input_name(sources_.files.front().path));
@@ -127,7 +127,7 @@ class Gatherer {
 
   void add_labels(const PointFile& file, const std::string& path, std::size_t count) {
     if (sources_.by_file) {
-      labels_.resize(labels_.size() + count, table_.number_of(path));  // a file without points is also a group
+      labels_.resize(labels_.size() + count, table_.number_of(path));  // a file without points is a group too
     } else if (count > 0 && !file.texts.empty() && file.texts[0]) {
       are_texts_ = are_texts_ || file.keys_are_texts;
       constexpr std::uint32_t not_yet = no_group - 1;
@@ -174,7 +174,7 @@ class Gatherer {
       if (of != no_group) of = label[of];
   }
 
-  /// Sets the radius of each group, or, if its points do not have one radius above 0, the problem.
+  /// Sets the radius of each group, or its problem if the points of the group do not have one radius above 0.
   void settle_radii() {
     const std::string column = "column " + in_quotes(*sources_.radius);
     for (std::size_t g = 0; g < result_.groups.size(); ++g) {

@@ -1,7 +1,7 @@
-// What: reads points in named groups, from one file or several. A column, a property of Features or the file names the
-//       group.
-// Law:  groups depend on names and points alone. Groups named by numbers are in numerical order, others in the order of
-//       their bytes, files in the order of the command line.
+// What: reads points in named groups from one or several files. A column, a property of Features or the file gives the
+//       name of the group of a point.
+// Law:  groups depend on names and points alone. Groups are in numerical order if all names are numbers, otherwise in
+//       the order of the bytes of their names; groups named by files are in the order of the command line.
 // Cost: one look-up for each point.
 #pragma once
 
@@ -23,26 +23,25 @@ struct GroupSources {
   std::optional<std::string> radius = std::nullopt;  ///< name of the column with the radius of each group
 };
 
-/// Parses from where points and their groups are read. Requires: groups.has_groups(). Throws WrongUsage that names
-/// the value.
+/// Parses the files and columns from which points and their groups are read. Requires: groups.has_groups(). Throws
+/// WrongUsage that names the value.
 GroupSources parse_group_sources(const PointArguments& arguments, const GroupArguments& groups,
                                  const std::optional<std::string>& radius = std::nullopt);
 
-/// Throws, by require_different(), if one of `outputs` is a file of `sources`.
+/// Throws as require_different() for paths does if one of `outputs` is a file of `sources`.
 void require_different(const std::vector<std::string>& outputs, const GroupSources& sources);
 
 struct NamedGroups {
-  PointFile file = {};  ///< the points of one file after another
+  PointFile file = {};  ///< the points of all files, one file after another
   std::vector<std::string> names = {};
-  bool are_numbers = false;  ///< all names are numbers of JSON, with different values below 2^53
+  bool are_numbers = false;  ///< whether all names are numbers of JSON, with different values of magnitude below 2^53
   Groups groups = {};
-  /// For each group its radius, NaN if it has none; and the reason why it has none, else "". Empty without a column of
-  /// radii.
+  /// The radius of each group, or NaN; and for NaN the reason, otherwise "". Both are empty without a column of radii.
   std::vector<double> radii = {};
   std::vector<std::string> radius_problems = {};
 };
 
-/// Reads all files, and prints warnings and the number of points in no group, unless quiet. Throws BadInput, also if
+/// Reads all files. Prints warnings and the number of points without a group, unless quiet. Throws BadInput, also if
 /// coordinate systems differ; Failure, Cancelled.
 NamedGroups read_groups(const Run& run, const GroupSources& sources);
 

@@ -1,4 +1,4 @@
-// What: reads points and finds their critical and recommended radii, for the verbs alpha and report.
+// What: reads points, and finds their critical and recommended radii, for the verbs alpha and report.
 #pragma once
 
 #include <optional>
@@ -13,26 +13,26 @@
 
 namespace rbpa::app {
 
-/// Parses --components and --cover into a Radii whose other members are as by default. Throws WrongUsage that names the
-/// value.
+/// Parses --components and --cover into a Radii whose other members have their defaults. Throws WrongUsage that names
+/// the value.
 Radii parse_radii(const RadiiArguments& arguments);
 
-/// Fills in filtration, least_covering and least_connected of `radii`, and `with_plateaus` also plateaus. Requires:
+/// Sets filtration, least_covering and least_connected of `radii`, and with `with_plateaus` also plateaus. Requires:
 /// max_components and cover are set. Throws Cancelled after a signal.
 void find_radii(const Delaunay& delaunay, Radii& radii, bool with_plateaus);
 
-/// Returns why the points have no triangle at any radius; nothing if they have one.
+/// Returns the reason why the points have no triangle at any radius, or nothing if they have a triangle.
 std::optional<std::string> why_no_radius(const Filtration& filtration);
 
 struct RadiiRun : Run {
-  /// Reads the points and finds their radii, with the settings of `request`. Prints warnings unless quiet. Throws
+  /// Reads the points, and finds their radii with the settings of `request`. Prints warnings unless quiet. Throws
   /// BadInput, Failure, Cancelled.
   RadiiRun(const PointSource& source, const std::vector<std::string>& outputs, const RunOptions& options,
            const Radii& request, bool with_plateaus);
 
-  /// Writes the report of --stats. Call it after all other files are written, so that their time counts.
+  /// Writes the report of --stats. Requires: all other files are written, so that the time of writing is known.
   void write_stats(OutputFile& file);
-  /// Prints why there is no radius, also if quiet; prints nothing if there is a radius.
+  /// Prints why the points have no radius, even if quiet; prints nothing if they have one.
   void say_empty() const;
 
   PointFile file;

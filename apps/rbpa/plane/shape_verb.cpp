@@ -29,19 +29,19 @@ struct Files {
   std::vector<Target> targets;
   std::optional<Target> isolated = std::nullopt;  ///< file for the points in no polygon
 
-  /// Returns the first of `targets`, or else `isolated`, that has the format; null if none has.
+  /// Returns the first of `targets` in the format, otherwise `isolated` if it is in the format, otherwise null.
   const Target* find(Format format) const {
     const auto is_one = [&](const Target& target) { return target.format == format; };
     const auto first = std::find_if(targets.begin(), targets.end(), is_one);
     if (first != targets.end()) return &*first;
     return isolated && is_one(*isolated) ? &*isolated : nullptr;
   }
-  /// Returns whether any file lists points with their fields; a GeoPackage does so for isolated points.
+  /// Returns whether any file lists points with their fields. A GeoPackage lists isolated points.
   bool have_fields() const {
     return (isolated && !is_text_geometry(isolated->format)) ||
            any_of(targets, [](Format format) { return format == Format::csv || format == Format::gpkg; });
   }
-  /// Returns whether any file lists points: those of each polygon, or those in no polygon.
+  /// Returns whether any file lists points: points of each polygon, or points in no polygon.
   bool have_points() const {
     return isolated || std::any_of(targets.begin(), targets.end(), [](const Target& target) {
              return !is_text_geometry(target.format) && !is_picture(target.format);
@@ -49,10 +49,10 @@ struct Files {
   }
 };
 
-/// Returns the prefix of EWKT before the WKT, such as "SRID=28992;". Requires: require_srid() has not thrown.
+/// Returns the prefix that EWKT adds to WKT, such as "SRID=28992;". Requires: require_srid() has not thrown.
 std::string srid_of(const Shape& shape) { return "SRID=" + *shape.crs->srid() + ";"; }
 
-/// Throws WrongUsage if a file is EWKT, which names the coordinate system, and the points have none with an EPSG code.
+/// Throws WrongUsage if a file is EWKT and the points have no EPSG code: EWKT names the coordinate system by its code.
 void require_srid(const Files& files, const std::optional<Crs>& crs) {
   const Target* first = files.find(Format::ewkt);
   if (first == nullptr || (crs && crs->srid())) return;
@@ -94,8 +94,8 @@ void write_files(ComplexRun& run, const Files& files, const Shape& shape, const 
   run.add(path, [&, format = format](OutputFile& file) { write_isolated(file, format, shape); });
 }
 
-/// Prints a warning, also with --quiet, if readers of a GeoJSON file may take coordinates for degrees that are not
-/// degrees.
+/// Prints a warning, even with --quiet, if readers of a GeoJSON file may take the coordinates for degrees although they
+/// are not.
 void caution(const Files& files, const Shape& shape) {
   const Target* first = files.find(Format::geojson);
   if (first == nullptr) return;
@@ -103,8 +103,8 @@ void caution(const Files& files, const Shape& shape) {
     say("rbpa", output_name(first->path) + ": " + *why);
 }
 
-/// Returns the memory of a run at its peak, in bytes for each point, without the memory of the point itself. Measured
-/// on millions of points: docs/explanation/plane.md, section 25.
+/// Returns the peak memory of a run in bytes for each point, without the memory of the point itself. The numbers are
+/// measured on millions of points: docs/explanation/plane.md, section 25.
 double bytes_a_point(const ComplexRequest& request) {
   if (request.alpha.rule != AlphaRule::given) return 500;
   return request.method.by_paper ? 280 : 100;
@@ -130,12 +130,12 @@ void run_shape(const ShapeArguments& arguments) {
 
   ComplexRun run(request, arguments);
   require_srid(files, run.file.crs);
-  std::vector<PointColumn>& columns = run.file.kept;  // those that are listed, then those that are only summarized
+  std::vector<PointColumn>& columns = run.file.kept;  // listed columns first, then columns that are only summarized
   const auto end = std::stable_partition(columns.begin(), columns.end(),
                                          [&](const PointColumn& column) { return listed && listed->has(column.name); });
   AlphaComplex complex =
       build(run.points(), run.alpha, request.method, ComplexKind::solid, Links::none, run.options()).complex;
-  // Link the finished triangles, which takes less memory than build() with Links::neighbors.
+  // Link the finished triangles: this takes less memory than build() with Links::neighbors.
   complex.neighbors = link_triangles(complex.triangles, run.points().size(), until_interrupted());
   stop_if_interrupted();
   std::vector<Polygon> made;

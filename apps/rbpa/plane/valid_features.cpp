@@ -20,7 +20,7 @@ void for_each_ring(std::vector<Polygon>& polygons, Visit visit) {
   }
 }
 
-/// Returns why a geometry is not valid. Reads only the range of `points` that `polygons` use.
+/// Returns the reason why a geometry is not valid, or nothing. Reads only the range of `points` that `polygons` use.
 std::optional<std::string> why_geometry_is_invalid(std::span<const Point> points, std::vector<Polygon> polygons) {
   std::uint32_t first = std::numeric_limits<std::uint32_t>::max(), last = 0;
   for_each_ring(polygons, [&](const std::vector<std::uint32_t>& ring) {
@@ -47,7 +47,7 @@ ValidFeatures valid_features(const PolygonFile& file, const std::string& name, b
   };
   for (std::size_t g = 0; g < file.geometries.size();) {
     const std::size_t feature = file.geometries[g].feature;
-    std::size_t last = g;  // end of the geometries of this feature
+    std::size_t last = g;  // end of the geometries of the feature
     std::optional<std::string> why;
     for (; last < file.geometries.size() && file.geometries[last].feature == feature; ++last) {
       if (why) continue;

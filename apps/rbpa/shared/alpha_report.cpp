@@ -43,7 +43,7 @@ void write_value(OutputFile& out, const std::optional<double>& value) {
   value ? write_value(out, *value) : out.write("null");
 }
 
-/// Writes an object such as {"alpha": 1, "to": null}.
+/// Writes a JSON object on one line, such as {"alpha": 1, "to": null}.
 class JsonLine {
  public:
   explicit JsonLine(OutputFile& out) : out_(out) {}
@@ -102,7 +102,7 @@ void write_array(OutputFile& out, std::string_view name, const Lines& lines) {
   out.write(lines.empty() ? "]" : "\n  ]");
 }
 
-/// Significant digits of numbers in the table.
+/// Significant digits of the numbers in the table.
 constexpr int digits = 4;
 
 /// Returns count / all in percent as text, rounded down, so that 100 means all.
@@ -113,7 +113,7 @@ std::string percent(std::size_t count, std::size_t all) {
   return text;
 }
 
-/// Returns a line of the table of choices; `others` has the names of the choice in other programs.
+/// Returns a line of the table of choices. `others` are the names of the choice in other programs.
 std::string row(const std::string& choice, const std::string& alpha, const std::string& from, const std::string& to,
                 const std::string& parts, const std::string& holes, const std::string& covered, const std::string& area,
                 const std::string& others = "") {
@@ -129,13 +129,13 @@ std::string row(const std::string& choice, double alpha, const std::string& from
              std::to_string(step.holes), percent(step.covered, distinct), rounded(step.area, digits), others);
 }
 
-/// Returns the step of the filtration at `alpha`, one of its critical radii.
+/// Returns the step of the filtration at `alpha`. Requires: `alpha` is a critical radius.
 const FiltrationStep& step_at(const Filtration& filtration, double alpha) {
   return *std::find_if(filtration.steps.begin(), filtration.steps.end(),
                        [&](const FiltrationStep& step) { return step.alpha == alpha; });
 }
 
-/// Returns the least and the largest value of `count` on a plateau, with its noun: "1 part", "0 to 5 holes".
+/// Returns the range of `count` on a plateau with its noun: "1 part", "0 to 5 holes".
 std::string counts_in(const Filtration& filtration, const Plateau& plateau, std::size_t FiltrationStep::*count,
                       const char* noun) {
   std::size_t least = plateau.step.*count, most = least;

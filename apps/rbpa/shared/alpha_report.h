@@ -19,17 +19,17 @@ struct AlphaReport {
 /// Returns the recommended choice, or nothing if the points have no triangle or plateaus were not computed.
 std::optional<Recommendation> recommended(const Radii& radii);
 
-/// Throws WrongUsage unless `path`, of --output, ends in .svg.
+/// Throws WrongUsage unless `path`, the value of --output, ends in .svg.
 void require_plot(const std::string& path);
 
 /// Returns the report for people: the radii by name, and a table of the choices.
 std::string for_people(const AlphaReport& report);
 
-/// Writes the whole report as JSON. Absent values are null; infinite numbers are "inf", as in --stats. Throws Cancelled
-/// after a signal.
+/// Writes the whole report as JSON. Missing values are null; infinite numbers are "inf", as in --stats. Throws
+/// Cancelled after a signal.
 void write_json(OutputFile& out, const AlphaReport& report);
 
-/// Writes CSV: a line for every pair if the report has pairs, else for every radius. Throws Cancelled after a signal.
+/// Writes CSV: a line for each pair if the report has pairs, else for each radius. Throws Cancelled after a signal.
 void write_csv(OutputFile& out, const AlphaReport& report);
 
 }  // namespace rbpa::app

@@ -39,16 +39,16 @@ std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool a
   return targets;
 }
 
-/// Returns `path` with ".PART.npy" in place of the ending of a file of triangles: "m.edges.npy" for "m.npy". Any other
-/// ending is kept.
+/// Returns `path` with ".PART.npy" in place of an ending of files of triangles: "m.edges.npy" for "m.npy". Appends
+/// ".PART.npy" to a path with any other ending.
 std::string beside(const std::string& path, const std::string& part) {
   const std::size_t size =
       find_format(Use::triangles, ending(path)) ? path.size() - ending(path).size() - 1 : path.size();
   return path.substr(0, size) + "." + part + ".npy";
 }
 
-/// Returns `targets`, and for each .npy file also a target for edges and one for points. Throws WrongUsage for a format
-/// that cannot hold a full complex.
+/// Returns `targets` with a target for edges and a target for points added after each .npy file. Throws WrongUsage for
+/// a format that cannot hold a full complex.
 std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
   std::vector<Target> all;
   for (const Target& target : targets) {
@@ -133,7 +133,7 @@ std::vector<std::string> ogr_paths(const Target& target) {
   const std::vector<std::string> endings = ogr_endings(target.format);
   if (endings.size() == 1) return {target.path};
   std::vector<std::string> paths;
-  // Name the other files after s.shp without its ending. If the target has another ending or none, append theirs.
+  // Name the other files after the target without the ending of its format, or after the whole target if it has none.
   const bool is_own = find_format(Use::shape, ending(target.path)) == target.format;
   const std::string stem =
       is_own ? target.path.substr(0, target.path.size() - ending(target.path).size() - 1) : target.path;

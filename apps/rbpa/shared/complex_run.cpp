@@ -44,7 +44,7 @@ ComplexRun::ComplexRun(const ComplexRequest& wanted, const OutputArguments& argu
   caution_about_memory(*this, request.bytes_a_point, points().size());
   stats.alpha = choose_alpha(choice, points(), options());
   if (choice.rule != AlphaRule::given) stats.choose_seconds = lap();
-  // Take infinity if the rule finds no radius: then the points have no triangle at any radius.
+  // Take infinity if the rule finds no radius: the points have no triangle at any radius then.
   alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
 }
 

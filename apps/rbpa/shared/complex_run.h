@@ -1,5 +1,5 @@
-// What: the steps that are common to all verbs that make a complex of points: parse the command line, read the points,
-//       choose the radius, and print a summary at the end.
+// What: runs the steps of all verbs that make a complex of points: parses the command line, reads the points, chooses
+//       the radius, and prints a summary at the end.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ struct ComplexArguments : PointArguments, GroupArguments, OutputArguments {
   RunArguments run;
 };
 
-/// The command line, parsed.
+/// The parsed command line.
 struct ComplexRequest {
   RunOptions options;
   PointSource source;
@@ -31,7 +31,7 @@ struct ComplexRequest {
   Method method;
   int width;  ///< width of pictures, in pixels
   double bytes_a_point =
-      0;  ///< memory that the run takes for each point, in bytes beyond the point itself; 0: not checked
+      0;  ///< peak memory for each point, in bytes beyond the point itself; 0: not compared with the available memory
 };
 
 /// Parses the command line, and reads no file. For groups, `source` is the first file. `bytes_a_point` remains 0.
@@ -40,18 +40,17 @@ ComplexRequest parse_request(const ComplexArguments& arguments, ChosenFor chosen
 
 /// A run of a verb that makes a complex, with its points and its radius.
 struct ComplexRun : Run {
-  /// Reads all points of the file, and chooses the radius if `wanted` has a rule. Prints warnings unless quiet, and
-  /// fills in `points`, `read_seconds`, `alpha` and `choose_seconds` of `stats`. Throws BadInput, Failure, Cancelled;
-  /// WrongUsage if there are fewer plateaus than the rank.
+  /// Reads all points of the file, and chooses the radius if `wanted` has a rule. Prints warnings unless quiet. Sets
+  /// `points`, `read_seconds`, `alpha` and `choose_seconds` of `stats`. Throws BadInput, Failure, Cancelled; WrongUsage
+  /// if there are fewer plateaus than the rank.
   ComplexRun(const ComplexRequest& wanted, const OutputArguments& arguments);
 
-  /// Writes the report of --stats if it is requested, and gives all files their names. Throws Failure, ClosedPipe,
-  /// Cancelled.
+  /// Writes the report of --stats if requested, and gives all files their names. Throws Failure, ClosedPipe, Cancelled.
   void finish();
-  /// Returns why the complex of these points, of which `distinct` are different, has no triangle: "no triangle has
-  /// circumradius <= 0.5". Requires: it has none.
+  /// Returns the reason why the complex has no triangle, such as "no triangle has circumradius <= 0.5". `distinct` is
+  /// the number of distinct points. Requires: the complex has no triangle.
   std::string why_empty(std::size_t distinct) const;
-  /// Prints, unless quiet: "5 points (1 duplicate), MADE, alpha auto = 0.5 -> TARGETS".
+  /// Prints "5 points (1 duplicate), MADE, alpha auto = 0.5 -> TARGETS" unless quiet.
   void summarize(std::size_t duplicates, const std::string& made, const std::string& targets) const;
 
   ComplexRequest request;
@@ -59,7 +58,7 @@ struct ComplexRun : Run {
   PointFile file;
   const std::vector<Point>& points() const { return file.points; }
   double alpha = 0;  ///< given, or chosen by a rule; infinity if the points have no triangle
-  Stats stats = {};  ///< the verb fills in what the members of ComplexRun do not
+  Stats stats = {};  ///< the verb sets the members that ComplexRun does not set
 };
 
 }  // namespace rbpa::app

@@ -57,7 +57,7 @@ std::vector<std::array<std::uint32_t, 2>> boundary_of(const SolidAlphaComplex& c
   const Mesh& mesh = complex.mesh;
   const auto point = [&](meshops::Vertex v) { return complex.input_index[static_cast<std::size_t>(v.idx())]; };
   InterruptibleSteps step;
-  for (const meshops::Halfedge halfedge : mesh.halfedges()) {  // halfedges outside run against the triangles
+  for (const meshops::Halfedge halfedge : mesh.halfedges()) {  // halfedges on the boundary run against the triangles
     step();
     if (mesh.is_boundary(halfedge))
       boundary.push_back({point(mesh.to_vertex_handle(halfedge)), point(mesh.from_vertex_handle(halfedge))});
@@ -66,7 +66,7 @@ std::vector<std::array<std::uint32_t, 2>> boundary_of(const SolidAlphaComplex& c
   return boundary;
 }
 
-/// Returns for each triangle the number of its level.
+/// Returns the number of the level of each triangle. Requires: `triangles` are sorted.
 std::vector<std::uint16_t> levels_of(const std::vector<Triangle>& triangles, const Hierarchy& made) {
   std::vector<std::uint16_t> level(triangles.size());
   InterruptibleSteps step;

@@ -8,7 +8,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Parses --foreground, "dark" or "light", and --threshold, a number > 0 and <= 1.
+/// Parses --foreground ("dark" or "light") and --threshold (a number > 0 and <= 1).
 PixelRule parse_pixel_rule(const PixelArguments& arguments) {
   PixelRule rule;
   if (arguments.foreground) {
@@ -57,7 +57,7 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
   if (ogr && source.path == "-") bad_usage("POINTS", "-, standard input, which GDAL cannot read", "a file name");
   bool of_groups = columns.key || columns.radius;
   if (of_groups && (format == Format::geojson || format == Format::by_content)) source.properties = columns;
-  of_groups = of_groups && format != Format::geojson;  // properties of GeoJSON are no fields
+  of_groups = of_groups && format != Format::geojson;  // properties of GeoJSON are not fields
   OptionNames options{.columns = arguments.columns ? "--columns" : nullptr,
                       .skip_invalid = arguments.skip_invalid ? "--skip-invalid" : nullptr,
                       .vertices = arguments.vertices ? "--vertices" : nullptr,

@@ -1,4 +1,4 @@
-// What: the options about points: the file and the format from which points are read, and which points are used.
+// What: parses the options about points: the file and format from which points are read, and the choice of points.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,20 @@
 
 namespace rbpa::app {
 
-/// The options about which pixels of an image are points, as text.
+/// The options that choose the pixels of an image that are points, as text.
 struct PixelArguments {
   std::optional<std::string> foreground;
   std::optional<std::string> threshold;
 };
 
-/// The options about the places of points, as text.
+/// The options that choose points by their positions, as text.
 struct WindowArguments {
   std::optional<std::string> bounds, resolution;
 };
 
 /// The options about points of the plane, as text.
 struct PointArguments : WindowArguments {
-  std::string points;  ///< path of the file; "-" is standard input
+  std::string points;  ///< path of the file; "-" means standard input
   std::optional<std::string> format;
   std::optional<std::string> columns;
   PixelArguments pixels;
@@ -38,7 +38,7 @@ struct PointArguments : WindowArguments {
 
 /// The options about points in space, as text.
 struct SpacePointArguments : WindowArguments {
-  std::string points;  ///< path of the file; "-" is standard input
+  std::string points;  ///< path of the file; "-" means standard input
   std::optional<std::string> format;
   std::optional<std::string> columns;
   std::optional<std::string> where;
@@ -46,7 +46,7 @@ struct SpacePointArguments : WindowArguments {
   bool waters = false;
 };
 
-/// The reason for which an option is refused when groups are requested.
+/// The reason why an option is refused when groups are requested.
 inline constexpr const char* not_with_groups = "cannot be combined with --group-by or --group-by-file";
 
 /// The options about groups of points, as text.
@@ -55,32 +55,32 @@ struct GroupArguments {
   std::optional<std::string> group_by;  ///< name of the column with the names of groups
   bool group_by_file = false;
 
-  /// Returns whether groups are requested. Throws WrongUsage for several files without a request for groups, and for
-  /// two requests.
+  /// Returns whether groups are requested. Throws WrongUsage for several files without --group-by or --group-by-file,
+  /// and if both options are given.
   bool has_groups() const;
 };
 
-/// Parses from where, and how, points are read, with `columns` for groups; the format as parse_format(). Throws
+/// Parses the file, format and choice of points, with `columns` for groups; the format as parse_format() does. Throws
 /// WrongUsage that names the value, or an option that belongs to another format.
 PointSource parse_source(const PointArguments& arguments, const GroupColumns& columns = {});
 
-/// A file of points in space, and the choice of what is read from it.
+/// A file of points in space, and the choice of data that are read from the file.
 struct SpacePointSource {
   std::string path;
   Format format;
   CloudRequest choice = {};
 };
 
-/// Parses from where, and how, points in space are read, as parse_source() does. `columns` are read as well; `option`
-/// is the option that requires them, for messages.
+/// Parses the file, format and choice of points in space, as parse_source() does for the plane. `columns` are read as
+/// well; `option`, for messages, is the option that requires `columns`.
 SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::vector<WantedColumn> columns = {},
                                     const std::string& option = "");
 
-/// Throws WrongUsage that names `option` unless the points of `format` are atoms; `found` describes the other formats,
-/// such as "without atoms".
+/// Throws WrongUsage that names `option` unless the points of `format` are atoms. `found` describes other formats in
+/// the message, such as "without atoms".
 void require_molecule(Format format, const std::string& option, const std::string& found);
 
-/// Returns the columns that name an atom, each optional; tables may have such columns as well.
+/// Returns the columns that name an atom, each of them optional. Tables of text may have these columns too.
 std::vector<WantedColumn> columns_of_names();
 
 }  // namespace rbpa::app

@@ -1,4 +1,4 @@
-// What: shows on a terminal how far a run of rbpa is.
+// What: shows the progress of a run of rbpa on a terminal.
 #pragma once
 
 #include <atomic>
@@ -12,14 +12,14 @@
 
 namespace rbpa::app {
 
-/// Returns "1.20 M triangles, 3.40 M/s, at most 2 s left" after `seconds`. The time left is a bound, as there are at
-/// most two triangles for each point; it is shown after two seconds, if at least a hundredth of so many triangles is
-/// found.
+/// Returns a text such as "1.20 M triangles, 3.40 M/s, at most 2 s left" after `seconds`. The time left is an upper
+/// bound, as there are at most two triangles for each point. It is shown from two seconds on, if at least a hundredth
+/// of this number of triangles is found.
 std::string progress_text(const Progress& progress, double seconds);
-/// Returns "1.20 M triangles".
+/// Returns a text such as "1.20 M triangles".
 std::string triangles_text(const Progress& progress, double seconds);
 
-/// A progress line that counts triangles as soon as there are some.
+/// A progress line that counts triangles once there are triangles.
 class TriangleProgress {
  public:
   using Text = std::function<std::string(const Progress& progress, double seconds)>;
@@ -32,8 +32,8 @@ class TriangleProgress {
     line_.say([text](double) { return text; });
   }
 
-  /// Returns a function that records the progress, and returns false after a signal. It may be called from any thread,
-  /// but only once at a time, and must not outlive this object.
+  /// Returns a function that records the progress, and returns false after a signal. Any thread may call the function,
+  /// but not two threads at the same time. The function must not outlive this object.
   std::function<bool(const Progress&)> watch();
 
  private:

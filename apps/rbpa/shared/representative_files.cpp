@@ -24,7 +24,7 @@ constexpr std::size_t top_unless_said = 100;
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
-/// Writes the elements of a list with separators between them.
+/// Writes the elements of a JSON list with separators between them.
 class Between {
  public:
   explicit Between(OutputFile& file) : file_(file) {}
@@ -41,7 +41,7 @@ class Between {
   std::string_view before_ = "\n";
 };
 
-/// Returns a GeoJSON geometry of the type, or of its Multi type if there are several parts.
+/// Returns a GeoJSON geometry of `type`, or of the corresponding Multi type unless there is exactly one part.
 Json geometry(const std::string& type, const std::vector<Json>& parts) {
   if (parts.size() == 1) return {{"type", type}, {"coordinates", parts.front()}};
   return {{"type", "Multi" + type}, {"coordinates", parts}};
@@ -126,7 +126,7 @@ void write_json(OutputFile& file, const SpaceRepresentatives& all) {
   file.write(write.is_empty() ? "]\n" : "\n]\n");
 }
 
-/// Writes the vertices of one group after another. The vertices of a file are numbered from 1, in the order in which
+/// Writes the vertices of one group after another. The vertices of the file are numbered from 1, in the order in which
 /// the groups use them.
 class Vertices {
  public:

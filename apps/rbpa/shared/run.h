@@ -1,5 +1,5 @@
-// What: the run that all verbs share: reading, computing and writing, with progress, Ctrl-C and timing.
-// Law:  no output file has its name before all are complete; after Ctrl-C no file is left behind.
+// What: provides the steps that all verbs share: reading, computing and writing, with progress, Ctrl-C and timing.
+// Law:  no output file has its name before all are complete. After Ctrl-C no output file remains.
 #pragma once
 
 #include <chrono>
@@ -19,24 +19,24 @@ namespace rbpa::app {
 struct SpacePoints;
 struct SpacePointSource;
 
-/// Options that do not change the result, as text.
+/// The options that do not change the result, as text.
 struct RunArguments {
   std::optional<std::string> threads;
   bool quiet = false;
 };
 
 struct RunOptions {
-  unsigned threads = 0;  ///< at most this many; 0: one for each processor
+  unsigned threads = 0;  ///< the most threads; 0: one for each processor
   bool quiet = false;
 
   unsigned threads_or_all() const;
-  /// Returns a progress line that shows `doing`; nothing is shown if quiet or `in_the_way`.
+  /// Returns a progress line that shows `doing`. The line shows nothing if `quiet` or `in_the_way` is true.
   ProgressLine line(const std::string& doing, bool in_the_way = false) const {
     return {"rbpa", !quiet && !in_the_way, doing};
   }
 };
 
-/// The largest --threads that is accepted. It may exceed the number of processors, so that one command line serves any
+/// The largest accepted --threads. The number may exceed the number of processors, so that one command line serves any
 /// machine.
 constexpr unsigned max_threads = 1024;
 
@@ -45,7 +45,7 @@ RunOptions parse_run(const RunArguments& arguments);
 
 class Run {
  public:
-  /// Keeps the names of the input and of the files to write, as on the command line; "-" is a standard stream. Opens no
+  /// Stores the names of the input and of the output files as on the command line; "-" is a standard stream. Opens no
   /// file.
   Run(std::string input, std::vector<std::string> outputs, const RunOptions& options)
       : input_(std::move(input)), outputs_(std::move(outputs)), options_(options) {}
@@ -54,33 +54,33 @@ class Run {
   /// Returns the name of the input for messages.
   std::string input() const { return input_name(input_); }
 
-  /// Calls `read` with a progress line, and returns its result.
+  /// Calls read() while a progress line is shown, and returns the result of read().
   template <typename Read>
   auto read(const Read& read) const {
     const ProgressLine line = options_.line("reading", read_from_terminal(input_));
     return read();
   }
-  /// Print a warning, or several, about the input, unless quiet.
+  /// Print one or several warnings about the input, unless quiet.
   void warning(const std::string& text) const { summarize(input() + ": " + text); }
   void warning(const std::vector<std::string>& texts) const {
     for (const std::string& text : texts) warning(text);
   }
-  /// Reads the points, and prints, unless quiet, the warnings about them, also that heights are left out. Throws as
-  /// read_points() of io/cloud.
+  /// Reads the points. Prints, unless quiet, the warnings about them, and a warning if their heights are ignored.
+  /// Throws as read_points() of io/cloud does.
   PointFile read_points(const PointSource& source) const;
-  /// Reads points in space, and prints, unless quiet, the warnings about them. Throws as read_space_points().
+  /// Reads points in space. Prints, unless quiet, the warnings about them. Throws as read_space_points() does.
   SpacePoints read_points(const SpacePointSource& source) const;
-  /// Prints, unless quiet, which fields a target cannot hold, and that points lie on others, whose fields a mesh does
-  /// not use.
+  /// Prints, unless quiet, the fields that a target cannot hold, and the number of points that lie on others: a mesh
+  /// does not use their fields.
   void warning_on_fields(const std::vector<PointColumn>& columns, const std::vector<Target>& targets,
                          std::size_t duplicates) const;
-  /// Replaces missing heights in `z`, which are not finite, by 0, and prints, unless quiet, how many they are. If all
-  /// are missing, `z` becomes empty.
+  /// Replaces the missing heights in `z`, which are not finite, by 0, and prints their number unless quiet. Clears `z`
+  /// instead if all heights are missing.
   void complete_heights(std::vector<double>& z) const;
 
-  /// Returns the progress line to show while files are written.
+  /// Returns the progress line that is shown while files are written.
   ProgressLine writing() const { return options_.line("writing", written_to_terminal(outputs_)); }
-  /// Adds a file, and calls write(file), which writes the content. Throws as OutputFile, and what write() throws.
+  /// Adds a file, and calls write(file), which writes the content. Throws as OutputFile does, and what write() throws.
   template <typename Write>
   void add(const std::string& path, const Write& write) {
     OutputFile& file = files_.add(path);
@@ -88,7 +88,7 @@ class Run {
     file.finish();
   }
   /// Adds a file for each target, and calls write(file, target), which writes the content. Throws Cancelled, as
-  /// OutputFile, and what write() throws.
+  /// OutputFile does, and what write() throws.
   template <typename Write>
   void add(const std::vector<Target>& targets, const Write& write) {
     for (const Target& target : targets) {
@@ -97,13 +97,13 @@ class Run {
     }
   }
   OutputSet& files() { return files_; }
-  /// Gives all added files their names. Throws as OutputFile::publish().
+  /// Gives all added files their names. Throws as OutputSet::publish() does.
   void publish() { files_.publish(); }
 
   /// Prints a line about the result, unless quiet.
   void summarize(const std::string& text) const;
 
-  /// Returns the seconds since the last lap(), or since the start of the run if this is the first.
+  /// Returns the seconds since the last call of lap(), or since the start of the run in the first call.
   double lap() {
     const Clock::time_point before = std::exchange(start_, Clock::now());
     return std::chrono::duration<double>(start_ - before).count();

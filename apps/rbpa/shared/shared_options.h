@@ -1,4 +1,4 @@
-// What: declares the options that several verbs have; help, manual page and completions are made from the declarations.
+// What: declares the options that several verbs have. Help, manual page and completions are made from the declarations.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -14,7 +14,7 @@
 
 namespace rbpa::app {
 
-/// Adds an option without a value; --quiet=7 is refused.
+/// Adds an option without a value. A value, as in --quiet=7, is refused.
 inline CLI::Option* add_switch(CLI::App& verb, const std::string& names, bool& flag, const std::string& what) {
   return verb.add_flag(names, flag, what)->disable_flag_override();
 }
@@ -92,7 +92,7 @@ void add_point_options(CLI::App& verb, Arguments& arguments) {
   add_format_options(verb, arguments);
 }
 
-/// Adds the options of points and groups; POINTS may be several files.
+/// Adds the options about points and groups. POINTS may be several files.
 template <typename Arguments>
 void add_group_options(CLI::App& verb, Arguments& arguments, const std::string& what) {
   verb.add_option("POINTS", arguments.inputs,

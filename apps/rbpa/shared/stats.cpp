@@ -63,7 +63,7 @@ void write_stats(OutputFile& file, const Stats& stats) {
   if (stats.polygons) {
     report["polygons"] = *stats.polygons;
     report["polygon_holes"] = stats.of_polygons.holes;
-    report["area"] = stats.of_polygons.area;  // null beyond the range of double
+    report["area"] = stats.of_polygons.area;  // null if the area exceeds the range of double
     report["perimeter"] = stats.of_polygons.perimeter;
   }
   if (stats.fill) {

@@ -1,7 +1,8 @@
-// What: the verbs of `rbpa`: for each verb the arguments as text, the declaration, and the run.
+// What: declares the verbs of `rbpa`: for each verb the arguments as text, the declaration, and the run.
 // Law:  a run checks its command line, and throws WrongUsage, before it reads anything, except what only the input
-//       decides: the format of standard input, equal columns of a table, the number of plateaus. It also throws
-//       BadInput, Failure, ClosedPipe (io/failure.h) and Cancelled (rbpa/base/error.h), and then leaves no file behind.
+//       decides: the format of standard input, equal columns of a table, the number of plateaus. A run also throws
+//       BadInput, Failure, ClosedPipe (io/failure.h) and Cancelled (rbpa/base/error.h). It leaves no output file behind
+//       when it throws.
 #pragma once
 
 #include <optional>
@@ -16,7 +17,7 @@ class App;
 
 namespace rbpa::app {
 
-/// The arguments of `rbpa mesh`: from a file of points to files of triangles and pictures.
+/// The arguments of `rbpa mesh`, which makes files of triangles and pictures from a file of points.
 struct MeshArguments : ComplexArguments {
   std::string complex = "solid";
   std::optional<std::string> levels, fields;
@@ -26,7 +27,7 @@ void run_mesh(const MeshArguments& arguments);
 /// Runs `rbpa mesh` for each group of the points. Requires: arguments.has_groups().
 void run_group_meshes(const MeshArguments& arguments);
 
-/// The arguments of `rbpa shape`: from a file of points to files of polygons and pictures.
+/// The arguments of `rbpa shape`, which makes files of polygons and pictures from a file of points.
 struct ShapeArguments : ComplexArguments {
   std::string min_hole_area = "0";
   std::string min_part_area = "0";
@@ -40,31 +41,31 @@ void run_group_shapes(const ShapeArguments& arguments);
 /// The arguments of verbs that compute all radii.
 struct RadiiArguments : PointArguments {
   std::optional<std::string> stats;
-  std::string components = "1";      ///< the most solid components of `auto`
+  std::string components = "1";      ///< the most solid components at the radius `auto`
   std::optional<std::string> cover;  ///< share of the points that `auto` and `min` cover
-  bool waters = false;               ///< true: atoms of water in a molecule count as points
+  bool waters = false;               ///< whether atoms of water in a molecule count as points
   RunArguments run;
 };
 
 /// The options about representatives of persistence pairs.
 struct RepresentativeArguments {
-  std::optional<std::string> representatives;  ///< the file
+  std::optional<std::string> representatives;  ///< path of the file to write
   std::optional<std::string> min_persistence, top;
-  std::optional<std::string> levels;  ///< radii with commas between them, or hrbpa
+  std::optional<std::string> levels;  ///< radii with commas between them, or hrbpa or hrbpa:K
 };
 
-/// The arguments of `rbpa alpha`, which prints the critical radii of points and recommends one.
+/// The arguments of `rbpa alpha`, which prints the critical radii of points, and recommends one.
 struct AlphaArguments : RadiiArguments, GroupArguments, RepresentativeArguments {
   std::optional<std::string> picture;  ///< path of an .svg file to write
   bool json = false;
   bool csv = false;
   bool persistence = false;
   std::optional<std::string>
-      complex;  ///< kind of the complex whose persistence is computed: solid (also if absent) or full
+      complex;  ///< kind of the complex whose persistence is computed: solid (the default) or full
   std::string dimension = "2";
 };
 void run_alpha(const AlphaArguments& arguments);
-/// Prints the radii to choose for each group of the points. Requires: arguments.has_groups().
+/// Prints the radii to choose from for each group of the points. Requires: arguments.has_groups().
 void run_group_alpha(const AlphaArguments& arguments);
 
 /// The arguments of `rbpa report`, which writes a page that shows the complex at every radius.
@@ -74,7 +75,7 @@ struct ReportArguments : RadiiArguments {
 };
 void run_report(const ReportArguments& arguments);
 
-/// The arguments of `rbpa info`, which prints what a file of points contains.
+/// The arguments of `rbpa info`, which prints facts about a file of points.
 struct InfoArguments : PointArguments, GroupArguments {
   std::optional<std::string> stats;
   bool json = false;
@@ -82,9 +83,9 @@ struct InfoArguments : PointArguments, GroupArguments {
 };
 void run_info(const InfoArguments& arguments);
 
-/// The arguments of `rbpa fill`: from a file of polygons to files of triangles and pictures.
+/// The arguments of `rbpa fill`, which makes files of triangles and pictures from a file of polygons.
 struct FillArguments : OutputArguments {
-  std::string polygons;  ///< the file
+  std::string polygons;  ///< path of the file of polygons
   std::optional<std::string> format;
   std::string size;
   std::optional<std::string> size_at;
@@ -96,7 +97,7 @@ struct FillArguments : OutputArguments {
 };
 void run_fill(const FillArguments& arguments);
 
-/// The arguments of `rbpa surface`: from a file of points in space to files of triangles and pictures.
+/// The arguments of `rbpa surface`, which makes files of triangles and pictures from a file of points in space.
 struct SurfaceArguments : SpacePointArguments, OutputArguments {
   std::string radius;
   std::optional<std::string> max_radius;
@@ -128,7 +129,7 @@ struct SurfaceArguments : SpacePointArguments, OutputArguments {
 };
 void run_surface(const SurfaceArguments& arguments);
 
-/// The arguments of `rbpa solid`, which makes tetrahedra of points in space.
+/// The arguments of `rbpa solid`, which makes tetrahedra from a file of points in space.
 struct SolidArguments : SpacePointArguments, OutputArguments {
   std::string alpha;
   std::optional<std::string> cover;  ///< share of the points that `auto` and `min` cover
@@ -143,7 +144,7 @@ void run_solid(const SolidArguments& arguments);
 
 /// The arguments of `rbpa balls`, which measures the union of balls around atoms.
 struct BallsArguments : OutputArguments {
-  std::string atoms;  ///< path of the file; "-" is standard input
+  std::string atoms;  ///< path of the file; "-" means standard input
   std::optional<std::string> format, where, models, radii, radius_default, contacts, interfaces, voids, pockets, group;
   std::string probe = "0";
   bool waters = false, no_ligands = false, no_hydrogens = false, alternates = false, json = false;
@@ -151,9 +152,9 @@ struct BallsArguments : OutputArguments {
 };
 void run_balls(const BallsArguments& arguments);
 
-/// The arguments of `rbpa stream`: triangles and polygons of more points than fit into memory.
+/// The arguments of `rbpa stream`, which makes triangles and polygons of more points than fit into memory.
 struct StreamArguments : PointArguments, OutputArguments {
-  std::vector<std::string> inputs;  ///< files, and folders of files; `points` is one file after another
+  std::vector<std::string> inputs;  ///< files, and folders of files; parsing sets `points` to one file after another
   RadiusArguments radius;
   std::string memory = "1G";
   std::optional<std::string> tile_size;
@@ -165,8 +166,8 @@ struct StreamArguments : PointArguments, OutputArguments {
 };
 void run_stream(const StreamArguments& arguments);
 
-/// Add a verb with its options, help and examples to `app`, and return it. The verb keeps a reference to `arguments`,
-/// which parsing the command line fills in.
+/// Add a verb with its options, help and examples to `app`, and return the verb. The verb keeps a reference to
+/// `arguments`; parsing the command line sets them.
 CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments);
 CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments);
 CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments);

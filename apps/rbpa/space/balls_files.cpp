@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A reason to leave atoms out: its key in JSON, and its text.
+/// A reason why atoms are left out: its count, its key in JSON, and its text.
 struct LeftOut {
   std::size_t AtomCounts::*count;
   const char *key, *text;
@@ -90,7 +90,7 @@ BallRows::BallRows(OutputFile& file, Of of, AtomGroups groups, const std::string
     end_row("contacts", "area", "arc");
 }
 
-/// Writes the frame and the names of the atoms.
+/// Begins a row with the frame, if rows have one, and the names of the atoms.
 void BallRows::begin_row(const MeasuredAtoms& frame, std::span<const std::uint32_t> atoms) {
   stop_if_interrupted();
   if (has_frames_) put(std::uint64_t{frame.number});

@@ -1,4 +1,4 @@
-// What: the results of `rbpa balls`: rows of atoms, of groups of atoms and of contacts, and reports.
+// What: writes the results of `rbpa balls`: rows of atoms, of groups of atoms and of contacts, and reports.
 #pragma once
 
 #include <array>
@@ -19,27 +19,27 @@
 
 namespace rbpa::app {
 
-/// The rows into which atoms are summed up.
+/// The groups by which rows sum up atoms.
 enum class AtomGroups { none, residue, chain, column };
 
-/// A frame in the reports.
+/// The counts and sizes of one frame in the reports.
 struct BallTotals {
-  std::size_t number = 0;  ///< from 1
+  std::size_t number = 0;  ///< number of the frame, from 1
   AtomCounts counts = {};
-  std::size_t kept = 0, buried = 0;  ///< atoms, and those without an area
+  std::size_t kept = 0, buried = 0;  ///< numbers of atoms, and of atoms without an area
   double volume = 0, area = 0, volume_without_probe = 0, area_without_probe = 0;
 };
 
 struct MeasuredAtoms : BallTotals {
   std::vector<AtomRow> rows = {};
-  std::vector<double> radii = {};   ///< without the probe
-  BallMeasures balls = {};          ///< with the probe; with contacts if they are written
-  BallInterfaces interfaces = {};   ///< of the groups, if they are written; with the probe
-  BallVoids voids = {};             ///< if they are written; with the probe
-  RegularTriangulation cells = {};  ///< which has the tetrahedra of the voids
+  std::vector<double> radii = {};   ///< radii without the probe
+  BallMeasures balls = {};          ///< measures with the probe; with contacts if contacts are written
+  BallInterfaces interfaces = {};   ///< interfaces of the groups with the probe, if interfaces are written
+  BallVoids voids = {};             ///< voids with the probe, if voids or pockets are written
+  RegularTriangulation cells = {};  ///< triangulation that has the tetrahedra of the voids
 };
 
-/// A column of the names of atoms: a text or a number.
+/// A column of the names of atoms, with a text or a number for each atom.
 struct NameColumn {
   std::string name;
   std::uint32_t AtomRow::*text = nullptr;
@@ -51,8 +51,8 @@ class BallRows {
  public:
   enum class Of { atoms, contacts, interfaces };
 
-  /// Begins the table. Keeps references to `file` and `texts`, the object that all frames were read into. `column`: the
-  /// name of the column of groups. `are_atoms`: rows have the names of atoms.
+  /// Begins the table. `texts` is the object into which all frames are read, `column` the name of the column of groups.
+  /// `are_atoms` tells whether rows have the names of atoms. Keeps references to `file` and `texts`.
   BallRows(OutputFile& file, Of of, AtomGroups groups, const std::string& column, bool has_frames,
            const AtomFrame& texts, bool are_atoms);
 
@@ -64,7 +64,7 @@ class BallRows {
   void finish() { file_.finish(); }
 
  private:
-  /// The groups of a frame's atoms, in the order in which they begin; without groups, each atom is one.
+  /// The groups of the atoms of a frame, in the order of their first atoms. Without groups, each atom is a group.
   struct Grouped {
     std::vector<std::uint32_t> of;     // group of each atom
     std::vector<std::uint32_t> first;  // first atom of each group
@@ -85,13 +85,13 @@ class BallRows {
   bool has_frames_;
   const AtomFrame& texts_;
   std::vector<NameColumn> names_ = {};
-  const char* before_ = "";  // the next value of the row
+  const char* before_ = "";  // text before the next value of the row
 };
 
-/// Returns an object: the radii that were used, and counts and sizes of each frame.
+/// Returns an object with the radii that were used, and the counts and sizes of each frame.
 nlohmann::ordered_json json_of(double probe, const BallRadii& radii, const std::vector<BallTotals>& frames);
 
-/// Returns the lines of the summary: counts, radii, sizes. `noun` is the one of a row: "atom", "point".
+/// Returns the lines of the summary: counts, radii, sizes. `noun` names a row, such as "atom" or "point".
 std::vector<std::string> text_of(double probe, const BallRadii& radii, const std::vector<BallTotals>& frames,
                                  const std::string& noun);
 

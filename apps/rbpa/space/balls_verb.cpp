@@ -32,7 +32,7 @@ struct BallsRequest {
   RunOptions run = {};
 };
 
-/// Parses --group, and stores the name of its column, if any, in choice.group. Throws WrongUsage that names the text.
+/// Parses --group; stores the name of a column of groups in choice.group. Throws WrongUsage that names the text.
 AtomGroups parse_groups(const std::string& text, AtomChoice& choice) {
   constexpr std::string_view column = "column:";
   if (text == "residue") return AtomGroups::residue;
@@ -43,7 +43,7 @@ AtomGroups parse_groups(const std::string& text, AtomChoice& choice) {
   return AtomGroups::column;
 }
 
-/// Parses the arguments; reads the file of --radii. Throws WrongUsage that names the option; BadInput, Failure.
+/// Parses the arguments, and reads the file of --radii. Throws WrongUsage that names the option; BadInput, Failure.
 BallsRequest parse(const BallsArguments& arguments) {
   const std::string length = "a length, at least 0";
   std::optional<double> otherwise;
@@ -70,13 +70,13 @@ BallsRequest parse(const BallsArguments& arguments) {
   std::vector<std::string> reports =
       given({arguments.stats, arguments.contacts, arguments.interfaces, arguments.voids, arguments.pockets});
   if (arguments.json) reports.emplace_back("-");
-  // Without any file the summary alone is the result.
+  // Write only the summary if no file is requested.
   if (!arguments.outputs.empty() || arguments.output_format || !reports.empty())
     request.targets = parse_targets(Use::rows, arguments, arguments.atoms, reports);
   return request;
 }
 
-/// Reads, measures and writes some frames at a time.
+/// Reads, measures and writes several frames at a time.
 class BallsRun : public Run {
  public:
   BallsRun(const BallsArguments& arguments, BallsRequest request)
@@ -85,7 +85,7 @@ class BallsRun : public Run {
   void run();
 
  private:
-  /// Returns whether the sizes without the probe are shown anywhere.
+  /// Returns whether any output shows the sizes without the probe.
   bool is_reported() const { return !options().quiet || arguments_.json || arguments_.stats; }
   std::vector<std::string> process();
   std::vector<MeasuredAtoms> read_some(AtomFrames& file);
@@ -95,18 +95,18 @@ class BallsRun : public Run {
 
   const BallsArguments& arguments_;
   BallsRequest request_;
-  AtomFrame texts_ = {};  // every frame is read into it
+  AtomFrame texts_ = {};  // every frame is read into this object
   bool are_atoms_ = true;
-  bool has_frames_ = false;  // rows have the number of their frame
+  bool has_frames_ = false;  // whether rows have the number of their frame
   std::vector<BallRows> tables_ = {};
   std::vector<BallVoidRows> voids_ = {};  // files of voids and of pockets
   std::size_t void_count_ = 0, pocket_count_ = 0;
   std::vector<BallTotals> frames_ = {};
-  std::atomic<std::size_t> done_ = 0;  // atoms
+  std::atomic<std::size_t> done_ = 0;  // number of finished atoms
   double read_seconds_ = 0, measure_seconds_ = 0, write_seconds_ = 0;
 };
 
-/// Throws BadInput if atoms have no names by which they could be grouped.
+/// Throws BadInput if atoms have no chains or residues by which --group could group them.
 void BallsRun::require_groups(const AtomFrame& first) const {
   const bool is_chain = request_.groups == AtomGroups::chain;
   if (!is_chain && request_.groups != AtomGroups::residue) return;
@@ -133,7 +133,7 @@ void BallsRun::begin_tables(const AtomFrame& first) {
   if (arguments_.pockets) voids_.emplace_back(files().add(*arguments_.pockets), request_.pockets, has_frames_, true);
 }
 
-/// Reads frames until there is work for all threads; returns none at the end.
+/// Reads frames until there is work for all threads. Returns no frame at the end.
 std::vector<MeasuredAtoms> BallsRun::read_some(AtomFrames& file) {
   constexpr std::size_t enough_atoms = 200'000;
   const std::size_t enough_frames = std::size_t{4} * options().threads_or_all();

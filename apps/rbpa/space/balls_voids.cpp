@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Sizes of the mouths of a pocket together.
+/// The total area and the largest radius of the mouths of a pocket.
 struct MouthSizes {
   double area = 0, radius = 0;
   explicit MouthSizes(const BallVoid& pocket) {
@@ -112,7 +112,7 @@ void BallVoidRows::write_surface(const MeasuredAtoms& frame, const BallVoid& hol
   file_.write("g " + (has_frames_ ? "frame_" + std::to_string(frame.number) + "_" : std::string()) +
               (of_pockets_ ? "pocket_" : "void_") + std::to_string(number) + "\n");
   const std::vector<Triangle> triangles = boundary_of(hollow, frame.cells);
-  std::unordered_map<std::uint32_t, std::uint64_t> vertex;  // number, from 1, of each ball
+  std::unordered_map<std::uint32_t, std::uint64_t> vertex;  // number, from 1, of the vertex of each ball
   for (const Triangle& triangle : triangles)
     for (const std::uint32_t ball : triangle) {
       if (!vertex.try_emplace(ball, vertices_ + 1).second) continue;

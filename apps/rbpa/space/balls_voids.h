@@ -1,4 +1,4 @@
-// What: finds voids or pockets of the balls around atoms, and writes them as rows of a table, as JSON, or as closed
+// What: finds voids and pockets of the balls around atoms, and writes them as rows of a table, as JSON, or as closed
 //       surfaces.
 #pragma once
 
@@ -13,16 +13,17 @@
 
 namespace rbpa::app {
 
-/// Finds the voids of the balls with this probe, and with `pockets` its pockets. Throws InvalidInput, Cancelled.
+/// Finds the voids of the balls with the probe, and with `pockets` also the pockets. Throws InvalidInput, Cancelled.
 void find_voids(MeasuredAtoms& frame, double probe, bool pockets, MaxThreads threads);
 
-/// Writes voids or, with their mouths, pockets, frame by frame.
-/// CSV:  a line for each. JSON: a list of the same values without the number, and of the areas of the balls around.
-/// OBJ:  a group void_1, void_2 … for each, frame_1_void_1 … with several frames, with vertices of its own: the
-///       surface of its tetrahedra. Triangles face outward from the void, as if it were a body.
+/// Writes voids or pockets, frame by frame; pockets with their mouths.
+/// CSV:  a line for each void or pocket.
+/// JSON: a list of the values of CSV without the number, and of the areas of the balls around.
+/// OBJ:  a group void_1, void_2 … for each (frame_1_void_1 … with several frames) with its own vertices: the surface of
+///       the tetrahedra. Triangles face outward from the void, as if the void were a body.
 class BallVoidRows {
  public:
-  /// Keeps a reference to `file`. Requires: a format of Use::voids.
+  /// Begins the file. Keeps a reference to `file`. Requires: `format` is one of Use::voids.
   BallVoidRows(OutputFile& file, Format format, bool has_frames, bool of_pockets);
 
   void write(const MeasuredAtoms& frame);

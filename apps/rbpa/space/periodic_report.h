@@ -20,23 +20,23 @@ struct PeriodicFacts {
   std::string alpha_rule = "given";
   unsigned threads = 1;
   ComplexKind walls = ComplexKind::full;          ///< kind of the complex whose topology is counted
-  std::optional<PeriodicTopology> topology = {};  ///< absent if it is not counted
+  std::optional<PeriodicTopology> topology = {};  ///< nullopt if the topology is not counted
   double read_seconds = 0, build_seconds = 0, count_seconds = 0, write_seconds = 0;
 };
 
 /// Returns "12 tetrahedra, 2 solid components, 1 closed void, 1 void that percolates in 3 directions, volume 2.5, area
 /// 8 (voids of the full complex)".
-/// Requires: facts.topology is present.
+/// Requires: facts.topology has a value.
 std::string text_of_periodic(const PeriodicFacts& facts);
 
-/// Write one JSON object: write_periodic_stats() the counts, write_periodic_json() also every component and void.
-/// Require: facts.topology is present.
+/// Write one JSON object: write_periodic_stats() counts, seconds and memory; write_periodic_json() counts, and every
+/// component and void. Require: facts.topology has a value.
 void write_periodic_stats(OutputFile& file, const PeriodicFacts& facts);
 void write_periodic_json(OutputFile& file, const PeriodicFacts& facts, const PointNames& names);
 
 /// Writes the voids, the largest first, as a JSON list or as a table with the columns number, volume_between_points,
 /// volume_outside_balls (only for the full complex), area, dimension, tetrahedra and points.
-/// Requires: facts.topology is present.
+/// Requires: facts.topology has a value.
 void write_periodic_voids(OutputFile& file, Format format, const PointNames& names, const PeriodicFacts& facts);
 
 }  // namespace rbpa::app

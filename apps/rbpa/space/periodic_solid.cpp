@@ -34,7 +34,7 @@ class PeriodicRun : public Run {
   void run();
 
  private:
-  /// Returns whether the topology is needed for any output.
+  /// Returns whether any output needs the topology.
   bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || request_.voids; }
   std::string name_of_points() const;
   void settle_box();
@@ -52,13 +52,13 @@ class PeriodicRun : public Run {
   PeriodicFacts facts_;
 };
 
-/// Returns "atoms" for a molecule, else "points".
+/// Returns "atoms" for a molecule, otherwise "points".
 std::string PeriodicRun::name_of_points() const {
   return has(request_.source.format, &CloudFormat::is_molecule) ? "atoms" : "points";
 }
 
-/// Sets request_.box to the cell of the file for --box auto; otherwise prints a warning, unless quiet, if the cell of
-/// the file differs from --box. Throws BadInput for --box auto if the file has no cell.
+/// Sets request_.box to the cell of the file for --box auto. Otherwise prints a warning, unless quiet, if the cell of
+/// the file differs from --box or cannot be used. Throws BadInput for --box auto if the file has no usable cell.
 void PeriodicRun::settle_box() {
   const std::optional<std::array<double, 3>>& sides = file_.cell.sides;
   const std::string& fault = file_.cell.fault;
@@ -76,8 +76,8 @@ void PeriodicRun::settle_box() {
   }
 }
 
-/// Prints a warning, unless quiet, if the box of all points is larger than the periodic box, which may be the wrong
-/// one.
+/// Prints a warning, unless quiet, if the bounding box of the points is larger than the periodic box, which may be the
+/// wrong box.
 void PeriodicRun::warning_range() const {
   Point3 low = file_.points.front(), high = low;
   for (const Point3& p : file_.points) {
@@ -118,8 +118,8 @@ void PeriodicRun::build() {
   facts_.isolated = solid_.isolated.size();
 }
 
-/// Chooses alpha by the rule if there is one, counts the topology if an output needs it, and keeps the tetrahedra
-/// within alpha.
+/// Chooses alpha if there is a rule, counts the topology if an output needs it, and keeps the tetrahedra with a radius
+/// of at most alpha.
 void PeriodicRun::select_within() {
   const ProgressLine line = options().line("voids");
   const std::vector<double> radii =

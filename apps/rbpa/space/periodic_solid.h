@@ -1,4 +1,4 @@
-// What: runs `rbpa solid --box`: the tetrahedra of points in a periodic box.
+// What: runs `rbpa solid --box`, which makes the tetrahedra of points in a periodic box.
 #pragma once
 
 #include "shared/verbs.h"
@@ -6,7 +6,7 @@
 
 namespace rbpa::app {
 
-/// Runs the verb; throws as verbs.h says. Requires: request.box is present.
+/// Runs the verb. Throws as verbs.h says. Requires: request.box has a value.
 void run_periodic_solid(const SolidArguments& arguments, const SolidRequest& request);
 
 }  // namespace rbpa::app

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Returns the text as a JSON number if it is a whole number that prints as the same text, else as a JSON text.
+/// Returns a number if `text` is exactly the text of a whole number, null if it is empty, otherwise a string, as JSON.
 Json value_of(const std::string& text) {
   std::int64_t number = 0;
   const char* const end = text.data() + text.size();

@@ -1,4 +1,4 @@
-// What: writes points of a run by their input indices, and atoms by the columns that name them.
+// What: writes the points of a run by their input indices, and atoms by the columns that name them.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ class PointNames {
   std::span<const Point3> points() const { return file_.points; }
   /// Returns the input index of point number `point`.
   std::uint32_t index(std::uint32_t point) const { return renumbered(point, file_.index); }
-  /// Returns the input indices of `points`, in their order, as an array.
+  /// Returns a JSON array of the input indices of `points`, in their order.
   nlohmann::ordered_json indices(std::span<const std::uint32_t> points) const;
 
   /// Returns whether the input has the column columns_of_names()[column].
@@ -29,8 +29,8 @@ class PointNames {
   bool has_any() const;
   /// Returns the text of point number `point` in the column columns_of_names()[column]. Requires: has(column).
   const std::string& text(std::size_t column, std::uint32_t point) const;
-  /// Returns an object for each of `points`: x, y, z and the columns of columns_of_names() that the input has; null if
-  /// the point has no value there.
+  /// Returns an object for each of `points`: x, y, z, and the columns of columns_of_names() that the input has. A
+  /// column without a value for the point is null.
   nlohmann::ordered_json atoms(std::span<const std::uint32_t> points) const;
 
  private:

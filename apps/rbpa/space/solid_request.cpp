@@ -29,7 +29,7 @@ Point3 parse_box(const std::string& text) {
 
 bool is_table_of_voids(Format format) { return format == Format::csv || format == Format::json; }
 
-/// Throws WrongUsage for options that do not apply to a periodic box.
+/// Throws WrongUsage for options that cannot be combined with --box.
 void check_box(const SolidArguments& arguments, const SolidRequest& request) {
   if (request.alpha.rule == AlphaRule::plateau)
     throw WrongUsage("--alpha plateau cannot be combined with --box (give a radius, auto or min)");
@@ -44,8 +44,8 @@ void check_box(const SolidArguments& arguments, const SolidRequest& request) {
               "one of " + endings(Use::voids, is_table_of_voids) + " with --box, as periodic voids may be unbounded");
 }
 
-/// Parses --complex. The default is the full complex if voids are requested, as a triangle without a tetrahedron also
-/// stops a ball; else the solid complex.
+/// Parses --complex. The default is the full complex for --voids, --pockets and --box, as triangles without a
+/// tetrahedron also stop a ball; otherwise the solid complex.
 ComplexKind parse_walls(const SolidArguments& arguments) {
   const bool is_about_voids = arguments.voids || arguments.pockets || arguments.box;
   const bool is_full = arguments.complex ? parse_is_full(*arguments.complex) : is_about_voids;
@@ -106,7 +106,7 @@ SolidRequest parse(const SolidArguments& arguments) {
 }
 
 std::string text_of_progress(const Progress& progress, double seconds) {
-  const auto done = static_cast<double>(progress.triangles);  // solid() counts finished points here
+  const auto done = static_cast<double>(progress.triangles);  // solid() reports finished points as `triangles`
   const std::string text = short_number(done) + " points";
   return seconds > 0 ? text + ", " + short_number(done / seconds) + "/s" : text;
 }

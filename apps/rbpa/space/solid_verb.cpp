@@ -37,7 +37,7 @@ class SolidRun : public Run {
   void run();
 
  private:
-  /// Returns whether counts are needed for any output.
+  /// Returns whether any output needs the counts.
   bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || arguments_.voids; }
   bool has_lives() const { return arguments_.void_radii || request_.pockets; }
   SolidFacts measured();
@@ -49,22 +49,22 @@ class SolidRun : public Run {
   const SolidArguments& arguments_;
   SolidRequest request_;
   SpacePoints file_ = {};
-  std::optional<std::vector<VoidLife>> lives_ = {};  // lives of the voids, in their order
+  std::optional<std::vector<VoidLife>> lives_ = {};  // lives of the voids, in the order of the voids
   std::vector<Pocket> pockets_ = {};
 };
 
-/// Returns the items with a volume above `above`, at most the first `top`. Requires: `items` are in descending order of
-/// volume.
+/// Returns the items with a volume above `above`, at most the first `top` of them. Requires: `items` are in descending
+/// order of volume.
 template <typename Item>
 std::span<const Item> largest(const std::vector<Item>& items, double above, std::size_t top) {
   const auto last = std::find_if(items.begin(), items.end(), [&](const Item& item) { return !(item.volume > above); });
   return {items.data(), std::min(static_cast<std::size_t>(last - items.begin()), top)};
 }
 
-/// Computes what the outputs need, with a progress line for each step.
+/// Computes everything that the outputs need, with a progress line for each step.
 SolidFacts SolidRun::measured() {
   constexpr std::array doing{"tetrahedra", "alpha", "boundary",
-                             "voids"};  // indexed by SolidStep; the balls are part of "voids"
+                             "voids"};  // indexed by SolidStep; "voids" includes the balls
   const bool is_full = request_.walls == ComplexKind::full;
   const auto is_drawn = [](const Target& target) { return is_picture(target.format); };
   std::optional<TriangleProgress> line;
@@ -115,7 +115,7 @@ void SolidRun::find_lives(const SolidFacts& facts) {
   if (request_.pockets) pockets_ = all.pockets(facts.alpha);
 }
 
-/// Writes the boundary with a vertex for each fan of triangles, so that the mesh in the file is a manifold.
+/// Writes the boundary. Except in npy, each fan of triangles has its own vertex, so that the mesh is a manifold.
 void SolidRun::write_boundary(OutputFile& file, Format format, const Surface& surface) const {
   if (format == Format::npy)
     return write_surface(file, format,

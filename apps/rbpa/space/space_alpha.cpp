@@ -93,7 +93,7 @@ std::string line_of(const SolidPlateau& plateau, std::size_t rank, std::size_t d
          (plateau.is_long ? "\n" : "; it may be chance\n");
 }
 
-/// Writes the radii to choose from, and the longest pairs of tunnels and of voids.
+/// Writes the radii to choose from, and the most persistent tunnels and voids.
 void write_for_people(OutputFile& file, const SpacePersistence& report, const std::vector<SolidPlateau>& plateaus) {
   constexpr std::size_t shown = 5;
   file.write(text_of_points(report.file.points.size(), report.filtration.delaunay.duplicates.size()) + "\nmin " +

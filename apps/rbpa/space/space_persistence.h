@@ -1,5 +1,4 @@
-// What: the part of a run that the verbs alpha and report share for points in space: reads the points, and finds radii
-//       and pairs.
+// What: reads points in space, and finds their radii and persistence pairs, for the verbs alpha and report.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +15,10 @@
 
 namespace rbpa::app {
 
-/// Parses --dimension: returns true for 3, false for 2. Throws WrongUsage for other values.
+/// Parses --dimension. Returns true for 3 and false for 2. Throws WrongUsage for other values.
 bool is_in_space(const std::string& dimension);
 
-/// Parses the options about the points. Throws WrongUsage that names a wrong value, or an option that applies only in
+/// Parses the options about the points. Throws WrongUsage that names a wrong value, or an option that applies only to
 /// the plane.
 SpacePointSource parse_space_points(const RadiiArguments& arguments);
 
@@ -29,7 +28,7 @@ struct SpacePersistence : Run {
   SpacePersistence(const SpacePointSource& source, const std::vector<std::string>& outputs,
                    const RadiiArguments& arguments);
 
-  /// Returns the plateaus, the best first. Adds its time to the seconds of building. Throws Cancelled.
+  /// Returns the plateaus, the best first. Adds its own time to the seconds of building. Throws Cancelled.
   std::vector<SolidPlateau> find_plateaus();
   void write_stats(OutputFile& file);
 

@@ -13,7 +13,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Returns the triangles, renumbered so that only points that they use are vertices.
+/// Returns the triangles with vertices renumbered; points that no triangle uses are left out.
 SplitFans without_unused(std::span<const std::array<std::uint32_t, 3>> triangles, std::size_t points) {
   SplitFans result{.triangles = {triangles.begin(), triangles.end()}, .point = {}};
   std::vector<std::uint32_t> place(points, 0);
@@ -47,7 +47,7 @@ void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
   if (format == Format::png) return write_picture(file, *this, width);
   const std::vector<Point3>& points = facts.points;
   const auto& triangles = facts.surface.triangles;
-  // Write an .npy file in canonical order, whatever the order of other files.
+  // Write an .npy file in canonical order, whatever the order of other files is.
   if (format == Format::npy)
     return write_surface(file, format, {.vertices = points, .triangles = triangles, .index = index});
   SpaceMesh mesh{.vertices = points,
@@ -60,7 +60,8 @@ void SurfaceFiles::write(OutputFile& file, Format format, int width) const {
                  .fields = {fields, {}}};
   SplitFans used;
   std::optional<VerticesOfPoints> own;
-  const bool splits = facts.manifold || format == Format::glb;  // no other file uses the vertices of a scene
+  const bool splits = facts.manifold || format == Format::glb;  // splitting a scene is safe: no other file refers to
+                                                                // its vertices
   if (splits || compact) {
     if (!splits) used = without_unused(triangles, points.size());
     const SplitFans& of = splits ? fans : used;

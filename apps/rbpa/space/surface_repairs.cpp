@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Names and texts, indexed by SuggestedRepairKind.
+// Names and texts of repairs, indexed by SuggestedRepairKind.
 constexpr std::array repair_names{"none", "turn_normals", "larger_ball", "filling"};
 constexpr std::array<const char*, 4> texts{"by nothing", "with normals turned around", "by one more radius each",
                                            "by --fill-holes"};

@@ -27,7 +27,7 @@ constexpr std::array rim_names{"nothing_within_reach", "normals_disagree", "bloc
 constexpr std::array rim_texts{"with nothing within reach", "where normals disagree",
                                "blocked by triangles of smaller radii", "cut apart where sheets touch"};
 
-/// Returns the index in rim_names of the cause of the edge. If `next` has equal corners, the edge was cut apart.
+/// Returns the index in rim_names of the cause of the edge. An edge was cut apart if `next` has two equal corners.
 std::size_t cause_of(const RimEdge& edge) {
   return edge.next[0] == edge.next[1] ? 3 : static_cast<std::size_t>(edge.cause);
 }
@@ -35,8 +35,8 @@ constexpr std::array unused_names{"no_ball_rests", "hidden", "normals_disagree",
 constexpr std::array unused_texts{"on which no ball rests", "hidden among others", "where normals disagree",
                                   "blocked by triangles of smaller radii"};
 
-/// Adds lines about boundary curves: one for each of the longest, rims first; one for all of them if there are more;
-/// and one for islands.
+/// Adds lines about boundary curves: a line for each of the longest curves, rims first; a line for all rims and holes
+/// if there are more; and a line for the rims of islands.
 void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts) {
   std::array<std::size_t, kind_names.size()> counts{};
   for (const CurveKind kind : facts.kinds) ++counts[static_cast<std::size_t>(kind)];
@@ -78,7 +78,7 @@ void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts) {
     add(others, curves.size(), islands == 1 ? "1 rim of an island" : std::to_string(islands) + " rims of islands");
 }
 
-/// Returns a share from 0 to 1 in percent: "12.3 %".
+/// Returns a share from 0 to 1 in percent, such as "12.3 %".
 std::string percent(double share) { return rounded(100 * share, 3) + " %"; }
 
 Json filled_as_json(const FillingCounts& counts) {
@@ -138,7 +138,7 @@ Json base(const SurfaceFacts& facts) {
                                             : Json(nullptr)}};
 }
 
-/// Returns "2 components lie inside others: 1 facing inward, as the wall of a cavity does, 1 facing outward, ...";
+/// Returns "2 components lie inside others: 1 facing inward, as the wall of a cavity does, 1 facing outward, ...", or
 /// nothing if no component lies inside another.
 std::optional<std::string> inside_text(const SurfaceFacts& facts) {
   std::array<std::size_t, 2> counts{};
@@ -152,7 +152,7 @@ std::optional<std::string> inside_text(const SurfaceFacts& facts) {
          list_of_causes(counts, texts);
 }
 
-/// Returns those corners of edge.next, the next triangle that the ball reaches, at which the cause lies.
+/// Returns the corners of edge.next, the next triangle that the ball reaches, at which the cause of the edge lies.
 Json corners_of(const RimEdge& edge) {
   Json corners = Json::array();
   for (std::size_t k = 0; k < 3; ++k)

@@ -45,7 +45,7 @@ std::optional<std::size_t> parse_scale_space(const SurfaceArguments& arguments) 
   return parse_whole("--scale-space", *arguments.scale_space, {.least = 1, .greatest = 100}, "steps (or auto)");
 }
 
-/// One position for all points, or the names of three columns with a position for each point.
+/// A viewpoint of all points, or the names of three columns that have a viewpoint for each point.
 struct Viewpoint {
   std::vector<Point3> place = {};
   std::vector<WantedColumn> columns = {};

@@ -15,8 +15,8 @@ namespace rbpa::app {
 
 struct SurfaceRequest {
   SpacePointSource source;
-  ReconstructionOptions how = {};  ///< without what the file has: normals, and viewpoints of the points
-  bool colors_normals = false;     ///< colors show the confidence of normals
+  ReconstructionOptions how = {};  ///< without the data of the file: normals, and viewpoints from columns
+  bool colors_normals = false;     ///< whether colors show the confidence of normals
   std::vector<Target> targets = {};
   std::optional<Shift> shift = {};  ///< shift of targets in single precision
   int width = 0;

@@ -25,7 +25,7 @@
 namespace rbpa::app {
 namespace {
 
-// Texts of the progress line, indexed by ReconstructionStep; null: no line is shown.
+// Texts of the progress line, indexed by ReconstructionStep; null means that no line is shown.
 constexpr std::array<const char*, 13> step_texts{"looking for outliers",
                                                  "scale space",
                                                  "estimating normals",
@@ -61,8 +61,8 @@ class SurfaceRun : public Run {
   SurfaceRequest request_;
 };
 
-/// Returns the options, with the normals and viewpoints of the file. Throws BadInput if the file lacks requested
-/// normals.
+/// Returns the options with the normals and viewpoints of the file. Throws BadInput if the file lacks requested
+/// normals, or has normals although --color normals requires estimated ones.
 ReconstructionOptions SurfaceRun::options_for(SpacePoints& file) const {
   ReconstructionOptions how = request_.how;
   for (std::size_t i = 0; i < file.points.size() && file.fields.size() == 3; ++i)
@@ -81,7 +81,7 @@ ReconstructionOptions SurfaceRun::options_for(SpacePoints& file) const {
   return how;
 }
 
-/// Reconstructs the surface with a progress line for each step. Moves points and normals out of `file`.
+/// Reconstructs the surface, with a progress line for each step. Moves points and normals out of `file`.
 SurfaceFacts SurfaceRun::reconstructed(SpacePoints& file) {
   ReconstructionOptions how = options_for(file);
   const bool has_viewpoint = !how.viewpoints.empty();
@@ -121,7 +121,7 @@ void SurfaceRun::require_watertight(const SurfaceFacts& facts) const {
   }
 }
 
-/// Fills in the settings of the run and the counts.
+/// Sets the counts and the settings of the run in `facts`.
 void SurfaceRun::count(SurfaceFacts& facts, const SplitFans& fans) const {
   facts.outlier_factor = request_.how.outlier_factor;
   facts.has_repairs = arguments_.repairs;
@@ -140,8 +140,8 @@ void SurfaceRun::count(SurfaceFacts& facts, const SplitFans& fans) const {
   facts.non_manifold_edges = non_manifold_edges(facts.manifold ? fans.triangles : facts.surface.triangles);
 }
 
-/// Returns the positions of the points in pictures. An outlier has the position of the first point that is not one, so
-/// that it is not visible.
+/// Returns the positions of the points in pictures. An outlier gets the position of the first point that is no outlier,
+/// so that it is not visible.
 std::vector<Point3> seen_points(const SurfaceFacts& facts) {
   std::vector<Point3> seen = facts.points;
   const std::vector<std::uint32_t>& outliers = facts.outliers.points;
@@ -151,8 +151,8 @@ std::vector<Point3> seen_points(const SurfaceFacts& facts) {
   return seen;
 }
 
-/// Appends a color for each added point: the mean color of the three points around it. Does nothing if `colors` is
-/// empty.
+/// Appends a color for each added point: the mean color of the three points around the added point. Does nothing if
+/// `colors` is empty.
 void add_colors(std::vector<std::array<std::uint8_t, 3>>& colors, const AddedPoints& added) {
   if (colors.empty()) return;
   for (const auto& [a, b, c] : added.between) {
@@ -168,7 +168,7 @@ void SurfaceRun::write(SurfaceFacts& facts, const SplitFans& fans, SpacePoints& 
   add_colors(file.colors, facts.added);
   append_between(file.kept, facts.points, facts.added.between);
   for (std::size_t next = file.all_points; !file.index.empty() && file.index.size() < facts.points.size(); ++next)
-    file.index.push_back(static_cast<std::uint32_t>(next));  // numbers of the added points
+    file.index.push_back(static_cast<std::uint32_t>(next));  // input indices of the added points
   if (request_.colors_normals) file.colors = colors_of(facts.confidence);
   const std::vector<Point3> seen = seen_points(facts);
   std::vector<std::uint32_t> order;
@@ -225,7 +225,7 @@ void SurfaceRun::run() {
   for (const Target& target : request_.targets)
     lines.push_back(text_of_shift(target.format, facts.points, facts.surface.triangles, request_.shift, target.path));
   write(facts, fans, file);
-  if (!file.index.empty()) renumber(facts, file.index);  // what follows names points by their input index
+  if (!file.index.empty()) renumber(facts, file.index);  // reports name points by their input indices
   facts.write_seconds = lap();
   if (arguments_.json) add("-", [&](OutputFile& out) { write_surface_json(out, facts); });
   if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& out) { write_surface_stats(out, facts); });

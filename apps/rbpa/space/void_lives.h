@@ -1,5 +1,5 @@
-// What: the radii at which voids close and are filled; and pockets, which are voids only at radii above that of the
-//       solid.
+// What: finds the radii at which voids close and are filled, and the pockets of a solid, which become voids only at
+//       larger radii.
 #pragma once
 
 #include <cstddef>
@@ -23,18 +23,18 @@ struct VoidLife {
 
 struct Pocket {
   VoidLife life = {};
-  double volume = 0;    ///< volume of the void at the radius at which the void closes
+  double volume = 0;    ///< volume of the void at the radius at which it closes
   Triangle mouth = {};  ///< numbers of the corners of the triangle that closes the pocket
 };
 
 class VoidLives {
  public:
-  /// Keeps references to `delaunay`, the triangulation of all points, and to `radii`, its circumradii. Throws Cancelled
-  /// after a signal.
+  /// Keeps references to `delaunay`, the triangulation of all points, and to `radii`, the circumradii of its
+  /// tetrahedra. Throws Cancelled after a signal.
   VoidLives(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, ComplexKind walls,
             unsigned threads);
 
-  /// Returns the life of each of `voids`, in their order. Requires: `boundary` and `voids` are those of the solid at
+  /// Returns the life of each of `voids`, in their order. Requires: `boundary` and `voids` belong to the solid at
   /// radius `alpha`, with the `walls` of the constructor.
   std::vector<VoidLife> of(double alpha, const Surface& boundary, std::span<const SolidVoid> voids) const;
   /// Returns the pockets of the solid at radius `alpha`, in descending order of volume.

@@ -41,15 +41,15 @@ std::string some_of(std::vector<std::string> names) {
 
 std::string name_in_folder(const std::string& path) { return fs::path(path).filename().string(); }
 
-/// Returns whether a file in a folder of LAS files is in a format, such as text or a picture, that may describe the LAS
-/// files. Other files contain points.
+/// Returns whether a file in a folder of LAS files has a format that may describe the LAS files, such as text or a
+/// picture. Files of other formats contain points.
 bool is_about_tiles(const std::string& path, Format format) {
   constexpr Format about[] = {Format::text, Format::geojson, Format::wkt, Format::png, Format::pgm, Format::ogr};
   return std::find(std::begin(about), std::end(about), format) != std::end(about) && input_ending(path) != "xyz";
 }
 
-/// The contents of a folder: paths of files of points by format; names of other entries; paths of point clouds in
-/// formats that are not read.
+/// The contents of a folder: paths of files of points, by format; names of entries that are left out; paths of point
+/// clouds in formats that are not read.
 struct FolderContent {
   std::map<Format, std::vector<std::string>> points = {};
   std::vector<std::string> left_out = {}, clouds = {};

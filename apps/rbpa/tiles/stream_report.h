@@ -1,4 +1,4 @@
-// What: reports on a finished run over tiles.
+// What: reports on a finished run of `rbpa stream`.
 #pragma once
 
 #include "io/bytes/output_file.h"
@@ -7,10 +7,10 @@
 
 namespace rbpa::app {
 
-/// Writes the file of --stats.
+/// Writes the report of --stats.
 void write_stream_stats(OutputFile& file, const StreamRequest& request, const StreamResult& result);
 
-/// Prints the summary and the warnings about the result.
+/// Prints warnings about the result, and, unless quiet, the summary.
 void say_stream_result(const StreamRequest& request, const StreamResult& result);
 
 }  // namespace rbpa::app

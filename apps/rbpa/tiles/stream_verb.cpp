@@ -48,7 +48,7 @@ std::vector<PointSource> parse_sources(const StreamArguments& arguments) {
   return sources;
 }
 
-/// Returns the options about reading files as a text, to compare the options of two runs.
+/// Returns the options about reading files as text, so that the options of two runs can be compared.
 std::string reading_options(const PointArguments& arguments) {
   std::string text;
   const auto append = [&](const std::string& words) { text += (text.empty() ? "" : " ") + words; };
@@ -69,7 +69,7 @@ std::string reading_options(const PointArguments& arguments) {
   return text;
 }
 
-/// The least --tile-size: with fewer points in a tile, handling files would take nearly all the time.
+/// The least --tile-size: handling files would take nearly all the time with fewer points in a tile.
 constexpr std::size_t least_tile = 16;
 
 StreamRequest parse_request(const StreamArguments& arguments) {

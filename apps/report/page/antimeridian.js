@@ -1,10 +1,10 @@
 // What: cuts polygons at longitude 180, as GeoJSON demands (RFC 7946, 3.1.9) and as `rbpa shape` does.
-// How:  each triangle across the line is split there; the polygons of the triangles on either side are the parts.
-// Law:  all longitudes of the parts are within -180 to 180; those of points change by exactly 360, or not at all.
+// How:  each triangle across the line is split there. The polygons of the triangles on either side are the parts.
+// Law:  all longitudes of the parts are from -180 to 180. A point keeps its longitude, or changes it by exactly 360.
 "use strict";
 
-/** Returns the corners of a convex polygon on one side (−1: left, 1: right) of the vertical line at `x`; none if no area
- *  is there. The crossing of an edge is the same number for both triangles at it. */
+/** Returns the corners of the part of a convex polygon on one side (−1: left, 1: right) of the vertical line at `x`; no
+ *  corners if that part has no area. Both triangles at an edge get the same number for its crossing. */
 function cornersBeside(corners, x, side) {
   const kept = corners.flatMap((from, k) => {
     const to = corners[(k + 1) % corners.length];
@@ -16,8 +16,8 @@ function cornersBeside(corners, x, side) {
   return kept.length > 2 ? kept : [];
 }
 
-/** Returns the polygons of triangles with positions as corners: for each the positions of its rings, without those within
- *  a straight piece on one of the vertical lines at `lines`. */
+/** Returns the polygons of triangles whose corners are positions. A polygon is a list of rings, a ring a list of
+ *  positions; positions within a straight piece on one of the vertical lines at `lines` are left out. */
 function polygonsOfTriangles(triangles, lines) {
   const corners = new Map(triangles.flat().map((p) => [String(p), p]));
   const sorted = [...corners.values()].sort((p, q) => p[0] - q[0] || p[1] - q[1]);
@@ -30,9 +30,9 @@ function polygonsOfTriangles(triangles, lines) {
   return polygonsAt(complex, rows.length).map(({ shell, holes }) => [shell, ...holes].map(positions));
 }
 
-/** Returns a function that splits a polygon of the first `count` triangles into parts, each a list of the positions of
- *  its rings. With `cuts`, points are longitudes and latitudes within ±360, and the parts are within ±180; else the
- *  polygon is its only part. */
+/** Returns a function that splits a polygon of the first `count` triangles into parts. A part is a list of rings, a
+ *  ring a list of positions. With `cuts`, points are longitudes and latitudes, longitudes within ±360, and parts are
+ *  within ±180; otherwise the polygon is its only part. */
 function splitterOf(complex, count, cuts) {
   const { points } = complex.data;
   const { label } = complex.solidComponents(count);

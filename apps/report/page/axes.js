@@ -1,4 +1,4 @@
-// What: a logarithmic axis for radii, and its ticks; a canvas to draw them on.
+// What: provides a logarithmic axis for radii with its ticks, and a canvas to draw on.
 "use strict";
 
 class LogAxis {
@@ -22,14 +22,15 @@ class LogAxis {
     return this.from + Math.min(1, Math.max(0, share)) * (this.to - this.from);
   }
 
-  /** Returns the radius at `position`. */
+  /** Returns the radius at `position`; Infinity at the end of the axis. */
   radiusAt(position) {
     const share = (position - this.from) / (this.to - this.from);
     if (share >= 1) return Infinity;
     return 10 ** (this.low + Math.max(0, share) * (this.high - this.low));
   }
 
-  /** Returns at most `most` powers of ten, or the two ends if fewer than two powers are inside. */
+  /** Returns the exponents of at most `most` + 1 powers of ten, or both ends if fewer than two such powers are inside.
+   *  */
   ticks(most) {
     const stride = Math.max(1, Math.ceil((this.high - this.low) / most));
     const powers = [];
@@ -38,7 +39,7 @@ class LogAxis {
   }
 }
 
-/** Returns a number with four digits. */
+/** Returns a number as text with at most four significant digits. */
 function short(number) {
   if (!Number.isFinite(number)) return "∞";
   if (number === 0) return "0";
@@ -46,7 +47,7 @@ function short(number) {
   return size >= 1e6 || size < 1e-4 ? number.toExponential(3) : String(Number(number.toPrecision(4)));
 }
 
-/** Returns 10 to a power, as text, also beyond the range of double. */
+/** Returns 10 to the power `power` as text, even beyond the range of double. */
 function powerOfTenText(power) {
   if (power === Math.round(power) && power >= -3 && power <= 5) return short(10 ** power);
   const whole = Math.floor(power);
@@ -54,8 +55,8 @@ function powerOfTenText(power) {
   return whole >= -3 && whole <= 5 ? short(Number((digits * 10 ** whole).toPrecision(3))) : `${digits}e${whole}`;
 }
 
-/** Fits a canvas to its element, and fills it with the background. Returns its context, width and height, all in CSS
- *  pixels. */
+/** Fits a canvas to its element, and fills the canvas with the background. Returns its context, width and height; all
+ *  lengths are in CSS pixels. */
 function prepared(canvas, background) {
   const ratio = Math.min(2, devicePixelRatio || 1);
   const width = canvas.clientWidth, height = canvas.clientHeight;

@@ -1,8 +1,8 @@
-// What: the complex at every step, with the neighbors of triangles and the connected components.
-// Law:  triangles are in the order in which they appear, so that the first `count` of them are the complex of a step.
+// What: provides the complex at every step, with the neighbors of triangles and the connected components.
+// Law:  triangles are in the order in which they appear: the first `count` triangles are the complex of a step.
 "use strict";
 
-/** Return the triangle of a side, and the side after it. */
+/** Return the triangle of a side, and the next side of that triangle. */
 const triangleOf = (side) => (side / 3) | 0;
 const nextSide = (side) => (side % 3 === 2 ? side - 2 : side + 1);
 
@@ -18,7 +18,7 @@ class Complex {
     this.findFirstTriangles();
   }
 
-  /** Fills `begin` and `sides`: the sides that begin at point p are sides[begin[p]] to sides[begin[p + 1] - 1]. */
+  /** Sets `begin` and `sides`: the sides that begin at point p are sides[begin[p]] to sides[begin[p + 1] - 1]. */
   listSidesAtPoints() {
     const { triangles, pointCount } = this;
     const begin = new Uint32Array(pointCount + 1);
@@ -31,7 +31,7 @@ class Complex {
     this.sides = sides;
   }
 
-  /** Fills `twin`: for each side the same side of the triangle across it, or −1. */
+  /** Sets `twin`: for each side the opposite side of the triangle across, or −1. */
   findTwins() {
     const { triangles, begin, sides } = this;
     const twin = new Int32Array(triangles.length).fill(-1);
@@ -48,13 +48,14 @@ class Complex {
     this.twin = twin;
   }
 
-  /** Fills `firstAt`: for each point its first triangle; `size` if there is none. */
+  /** Sets `firstAt`: the first triangle of each point; `size` if the point has no triangle. */
   findFirstTriangles() {
     this.firstAt = new Uint32Array(this.pointCount).fill(this.size);
     for (let side = this.triangles.length - 1; side >= 0; --side) this.firstAt[this.triangles[side]] = triangleOf(side);
   }
 
-  /** Returns the diagonal of the points' box: a circle of this radius looks straight along any part of the set. */
+  /** Returns the diagonal of the box of all points: a circle of this radius looks straight along any part of the set.
+   *  */
   reach() {
     const { points } = this.data;
     let left = Infinity, right = -Infinity, bottom = Infinity, top = -Infinity;
@@ -67,7 +68,7 @@ class Complex {
     return Math.hypot(right - left, top - bottom);
   }
 
-  /** Returns the last step whose radius is at most alpha; −1 before the first. */
+  /** Returns the last step whose radius is at most alpha; −1 if the first radius is larger. */
   stepAt(alpha) {
     return lastAtMost(this.data.radii, alpha);
   }
@@ -82,7 +83,7 @@ class Complex {
     return this.triangles.subarray(0, 3 * this.countAt(step));
   }
 
-  /** Returns the counts of a step, by the names of `rbpa alpha --json`. */
+  /** Returns the counts of a step, named like those of `rbpa alpha --json`. */
   numbersAt(step) {
     const { counts, areas, radii } = this.data;
     const isolated = this.pointCount - (step < 0 ? 0 : counts.covered[step]);
@@ -99,7 +100,8 @@ class Complex {
     };
   }
 
-  /** Returns whether a side is at the boundary: its triangle is among the first `count`, the one across is not. */
+  /** Returns whether a side is on the boundary: its triangle is among the first `count`, and the triangle across is
+   *  not. */
   isBoundary(side, count) {
     const twin = this.twin[side];
     return side < 3 * count && (twin < 0 || twin >= 3 * count);
@@ -110,8 +112,8 @@ class Complex {
     return birth[pair] <= step && step < death[pair];
   }
 
-  /** Returns the triangles of the component, connected through points, or of the hole, of a pair at a step; null if the
-   *  pair is not alive there, or has more triangles than `limit`. */
+  /** Returns the triangles of a pair at a step: of its component, connected through points, or of its hole. Returns
+   *  null if the pair is not alive at the step, or has more triangles than `limit`. */
   regionOf(pair, step, limit = Infinity) {
     if (!this.isAlive(pair, step)) return null;
     const { dimension, triangle } = this.data.pairs;
@@ -120,7 +122,7 @@ class Complex {
       : this.gapAt(triangle[pair], this.countAt(step), limit);
   }
 
-  /** Returns the pair whose component or hole contains this triangle at a step; −1 for the outside. */
+  /** Returns the pair whose component or hole contains the triangle at a step; −1 for the outside. */
   pairAt(triangle, step) {
     const { pairs } = this.data;
     const inside = triangle < this.countAt(step);
@@ -153,7 +155,8 @@ class Complex {
     return region;
   }
 
-  /** Returns the missing triangles that are connected to this one through sides; null if more than `limit`. */
+  /** Returns the missing triangles that are connected to a missing triangle through sides; null if there are more than
+   *  `limit`. */
   gapAt(triangle, count, limit = Infinity) {
     const seen = new Uint8Array(this.size - count);
     const region = [triangle];
@@ -170,7 +173,8 @@ class Complex {
     return region;
   }
 
-  /** Numbers the solid components of the first `count` triangles from 0. */
+  /** Numbers the solid components of the first `count` triangles from 0. Returns the number of each triangle, and the
+   *  count. */
   solidComponents(count) {
     const label = new Int32Array(count).fill(-1);
     const stack = [];

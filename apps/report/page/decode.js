@@ -1,5 +1,5 @@
-// What: the data of the page, from base64 to typed arrays, and a search in them. docs/reference/file_formats.md has the
-//       format.
+// What: decodes the data of the page from base64 to typed arrays, and searches sorted radii.
+//       docs/reference/file_formats.md has the format.
 "use strict";
 
 function bytesOf(base64) {
@@ -9,13 +9,13 @@ function bytesOf(base64) {
   return bytes;
 }
 
-/** Reads little-endian doubles. */
+/** Returns the little-endian doubles in `bytes`. */
 function doublesOf(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   return Float64Array.from({ length: bytes.byteLength / 8 }, (_, i) => view.getFloat64(8 * i, true));
 }
 
-/** Reads whole numbers, seven bits a byte, the lowest first. */
+/** Reads whole numbers with seven bits in each byte, the lowest bits first. */
 class WholeNumbers {
   constructor(bytes) {
     this.bytes = bytes;
@@ -32,7 +32,7 @@ class WholeNumbers {
     }
   }
 
-  /** Reads a signed number: 0, 1, 2, 3, … are 0, −1, 1, −2, … */
+  /** Reads a signed number: 0, 1, 2, 3, … become 0, −1, 1, −2, … */
   nextSigned() {
     const value = this.next();
     return value % 2 === 0 ? value / 2 : -(value + 1) / 2;
@@ -61,8 +61,8 @@ function countsOf(bytes, steps) {
   return counts;
 }
 
-/** Reads edges in the order of the steps at which they appear. A side is 3 · triangle + corner, from that corner to the
- *  next. */
+/** Reads edges in the order of the steps at which they appear. An edge is a side, 3 · triangle + corner, which runs
+ *  from the corner to the next corner of the triangle. */
 function freeEdgesOf(bytes, count) {
   const numbers = new WholeNumbers(bytes);
   const edges = { step: new Uint32Array(count), side: new Uint32Array(count) };
@@ -75,8 +75,8 @@ function freeEdgesOf(bytes, count) {
   return edges;
 }
 
-/** Reads pairs. A pair is alive from the step of its birth to before that of its death, which is the number of steps if it
- *  never dies. */
+/** Reads pairs. A pair is alive from the step of its birth until before the step of its death; the step of death is the
+ *  number of steps if the pair never dies. */
 function pairsOf(bytes, facts) {
   const numbers = new WholeNumbers(bytes);
   const count = facts.componentPairs + facts.holePairs;
@@ -97,7 +97,7 @@ function pairsOf(bytes, facts) {
   return pairs;
 }
 
-/** Returns a radius of the JSON: "inf" is above all doubles, null is none. */
+/** Returns the radius that JSON has as `value`: Infinity for "inf", null for null (no radius). */
 function radiusOf(value) {
   return value === "inf" ? Infinity : value;
 }
@@ -113,7 +113,7 @@ function lastAtMost(radii, alpha) {
   return low - 1;
 }
 
-/** Decodes the data of the page. `text(name)` returns the content of the element of that name. */
+/** Decodes the data of the page. text(name) returns the content of the element with the data called `name`. */
 function decode(text) {
   const facts = JSON.parse(text("facts"));
   return {

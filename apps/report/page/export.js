@@ -1,15 +1,16 @@
 // What: exports the shape as GeoJSON and the view as SVG.
-// Law:  GeoJSON has the coordinates of the input, to the last bit, except where it is cut at longitude 180.
+// Law:  GeoJSON has the coordinates of the input, to the last bit, except where polygons are cut at longitude 180.
 "use strict";
 
-/** Returns the shortest text that reads back to the number, with the sign of zero. */
+/** Returns the shortest text that reads back to the number, with the sign of zero; "null" if the number is not finite.
+ *  */
 function textOf(number) {
   if (!Number.isFinite(number)) return "null";
   return Object.is(number, -0) ? "-0" : String(number);
 }
 
-/** Returns a FeatureCollection with a Feature for each polygon of the first `count` triangles, as `rbpa shape` writes
- *  it. With `cuts`, points are longitudes and latitudes, and polygons are cut at longitude 180. */
+/** Returns a FeatureCollection with a Feature for each polygon of the first `count` triangles, like that of `rbpa
+ *  shape`. With `cuts`, points are longitudes and latitudes, and polygons are cut at longitude 180. */
 function geojsonOf(complex, count, cuts) {
   const split = splitterOf(complex, count, cuts);
   const positionText = ([x, y]) => `[${textOf(x)},${textOf(y)}]`;
@@ -32,9 +33,9 @@ function pathOf(points, x, y) {
   return points.map((p, i) => `${i === 0 ? "M" : "L"}${pixelText(x[p])} ${pixelText(y[p])}`).join("");
 }
 
-/** Returns the picture as SVG, without rings wholly outside of it. `width`, `height`, and `x` and `y` of each point are
- *  pixels; `regions` are triangles to light up, with their color; `lines` pairs of points to join; `dots` points to
- *  draw; `bar` is the scale bar, or null. */
+/** Returns the picture as SVG. Rings wholly outside of the picture are left out. `width`, `height`, and `x` and `y` of
+ *  each point are in pixels; `regions` are lists of triangles to light up, with a color; `lines` are pairs of points to
+ *  join; `dots` are points to draw; `bar` is the scale bar, or null. */
 function svgOf({ width, height, x, y, polygons, regions, lines, dots, colors, bar, unit, title }) {
   const touches = (points) =>
     points.some((p) => x[p] >= 0) && points.some((p) => x[p] <= width) &&

@@ -21,7 +21,7 @@ function listen(page) {
   element("save-svg").addEventListener("click", () => saveFile(page, "svg", "image/svg+xml", viewAsSvg(page)));
 }
 
-/** Resizes the canvases when the window moves to a screen with another number of device pixels for a CSS pixel. */
+/** Resizes the canvases when the window moves to a screen with another number of device pixels for each CSS pixel. */
 function listenToRatio(page) {
   const same = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
   const changed = () => {

@@ -1,6 +1,6 @@
-// What: the shape at a step as polygons with holes, one for each solid component, as in `rbpa shape` and in its order.
-// How:  docs/explanation/plane.md, Outlines as polygons. Points are numbered in lexicographic order, so that to compare
-//       them is to compare numbers.
+// What: computes the shape at a step as polygons with holes, one for each solid component, ordered as in `rbpa shape`.
+// How:  docs/explanation/plane.md, Outlines as polygons. Points are numbered in lexicographic order: comparing two
+//       points means comparing their numbers.
 "use strict";
 
 /** Returns the double as a multiple of 2⁻¹⁰⁷⁴. */
@@ -14,26 +14,28 @@ function wholeNumberOf(value) {
   return bits >> 63n === 1n ? -magnitude : magnitude;
 }
 
-/** Returns a number > 0 if the points a, b, c run counter-clockwise. Exact: falls back to whole numbers. */
+/** Returns a number > 0 if the points a, b, c run counter-clockwise, < 0 if clockwise, 0 if they are on a line. The
+ *  sign is exact. */
 function orientation(points, a, b, c) {
   const left = (points[2 * b] - points[2 * a]) * (points[2 * c + 1] - points[2 * a + 1]);
   const right = (points[2 * b + 1] - points[2 * a + 1]) * (points[2 * c] - points[2 * a]);
   const size = Math.abs(left) + Math.abs(right);
-  // Shewchuk's bound; products near the ends of the range of double are left to whole numbers.
+  // Use Shewchuk's bound. Leave products near the ends of the range of double to whole numbers.
   if (size > 1e-290 && size < 1e300 && Math.abs(left - right) > 4e-16 * size) return left - right;
   const [ax, ay, bx, by, cx, cy] = [a, b, c].flatMap((p) => [points[2 * p], points[2 * p + 1]]).map(wholeNumberOf);
   const exact = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
   return exact > 0n ? 1 : exact < 0n ? -1 : 0;
 }
 
-/** Returns the boundary side after this one, at the same fan of triangles. */
+/** Returns the boundary side after `side`, within one fan of triangles. */
 function nextBoundarySide(complex, side, count) {
   let next = nextSide(side);
   while (!complex.isBoundary(next, count)) next = nextSide(complex.twin[next]);
   return next;
 }
 
-/** Splits a closed curve that passes points several times into rings that pass each point once. */
+/** Splits a closed curve that passes points several times into rings that pass each point once. Adds them to `rings`.
+ *  */
 function splitIntoRings(curve, place, rings) {
   const walked = [];
   for (const p of curve) {
@@ -49,7 +51,7 @@ function splitIntoRings(curve, place, rings) {
   rings.push(walked);
 }
 
-/** Rotates a ring to begin at its lowest index. */
+/** Rotates a ring so that its lowest index is first. */
 function fromLeastPoint(ring) {
   let least = 0;
   for (let i = 1; i < ring.length; ++i) if (ring[i] < ring[least]) least = i;
@@ -86,8 +88,8 @@ function polygonOf(points, rings) {
   return { shell: sorted[shell], holes, area: sum(ringArea), perimeter: sum(ringLength) };
 }
 
-/** Returns the polygons of the first `count` triangles, each with the number of its solid component. Rings are point
- *  numbers. */
+/** Returns the polygons of the first `count` triangles, each with the number of its solid component. Rings are lists of
+ *  point numbers. */
 function polygonsAt(complex, count) {
   const { label, components } = complex.solidComponents(count);
   const rings = Array.from({ length: components }, () => []);

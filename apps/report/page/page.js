@@ -1,4 +1,4 @@
-// What: the page: its choices, its drawing, and its events.
+// What: runs the page: its choices, its drawing, and its events.
 "use strict";
 
 const element = (id) => document.getElementById(id);
@@ -41,7 +41,7 @@ class Page {
     listen(this);
     this.resize();
     const { plateaus, facts } = this.complex.data;
-    // The best plateau does not depend on single points far from the others.
+    // Begin at the best plateau, which does not depend on single points far from the others.
     if (plateaus.length > 0) this.goToAlpha(plateaus[0].alpha);
     else if (facts.recommended !== null) this.goToAlpha(radiusOf(facts.recommended.alpha));
     else this.goTo(this.complex.steps - 1);
@@ -129,12 +129,12 @@ class Page {
     this.show(Math.max(-1, Math.min(last, step)));
   }
 
-  /** Moves to any alpha, and shows the step that it is in. */
+  /** Moves to any alpha, and shows the step that contains it. */
   goToAlpha(alpha) {
     this.show(this.complex.stepAt(alpha), alpha);
   }
 
-  /** Moves to a position of the slider, or to the alpha of a plateau if that is near. */
+  /** Moves to a position of the slider, or to the alpha of a plateau if a plateau is near. */
   goToPosition(position) {
     const alphas = this.complex.data.plateaus.slice(0, maxPlateaus).map(({ alpha }) => alpha);
     const near = alphas.find((alpha) => Math.abs(this.axis.at(alpha) - position) < snapDistance);
@@ -149,7 +149,7 @@ class Page {
     this.ask("step");
   }
 
-  /** Chooses a pair, −1 for none. With `bring`, moves to a radius at which it is alive, and shows it. */
+  /** Chooses a pair, −1 for none. With `bring`, moves to a radius at which the pair is alive, and shows the pair. */
   choosePair(pair, bring) {
     this.pair = pair;
     for (const [other, button] of this.pairButtons) button.setAttribute("aria-pressed", String(other === pair));
@@ -229,7 +229,7 @@ class Page {
 
   // ---- drawing
 
-  /** Requests a drawing before the next frame: "view" if the triangles under the pixels change, "step" otherwise. */
+  /** Requests a drawing before the next frame: "view" if the triangles under the pixels change, otherwise "step". */
   ask(what) {
     this.fine = null;
     this.canvas.dataset.state = "drawing";
@@ -244,7 +244,7 @@ class Page {
   draw() {
     this.showScale();
     if (this.pending.view) {
-      // For large sets a view takes longer than a frame, so the last picture is moved until the view stands still.
+      // Move the last picture until the view stands still if a view takes longer than a frame, as for large sets.
       if (this.held && this.layTime > 30) {
         this.moveSnapshot();
         clearTimeout(this.settling);
@@ -263,7 +263,7 @@ class Page {
     this.finely = setTimeout(() => this.beginFine(), 150);
   }
 
-  /** Returns the scale bar: at most 140 CSS pixels long, and at most a third of the picture. */
+  /** Returns the scale bar, at most 140 CSS pixels and at most a third of the picture long. */
   scaleBar() {
     return scaleBar(this.view, Math.min(140 * this.ratio, this.canvas.width / 3));
   }
@@ -284,7 +284,7 @@ class Page {
     this.laid = { scale: view.scale, left: view.left, top: view.top };
   }
 
-  /** Marks the triangles of the chosen pair; none if they are more than `limit`. */
+  /** Marks the triangles of the chosen pair; marks none if there are more than `limit`. */
   light(limit) {
     for (const t of this.region) this.marked[t] = 0;
     this.region = (this.pair >= 0 && this.complex.regionOf(this.pair, this.step, limit)) || [];
@@ -297,7 +297,7 @@ class Page {
     this.context.putImageData(this.image, 0, 0);
   }
 
-  /** Draws lines on a separate canvas, and shows them when all are drawn. */
+  /** Draws lines on a separate canvas, and shows that canvas when all lines are drawn. */
   beginFine() {
     this.light(Infinity);
     this.tellPair();
@@ -373,7 +373,7 @@ class Page {
     this.ask("view");
   }
 
-  /** Fits the view to the points in triangles at this radius, not to other points far away. */
+  /** Fits the view to the points in triangles at this radius. Other points may be far away. */
   fitShape() {
     this.move((view) => view.fit(this.complex.cornersAt(this.step)));
   }

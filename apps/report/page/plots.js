@@ -1,5 +1,5 @@
-// What: draws the counts against alpha, and births against deaths, once; a mark for the current alpha is drawn over
-//       them.
+// What: draws the counts against alpha, and births against deaths, once. The page draws a mark for the current alpha
+//       over these plots.
 "use strict";
 
 const plotMargin = { left: 44, right: 14, top: 10, bottom: 24 };
@@ -15,7 +15,7 @@ function drawRadiusTicks(context, axis, top, bottom, colors) {
   }
 }
 
-/** The counts that are drawn, each with its color. */
+/** The counts that are drawn, each with the name of its color. */
 const plottedCounts = [
   ["covered", "faint"],
   ["solidComponents", "edge"],
@@ -61,7 +61,7 @@ class CountsPlot {
     plateaus.forEach(({ alpha }, i) => context.fillText(`${i + 1}`, this.axis.at(alpha), top + 10));
   }
 
-  /** Draws a curve: each column of pixels gets its least, greatest and last value. */
+  /** Draws a curve. Each column of pixels shows its least, greatest and last value. */
   drawCurve(context, radii, counts, up, color) {
     context.strokeStyle = color;
     context.beginPath();
@@ -108,7 +108,7 @@ class PersistenceDiagram {
     context.fillText("never", left - 4, never + 4);
     drawLine(context, colors.grid, left, never, width - right, never);
     drawLine(context, colors.text, left, this.deaths.at(this.births.radiusAt(left)), width - right, top + 18);
-    // If dots would cover each other, only the longest pair is drawn: the first one, as the longest come first.
+    // Draw only the longest pair of dots of one color at one pixel: the first pair, as the longest pairs come first.
     this.dots = new Map();
     for (let p = 0; p < pairs.count; ++p) {
       const x = Math.round(this.births.at(radii[pairs.birth[p]]));
@@ -122,7 +122,7 @@ class PersistenceDiagram {
     }
   }
 
-  /** Returns the pair whose dot is nearest, within twelve pixels; −1 if there is none. */
+  /** Returns the pair whose dot is nearest, less than twelve pixels away; −1 if there is none. */
   pairNear(x, y) {
     let best = { distance: 12, pair: -1 };
     for (const dot of this.dots.values()) {
@@ -142,7 +142,7 @@ class PersistenceDiagram {
   }
 }
 
-/** Returns the `most` pairs of a dimension that live longest, by the ratio of death and birth. */
+/** Returns the `most` pairs of a dimension with the greatest ratios of death to birth. */
 function longestPairs(complex, dimension, most) {
   const { radii, pairs } = complex.data;
   const length = (p) => (pairs.death[p] < radii.length ? Math.log(radii[pairs.death[p]]) - Math.log(radii[pairs.birth[p]]) : Infinity);

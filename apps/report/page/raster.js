@@ -10,8 +10,8 @@ class Raster {
     this.width = width;
     this.height = height;
     this.triangle = new Uint32Array(width * height);
-    // The largest 1 + firstAt[p] of the points p whose dots cover the pixel, 0 if none. It exceeds the number of
-    // triangles of a step if one of these points is isolated.
+    // The largest 1 + firstAt[p] of the points p whose dots cover the pixel, 0 if no dot does. The value exceeds the
+    // number of triangles of a step if one of these points is isolated at the step.
     this.dot = new Uint32Array(width * height);
   }
 
@@ -31,7 +31,7 @@ class Raster {
     const top = Math.max(0, Math.ceil(Math.min(ay, by, cy) - 0.5));
     const bottom = Math.min(this.height, Math.ceil(Math.max(ay, by, cy) - 0.5));
     if (!(top < bottom)) return;
-    // Triangles between the centers of two columns cover no pixel.
+    // Skip triangles between the centers of two columns, which cover no pixel.
     const left = Math.min(ax, bx, cx), right = Math.max(ax, bx, cx);
     if (!(Math.ceil(left - 0.5) < Math.ceil(right - 0.5)) || right < 0 || left > this.width) return;
     for (let row = top; row < bottom; ++row) {
@@ -73,7 +73,8 @@ class Raster {
     return t === noTriangle ? -1 : t;
   }
 
-  /** Fills `pixels`, one element for each pixel, with the given colors. Marked triangles are lit, present or not. */
+  /** Sets `pixels`, one element for each pixel, to the given colors. Marked triangles are lit, whether present or not.
+   *  */
   paint(pixels, count, marked, colors, { outline, dots }) {
     const { width, height, triangle, dot } = this;
     const { paper, fill, line, isolated, lit, litGap } = colors;
@@ -95,7 +96,7 @@ class Raster {
   }
 }
 
-/** Returns the x of a side at height y, with the same bits in either direction of the side. */
+/** Returns the x at height y of the side from a to b. The bits do not depend on the direction of the side. */
 function crossing(ax, ay, bx, by, y) {
   return ay < by ? ax + (y - ay) * ((bx - ax) / (by - ay)) : bx + (y - by) * ((ax - bx) / (ay - by));
 }

@@ -1,4 +1,4 @@
-// What: lengths and areas in the unit of the coordinates, and the scale bar of the picture.
+// What: formats lengths and areas in the unit of the coordinates, and computes the scale bar of the picture.
 "use strict";
 
 /** The texts after a length and an area, by the name of the unit in the data of the page. */
@@ -12,7 +12,8 @@ const unitSigns = {
 
 const signsOf = (unit) => unitSigns[unit] ?? unitSigns.none;
 
-/** Returns a number with four significant digits, or fewer if they are exact, and with separators of thousands. */
+/** Returns a number as text with four significant digits, or fewer if they are exact, and with separators of thousands.
+ *  */
 function fourDigits(number) {
   if (!Number.isFinite(number)) return "∞";
   const size = Math.abs(number), isExact = Number(number.toPrecision(4)) === number;
@@ -21,7 +22,8 @@ function fourDigits(number) {
   return number.toLocaleString("en", { maximumSignificantDigits: 4, minimumSignificantDigits: isExact ? 1 : 4 });
 }
 
-/** Returns a length with its unit; meters from 1000 on are kilometers, and an unknown unit is "units". */
+/** Returns a length with its unit as text. Lengths from 1000 meters on are in kilometers; an unknown unit is "units".
+ *  */
 function lengthText(length, unit) {
   if (unit === "metre" && Number(length.toPrecision(4)) >= 1000) return `${fourDigits(length / 1000)} km`;
   if (unit === null && length === 1) return "1 unit";
@@ -44,8 +46,8 @@ function roundLength(most) {
   return 0;
 }
 
-/** Returns the scale bar of a view, at most `most` pixels long: its length in units of the coordinates and in pixels;
- *  null if no such length is a finite double. */
+/** Returns the scale bar of a view, at most `most` pixels long: its length in units of the coordinates, and in pixels.
+ *  Returns null if no round length is both positive and finite. */
 function scaleBar(view, most) {
   const length = roundLength(view.lengthOf(most));
   const pixels = view.pixelsOf(length);

@@ -1,13 +1,13 @@
 // What: draws smooth lines and dots over the shape, piece by piece while the page is idle.
-// Why:  the picture of a step has to appear at once; raster.js draws it as pixels. Lines take longer and can wait.
+// Why:  the picture of a step has to appear immediately; raster.js draws it as pixels. Lines take longer and can wait.
 "use strict";
 
 const mostBoundary = 60000; // with more sides in view the boundary is drawn as pixels
 const mostTriangles = 15000;
 const mostDots = 20000;
 
-/** Returns the sides in view of the first `count` triangles: those of the boundary, and others unless there are too
- *  many. */
+/** Returns the sides in view of the first `count` triangles: `boundary` and `inner` sides. `inner` is null if there are
+ *  too many inner sides; both are null if there are too many boundary sides. */
 function sidesInView(complex, view, count) {
   const { triangles } = complex;
   const boundary = [], inner = [];
@@ -48,7 +48,7 @@ function isolatedInView(complex, view, count) {
   return dots;
 }
 
-/** Draws sides as lines; pauses after every thousand. */
+/** Draws sides as lines. Pauses after every thousand lines. */
 function* strokeSides(context, complex, view, sides, color, width) {
   const { x, y } = view;
   context.strokeStyle = color;
@@ -79,7 +79,8 @@ function* fillDots(context, view, dots, color, radius) {
   }
 }
 
-/** Draws the whole picture. `fill(outline, dots)` draws the pixels, with a boundary and dots of pixels on request. */
+/** Draws the whole picture. fill(outline, dots) draws the pixels, on request with a boundary and with dots as pixels.
+ *  */
 function* fineDrawing(context, complex, view, step, shown, colors, ratio, fill) {
   const count = complex.countAt(step);
   const { boundary, inner } = sidesInView(complex, view, count);

@@ -1,5 +1,5 @@
-// What: maps coordinates to pixels and back: the visible part of the plane, and its scale.
-// Why:  coordinates may be anything from 10⁻³²⁴ to 10³⁰⁸; they are moved and scaled to a square of −1 … 1 first.
+// What: maps coordinates to pixels and back, by the visible part of the plane and its scale.
+// Why:  coordinates may be anything from 10⁻³²⁴ to 10³⁰⁸. They are first moved and scaled to a square of −1 … 1.
 "use strict";
 
 class View {
@@ -37,8 +37,8 @@ class View {
     this.halfHeight = (top - bottom) / 2 / half;
   }
 
-  /** Adapts to a new size. A fitted view is fitted again; one that was moved or zoomed keeps its middle, `by` times as
-   *  large. */
+  /** Adapts to a new size. A fitted view is fitted again. A view that was moved or zoomed keeps its middle, and is
+   *  enlarged `by` times. */
   resize(width, height, by = 1) {
     const dx = this.left - this.width / 2, dy = this.top - this.height / 2;
     Object.assign(this, { width, height });
@@ -48,7 +48,7 @@ class View {
     this.top = height / 2 + dy * by;
   }
 
-  /** Shows these points with a margin; without points, all. */
+  /** Shows the points with a margin; without `points`, shows all. */
   fit(points = []) {
     const all = { left: -this.halfWidth, right: this.halfWidth, bottom: -this.halfHeight, top: this.halfHeight };
     this.show({ ...(points.length === 0 ? all : this.boxOf(points)), share: 0.94 });
@@ -66,7 +66,7 @@ class View {
     return { left, right, bottom, top };
   }
 
-  /** Shows a box of the normalized plane, at `share` of the picture. */
+  /** Shows a box of the normalized plane; the box takes the share `box.share` of the picture. */
   show(box) {
     const { left, right, bottom, top, share } = box;
     this.fitted = box;
@@ -82,7 +82,7 @@ class View {
     this.top += dy;
   }
 
-  /** Zooms; the point at pixel (x, y) stays there. */
+  /** Zooms. The point at pixel (x, y) keeps its place. */
   zoom(factor, x, y) {
     this.fitted = null;
     const limit = 1e14;
@@ -92,7 +92,7 @@ class View {
     this.top = y + (this.top - y) * by;
   }
 
-  /** Returns x and y of every point, in pixels. */
+  /** Computes x and y of every point, in pixels. */
   project() {
     const { u, v, x, y, scale, left, top } = this;
     for (let p = 0; p < this.count; ++p) {
@@ -110,12 +110,12 @@ class View {
     return (length / this.unit) * this.scale;
   }
 
-  /** Returns the distance of points in pixels if they were spread evenly. */
+  /** Returns the distance between neighbors, in pixels, that points spread evenly over their box would have. */
   spacing() {
     return this.scale * Math.sqrt((4 * (this.halfWidth || 1e-3) * (this.halfHeight || 1e-3)) / Math.max(1, this.count));
   }
 
-  /** Shows the points if they are out of sight, or too small to see. */
+  /** Shows the points if they are out of sight or too small to see. Returns whether the view has changed. */
   bringToView(points) {
     const { left, right, bottom, top } = this.boxOf(points);
     const at = (u) => this.left + this.scale * u, down = (v) => this.top - this.scale * v;

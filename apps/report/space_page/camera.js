@@ -1,5 +1,5 @@
-// What: a perspective camera around a center, turned by drags and keys, moved and zoomed; returns matrices for WebGL,
-//       column by column.
+// What: provides a perspective camera around a center, which drags and keys turn, move and zoom. Matrices are for
+//       WebGL, column by column.
 "use strict";
 
 const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];
@@ -10,7 +10,7 @@ class OrbitCamera {
     this.fit();
   }
 
-  /** Returns to the first view: from the side and above, z up, with the cube from −1 to 1 in sight. */
+  /** Returns to the first view: from the side and above, with z up and the cube from −1 to 1 in sight. */
   fit() {
     const from = [1.5, -2.8, 2];
     this.back = unit(from);
@@ -23,7 +23,7 @@ class OrbitCamera {
     this.distance = Math.min(50, Math.max(0.02, this.distance / factor));
   }
 
-  /** Turns the scene around the axes of the picture, in radians: to the left, and up. */
+  /** Turns the scene around the axes of the picture, to the left and up, by angles in radians. */
   turn(across, up) {
     const turned = (v, w, angle) => unit(v.map((x, k) => x * Math.cos(angle) + w[k] * Math.sin(angle)));
     const back = turned(this.back, this.right, across);
@@ -32,7 +32,7 @@ class OrbitCamera {
     this.right = unit(cross(cross(this.back, this.right), this.back));
   }
 
-  /** Moves the scene, in shares of the height of the picture. */
+  /** Moves the scene to the right and up, in shares of the height of the picture. */
   move(across, up) {
     const height = 2 * this.distance * Math.tan(OrbitCamera.halfAngle);
     this.shift = [this.shift[0] + across * height, this.shift[1] + up * height];
@@ -53,7 +53,7 @@ class OrbitCamera {
 }
 OrbitCamera.halfAngle = (20 * Math.PI) / 180;
 
-/** Lets drags turn the camera, or with another button or shift move it; wheels zoom, two fingers zoom and move. Calls
+/** Lets drags turn the camera, or move it with another button or shift. Wheels zoom; two fingers zoom and move. Calls
  *  `changed` after each change. */
 function steerByPointers(canvas, camera, changed) {
   const pointers = new Map();

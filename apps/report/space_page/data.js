@@ -1,8 +1,8 @@
-// What: the data of the page of points in space, from base64 to typed arrays, and the triangles of a step.
+// What: decodes the data of the page of points in space from base64 to typed arrays, and lists the triangles of a step.
 //       docs/reference/file_formats.md has the format.
 "use strict";
 
-/** Decodes the data of the page. `text(name)` returns the content of the element of that name. */
+/** Decodes the data of the page. text(name) returns the content of the element with the data called `name`. */
 function decodeSpace(text) {
   const facts = JSON.parse(text("facts"));
   const points = doublesOf(bytesOf(text("points")));
@@ -31,8 +31,8 @@ function decodeSpace(text) {
   };
 }
 
-/** Writes the corners of the triangles of a step: into `boundary` those with a tetrahedron on one side, into `dangling`
- *  those with none. Returns the number of corners of each. */
+/** Writes the corners of the triangles of a step: of triangles with a tetrahedron on one side into `boundary`, of
+ *  triangles with none into `dangling`. Returns the number of corners in each. */
 function fillCorners({ corners, steps }, step, boundary, dangling) {
   let bounds = 0, dangles = 0;
   for (let at = 0; at < corners.length; at += 3) {

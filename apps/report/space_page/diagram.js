@@ -1,4 +1,4 @@
-// What: draws births against deaths in three colors; pairs that can be chosen have a ring.
+// What: draws births against deaths in three colors. Pairs that can be chosen have a ring.
 "use strict";
 
 const diagramMargin = { left: 44, right: 14, top: 24, bottom: 24 };
@@ -69,7 +69,7 @@ class SpaceDiagram {
     context.fillText("never", left - 4, 12);
   }
 
-  /** Returns the representative whose ring is nearest, within some pixels; null if there is none. */
+  /** Returns the representative whose ring is nearest, less than twelve pixels away; null if there is none. */
   representativeNear(x, y) {
     let best = null, least = 12;
     for (const one of this.data.representatives) {

@@ -1,4 +1,4 @@
-// What: the page of points in space: its choices and its events.
+// What: runs the page of points in space: its choices and its events.
 "use strict";
 
 const element = (id) => document.getElementById(id);
@@ -100,7 +100,7 @@ class SpacePage {
     this.show(at, at < 0 ? 0 : radii[at]);
   }
 
-  /** Moves to the last step at or below a radius. */
+  /** Moves to the last step whose radius is at most `alpha`. */
   goToAlpha(alpha) {
     this.goTo(lastAtMost(this.data.radii, alpha));
   }
@@ -125,7 +125,7 @@ class SpacePage {
     this.milliseconds = performance.now() - start;
   }
 
-  /** Chooses a representative, and moves to its birth; null for none. */
+  /** Chooses a representative (null for none). Moves to the birth of a tunnel or a void. */
   choose(one) {
     this.chosen = one;
     for (const [its, button] of this.pairButtons) button.setAttribute("aria-pressed", String(its === one));
@@ -183,7 +183,7 @@ class SpacePage {
     element("fit").addEventListener("click", () => this.scene?.fit());
   }
 
-  /** Takes a radius that was typed. */
+  /** Moves to the radius that `text` gives, or shows an error. */
   take(text) {
     const alpha = /^inf(inity)?$/i.test(text) ? Infinity : Number(text);
     if (text === "" || !(alpha > 0)) {

@@ -1,7 +1,7 @@
-// What: draws the picture that can be turned with WebGL 2: triangles, points, and the chosen representative.
+// What: draws the picture that can be turned, with WebGL 2: triangles, points, and the chosen representative.
 "use strict";
 
-/** The shaders. Faces are lit by their normals in the picture; points and lines have their color. */
+/** The shaders. Faces are lit by their normals in the picture; points and lines have their own color. */
 const vertexShader = `#version 300 es
 uniform mat4 view, projection;
 uniform float size;
@@ -32,7 +32,7 @@ void main() {
 const colorNumbers = (text) => [1, 3, 5].map((at) => parseInt(text.slice(at, at + 2), 16) / 255);
 
 class SpaceScene {
-  /** Throws if there is no WebGL 2. */
+  /** Prepares drawing on `canvas`. Throws if there is no WebGL 2. */
   constructor(canvas, data) {
     this.canvas = canvas;
     this.data = data;
@@ -56,7 +56,7 @@ class SpaceScene {
     });
   }
 
-  /** Makes the objects of the graphics card; called again after the context was lost. */
+  /** Makes the objects of the graphics card. Called again after the context was lost. */
   prepare() {
     const { gl } = this;
     const program = gl.createProgram();
@@ -82,7 +82,7 @@ class SpaceScene {
     }
   }
 
-  /** Returns the positions of points, scaled to a cube from −1 to 1 whatever the coordinates are. */
+  /** Returns the positions of the points, scaled to a cube from −1 to 1 whatever the coordinates are. */
   places() {
     const { points } = this.data;
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -110,7 +110,7 @@ class SpaceScene {
     this.draw();
   }
 
-  /** Shows the triangles of a step. Returns the number of each kind. */
+  /** Shows the triangles of a step. Returns the numbers of boundary and of dangling triangles. */
   show(step) {
     const { boundary, dangling } = this;
     [boundary.count, dangling.count] = fillCorners(this.data.walls, step, boundary.corners, dangling.corners);
@@ -129,7 +129,7 @@ class SpaceScene {
     this.draw();
   }
 
-  /** Shows the cycle, edge or surface of a representative, with the points around it; null for none. */
+  /** Shows the cycle, edge or surface of a representative, and all points; null shows none. */
   choose(one) {
     this.hasChoice = one !== null;
     this.chosenSurface.visible = one !== null && one.dimension === 2;

@@ -38,7 +38,7 @@ void triangulate_on_tiles(std::span<const Point> points, double alpha, const Alp
   };
   const auto sort = [&](auto& list) {
     const Checkpoint checkpoint = checkpoint_of(options.progress, result.distinct, list.size());
-    sites.reset();  // its memory is not needed when the list becomes the result
+    sites.reset();  // frees memory before the list becomes the result
     return list.sorted(threads, checkpoint);
   };
   if (options.neighbors) {
@@ -58,7 +58,7 @@ void triangulate_on_tiles(std::span<const Point> points, double alpha, const Alp
     }
     result.triangles = sort(list);
   }
-  // Without a finite radius, all points are in triangles, if there are any.
+  // If the radius is infinite and there is a triangle, all points are in triangles.
   if (are_on_a_line || std::isfinite(alpha)) result.isolated = isolated_in(result, points.size());
 }
 

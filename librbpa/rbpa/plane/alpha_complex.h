@@ -1,5 +1,6 @@
 // What: computes the alpha complex of points in the plane as plain arrays of indices, in canonical order.
-// Law:  the triangles are those of rbpa() (rbpa.h), to the index; the result does not depend on threads or compiler.
+// Law:  the triangles equal those of rbpa() (rbpa.h), indices included; the result does not depend on threads or
+//       compiler.
 // Cost: less than that of rbpa(), as no mesh is made: docs/reference/performance.md.
 // Note: independent of OpenMesh.
 #pragma once
@@ -30,15 +31,15 @@ struct AlphaComplexOptions {
 /// An alpha complex as arrays. Points are input indices from 0; of equal points only the lowest index occurs, except in
 /// `duplicates`.
 struct AlphaComplex {
-  /// The value for no neighbor in `neighbors`.
+  /// The entry of `neighbors` across from a corner where there is no triangle.
   static constexpr std::uint32_t none = TriangleArrays::none;
 
   /// The triangles, counter-clockwise, the smallest index first, in lexicographic order.
   std::vector<Triangle> triangles;
   /// Only on request: for each triangle, entry k is the number of the triangle across from its corner k, or none.
   std::vector<Triangle> neighbors;
-  /// Only on request: the boundary, that is the sides of one triangle only, each with the triangle on its left, in
-  /// lexicographic order.
+  /// Only on request: the boundary, that is the sides that only one triangle has, each with the triangle on its left,
+  /// in lexicographic order.
   std::vector<std::array<std::uint32_t, 2>> boundary;
   std::vector<std::uint32_t> isolated;  ///< distinct points in no triangle, ascending
   std::vector<Duplicate> duplicates;    ///< ascending by index
@@ -46,11 +47,11 @@ struct AlphaComplex {
 
   // In a full complex only:
   /// Edges in no triangle, the smaller index first, in lexicographic order: Delaunay edges of length ≤ 2 alpha with no
-  /// point inside their diametral circle. Delaunay edges of points on one line join neighbors on the line.
+  /// point inside their diametral circle. If all points are on one line, Delaunay edges join neighbors on the line.
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<std::uint32_t> points;  ///< distinct points in neither a triangle nor an edge, ascending
 
-  /// Converts to a view, valid as long as this object is unchanged; its neighbors are empty if they were not computed.
+  /// Converts to a view, valid as long as this object is unchanged; the view has no neighbors if `neighbors` is empty.
   operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 

@@ -1,6 +1,6 @@
 // What: finds the boundary curves of a complex whose triangles and neighbors are given as arrays.
 // Law:  the curves are those of the mesh of the same triangles: at a point where the complex touches itself (a pinch),
-//       a curve continues along the same fan of triangles, and so may pass the point more than once.
+//       a curve continues along the same fan of triangles; the curve may therefore pass the point several times.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What: tests whether points lie on one line, where no complex has a triangle; and says why a complex has no triangle.
+// What: tests whether all points lie on one line, and explains in words why a complex has no triangle.
 #pragma once
 
 #include <cstddef>

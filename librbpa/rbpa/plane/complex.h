@@ -13,7 +13,7 @@
 namespace rbpa {
 
 /// A solid alpha complex as an oriented 2-manifold with boundary. Where the complex touches itself at a point (a
-/// pinch), each fan of triangles has a vertex of its own on the same input point.
+/// pinch), each fan of triangles has a vertex of its own; all of these vertices have the same input point.
 struct SolidAlphaComplex {
   Mesh mesh;                               ///< faces counter-clockwise; no isolated and no deleted elements; z = 0
   std::vector<std::uint32_t> input_index;  ///< for each vertex of the mesh, the index of its input point

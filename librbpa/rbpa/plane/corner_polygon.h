@@ -1,4 +1,4 @@
-// What: holds polygons whose corners carry coordinates and 64-bit indices, for an input that is not in memory.
+// What: holds polygons whose corners carry coordinates and 64-bit indices, for an input that does not fit into memory.
 // Law:  the polygons of a whole complex equal those of outline_polygons() (rbpa/plane/outline_polygons.h), to the last
 //       bit, except for holes that take_holes() removed.
 #pragma once
@@ -37,10 +37,10 @@ struct CornerPolygon {
   /// Number of input points in the triangles of the polygon, duplicates included. A point at which several polygons
   /// touch counts only in the first of them, in the order of comes_before().
   std::uint64_t points = 0;
-  /// Number of holes that take_holes() removed before the polygon was finished. Area and perimeter are those with these
-  /// holes.
+  /// Number of holes that take_holes() removed before the polygon was finished. `area` and `perimeter` are those of the
+  /// polygon with the removed holes.
   std::uint64_t taken_holes = 0;
-  std::vector<ComponentName> names = {};  ///< names under which take_holes() returned these holes, ascending
+  std::vector<ComponentName> names = {};  ///< names under which take_holes() returned the removed holes, ascending
   friend bool operator==(const CornerPolygon&, const CornerPolygon&) = default;
 };
 

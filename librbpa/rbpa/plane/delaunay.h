@@ -1,4 +1,4 @@
-// What: holds a Delaunay triangulation with its points: computed by the constructor, or given and checked once.
+// What: holds a Delaunay triangulation with its points; the constructor computes or checks the triangulation.
 // Why:  functions of a triangulation (filtration.h, persistence.h, plateaus.h, smallest_covering_alpha.h) do not check
 //       a Delaunay object again.
 #pragma once
@@ -29,7 +29,7 @@ class RBPA_API Delaunay {
   /// Cost:   linear: about a tenth of the cost of the triangulation.
   Delaunay(const AlphaComplex& triangulation, std::span<const Point> points, const GoOn& go_on = {},
            const char* function = "Delaunay");
-  /// Checks a triangulation in the same way, and takes it over.
+  /// Checks the triangulation as the constructor above does, and moves it into this object.
   Delaunay(AlphaComplex&& triangulation, std::span<const Point> points, const GoOn& go_on = {},
            const char* function = "Delaunay");
 

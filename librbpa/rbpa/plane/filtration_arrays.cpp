@@ -34,7 +34,7 @@ Numbers inverse(const Numbers& order) {
   return place;
 }
 
-/// Adds the distinct points to the arrays, in lexicographic order. Returns the place of each.
+/// Adds the distinct points to the arrays, in lexicographic order. Returns the place of each point.
 Numbers add_points(FiltrationArrays& arrays, const Numbers& index, std::span<const Point> points, Steps& pulse) {
   const Numbers order = sorted_numbers(
       index.size(), pulse, [&](std::uint32_t a, std::uint32_t b) { return points[index[a]] < points[index[b]]; });
@@ -51,7 +51,7 @@ std::vector<Triangle> on_places(std::vector<Triangle> triangles, const Numbers& 
   return triangles;
 }
 
-/// Adds the triangles to the arrays, sorted by alpha, then by corners. Returns the place of each.
+/// Adds the triangles to the arrays, sorted by alpha, then by corners. Returns the place of each triangle.
 Numbers add_triangles(FiltrationArrays& arrays, const std::vector<Triangle>& triangles,
                       const std::vector<double>& alpha, Steps& pulse) {
   const Numbers order = sorted_numbers(triangles.size(), pulse, [&](std::uint32_t a, std::uint32_t b) {
@@ -64,7 +64,7 @@ Numbers add_triangles(FiltrationArrays& arrays, const std::vector<Triangle>& tri
   return inverse(order);
 }
 
-/// Returns the cells, numbered as in the arrays, edges sorted by alpha and ends: a function of the points alone.
+/// Returns the cells with the numbers of the arrays, edges sorted by alpha and ends: a function of the set of points.
 FilteredCells renumbered(FilteredCells cells, const Numbers& vertices, const Numbers& faces, Steps& pulse) {
   FilteredCells result = cells;
   for (std::size_t v = 0; v < vertices.size(); ++v) result.vertices[vertices[v]] = cells.vertices[v];
@@ -106,7 +106,7 @@ void add_pairs(FiltrationArrays& arrays, const FilteredCells& cells, Steps& puls
 void add_free_edges(FiltrationArrays& arrays, const FilteredCells& cells, Steps& pulse) {
   for (const FilteredCells::Edge& edge : cells.edges) {
     pulse();
-    const std::uint32_t first = edge.sides[0];  // sorted, as the triangles are by alpha
+    const std::uint32_t first = edge.sides[0];  // the first to appear: sides ascend, and triangles are sorted by alpha
     if (edge.alpha == arrays.alpha[first]) continue;
     const Triangle& corners = arrays.triangles[first];
     std::uint32_t side = 0;

@@ -21,13 +21,13 @@ namespace rbpa {
 /// An edge that enters the full alpha complex at a smaller alpha than every triangle that contains it.
 struct FreeEdge {
   double alpha = 0;            ///< radius at which the edge appears: half its length, rounded up
-  std::uint32_t triangle = 0;  ///< the first triangle at the edge, which appears later than the edge
+  std::uint32_t triangle = 0;  ///< number of the first triangle at the edge, which appears later than the edge
   std::uint32_t side = 0;      ///< 0 to 2: the edge is the side of that triangle from corner `side` to the next corner
   friend bool operator==(const FreeEdge&, const FreeEdge&) = default;
 };
 
 /// A persistence pair of the solid complex, located by a triangle. A component contains the triangle from the birth of
-/// the component on. A hole contains the triangle until its death, which the triangle causes.
+/// the component on. A hole contains the triangle until the death of the hole, which the triangle causes.
 struct PlacedPair {
   PersistencePair pair = {};
   std::uint32_t triangle = 0;  ///< number in FiltrationArrays::triangles
@@ -50,7 +50,7 @@ struct FiltrationArrays {
 RBPA_API FiltrationArrays filtration_arrays(const Delaunay& delaunay, const Filtration& filtration,
                                             const GoOn& go_on = {});
 /// Computes the arrays of a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
-/// Throws: also ContractViolation as the constructor of Delaunay, which checks the triangulation.
+/// Throws: as the first overload; ContractViolation as the constructor of Delaunay, which checks the triangulation.
 inline FiltrationArrays filtration_arrays(const AlphaComplex& delaunay, std::span<const Point> points,
                                           const Filtration& filtration, const GoOn& go_on = {}) {
   return filtration_arrays(Delaunay(delaunay, points, go_on, "filtration_arrays"), filtration, go_on);

@@ -1,5 +1,5 @@
-// What: computes the shapes of many sets of points in one call, each on its own: a footprint for every building, a hull
-//       for every cluster.
+// What: computes the shapes of many sets of points (groups) in one call, each group on its own: a footprint for every
+//       building, a hull for every cluster.
 // Law:  the result of a group equals the result of a call with the points of the group alone, but has indices of the
 //       input. The result does not depend on threads. A group with points or a radius that a single call refuses does
 //       not end the run: shapes_of_groups() says in the result why that group has no polygon.
@@ -26,8 +26,8 @@ namespace rbpa {
 
 /// The points of each group: group g has members[offsets[g]] to members[offsets[g + 1] − 1].
 struct Groups {
-  std::vector<std::uint64_t> offsets = {0};  ///< one more than there are groups, from 0, none less than the one before
-  std::vector<std::uint32_t> members = {};   ///< input indices, ascending and none twice within each group
+  std::vector<std::uint64_t> offsets = {0};  ///< size() + 1 numbers, the first 0, none less than the one before
+  std::vector<std::uint32_t> members = {};   ///< input indices, strictly ascending within each group
 
   std::size_t size() const { return offsets.size() - 1; }  ///< number of groups
   /// Returns the members of a group. Requires: `group` is below size(); not checked.
@@ -54,7 +54,7 @@ struct GroupOptions {
 struct Group {
   std::size_t number = 0;
   std::span<const Point> points = {};           ///< contiguous in memory
-  std::span<const std::uint32_t> members = {};  ///< for each of these points, its input index
+  std::span<const std::uint32_t> members = {};  ///< for each entry of `points`, its input index
 };
 
 /// Calls visit(group) once for each group, in any order; several threads may call it at the same time. The group is
@@ -78,7 +78,7 @@ struct GroupAlpha {
 
 struct GroupShapesOptions : GroupOptions {
   PolygonFilter filter = {};  ///< applied to each group on its own
-  bool triangles = false;     ///< whether GroupShapes::triangles are filled in
+  bool triangles = false;     ///< whether GroupShapes::triangles is filled in
 };
 
 /// The reason why a group has no polygon.
@@ -98,7 +98,8 @@ struct GroupShapes {
   std::vector<Polygon> polygons;
   std::vector<std::uint64_t> polygon_begin = {0};
   std::vector<PolygonTotals> totals;  ///< totals of the polygons of each group
-  /// The triangles of group g are numbers triangle_begin[g] to triangle_begin[g + 1] − 1, counted even if not kept.
+  /// The triangles of group g are numbers triangle_begin[g] to triangle_begin[g + 1] − 1, counted even if `triangles`
+  /// is not filled in.
   std::vector<std::uint64_t> triangle_begin = {0};
   /// Only on request: the triangles of all groups, one group after another, each sorted as by alpha_complex(); input
   /// indices.

@@ -14,7 +14,7 @@ struct Hierarchy;  // rbpa/hrbpa.h
 
 /// Returns the counts of the complex after each level, in the order of hierarchy.levels.
 /// Requires: `hierarchy` is the result of hrbpa(), of which only the number of triangles is checked.
-/// Throws:   ContractViolation when the mesh does not have as many faces as the last level says.
+/// Throws:   ContractViolation when the number of faces of the mesh is not Level::triangles of the last level.
 RBPA_API std::vector<ComplexCounts> level_topology(const Hierarchy& hierarchy);
 
 }  // namespace rbpa

@@ -12,7 +12,7 @@ namespace {
 /// A side of a triangle, listed at its end with the lower index, which is called the point.
 struct SideAt {
   std::uint32_t other;  // the other end
-  bool comes;           // whether it runs to the point
+  bool comes;           // whether the side runs to the point
   std::uint8_t across;  // the corner of the triangle across from the side
   std::uint32_t triangle;
 };
@@ -21,7 +21,7 @@ struct SideAt {
 
 std::vector<Triangle> link_triangles(std::span<const Triangle> triangles, std::size_t points, const GoOn& go_on) {
   Steps step(go_on);
-  // Sides are matched at their lower end. For two sides of a triangle this is the lowest corner, corner 0, and
+  // Sides are matched at their lower end. The lower end of two sides of a triangle is its lowest corner, corner 0;
   // triangles with the same corner 0 follow each other. The third side is across from corner 0: the triangles whose
   // third side has the same lower end form a linked list, from first[end] on, whose links stand in neighbors[t][0]
   // until the neighbor is written there.

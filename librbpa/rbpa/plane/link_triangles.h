@@ -1,4 +1,4 @@
-// What: computes the neighbors of each triangle from nothing but the triangles in canonical order.
+// What: computes the neighbors of each triangle from the triangles in canonical order alone.
 // Law:  the neighbors equal those that alpha_complex() finds.
 // Why:  takes less memory than AlphaComplexOptions::neighbors: the result and four bytes a point, after alpha_complex()
 //       has freed its own memory.

@@ -50,7 +50,8 @@ struct SeenFrom {
 
 using Areas = std::array<double, 3>;
 
-/// Returns for each corner the area across from the corner: cross(i, j) of the two others, or 0 if that is negative.
+/// Returns for each corner the area across from the corner: cross(i, j) of the two other corners, or 0 if the cross
+/// product is negative.
 template <typename Cross>
 Areas areas(Cross cross) {
   return {std::max(0.0, cross(1, 2)), std::max(0.0, cross(2, 0)), std::max(0.0, cross(0, 1))};
@@ -187,8 +188,8 @@ class Locator::Impl {
     return true;
   }
 
-  /// Returns whether the query is at most twice as far from the first corner of triangle t as another corner is, in x
-  /// and in y: then few steps lead to the query.
+  /// Returns whether, in the maximum norm, the query is at most twice as far from the first corner of triangle t as
+  /// another corner is: then few steps lead to the query.
   bool is_near(std::uint32_t t, const Point& query) const {
     const auto& corners = of_.triangles[t];
     const auto distance = [&](const Point& p) {
@@ -223,7 +224,7 @@ class Locator::Impl {
       const auto k = static_cast<std::size_t>(std::find(sign.begin(), sign.end(), 0) - sign.begin());
       return std::min(t, of_.neighbors[t][k]);  // `none` is the largest number
     }
-    // The point is on two sides, so it is the corner that they share, across from the third.
+    // The point is on two sides, so it is the corner that both sides share, across from the third side.
     const auto k = static_cast<std::size_t>(std::find(sign.begin(), sign.end(), 1) - sign.begin());
     const std::uint32_t corner = of_.triangles[t][k];
     return std::min(first_around(t, corner, 1), first_around(t, corner, 2));
@@ -260,8 +261,8 @@ Locator::~Locator() = default;
 
 namespace {
 
-/// Calls visit(i, last) for each query, in parts that are shared among threads, with a `visit` that begin() returns for
-/// each part; calls go_on() after each part. `last` is the result for the query before, or none.
+/// Calls visit(i, last) for each query i. Threads share the queries in parts; begin() returns the `visit` of a part,
+/// and go_on() is called after each part. `last` is the result for the query before, or none.
 template <typename Begin>
 void for_each_query(std::size_t queries, unsigned most_threads, const GoOn& go_on, Begin begin) {
   constexpr std::size_t queries_at_a_time = 4096;

@@ -1,8 +1,8 @@
 // What:   finds the triangle of a Delaunay triangulation that contains a point, and interpolates values between points.
 // Law:    the triangle is found exactly, as a function of the point and the triangulation: of several triangles that
 //         share the side or corner on which the point lies, the one of lowest index is found.
-// How:    a walk from triangle to triangle toward the point, from the triangle of the query before, or one near the
-//         grid cell of the point. Such a walk ends in every Delaunay triangulation.
+// How:    a walk from triangle to triangle toward the point, from the triangle of the query before, or from one near
+//         the grid cell of the point. The walk ends in every Delaunay triangulation.
 // Cost:   constructing a Locator takes linear time and some 30 bytes for each point; a query takes a few steps of the
 //         walk where points are dense.
 // Source: Devillers, Pion, Teillaud, Walking in a triangulation (2002); R. Sibson, A vector identity for the Dirichlet
@@ -29,7 +29,7 @@ struct LocateOptions {
 /// The method of interpolation between points. Both methods reproduce linear functions, and are continuous.
 enum class Interpolation {
   linear,  ///< linear in each triangle
-  /// Sibson's: smooth except at the points, so that the sides of triangles are not visible; see Locator::interpolate().
+  /// Sibson's method: smooth except at the points, so sides of triangles are not visible; see Locator::interpolate().
   natural_neighbor
 };
 
@@ -67,12 +67,13 @@ class RBPA_API Locator {
   /// points. The value is the mean over these points, weighted by these areas; on a side of the convex hull, the value
   /// is linear between the ends of the side.
   ///
-  /// Error:  the value is a convex combination of the values at the corners or neighbors, except for a few roundings;
-  ///         at a point it is exactly the value of the point. The set of natural neighbors is exact; their areas are
-  ///         right to about 1e-9 of the sum of the areas.
+  /// Error:  the value is a convex combination of the values at the corners or natural neighbors, except for a few
+  ///         roundings; at a point, it is exactly the value of the point. The set of natural neighbors is exact; the
+  ///         error of an area is about 1e-9 of the sum of the areas.
   /// Cost:   for a query, that of find(); by natural neighbors also some ten comparisons with circles and as many
   ///         centers; milliseconds where coordinates are a hundred decades apart.
-  /// Throws: InvalidInput when `columns` is 0, or `values` does not have n × `columns` numbers; as find().
+  /// Throws: InvalidInput when `columns` is 0, or `values` does not have n × `columns` numbers; the exceptions of
+  ///         find().
   std::vector<double> interpolate(std::span<const double> values, std::size_t columns, std::span<const Point> queries,
                                   const InterpolateOptions& options = {}) const;
 

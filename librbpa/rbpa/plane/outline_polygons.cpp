@@ -18,7 +18,8 @@
 namespace rbpa {
 namespace {
 
-/// The lexicographic order of rings, and of polygons, by the first two points. An edge is on one ring: none are equal.
+/// The lexicographic order of rings, and of polygons, by the first two points. Each edge is on one ring, so no two are
+/// equal.
 class Order {
  public:
   explicit Order(std::span<const Point> points) : points_(points) {}
@@ -62,7 +63,7 @@ class RingsByComponent {
 
  private:
   CurveSplitter splitter_;
-  std::vector<std::uint32_t> number_;  // for each name, the number of its component, from 1; 0 without
+  std::vector<std::uint32_t> number_;  // for each name, the number of its component, from 1; 0: no curve yet
   std::vector<std::vector<Ring>> rings_;
 };
 

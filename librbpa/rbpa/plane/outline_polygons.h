@@ -39,8 +39,8 @@ struct Polygon {
   friend bool operator==(const Polygon&, const Polygon&) = default;
 };
 
-/// Lower bounds for the areas of holes and polygons, in squared units of the points. Areas are compared as rounded. The
-/// bounds 0 change nothing.
+/// Lower bounds for the areas of holes and polygons, in squared units of the points. Areas are compared as rounded. A
+/// bound of 0 removes nothing.
 struct PolygonFilter {
   /// Least area of a hole: holes whose ring encloses less are filled, and polygons in filled holes are dropped.
   double min_hole_area = 0;
@@ -85,7 +85,7 @@ class RBPA_API RunningTotals {
   /// Adds a polygon with this number of holes, area and perimeter.
   /// Requires: an area and a perimeter that are not negative; they may be infinite.
   void add(std::size_t holes, double area, double perimeter);
-  PolygonTotals totals() const;  ///< totals of the polygons added so far
+  PolygonTotals totals() const;  ///< totals of all polygons that were added
 
  private:
   struct Sums;

@@ -43,7 +43,7 @@ struct PartialCounts {
 /// The size of the part of a Partial that depends on regions not merged yet.
 struct RimSize {
   std::uint64_t triangles = 0;   ///< triangles with corners both in merged regions and in others
-  std::uint64_t components = 0;  ///< solid components with such triangles
+  std::uint64_t components = 0;  ///< solid components that have triangles of this kind
   std::uint64_t chains = 0;      ///< paths of boundary edges that continue in other regions
   std::uint64_t corners = 0;     ///< corners of chains, and of rings whose component is unfinished
   std::uint64_t polygons = 0;    ///< finished polygons that are not removed yet
@@ -117,9 +117,9 @@ RBPA_API PartialAndItems partial_and_items(const Region& region, const RegionPoi
                                            const PartialOptions& options = {});
 
 /// Merges two sets of regions into one.
-/// Throws: InvalidInput when both have regions and their alphas differ, when a part of the plane is in both, or when
-///         they contradict each other about a common triangle or boundary edge, because a halo was not complete or
-///         points differed. After an exception, neither argument may be used.
+/// Throws: InvalidInput when both arguments have regions and their alphas differ, when a part of the plane is in both
+///         arguments, or when the arguments contradict each other about a common triangle or boundary edge, because a
+///         halo was not complete or points differed. After an exception, neither argument may be used.
 /// Cost:   n log n in the rims; an amortized constant for polygons.
 RBPA_API Partial merge(Partial&& a, Partial&& b);
 
@@ -130,7 +130,8 @@ RBPA_API std::vector<CornerPolygon> take_settled(Partial& partial);
 
 /// Holes that were removed from one component.
 struct TakenHoles {
-  /// The name of the component. Holes of one polygon may come under several names, and under one name several times.
+  /// The name of the component. take_holes() may return holes of one polygon under several names, and several times
+  /// under one name.
   ComponentName component;
   std::vector<CornerRing> holes;  ///< clockwise; sorted by first point, then by second, both lexicographically
 };
@@ -148,7 +149,8 @@ struct WholeComplex {
 };
 
 /// Returns the complex of the whole plane.
-/// Throws: InvalidInput that names a missing part of the plane, or a triangle that not all regions of its corners have.
+/// Throws: InvalidInput that names a missing part of the plane, or a triangle that is missing in a region that contains
+///         one of its corners.
 RBPA_API WholeComplex finish(Partial&& partial);
 
 }  // namespace rbpa

@@ -1,7 +1,7 @@
-// What:   writes a Partial as bytes, and reads them on any machine.
-// Law:    partial_from_bytes(to_bytes(p)) has the bytes of p. Unless polygons or holes were removed, bytes do not
-//         depend on the order in which regions were merged. A checksum detects truncated bytes and bytes changed by
-//         accident, not those changed on purpose.
+// What:   converts a Partial to bytes that any machine can read, and back.
+// Law:    to_bytes(partial_from_bytes(b)) is b for every result b of to_bytes(). Unless polygons or holes were removed,
+//         bytes do not depend on the order in which regions were merged. A checksum detects truncated bytes and bytes
+//         changed by accident, not those changed on purpose.
 // Source: docs/explanation/plane.md, section 22, has the format.
 #pragma once
 

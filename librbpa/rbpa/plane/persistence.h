@@ -1,7 +1,7 @@
 // What:   computes the births and deaths of components and holes while alpha grows from 0 to infinity.
 // Law:    the complex at alpha has as many components as there are pairs of dimension 0 with birth ≤ alpha < death, and
-//         as many holes as there are such pairs of dimension 1. For the solid complex, the steps of filtration() have
-//         the same numbers. No pair has birth = death.
+//         as many holes as there are pairs of dimension 1 with birth ≤ alpha < death. For the solid complex, the steps
+//         of filtration() have these numbers. No pair has birth = death.
 // Cost:   sorts the edges; the rest is near-linear.
 // Source: Edelsbrunner, Letscher, Zomorodian, Topological persistence and simplification (2002): the elder rule;
 //         Delfinado, Edelsbrunner, An incremental algorithm for Betti numbers (1995): holes by duality.
@@ -25,7 +25,7 @@ namespace rbpa {
 struct PersistencePair {
   int dimension = 0;
   double birth = 0;
-  std::optional<double> death;  ///< absent: never
+  std::optional<double> death;  ///< absent if the component or hole never ends
   friend bool operator==(const PersistencePair&, const PersistencePair&) = default;
 };
 
@@ -36,7 +36,7 @@ struct PersistencePair {
 RBPA_API std::vector<PersistencePair> persistence(const Delaunay& delaunay, const Filtration& filtration,
                                                   ComplexKind kind = ComplexKind::solid, const GoOn& go_on = {});
 /// Returns the pairs of a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
-/// Throws: also ContractViolation as the constructor of Delaunay, which checks the triangulation.
+/// Throws: as the first overload; ContractViolation as the constructor of Delaunay, which checks the triangulation.
 inline std::vector<PersistencePair> persistence(const AlphaComplex& delaunay, std::span<const Point> points,
                                                 const Filtration& filtration, ComplexKind kind = ComplexKind::solid,
                                                 const GoOn& go_on = {}) {

@@ -46,21 +46,21 @@ struct Plateau {
 inline constexpr double plateau_settles = 2;
 
 /// Returns at most eight plateaus, the best first. Let F be the long plateau of kind one_piece with the least `from`.
-/// First come the long structured plateaus below F, or all if there is no F; then F and the long structured ones above
-/// F; then all others. Each group is sorted by (ratio − 1) · share of points covered, descending; but plateaus that are
-/// not long and cover less than nine tenths of the points are last. At the beginning of a plateau, at least half of the
-/// points are covered. The result is empty if there is no triangle.
+/// First come the long structured plateaus below F, or all long structured plateaus if there is no F; then F and the
+/// long structured ones above F; then all others. Each group is sorted by (ratio − 1) · share of points covered,
+/// descending; but plateaus that are not long and cover less than nine tenths of the points are last. At the beginning
+/// of a plateau, at least half of the points are covered. The result is empty if there is no triangle.
 ///
 /// The *change* of the shape grows by at most a tenth within a plateau. Ranges with a ratio below 1.25 are left out,
 /// unless there is no other. The change at alpha is the product P · H · ⁸√E of
-///   P  Σ nᵢ², the greatest so far: the probability, up to a factor, that two points are in one part;
-///   H  the product over all steps so far of the factor ≥ 1 by which 1 − hole_share rises or falls;
+///   P  the greatest Σ nᵢ² up to alpha: the probability, up to a factor, that two points are in one part;
+///   H  the product over all steps up to alpha of the factor ≥ 1 by which 1 − hole_share rises or falls;
 ///   E  the area of complex and holes; because of the eighth root, E may grow in a plateau by a factor of up to 2.1.
 /// Requires: `filtration` is filtration(delaunay), of which only the numbers of triangles and points are checked.
 /// Throws:   ContractViolation when one of these numbers differs; Cancelled.
 RBPA_API std::vector<Plateau> plateaus(const Delaunay& delaunay, const Filtration& filtration, const GoOn& go_on = {});
 /// Returns the plateaus of a triangulation that alpha_complex(points, infinity, {.neighbors = true}) returned.
-/// Throws: also ContractViolation as the constructor of Delaunay, which checks the triangulation.
+/// Throws: as the first overload; ContractViolation as the constructor of Delaunay, which checks the triangulation.
 inline std::vector<Plateau> plateaus(const AlphaComplex& delaunay, std::span<const Point> points,
                                      const Filtration& filtration, const GoOn& go_on = {}) {
   return plateaus(Delaunay(delaunay, points, go_on, "plateaus"), filtration, go_on);

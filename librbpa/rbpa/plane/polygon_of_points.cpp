@@ -13,7 +13,7 @@ namespace rbpa {
 namespace {
 
 using Number = std::optional<std::uint32_t>;
-/// The first edge of a shell, by input indices. It is on no other ring.
+/// The first edge of a shell, by input indices. The edge is on no other ring.
 struct FirstEdge {
   std::uint32_t from, to, polygon;
 };
@@ -56,12 +56,12 @@ std::vector<std::uint32_t> polygon_of_components(const TriangleArrays& complex, 
   return polygon;
 }
 
-/// Sets `of_point` to `polygon`, unless that is none, or `of_point` has a lesser number.
+/// Sets `of_point` to `polygon`, unless `polygon` is none, or `of_point` has a lesser number.
 void put(Number& of_point, std::uint32_t polygon) {
   if (polygon != no_index && (!of_point || polygon < *of_point)) of_point = polygon;
 }
 
-/// Finds the polygons of points that have none so far: points in filled holes, and duplicates.
+/// Finds the polygons of points without a polygon in `result`: points in filled holes, and duplicates.
 void complete(std::vector<Number>& result, std::span<const Duplicate> duplicates, std::span<const Polygon> polygons,
               const PolygonFilter& filter, std::span<const Point> points, Steps& step) {
   if (filter.min_hole_area > 0) {

@@ -30,7 +30,7 @@ RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(const Solid
                                                                      std::span<const Point> points,
                                                                      const GoOn& go_on = {});
 
-/// Returns the polygon of each input point, as above, for a solid complex in arrays.
+/// Returns the polygon of each input point, as the first overload does, for a solid complex in arrays.
 /// Requires: neighbors were computed; `duplicates` are those of the complex; `polygons` is the result of
 ///           outline_polygons(points, complex, filter). None of these is checked.
 /// Throws:   Cancelled.

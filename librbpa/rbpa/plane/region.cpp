@@ -38,7 +38,7 @@ Region halo(const Region& region, double alpha) {
   const auto below = [&](double bound) { return std::nextafter(bound - reach, -infinity); };
   const auto above = [&](double bound) { return std::nextafter(bound + reach, infinity); };
   Region wide{below(region.x0), below(region.y0), above(region.x1), above(region.y1)};
-  // An infinite reach from an infinite bound is NaN.
+  // With an infinite reach, an infinite bound would become NaN.
   if (std::isinf(reach)) wide = Region{};
   return wide;
 }

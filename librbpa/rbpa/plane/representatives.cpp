@@ -66,7 +66,7 @@ std::vector<Placed> at_levels(const std::vector<Placed>& pairs, std::span<const 
   return result;
 }
 
-/// Removes in each dimension pairs that `choice` does not choose, so that fewer are sorted.
+/// Removes in each dimension pairs that `choice` does not choose, so that fewer pairs are sorted.
 void drop_short(std::vector<Placed>& pairs, const PairChoice& choice) {
   std::array<double, 2> least = {choice.min_persistence, choice.min_persistence};
   for (const int dimension : {0, 1}) {
@@ -87,7 +87,7 @@ void drop_short(std::vector<Placed>& pairs, const PairChoice& choice) {
 /// Holes of a complex at any radius.
 class HoleSearch {
  public:
-  /// Keeps references to all arguments.
+  /// Keeps references to the data of `delaunay` and `filtration`.
   HoleSearch(const Delaunay& delaunay, const Filtration& filtration, const FilteredCells& cells)
       : points_(delaunay.points()),
         all_(delaunay.triangulation()),
@@ -106,7 +106,7 @@ class HoleSearch {
   /// Returns the hole at `alpha` that contains the triangle. Requires: a bounded hole.
   Polygon hole_at(double alpha, std::uint32_t triangle, Steps& pulse) {
     reach(alpha, triangle, pulse);
-    // Points are renumbered, so that the cost is that of the hole.
+    // Points are renumbered, so that the cost depends on the size of the hole only.
     std::vector<Point> points;
     std::vector<std::uint32_t> index;
     std::vector<Triangle> triangles, neighbors;
@@ -146,7 +146,7 @@ class HoleSearch {
   }
 
   /// Collects in reached_ the triangles that can be reached from `triangle` outside of the complex at `alpha`, and
-  /// stores in number_ the position of each.
+  /// stores the position of each triangle in number_.
   void reach(double alpha, std::uint32_t triangle, Steps& pulse) {
     reached_ = {triangle};
     number_[triangle] = 0;
@@ -167,7 +167,8 @@ class HoleSearch {
   std::span<const Point> points_;
   const AlphaComplex& all_;
   const std::vector<double>& alpha_;
-  // for each side: the alpha of the edge, if it appears before both of its triangles; empty if there is no such edge
+  // for each side: the alpha of its edge, if the edge appears before both of its triangles, otherwise infinity; empty
+  // if no edge does
   std::vector<std::array<double, 3>> closes_;
   std::vector<std::uint32_t> reached_, number_, place_;
 };

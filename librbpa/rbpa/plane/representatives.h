@@ -2,8 +2,8 @@
 //         component by the edge at which it ends.
 // Law:    a hole at a radius is the region that can be reached from its last triangle through triangles and edges that
 //         appear later. Every curve of the complex around the hole encloses these triangles, so none encloses less
-//         area. The result is a function of the set of points alone if no radii are equal; of components that end, or
-//         holes that are filled, at equal radii, the numbers of the points decide which makes which pair.
+//         area. The result is a function of the set of points alone if no radii are equal; if several components end or
+//         several holes are filled at equal radii, the order of the input decides how births and deaths are paired.
 // Cost:   that of persistence(), and linear in the triangles of the chosen holes.
 // Source: Obayashi, Volume-optimal cycle (2018); docs/explanation/filtration_and_persistence.md, section 5.
 #pragma once
@@ -27,10 +27,10 @@ namespace rbpa {
 struct Representative {
   PersistencePair pair = {};
   /// Dimension 0: the ends, as ascending input indices, of the edge at which the component meets an older one; absent
-  /// if pair.death is.
+  /// if pair.death is absent.
   std::optional<std::array<std::uint32_t, 2>> joined_at = std::nullopt;
-  /// Dimension 1: the hole at pair.birth, and at the last radius at which the hole exists. There the hole is one
-  /// triangle, or several of equal radius; level_representatives() may return larger holes. Inner rings
+  /// Dimension 1: the hole at pair.birth, and at the last radius at which the hole exists. At the last radius, the hole
+  /// is one triangle, or several of equal circumradius; level_representatives() may return larger holes. Inner rings
   /// (Polygon::holes) surround the parts of the complex within the hole.
   Polygon at_birth = {}, before_death = {};
 };

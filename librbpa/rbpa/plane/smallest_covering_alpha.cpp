@@ -26,7 +26,7 @@ void check(const Covering& covering) {
 }
 
 /// Adds triangles in ascending order of their radii. Returns the first radius at which is_enough(number of covered
-/// points, sizes of solid components) is true; nothing if there is none.
+/// points, sizes of solid components) is true; nothing if there is no such radius.
 template <typename Enough>
 std::optional<double> first_enough(const TriangleArrays& delaunay, std::size_t points, std::span<const double> radii,
                                    Steps& step, const Enough& is_enough) {
@@ -56,7 +56,8 @@ double covering_radius(const AlphaComplex& delaunay, std::size_t points, std::sp
 }
 
 /// Returns the least radius at which all points are in at most `max_components` solid components; nothing if there is
-/// none. Triangles up to the radius that covers all points are added in any order: on most sets, few come later.
+/// no such radius. Does not sort the triangles up to the radius that covers all points: on most sets, few triangles are
+/// larger.
 std::optional<double> smallest_of_all(const AlphaComplex& delaunay, std::size_t points, std::span<const double> radii,
                                       std::size_t max_components, Steps& step) {
   const double covering = covering_radius(delaunay, points, radii);

@@ -1,7 +1,7 @@
 // What:   finds the least alpha at which at most K solid components contain a given share of the points, so that a few
 //         outliers may be left out.
 // Law:    with share 1 the result equals smallest_covering(filtration, max_components). The result never falls when the
-//         share rises or K falls. It is exact, and a function of the set of points, the share and K.
+//         share rises or K falls. The result is exact, and a function of the set of points, the share and K.
 // Cost:   with a filtration, linear in its steps if components are not limited or share is 1. All other calls: n log n
 //         in the triangles. Without a filtration and with share 1, only triangles above the radius that covers all
 //         points are sorted.
@@ -40,12 +40,13 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
 /// Throws:   ContractViolation when one of these numbers differs, or the share is out of its bounds; Cancelled.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,
                                                  const Covering& covering, const GoOn& go_on = {});
-/// Returns the radius of the first overload without a filtration, from the circumradii of the triangles alone, in about
-/// half the time that filtration() takes.
+/// Returns the radius that the first overload returns. Needs no filtration, only the circumradii of the triangles, and
+/// takes about half the time of filtration().
 /// Throws: ContractViolation when the share is out of its bounds; Cancelled.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Covering& covering,
                                                  const GoOn& go_on = {});
-/// Returns the radius of the first overload for the result of alpha_complex(points, infinity, {.neighbors = true}).
+/// Returns the radius that the first overload returns, for the result of alpha_complex(points, infinity, {.neighbors =
+/// true}).
 /// Requires: `filtration` is the filtration of this triangulation.
 /// Throws:   as the first overload; if the share is below 1 and components are limited, also ContractViolation as
 ///           require_linked(), as neighbors are read only then. Nothing else of the triangulation is checked.

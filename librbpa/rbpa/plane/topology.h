@@ -18,7 +18,7 @@ struct ComplexCounts {
   std::size_t points_covered = 0;  ///< distinct input points in triangles: the vertices of the space
   std::size_t edges = 0;
   std::size_t triangles = 0;
-  std::size_t boundary_curves = 0;   ///< curves around triangles; at a pinch, a curve continues along the same fan
+  std::size_t boundary_curves = 0;   ///< closed curves of boundary edges; at a pinch, a curve follows one fan
   std::size_t solid_components = 0;  ///< components of the triangles, connected through edges
   std::size_t components = 0;        ///< components connected through points: pinches connect
   std::size_t holes = 0;             ///< bounded components of the complement in the plane

@@ -64,7 +64,7 @@ TrianglesByLevel triangles_by_level(std::span<const Point> points, double alpha,
   } else {
     find_triangles(*sites, ladder.radius(ladder.end()), options.progress, threads, list);
   }
-  sites.reset();  // its memory is not needed when the list becomes the result
+  sites.reset();  // frees memory before the list becomes the result
   const Checkpoint checkpoint = checkpoint_of(options.progress, complex.distinct, list.size());
   meshops::FreshVector<std::uint32_t> numbers;
   complex.triangles = list.sorted(threads, numbers, checkpoint);

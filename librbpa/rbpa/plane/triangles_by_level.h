@@ -1,5 +1,5 @@
 // What:   computes the solid alpha complex as plain arrays, with the level of each triangle: the first of the radii α₀,
-//         2α₀, 4α₀ … alpha that admits it.
+//         2α₀, 4α₀ … alpha that admits the triangle.
 // Law:    the triangles are those of alpha_complex(), the levels those of hrbpa() (hrbpa.h).
 // Cost:   that of alpha_complex(), plus a quadtree and a comparison of the circumradius for each triangle.
 // Source: Medeiros, Velho, Lopes, Restricted BPA, section 6; docs/explanation/plane.md, sections 16 and 17.
@@ -33,7 +33,7 @@ struct TrianglesByLevelOptions {
 /// A level: its radius, and the size of the complex of this radius.
 struct ArrayLevel {
   double alpha = 0;  ///< 2^number α₀, or on the last level the alpha of the whole run
-  int number = 0;    ///< exponent of the radius; levels without a triangle between the first and the last are left out
+  int number = 0;    ///< exponent of the radius; levels between the first and the last without a triangle are left out
   std::size_t triangles = 0;  ///< number of triangles of this level and all levels before
   friend bool operator==(const ArrayLevel&, const ArrayLevel&) = default;
 };

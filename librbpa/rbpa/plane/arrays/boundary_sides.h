@@ -12,7 +12,7 @@
 namespace rbpa {
 
 /// Returns the boundary sides, each directed as in its triangle, in lexicographic order. Calls tick() for each
-/// triangle; tick() may throw. Requires: neighbors.
+/// triangle; tick() may throw. Requires: neighbors were computed.
 template <typename Tick>
 std::vector<std::array<std::uint32_t, 2>> boundary_sides(const TriangleArrays& of, Tick tick) {
   std::vector<std::array<std::uint32_t, 2>> boundary;

@@ -24,7 +24,7 @@
 //              gap
 //
 // A walk that continues along its fan leads around a solid component, once for its outside and once for each hole. A
-// walk that crosses the gap leads around a component of the space, likewise.
+// walk that crosses the gap leads around a component of the space, also once for its outside and once for each hole.
 //
 // At the lexicographically least point of a walk, the whole walk lies right of a vertical line. A fan there is narrower
 // than 180° unless it contains the left side of that line, which happens once in a walk around a hole and never in a
@@ -52,7 +52,7 @@ struct Walks {
 class BoundarySides {
  public:
   /// Links the sides into walks. Requires: sides in lexicographic order.
-  /// Throws: ContractViolation when they do not form closed curves; Cancelled.
+  /// Throws: ContractViolation when the sides do not form closed curves; Cancelled.
   BoundarySides(std::span<const Point> points, std::vector<Side> sides, Steps& step)
       : points_(points), sides_(std::move(sides)), along_fan_(sides_.size()), across_gap_(sides_.size()) {
     std::vector<std::uint32_t> into(sides_.size());
@@ -157,7 +157,7 @@ class BoundarySides {
   std::vector<std::uint32_t> along_fan_, across_gap_;  // for each side, the next one of its walk
 };
 
-/// Returns the boundary sides and the edges in no triangle, the latter in both directions, in lexicographic order.
+/// Returns the boundary sides and the edges in no triangle, these edges in both directions, all in lexicographic order.
 std::vector<Side> with_edges(std::vector<Side> boundary, const AlphaComplex& complex, Steps& step) {
   for (const auto& [a, b] : complex.edges) {
     boundary.push_back({a, b});

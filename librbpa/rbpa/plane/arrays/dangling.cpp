@@ -40,8 +40,8 @@ std::vector<Edge> dangling_edges(std::span<const Point> points, double alpha, co
       if (other != AlphaComplex::none && (other < t || admits(other))) continue;
       const auto& corner = delaunay.triangles[t];
       const std::uint32_t a = corner[(k + 1) % 3], b = corner[(k + 2) % 3];
-      // Seen from a point in the diametral circle, the edge subtends more than a right angle. If the circle has any
-      // point, it has one of the two apexes.
+      // Seen from a point in the diametral circle, the edge subtends more than a right angle. If any point lies in the
+      // circle, one of the two apexes does.
       const auto is_empty = [&](std::uint32_t apex) {
         return Predicates<Real>::dot_sign(points[apex], points[a], points[b]) >= 0;
       };

@@ -12,7 +12,7 @@ namespace rbpa {
 
 /// Removes the triangles t for which is_kept(t) is false, also from the neighbors; the others keep their order. Leaves
 /// `isolated` and `boundary` as they are.
-/// Requires: neighbors.
+/// Requires: neighbors were computed.
 template <typename IsKept>
 void keep_triangles(AlphaComplex& of, const IsKept& is_kept) {
   std::vector<std::uint32_t> number(of.triangles.size(), AlphaComplex::none);
@@ -40,7 +40,7 @@ inline std::vector<std::uint32_t> unmarked(const std::vector<std::uint8_t>& mark
   return found;
 }
 
-/// Returns the distinct ones of `points` input points that are in no triangle, ascending.
+/// Returns the distinct points in no triangle of `of`, ascending; `points` is the number of input points.
 inline std::vector<std::uint32_t> isolated_in(const AlphaComplex& of, std::size_t points) {
   std::vector<std::uint8_t> covered(points, 0);
   for (const Triangle& triangle : of.triangles)

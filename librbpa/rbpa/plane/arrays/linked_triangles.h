@@ -1,7 +1,7 @@
 // What: collects the triangles of patches in canonical order, with their neighbors.
 // Law:  the result depends on the triangles only.
-// Why:  only the rim of a patch depends on other patches: one thread at a time places it. The rest, which is nearly
-//       all, is filled in by any thread.
+// Why:  only the rim of a patch depends on other patches: one thread at a time places the rim. Any thread fills in the
+//       rest of the patch, which is nearly all.
 #pragma once
 
 #include <cstddef>

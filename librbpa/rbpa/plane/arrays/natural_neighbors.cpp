@@ -60,7 +60,7 @@ Vector<Number> to_circumcenter(const Vector<Number>& u, const Vector<Number>& v)
   return {Number((v.y * uu - u.y * vv) / twice), Number((u.x * vv - v.x * uu) / twice)};
 }
 
-/// The maximum distance of the neighbors' weighted mean from the query, divided by the distance of the nearest one.
+/// The maximum distance of the neighbors' weighted mean from the query, divided by that of the nearest neighbor.
 constexpr double tolerance = 1e-9;
 
 /// Returns whether products of six numbers of the size of `way` stay within the exponents of double.
@@ -68,8 +68,8 @@ bool stays(double way) { return way == 0 || (std::abs(way) > 0x1p-120 && std::ab
 
 }  // namespace
 
-/// Returns whether the circumcircle of the triangle across a side contains the query strictly inside; false if there is
-/// no such triangle.
+/// Returns whether the circumcircle of the triangle across a side contains the query strictly inside; false if no
+/// triangle is there.
 bool NaturalNeighbors::goes_on_beyond(const Side& s, const Point& query) const {
   const std::uint32_t other = of_.neighbors[s.triangle][s.across];
   if (other == no_index) return false;

@@ -1,6 +1,6 @@
 // What:   Sibson's coordinates of a point in a Delaunay triangulation: if the point became a site, its Voronoi cell
-//         would be cut out of the cells of its natural neighbors; the share of a neighbor is the area that it loses,
-//         divided by that of the new cell.
+//         would be cut out of the cells of its natural neighbors; the share of a neighbor is the area that its cell
+//         would lose, divided by the area of the new cell.
 // Law:    the set of neighbors is exact. Shares are not negative, their sum is 1, and the mean of the neighbors
 //         weighted by their shares is the point (Sibson's identity).
 // How:    the triangles whose circles contain the point form a polygon without points inside. The corners of the

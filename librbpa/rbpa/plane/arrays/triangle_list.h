@@ -1,6 +1,6 @@
 // What: collects the triangles of patches in canonical order.
 // Why:  as with a mesh (meshops/patch/assembler.h), one thread at a time places patches, and any thread fills them in.
-//       Here nothing depends on other patches, so placing a patch only counts its triangles.
+//       A list does not link patches, so placing a patch only counts its triangles.
 #pragma once
 
 #include <cstddef>

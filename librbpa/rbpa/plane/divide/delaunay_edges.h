@@ -68,8 +68,8 @@ class DelaunayEdges {
     open_hull(triangulate(0, places_.size()).first_x);
   }
 
-  /// Returns the edges. An edge in use has a triangle on its left, whose next side is lnext(); or no triangle there,
-  /// the number `no_triangle` and the lnext() 0.
+  /// Returns the edges. An edge in use has a triangle on its left, whose next side is lnext(). If there is no triangle,
+  /// the number of the edge is `no_triangle`, and lnext() is 0.
   QuadEdges& edges() { return edges_; }
   static constexpr int no_triangle = -2;
 
@@ -78,7 +78,7 @@ class DelaunayEdges {
   struct Extremes {
     Corner first_x, last_x, first_y, last_y;
   };
-  /// The unused edges and the step count of a part of the points, so that another thread can work on another part.
+  /// The unused edges and the step count of a part of the points, so that several threads can work on different parts.
   struct Own {
     QuadEdges::Unused unused;
     std::size_t steps;  // number of steps since the last call of `working`
@@ -199,7 +199,7 @@ class DelaunayEdges {
     hull_[edges_.org(edge)] = edge;
   }
 
-  /// Adds the lower common tangent of both hulls as an edge from right to left, and returns it.
+  /// Adds the lower common tangent of both hulls as an edge from right to left, and returns this edge.
   Edge lower_tangent(Corner left_corner, Corner right_corner, QuadEdges::Unused& unused) {
     Edge left = edges_.oprev(hull_[left_corner]), right = hull_[right_corner];
     for (;;) {

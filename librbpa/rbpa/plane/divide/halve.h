@@ -20,8 +20,8 @@ struct SitePoint {
   std::uint32_t site;
 };
 
-/// The orders along x, which is lexicographic, and along y, which is the same after a quarter turn. operator() has no
-/// branch; with_rare_ties() has one that is mispredicted only where coordinates are often equal.
+/// The lexicographic order along x, and the order along y: the order along x after a quarter turn. operator() has no
+/// branch; with_rare_ties() has a branch that is mispredicted only where coordinates are often equal.
 struct AlongX {
   bool operator()(const SitePoint& p, const SitePoint& q) const {
     return (p.at.x < q.at.x) | ((p.at.x == q.at.x) & (p.at.y < q.at.y));

@@ -25,7 +25,7 @@ class QuadEdges {
   /// Reserves memory for the edges of a triangulation of `points` points.
   explicit QuadEdges(std::size_t points) : size_(6 * points), edges_(std::make_unique_for_overwrite<Links[]>(size_)) {}
 
-  /// Returns the unused edges for a triangulation of the points `first` to `last` − 1; each point belongs to one call.
+  /// Returns the unused edges for a triangulation of the points `first` to `last` − 1; no two calls share a point.
   /// Requires: at least one point.
   Unused unused_for(std::size_t first, std::size_t last) {
     const Unused all = {static_cast<Edge>(6 * first), static_cast<Edge>(6 * last - 2)};
@@ -37,7 +37,8 @@ class QuadEdges {
     return {a.first, b.last};
   }
 
-  /// Returns one more than the greatest edge number. Directed edges are numbered from 0; for unused ones lnext() is 0.
+  /// Returns one more than the greatest edge number. Directed edges are numbered from 0; unused edges have the lnext()
+  /// 0.
   std::size_t size() const { return size_; }
 
   static Edge sym(Edge e) { return e ^ 1; }

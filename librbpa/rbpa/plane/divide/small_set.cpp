@@ -129,8 +129,8 @@ class SortedTriangles {
   QuadEdges& edges_;
   std::unique_ptr<Found[]> found_;
   std::size_t size_ = 0;
-  // For each point, and after the last, the place of its first triangle; until sort(), the number of triangles of the
-  // point before.
+  // For each point, and after the last, the position of the first triangle whose least corner is the point; before
+  // sort(), the number of triangles whose least corner is the point before.
   std::vector<std::uint32_t> first_;
 };
 

@@ -12,12 +12,12 @@
 
 namespace rbpa {
 
-/// The least number of points for which tiles are used: several threads can share the tiles of so many points, and a
-/// single thread loses no time by them.
+/// The least number of points for which tiles are used: from this number on, several threads can share the tiles, and a
+/// single thread is not slower with tiles.
 inline constexpr std::size_t small_set_limit = 10000;
 
-/// Fills in `result`, which must be empty, except for `boundary` and the members of a full complex; `neighbors` only if
-/// options.neighbors or options.boundary. Returns false and does nothing if the points do not fit double
+/// Fills in the empty `result`, but not `boundary` and the members of a full complex. Fills in `neighbors` only if
+/// options.neighbors or options.boundary is set. Returns false and does nothing if the points do not fit double
 /// (base/exact/magnitude.h).
 /// Requires: fewer than `small_set_limit` finite points; 0 < alpha ≤ infinity.
 /// Throws:   Cancelled.

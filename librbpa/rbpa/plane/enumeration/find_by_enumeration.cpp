@@ -25,8 +25,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// An enumeration of triangles for a few points at a time, in steps: find the points near each point, then pairs of the
 /// point and a near one, then triples of circumradius ≤ alpha, then the triples that have no point in their circle. The
-/// result of a step is a list whose next entry is always written, and counted only if it belongs there, without a
-/// branch.
+/// result of a step is a list that is written without a branch: the next entry is always written, and counted only if
+/// it belongs to the list.
 class Enumeration {
  public:
   Enumeration(const Tile& tile, double alpha, TileWorkspace& workspace, EnumerationWorkspace& own)
@@ -114,7 +114,7 @@ class Enumeration {
   bool is_doubtful() const { return doubts_ > 32 + taken_ / 32; }
 
   /// Finds for each point the points in the 3 × 3 cells around the point, as a range in each of three rows. Returns
-  /// false if there are more than max_near around one point, itself included.
+  /// false if there are more than max_near points in the cells around one point, that point included.
   bool find_rows(int row, std::size_t first, std::size_t count) {
     const D d;
     const DI di;
@@ -141,7 +141,7 @@ class Enumeration {
   }
 
   /// Lists a point that has at least two later points within reach, if the tile owns the point or some point within
-  /// reach.
+  /// reach. Lists the pairs of the rim, if any.
   HWY_INLINE void find_near(std::size_t j, std::size_t point) {
     const D d;
     const V px = hn::Set(d, at_.x[point]), py = hn::Set(d, at_.y[point]), reach = hn::Set(d, reach_ * reach_);
@@ -177,7 +177,7 @@ class Enumeration {
     wanted_ += is_listed * (after * (after - 1) / 2);
   }
 
-  /// Lists the pairs of a point and each point near it, a point that the tile owns first. Requires: the tile owns the
+  /// Lists the pairs of a point and each near point, a point that the tile owns first. Requires: the tile owns the
   /// point, and does not own some near point.
   HWY_NOINLINE void list_rim(std::size_t j, std::size_t point, Bits near, Bits owned) {
     const std::size_t first = static_cast<std::size_t>(from_[0][j]), second = static_cast<std::size_t>(from_[1][j]),
@@ -344,7 +344,7 @@ class Enumeration {
   // A pair or a triple in one number: the number of the listed point, and the positions of the other corners among the
   // points near that point.
   //   triple:  31 … 16  number of the listed point
-  //            15 … 10  second corner    9 … 4  third corner    0  they are to be exchanged
+  //            15 … 10  second corner    9 … 4  third corner    0  whether to exchange both
   static constexpr int of_point = 16, of_second = 10, of_third = 4;
   static constexpr std::size_t max_number = 63;
   static_assert(max_near + near_padding <= max_number + 1 && at_once < 1u << (31 - of_point));
@@ -355,10 +355,10 @@ class Enumeration {
   LocalFront& front_;
   OwnedPoints owned_points_;
   std::vector<TilePatch::Neighbors>& near_rim_;
-  double scaled_;  // alpha in the scale of the tile's coordinates, or a number above the limit
+  double scaled_;  // alpha in the scale of the tile's coordinates, but at most 1
   float reach_, factor_;
   std::size_t listed_ = 0, pairs_ = 0, triples_ = 0, doubts_ = 0;
-  std::size_t taken_ = 0, wanted_ = 0;  // number of points so far, and of triples that begin with them
+  std::size_t taken_ = 0, wanted_ = 0;  // number of points processed, and of triples that begin with these points
   alignas(64) std::int32_t from_[rows_at_once][at_once], to_[rows_at_once][at_once], around_[at_once];
   Near near_[at_once + 1];
   std::int32_t pair_[at_once * max_near + near_padding], triple_[full + 2 * max_near];

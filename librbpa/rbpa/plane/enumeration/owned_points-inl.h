@@ -1,5 +1,5 @@
-// What: the points that a tile owns, as bits by number and as labels, and the box around them. Compiled once for each
-//       kind of vector unit; HWY_TARGET_TOGGLE is the include guard.
+// What: the points that a tile owns, as bits by number and as labels, and their box. Compiled once for each kind of
+//       vector unit; HWY_TARGET_TOGGLE is the include guard.
 #if defined(RBPA_ENUMERATION_OWNED_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_ENUMERATION_OWNED_POINTS_INL_H_
 #undef RBPA_ENUMERATION_OWNED_POINTS_INL_H_

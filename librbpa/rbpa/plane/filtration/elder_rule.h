@@ -1,7 +1,7 @@
 // What:   the elder rule, while the cells of a triangulation are added in ascending order: births and deaths of
 //         components, each with its first vertex, and of holes, each with its last face.
-// Law:    when two components meet, the younger dies; of two with the same alpha of birth, the one whose first vertex
-//         has the greater number.
+// Law:    when two components meet, the younger dies; of two components with the same alpha of birth, the component
+//         whose first vertex has the greater number dies.
 // Cost:   near-linear.
 // Source: Edelsbrunner, Letscher, Zomorodian (2002); Delfinado, Edelsbrunner (1995);
 //         docs/explanation/filtration_and_persistence.md, section 5.
@@ -28,7 +28,7 @@ struct Arrival {
 
 /// Pairs components. Edges are added in ascending order; an edge between two components ends the younger. Calls
 /// pair(birth, edge) for each component with birth.alpha < death: `birth` is the Arrival of its first vertex, `edge` a
-/// pointer to the edge that ends it, null if none does.
+/// pointer to the edge that ends the component, null if no edge does.
 /// Requires: the edges of `cells` are sorted by alpha.
 template <typename Pair>
 void pair_components(const FilteredCells& cells, Steps& pulse, const Pair& pair) {
@@ -49,9 +49,9 @@ void pair_components(const FilteredCells& cells, Steps& pulse, const Pair& pair)
 }
 
 /// Pairs holes. Edges are removed descending: removing an edge joins the gaps on its sides. A gap is filled when the
-/// last of its triangles is added; of two gaps that an edge separates, the one that is filled first is a hole from the
-/// alpha of the edge until then. Calls pair(birth, death) for each hole with birth < death.alpha: `birth` is the alpha
-/// of the edge, `death` the Arrival of the face that fills the hole.
+/// last of its triangles is added; of two gaps that an edge separates, the gap that is filled first is a hole from the
+/// alpha of the edge until it is filled. Calls pair(birth, death) for each hole with birth < death.alpha: `birth` is
+/// the alpha of the edge, `death` the Arrival of the face that fills the hole.
 /// Requires: the edges of `cells` are sorted by alpha.
 template <typename Pair>
 void pair_holes(const FilteredCells& cells, Steps& pulse, const Pair& pair) {

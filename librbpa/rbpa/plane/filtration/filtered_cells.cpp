@@ -34,7 +34,7 @@ std::uint32_t opposite(const AlphaComplex& delaunay, const Side& side) {
 }
 
 /// Returns whether a point lies inside the circle with the edge ab as its diameter. Only the two apexes of the edge are
-/// tested: if any point is inside, one of these is.
+/// tested: if any point is inside, one of the apexes is.
 bool has_point_in_circle(const AlphaComplex& delaunay, std::span<const Point> points, const Side& side, const Point& a,
                          const Point& b) {
   using Wide = Predicates<long double>;
@@ -97,8 +97,8 @@ FilteredCells filtered_cells(const Delaunay& of, const DistinctPoints& distinct,
         .ends = {number[from], number[to]},
         .sides = {side.triangle, is_inner ? side.beyond : cells.outside()}};
     if (kind == ComplexKind::full) {
-      // An edge with no point inside its diametral circle appears at half its length, any other with its first
-      // triangle. The circle is tested last: on grids, where right angles are the rule, both radii are the same.
+      // An edge with no point inside its diametral circle appears at half its length, any other edge with its first
+      // triangle. The circle is tested last: on grids, where right angles are the rule, both radii are equal.
       const double half = least_alpha(points[from], points[to]);
       if (half != edge.alpha && !has_point_in_circle(delaunay, points, side, points[from], points[to]))
         edge.alpha = half;

@@ -1,5 +1,5 @@
-// What: the cells of a Delaunay triangulation, each with the least alpha at which it is in a complex.
-// Law:  a cell is never in the complex before its faces: vertices[end] ≤ edge.alpha ≤ faces[side].
+// What: the cells of a Delaunay triangulation, each with the least alpha at which the complex contains the cell.
+// Law:  a cell is never in the complex before the cells on its boundary: vertices[end] ≤ edge.alpha ≤ faces[side].
 #pragma once
 
 #include <array>
@@ -27,13 +27,13 @@ struct FilteredCells {
 
 /// The distinct points, ascending by input index.
 struct DistinctPoints {
-  std::vector<std::uint32_t> index;  ///< the input index of each
-  /// The number of each input point among the distinct ones; undefined for a duplicate.
+  std::vector<std::uint32_t> index;  ///< the input index of each distinct point
+  /// The number of each input point among the distinct points; undefined for a duplicate.
   std::vector<std::uint32_t> number;
 };
 DistinctPoints distinct_points(const Delaunay& delaunay);
 
-/// Returns the cells with their alphas; a solid complex without a triangle has none. Counts each edge as a step.
+/// Returns the cells with their alphas; a solid complex without a triangle has no cells. Counts each edge as a step.
 /// Requires: `filtration` is filtration(of); `distinct` is distinct_points(of).
 FilteredCells filtered_cells(const Delaunay& of, const DistinctPoints& distinct, const Filtration& filtration,
                              ComplexKind kind, Steps& pulse);

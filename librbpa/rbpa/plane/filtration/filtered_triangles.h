@@ -1,4 +1,4 @@
-// What: corners and areas of the triangles of a filtration, and a check that it belongs to a triangulation.
+// What: corners and areas of the triangles of a filtration, and a check that a filtration belongs to a triangulation.
 #pragma once
 
 #include <algorithm>

@@ -38,7 +38,7 @@ void Growth::add(std::uint32_t triangle) {
   in_[triangle] = true;
   ++now_.triangles;
   ++now_.solid_components;
-  std::array<bool, 3> glued;  // whether it is glued along the side across from the corner
+  std::array<bool, 3> glued;  // whether the side across from the corner is glued
   for (unsigned k = 0; k < 3; ++k) {
     const std::uint32_t neighbor = arrays_.neighbors[triangle][k];
     glued[k] = neighbor != TriangleArrays::none && in_[neighbor];

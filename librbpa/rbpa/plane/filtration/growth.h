@@ -1,7 +1,7 @@
 // What:   the counts of a complex while its triangles are added one by one.
-// Law:    triangles may be added in any order; after each, the counts are what count() finds on the complex so far.
-//         Vertices with the same point, as at a split pinch, count as one point.
-// Cost:   construction linear, a triangle practically constant, counts() constant.
+// Law:    triangles may be added in any order; after each triangle, the counts are those of count() for the complex of
+//         the added triangles. Vertices with the same point, as at a split pinch, count as one point.
+// Cost:   the constructor is linear, add() practically constant, counts() constant.
 // Source: Delfinado, Edelsbrunner, An incremental algorithm for Betti numbers (1995);
 //         docs/explanation/filtration_and_persistence.md, section 3.
 #pragma once
@@ -31,11 +31,11 @@ class Growth {
   void cover(std::uint32_t vertex);
 
   TriangleArrays arrays_;
-  std::vector<std::uint32_t> first_on_point_;  // for each vertex, the first vertex on the same point; empty: itself
+  std::vector<std::uint32_t> first_on_point_;  // for each vertex, the first vertex on the same point; empty: the vertex
   std::vector<std::uint32_t> gaps_;            // for each vertex, its triangles not added yet, plus one at the boundary
   meshops::DisjointSets solids_;               // solid components, as sets of triangles
   meshops::DisjointSets pieces_;               // components, as sets of vertices
-  std::vector<bool> in_, on_, point_on_;       // added triangles; vertices, and first vertices, that are in one
+  std::vector<bool> in_, on_, point_on_;       // triangles added; vertices, and first vertices, in these
   ComplexCounts now_;
   std::size_t fans_ = 0;
 };

@@ -1,4 +1,4 @@
-// What: triangles with their neighbors, in another order than that of their arrays.
+// What: puts triangles with their neighbors into another order, and counts the gaps around points.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 namespace rbpa {
 
 /// Returns the triangles in a given order: triangle i is number order[i] of `arrays`, and neighbors are numbers in the
-/// new order. A pass over them then reads memory sequentially. Requires: each triangle once in `order`. Cost: linear.
+/// new order. A pass over the result reads memory sequentially. Requires: each triangle once in `order`. Cost: linear.
 OwnedTriangles in_order(const TriangleArrays& arrays, const std::vector<std::uint32_t>& order);
 
 /// Returns for each point the number of gaps around the point before any triangle is added: one for each triangle at

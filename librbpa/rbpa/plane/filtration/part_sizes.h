@@ -1,5 +1,5 @@
 // What:   the sizes of the components of a growing complex, and the sum of the k largest.
-// Cost:   each call takes the logarithm of the greatest size.
+// Cost:   add(), remove() and largest() take time logarithmic in the greatest size.
 // Source: Fenwick, A new data structure for cumulative frequency tables (1994).
 #pragma once
 
@@ -17,16 +17,16 @@ class PartSizes {
       : count_(greatest + std::size_t{1}), sum_(greatest + std::size_t{1}), top_(std::bit_floor(greatest)) {}
 
   void add(std::uint32_t size) { change(size, 1); }
-  /// Removes a component of this size. Requires: a component of this size.
+  /// Removes a component of this size. Requires: there is one.
   void remove(std::uint32_t size) { change(size, -1); }
 
   std::size_t count() const { return parts_; }
   std::size_t sum() const { return all_; }
 
-  /// Returns the sum of the `k` largest sizes, or of all if there are fewer.
+  /// Returns the sum of the `k` largest sizes, or of all sizes if there are fewer than `k`.
   std::size_t largest(std::size_t k) const {
     if (k >= parts_) return all_;
-    std::size_t left = parts_ - k, smallest = 0;  // number of the smallest that are left out
+    std::size_t left = parts_ - k, smallest = 0;  // number of smallest sizes that are left out
     std::size_t at = 0;
     for (std::size_t step = top_; step > 0; step /= 2)
       if (at + step < count_.size() && count_[at + step] <= left) {

@@ -14,7 +14,7 @@
 namespace rbpa {
 namespace {
 
-using Wide = long double;  // for its exponents: areas are products of coordinates
+using Wide = long double;  // for its range of exponents: areas are products of coordinates
 
 /// Returns the faces sorted by alpha and then by area, so that a sum of areas in this order depends on coordinates
 /// only.
@@ -64,7 +64,8 @@ class Gaps {
   std::vector<std::uint32_t> next_;  // the faces of a gap are a ring
 };
 
-/// Returns for each face the first step at which the face is in the complex or in a hole. Requires: faces by step.
+/// Returns for each face the first step at which the face is in the complex or in a hole. Requires: faces are sorted by
+/// step.
 std::vector<std::uint32_t> enclosed_from(const OwnedTriangles& of, const std::vector<std::uint32_t>& step_of,
                                          Steps& pulse) {
   const auto outside = static_cast<std::uint32_t>(of.triangles.size());

@@ -14,7 +14,7 @@ namespace rbpa {
 
 /// The state at one step of the filtration.
 struct ShapeState {
-  long double change;      ///< the change up to here, as plateaus() defines it: never less than at the step before
+  long double change;      ///< the change up to this step, as plateaus() defines it; never falls
   double effective_parts;  ///< (Σ nᵢ)² / Σ nᵢ², with nᵢ the vertices of each solid component
   double hole_share;       ///< area of holes / area of triangles and holes
 };

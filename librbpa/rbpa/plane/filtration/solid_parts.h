@@ -1,8 +1,8 @@
 // What: the solid components of a complex, each with its number of vertices, while triangles are added one after the
 //       other.
-// Law:  the vertices of a component are its vertices in rbpa()'s mesh: one for each point, but one for every fan at a
-//       point at which the component touches itself.
-// Cost: linear to begin with, then practically constant per triangle.
+// Law:  the vertices of a component are its vertices in rbpa()'s mesh: one for each point, or one for each fan where
+//       the component touches itself at a point.
+// Cost: the constructor is linear, add_next() practically constant.
 #pragma once
 
 #include <array>
@@ -16,12 +16,13 @@ namespace rbpa {
 
 class SolidParts {
  public:
-  /// Prepares for the triangles of a Delaunay triangulation of `points` points, in adding order. Keeps the spans.
+  /// Prepares for the triangles of a Delaunay triangulation of `points` points, in the order in which add_next() will
+  /// add them. Keeps the spans.
   SolidParts(const TriangleArrays& arrays, std::size_t points);
 
   /// Adds the next triangle. Calls left(size) for every component that the triangle joins, then come(size) for the new
   /// component; `size` is a number of vertices.
-  /// Requires: a triangle that was not added yet.
+  /// Requires: not all triangles were added.
   template <typename Left, typename Come>
   void add_next(const Left& left, const Come& come);
 

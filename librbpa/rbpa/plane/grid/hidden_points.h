@@ -14,8 +14,8 @@ class HiddenPoints {
  public:
   /// Constructs an empty set of hidden points.
   HiddenPoints() = default;
-  /// Copies the places of the hidden points; `box` is the grid's box, and places may lie outside of it. The places may
-  /// be rounded by amounts that are negligible against a cell.
+  /// Copies the places of the hidden points; `box` is the grid's box. Places may lie outside of the box, and may be
+  /// rounded by amounts that are negligible against a cell.
   HiddenPoints(std::span<const Point> places, const Box& box) : places_(places) {
     for (const Point& p : places) {
       left_ |= p.x <= box.low.x;

@@ -28,7 +28,7 @@ PointGrid::PointGrid(std::span<const Point> input) {
   *this = PointGrid(input, one);
 }
 
-/// Returns a grid over the box of some points, its cells still empty.
+/// Returns a grid over the box of the points, whose cells are not filled yet.
 auto PointGrid::make_level(std::span<const Point> points, Threads& threads) -> Level {
   const auto [low, high] = box_of(points, threads);
   Level level;
@@ -49,8 +49,8 @@ auto PointGrid::make_level(std::span<const Point> points, Threads& threads) -> L
   return level;
 }
 
-/// Makes a grid of every cell with too many points, unless these are all equal, then of such cells of the new grids,
-/// and so on: each grid divides its points.
+/// Makes a grid of every cell that has more than max_in_cell points, not all of them equal. Repeats this with the cells
+/// of the new grids, until there are no new grids.
 void PointGrid::refine(Threads& threads, const Checkpoint& checkpoint) {
   struct DenseCell {
     std::uint32_t level, cell, first, last;
@@ -76,7 +76,8 @@ void PointGrid::refine(Threads& threads, const Checkpoint& checkpoint) {
   }
 }
 
-/// Sorts the sites `first` … `last` − 1 into a grid of their own, and returns this grid; nothing if all are one point.
+/// Sorts the sites `first` … `last` − 1 into a grid of their own, and returns this grid; nothing if all their points
+/// are equal.
 auto PointGrid::level_of(std::uint32_t first, std::uint32_t last, Threads& threads) -> std::optional<Level> {
   const meshops::FreshVector<Point> points(points_.begin() + first, points_.begin() + last);
   const meshops::FreshVector<std::uint32_t> index(index_.begin() + first, index_.begin() + last);
@@ -110,9 +111,8 @@ void PointGrid::find_duplicates(std::uint32_t first, std::uint32_t last, Repeate
   }
 }
 
-/// Returns whether any of the points `first` … `last` − 1 equals one of the `nearby` points before it. There is no
-/// branch for each point: on a lattice, where half of the points have the same x as the point before, it would be
-/// mispredicted.
+/// Returns whether any of the points `first` … `last` − 1 equals one of the `nearby` points before it. A branch for
+/// each point would be mispredicted on a lattice, where half of the points have the x of the point before.
 bool PointGrid::repeats_nearby(std::uint32_t first, std::uint32_t last) const {
   decltype(Two<double>() == Two<double>()) repeats = {};
   for (std::uint32_t apart = 1; apart <= nearby; ++apart)
@@ -141,7 +141,7 @@ void PointGrid::find_duplicates(const Level& level, std::size_t first_cell, std:
   }
 }
 
-/// Keeps the first of all equal points. Equal points share a cell at every level.
+/// Removes all equal points but the first. Equal points share a cell at every level.
 void PointGrid::remove_duplicates(Threads& threads) {
   const std::size_t cells = levels_[0].start.size() - 1, parts = (cells + cells_at_a_time - 1) / cells_at_a_time;
   std::vector<Repeated> found(parts + levels_.size() - 1);

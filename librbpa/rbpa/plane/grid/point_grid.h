@@ -1,4 +1,4 @@
-// What: the distinct points, laid out in cells that hold a few each.
+// What: lays out the distinct points in cells that hold a few points each.
 // Law:  the cells follow the points, never alpha: a cell with many points is a grid of its own, so clusters of any
 //       density are found as fast as uniform points. scan() reaches every point of a box.
 // Cost: construction, by all threads, is linear if the density varies within bounds; each √n-fold rise of the density
@@ -29,7 +29,7 @@ class PointGrid {
   PointGrid(std::span<const Point> input, Threads& threads, const Checkpoint& checkpoint = {})
       : PointGrid(NamedPoints{input}, threads, checkpoint) {}
   explicit PointGrid(std::span<const Point> input);
-  /// Lays out points that have names of their own, in ascending order.
+  /// Lays out points with given names, which ascend.
   PointGrid(const NamedPoints& input, Threads& threads, const Checkpoint& checkpoint = {});
 
   /// Returns the distinct points in the order of their cells. A position in this list is called a site.
@@ -74,8 +74,8 @@ class PointGrid {
       if (!(cells > 0)) return 0;
       return cells >= double(count) ? count - 1 : static_cast<int>(cells);
     }
-    // The functions are monotone in the coordinate, rounding included: a point between two bounds is in a cell between
-    // the cells of the bounds.
+    // column() and row() are monotone in the coordinate, rounding included: a point between two bounds is in a cell
+    // between the cells of the bounds.
     int column(double at) const { return clamp((at - x) * per_unit, columns); }
     int row(double at) const { return clamp((at - y) * per_unit, rows); }
     std::uint32_t cell_of(const Point& p) const {
@@ -88,7 +88,7 @@ class PointGrid {
  private:
   static constexpr double points_per_cell = 2;
   static constexpr std::uint32_t max_in_cell = 24;  ///< a cell with more points is a grid of its own
-  /// Number of preceding points with which each point is always compared.
+  /// Number of preceding points with which repeats_nearby() compares each point.
   static constexpr std::uint32_t nearby = 3;
 
   /// Duplicates found in some cells: the sites to be left out, and the entries of duplicates().

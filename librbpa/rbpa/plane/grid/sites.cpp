@@ -41,7 +41,7 @@ void Sites::find_beyond(std::span<const Point> input) {
             [&](std::uint32_t i, std::uint32_t j) { return input[i] == input[j] ? i < j : input[i] < input[j]; });
   index_.assign(grid_.input_index().begin(), grid_.input_index().end());
   std::vector<Point> places;
-  // Far enough to be outside of everything in the window, and not so far that a difference could be infinite.
+  // A place at distance `far` is outside of everything in the window, but differences of places are finite.
   constexpr double far = 0x1p200;
   const auto place = [&](double coordinate) {
     return static_cast<double>(

@@ -1,7 +1,7 @@
-// What: the distinct points of the input, numbered: sites. Those in the window of doubles come first, in the order of a
-//       grid's cells and scaled to fit; then those beyond it.
+// What: the distinct points of the input, numbered: sites. Sites in the window of doubles come first, in the order of a
+//       grid's cells and scaled to fit; then sites beyond the window.
 // Law:  at(s) is the input point input_index()[s], of equal points the one with the lowest index.
-// Cost: that of PointGrid; and a sort of the points beyond.
+// Cost: that of PointGrid; and a sort of the points beyond the window.
 #pragma once
 
 #include <cstddef>
@@ -20,19 +20,19 @@ namespace rbpa {
 
 class Sites {
  public:
-  /// Sorts the points. Calls `checkpoint`, if any, repeatedly; `checkpoint` may throw.
+  /// Sorts the points into sites. Calls `checkpoint`, if any, repeatedly; `checkpoint` may throw.
   Sites(std::span<const Point> input, Threads& threads, const Checkpoint& checkpoint = {});
 
   std::size_t size() const { return grid_.points().size() + beyond_.size(); }
   /// Returns the points in the window, multiplied by 2^window().exponent.
   const PointGrid& grid() const { return grid_; }
   const Window& window() const { return window_; }
-  /// Returns the points beyond the window, unscaled; the first of them is the site after those of the grid.
+  /// Returns the points beyond the window, unscaled; the first of them is the site after the grid's sites.
   std::span<const Point> beyond() const { return beyond_; }
   /// Returns the points beyond the window in the window's scale, with coordinates limited to ±2^200.
   const HiddenPoints& hidden() const { return hidden_; }
 
-  /// Returns a point in the user's coordinates.
+  /// Returns the point of site `s` in the user's coordinates.
   Point at(std::size_t s) const {
     if (s >= grid_.points().size()) return beyond_[s - grid_.points().size()];
     const Point& p = grid_.points()[s];
@@ -58,7 +58,7 @@ class Sites {
   PointGrid grid_;
   std::vector<Point> beyond_;
   std::vector<Duplicate> repeated_beyond_;
-  std::vector<std::uint32_t> index_;  // the input index of all sites; empty if none is beyond the window
+  std::vector<std::uint32_t> index_;  // the input index of each site; empty if no site is beyond the window
   HiddenPoints hidden_;
 };
 

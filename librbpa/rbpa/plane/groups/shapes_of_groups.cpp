@@ -33,7 +33,7 @@ struct ShapesOfChunk {
   GroupShapes made;  // `polygon_begin` and `triangle_begin` count from the beginning of the chunk
 };
 
-/// The number of finished groups, and calls of GroupOptions::go_on with it, one at a time.
+/// The number of finished groups. Calls GroupOptions::go_on with this number, one call at a time.
 class GroupsDone {
  public:
   explicit GroupsDone(const std::function<bool(std::size_t)>& go_on) : go_on_(go_on) {}
@@ -79,7 +79,8 @@ class GroupShaper {
   }
 
  private:
-  /// Appends everything except totals and problems. Returns why there is no polygon, meaningless if there is one.
+  /// Appends everything except totals, problems and the new entry of polygon_begin. Returns why there is no polygon;
+  /// the text is meaningless if there is a polygon.
   std::string find(const Group& group, unsigned threads, GroupShapes& made) {
     GoOn go_on;
     AlphaComplexOptions of_group{.neighbors = true, .threads = threads};
@@ -118,7 +119,7 @@ class GroupShaper {
     return why_no_triangle(complex.distinct, are_collinear(group.points, go_on), alpha);
   }
 
-  /// Returns the given radius of a group; nothing if a rule chooses it.
+  /// Returns the given radius of a group; nothing if a rule chooses the radius.
   std::optional<double> given_for(std::size_t group) const {
     if (!alpha_.given.empty()) return alpha_.given[alpha_.given.size() == 1 ? 0 : group];
     return alpha_.choice.rule == AlphaRule::given ? std::optional(alpha_.choice.radius) : std::nullopt;

@@ -1,6 +1,6 @@
-// What: a square that is cut into quarters `depth` times: 4^depth squares, and the number of points in each.
-// Law:  the squares result from repeated cuts in the middle, rounded; a point on a cut belongs to the square above it
-//       or right of it.
+// What: the 4^depth squares into which `depth` cuts into quarters divide a square, and the number of points in each.
+// Law:  the squares result from repeated cuts in the middle, rounded; a point on a cut belongs to the square above or
+//       right of the cut.
 // Cost: a few nanoseconds a point.
 #pragma once
 
@@ -38,10 +38,11 @@ class EqualSquares {
     for (int i = 0; i < depth; ++i) side_ /= 2;
   }
 
-  /// Returns whether all squares remain distinct when their sides are rounded.
+  /// Returns whether all squares remain distinct when their sides are rounded, and count() can find them without
+  /// overflow.
   bool are_apart() const { return columns_.are_apart() && rows_.are_apart(); }
 
-  /// Counts points. Requires: are_apart(), and points in the square.
+  /// Counts the points in each square. Requires: are_apart(), and points in the whole square.
   void count(std::span<const Point> points) {
     held_.assign(std::size_t{1} << 2 * depth_, 0);
     square_of_.resize(points.size());
@@ -50,11 +51,12 @@ class EqualSquares {
 
   std::size_t max_held() const { return *std::max_element(held_.begin(), held_.end()); }
 
-  /// Calls visit(std::span<Point>, Square) for every square that holds more than `bound` points, with the points in it.
+  /// Calls visit(std::span<Point>, Square) for every square that holds more than `bound` points, with the points of
+  /// that square.
   /// Requires: `points` are those that were counted.
   template <typename Visit>
   void for_each_above(std::size_t bound, std::span<const Point> points, Visit visit) const {
-    std::vector<std::uint32_t> end(held_.size());  // for each such square, the end of its points in `sorted`
+    std::vector<std::uint32_t> end(held_.size());  // for each square above the bound, the end of its points in `sorted`
     std::uint32_t size = 0;
     for (std::size_t i = 0; i < held_.size(); ++i) {
       end[i] = size;
@@ -70,8 +72,8 @@ class EqualSquares {
     }
   }
 
-  /// Merges quarters into the squares from which they were cut. Requires: a depth above 0; afterwards only max_held()
-  /// and merge() may be called.
+  /// Merges the counts of quarters into counts of the squares from which the quarters were cut. Requires: a depth above
+  /// 0; afterwards only max_held() and merge() may be called.
   void merge() {
     const std::size_t columns = std::size_t{1} << depth_--;
     std::vector<std::uint32_t> merged(held_.size() / 4);

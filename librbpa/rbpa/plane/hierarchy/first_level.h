@@ -1,4 +1,4 @@
-// What: finds the level of a triangle: the first radius of a ladder that admits it.
+// What: finds the level of a triangle: the number of the first radius of a ladder that admits the triangle.
 #pragma once
 
 #include <algorithm>

@@ -43,8 +43,7 @@ struct LevelSink {
   Monitor& monitor;
 };
 
-/// Returns what fit() returns, without a search for edges with two triangles on one side, which a complex does not
-/// have.
+/// Returns the result of fit(). Does not search for edges with two triangles on one side, as a complex has none.
 meshops::Fit fit_of_complex(const meshops::Front& front, const std::array<meshops::Site, 3>& corners) {
   meshops::Fit fit(corners);
   for (std::size_t i = 0; i < 3; ++i)
@@ -61,8 +60,8 @@ std::size_t GrowthByTiles::grow(int level, meshops::Front& front) {
   return sites;
 }
 
-/// Returns the number of sites with a triangle in a mesh of the first level, and adds the isolated and boundary sites
-/// to open_sites_.
+/// Returns the number of sites with a triangle in a mesh of the first level, and adds the number of isolated and
+/// boundary sites to open_sites_.
 std::size_t GrowthByTiles::look_at(const meshops::Front& front) {
   std::size_t sites = 0;
   for (meshops::Site s = 0; s < front.sites(); ++s) {
@@ -94,7 +93,7 @@ std::size_t GrowthByTiles::insert(int level, meshops::Front& front) {
     monitor_.seeded(front, inserted);
     for (const meshops::Halfedge side : inserted.side) {
       const meshops::Vertex v = front.mesh().to_vertex_handle(side);
-      // In the plane, a fan that closes around a site is the only one there.
+      // In the plane, a fan that closes around a site is the only fan at the site.
       open_sites_ -= !front.mesh().is_boundary(v);
       std::uint16_t& seen = seen_[front.site(v)];
       sites += seen != level;

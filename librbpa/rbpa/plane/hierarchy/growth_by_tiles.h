@@ -2,7 +2,7 @@
 //         mesh.
 // Law:    grow() turns the complex of the previous level's radius into the complex of the given level's radius, with
 //         every boundary halfedge frozen.
-// How:    adds the triangles of the first level at once, from tiles and remainder as rbpa() does; the triangles of
+// How:    adds the triangles of the first level together, from tiles and remainder as rbpa() does; the triangles of
 //         later levels wait, and each is inserted on its level.
 // Cost:   that of rbpa(), and one insertion for each triangle of a later level.
 // Source: docs/explanation/plane.md, sections 16 and 17.
@@ -31,15 +31,16 @@ class GrowthByTiles {
   /// Returns the front of level 0, with its triangles.
   meshops::Front begin(Assembly& assembly) { return assembly.front(lay(assembly.assembler())); }
 
-  /// Adds the triangles of a level to the mesh.
+  /// Adds the triangles of a level to the mesh (those of level 0 are there already), and freezes all boundary
+  /// halfedges.
   /// Requires: ascending levels from 0; a level without triangles may be left out.
-  /// Returns:  the number of sites that are corners of these triangles.
+  /// Returns:  the number of sites that are corners of triangles of this level.
   std::size_t grow(int level, meshops::Front& front);
 
   /// Returns the number of sites that were isolated or on the boundary after the last grow().
   std::size_t open_sites() const { return open_sites_; }
 
-  /// Returns the first level after this one that has triangles to add; Ladder::never when no level follows.
+  /// Returns the first level after `level` that has triangles to add; Ladder::never when no level follows.
   int next(int level) const { return waiting_.after(level); }
 
  private:
@@ -53,7 +54,7 @@ class GrowthByTiles {
   Monitor& monitor_;
   WaitingTriangles waiting_;
   std::size_t open_sites_ = 0;
-  std::vector<std::uint16_t> seen_;  // for each site, the last level after the first that had a triangle there
+  std::vector<std::uint16_t> seen_;  // for each site, the last grown level above 0 with a triangle there, or 0
 };
 
 }  // namespace rbpa

@@ -17,7 +17,7 @@ namespace rbpa {
 
 class Ladder {
  public:
-  using Real = long double;             ///< its exponents hold the circumradii of all doubles
+  using Real = long double;             ///< its range holds the circumradii of all points with double coordinates
   static constexpr int never = 0xffff;  ///< above all levels
 
   /// Builds the radii from `least` to `last`. If `last` is infinite, only the last level may have a radius above
@@ -35,8 +35,9 @@ class Ladder {
   bool is_last(int level) const { return level >= end_; }
   Radius radius(int level) const { return is_last(level) ? last_ : Radius(std::ldexp(least_, level)); }
 
-  /// Returns the first level whose radius is at least `radius`, or seldom the level before, never a later one; so
-  /// `radius` may be rounded. The result may be above end() if a finite last radius is less than `radius`.
+  /// Returns the first level whose radius is at least `radius`, or, seldom, the level before it, but never a later
+  /// level; `radius` may therefore be rounded. The result may be above end() if a finite last radius is less than
+  /// `radius`.
   int first_reaching(Real radius) const {
     constexpr Real deflated = 1 - Real(1e-5);
     const Real ratio = radius / Real(least_) * deflated;
@@ -47,8 +48,8 @@ class Ladder {
   }
 
  private:
-  /// Returns the exponent of `ratio` as frexp() does, or one more where rounding to double carries; by two instructions
-  /// if the ratio is in the range of double.
+  /// Returns the exponent of `ratio` as frexp() does, or one more where rounding to double carries. Takes two
+  /// instructions if the ratio is in the range of double.
   static int exponent_of(Real ratio) {
     int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(static_cast<double>(ratio)) >> 52) - 1022;
     if (!(ratio < Real(0x1p1000))) std::frexp(ratio, &exponent);

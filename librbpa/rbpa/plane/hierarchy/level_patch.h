@@ -19,8 +19,7 @@ struct WaitingTriangle {
 };
 
 struct LevelPatch {
-  /// The triangles of the first level, in the order of the patch. Across from a side whose neighbor waits:
-  /// Patch::nothing.
+  /// The triangles of the first level, in the order of the patch. Patch::nothing is across a side whose neighbor waits.
   meshops::Patch first;
   std::vector<WaitingTriangle> later;  ///< the other triangles, in the order of the patch
   /// For each triangle of the patch, the number of its first side in `first`; negative if the triangle waits.

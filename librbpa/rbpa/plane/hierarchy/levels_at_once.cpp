@@ -97,8 +97,8 @@ meshops::FreshVector<std::uint32_t> LevelsAtOnce::new_numbers(std::size_t faces,
   return number;
 }
 
-/// Counts the sites and edges that each level adds. `later` are the faces of all levels but the first; edges that no
-/// later face has belong to the first level.
+/// Counts the sites and edges that each level adds. `later` are the faces of all levels but the first; an edge belongs
+/// to the lower level of its faces.
 void LevelsAtOnce::count_later(const meshops::AssembledPatches& assembled, std::span<const std::uint32_t> later) {
   const meshops::Connectivity& mesh = assembled.mesh();
   Growth& first = growth_.front();
@@ -123,7 +123,7 @@ void LevelsAtOnce::count_later(const meshops::AssembledPatches& assembled, std::
 }
 
 void LevelsAtOnce::renumber(std::span<const std::uint32_t> number, Mesh& mesh) {
-  meshops::FreshVector<meshops::Halfedge> halfedge(number.size());  // for each face by its new number
+  meshops::FreshVector<meshops::Halfedge> halfedge(number.size());  // for each face, by its new number, a halfedge
   for_each_part(threads_, number.size(), items_at_a_time, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f)
       halfedge[number[f]] = mesh.halfedge_handle(meshops::Face(static_cast<int>(f)));
@@ -141,7 +141,7 @@ void LevelsAtOnce::renumber(std::span<const std::uint32_t> number, Mesh& mesh) {
 }
 
 /// Counts the sites that close on each level. A site closes on the last level of its triangles, unless it is on the
-/// boundary of the whole mesh. In the plane, a fan that closes around a site is the only one there.
+/// boundary of the whole mesh. In the plane, a fan that closes around a site is the only fan at the site.
 void LevelsAtOnce::count_closed(const meshops::AssembledPatches& assembled) {
   const meshops::Connectivity& mesh = assembled.mesh();
   for_each_part(threads_, mesh.n_halfedges(), items_at_a_time, [&](std::size_t begin, std::size_t end) {

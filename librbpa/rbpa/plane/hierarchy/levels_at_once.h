@@ -1,4 +1,4 @@
-// What:   the complex of the last radius, laid at once, with its faces in the order of their levels; and the counts of
+// What:   builds the complex of the last radius in one pass, with faces in the order of their levels, and the counts of
 //         a run from level to level.
 // Law:    faces and levels are those of GrowthByTiles, which stops at every level.
 // How:    patches are laid whole, as rbpa() lays them, and the thread that lays a triangle notes the triangle's level.
@@ -60,8 +60,8 @@ class LevelsAtOnce {
   Threads& threads_;
   Monitor& monitor_;
   meshops::FreshVector<std::uint16_t> level_;  // for each face, in the order in which faces were laid, its level
-  std::vector<std::uint16_t> seen_;  // for each site, the last level so far on which it has a triangle, or none
-  std::vector<Growth> growth_;       // for each level
+  std::vector<std::uint16_t> seen_;            // for each site, the last counted level with a triangle there, or none
+  std::vector<Growth> growth_;                 // for each level
 };
 
 }  // namespace rbpa

@@ -1,8 +1,9 @@
 // What:   the leaves of a quadtree over points, which measure their density.
 // Law:    a square with more than `capacity` distinct points is cut into quarters. The root is the least square that
-//         begins at the lower left corner of the points' box and covers the box. A function of the set of points.
-// Cost:   linear in the points if these lie evenly; otherwise at most in points times depth. A square whose points all
-//         lie in one small part of it costs at most as much as one other square.
+//         begins at the lower left corner of the points' box and covers the box. The leaves are a function of the set
+//         of points.
+// Cost:   linear in the points if they lie evenly; otherwise at most proportional to points times depth. A square whose
+//         points all lie in one small part of it costs at most as much as one other square.
 // Source: Restricted BPA, section 6, "Minimal radius estimation".
 #pragma once
 

@@ -1,5 +1,5 @@
-// What: the level of a triangle on sites, computed in the scale of the window of doubles if the triangle lies there,
-//       otherwise in the scale of the input.
+// What: the level of a triangle on sites, computed in the scale of the window of doubles if the triangle lies in the
+//       window, otherwise in the scale of the input.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What: the triangles that are not of the first level, by level.
+// What: holds the triangles that are not of the first level, sorted by level.
 // Cost: linear in the triangles, and in the levels.
 #pragma once
 
@@ -33,13 +33,13 @@ class WaitingTriangles {
     added_ = std::vector<WaitingTriangle>();  // = {} would keep the memory
   }
 
-  /// Returns the triangles of a level. Requires: sort() before; 0 ≤ level ≤ last.
+  /// Returns the triangles of a level. Requires: sort(last) was called; 0 ≤ level ≤ last.
   std::span<const Corners> of_level(int level) const {
     const auto at = static_cast<std::size_t>(level);
     return std::span(corners_).subspan(start_[at], start_[at + 1] - start_[at]);
   }
 
-  /// Returns the first level after this one that has a triangle, or Ladder::never.
+  /// Returns the first level after `level` that has a triangle, or Ladder::never. Requires: as of_level().
   int after(int level) const {
     const std::size_t before = start_[static_cast<std::size_t>(level) + 1];
     if (before == corners_.size()) return Ladder::never;
@@ -50,7 +50,7 @@ class WaitingTriangles {
  private:
   std::vector<WaitingTriangle> added_;
   std::vector<Corners> corners_;
-  std::vector<std::size_t> start_;  // for each level, and the end
+  std::vector<std::size_t> start_;  // for each level, its first entry of corners_; then the end
 };
 
 }  // namespace rbpa

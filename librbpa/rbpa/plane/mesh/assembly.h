@@ -60,13 +60,13 @@ class Assembly {
         site[v] = index[site[v]];
       }
     });
-    complex_.input_index = std::move(site);  // it holds indices now
+    complex_.input_index = std::move(site);  // `site` holds input indices now
     complex_.input_index.shrink_to_fit();
   }
 
  private:
-  /// Returns the input indices of sites without a triangle, ascending: not sorted but marked, as they may be most of
-  /// the sites.
+  /// Returns the input indices of sites without a triangle, ascending. Marks the indices instead of sorting them, as
+  /// most sites may be isolated.
   template <typename Built>
   std::vector<std::uint32_t> isolated(const Built& built) const {
     const auto index = sites_.input_index();
@@ -101,8 +101,8 @@ class Assembly {
     complex.distinct = points;
     complex.duplicates = sites_.duplicates();
     // A planar triangulation of n points has fewer than 3n edges and 2n faces. There are a few more vertices than
-    // points, as each fan at a point has one, also before fans are joined: up to a twelfth more for scattered points,
-    // at an alpha of 0.7 spacings. Unused memory is never touched.
+    // points, as each fan at a point has a vertex, also before fans are joined: up to a twelfth more for scattered
+    // points, at an alpha of 0.7 spacings. Unused memory is never touched.
     const std::size_t vertices = points + points / 8 + 64, edges = 3 * points + elements_at_a_time,
                       faces = 2 * points + elements_at_a_time;
     meshops::reserve(complex.mesh, vertices, edges, faces);

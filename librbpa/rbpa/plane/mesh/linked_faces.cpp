@@ -9,7 +9,7 @@ OwnedTriangles linked_faces(const Mesh& mesh) {
   for (std::size_t f = 0; f < faces.triangles.size(); ++f) {
     auto h = mesh.halfedge_handle(Mesh::FaceHandle(static_cast<int>(f)));
     for (unsigned k = 0; k < 3; ++k) {
-      // The side that ends at corner k lies across from the corner after it.
+      // The side that ends at corner k lies across from corner k + 1.
       const auto beyond = mesh.face_handle(mesh.opposite_halfedge_handle(h));
       faces.triangles[f][k] = static_cast<std::uint32_t>(mesh.to_vertex_handle(h).idx());
       faces.neighbors[f][(k + 1) % 3] =

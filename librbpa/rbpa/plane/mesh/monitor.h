@@ -28,10 +28,11 @@ class Monitor : public meshops::FrontVisitor {
   void seeded(const meshops::Front& front, const meshops::InsertedTriangle&) { count(front); }
   void attached(const meshops::Front& front, meshops::Halfedge, const meshops::InsertedTriangle&) { count(front); }
 
-  /// Reports that triangles were added together; `triangles` is the number of all so far. Throws: Cancelled.
+  /// Reports progress after triangles were added together; `triangles` is their total number since the run began.
+  /// Throws: Cancelled.
   void worked(std::size_t triangles) { stop_if_cancelled(progress_, {triangles, points_}); }
 
-  /// Validates a mesh that was made at once, in the debug build.
+  /// Validates, in the debug build, a mesh that was not built triangle by triangle.
   void completed(const meshops::Connectivity& mesh) {
     if (debug) validate(mesh);
   }
@@ -47,8 +48,8 @@ class Monitor : public meshops::FrontVisitor {
     }
     step(front);
   }
-  /// Reads the clock after as many steps as took about a millisecond before: a triangle takes a microsecond in one run
-  /// and milliseconds in another.
+  /// Reports progress about once in a millisecond. The number of steps between two reports adapts to their duration: a
+  /// triangle takes a microsecond in one run and milliseconds in another.
   void step(const meshops::Front& front) {
     if (++steps_ < stride_ || !progress_) return;
     steps_ = 0;

@@ -6,8 +6,7 @@
 namespace rbpa {
 
 /// Checks a state that was read.
-/// Throws: InvalidInput that names the error: a number of an item that does not exist, a wrong order, coordinates that
-///         are not finite.
+/// Throws: InvalidInput that names the broken rule, for example a wrong order or coordinates that are not finite.
 /// Cost:   linear, and n log n in the corners of the cover.
 void check_state(const PartialState& state);
 

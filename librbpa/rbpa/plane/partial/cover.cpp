@@ -11,8 +11,8 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Weights at places of a vertical line, in a segment tree that has the least and the greatest of the partial sums of
-/// the weights from below. The partial sum at a place is the number of regions that cover it.
+/// Weights at places of a vertical line, in a segment tree that knows the least and the greatest partial sum of the
+/// weights, summed from below. The partial sum at a place is the number of regions that cover it.
 class Heights {
  public:
   explicit Heights(std::span<const Quadrant> quadrants) {
@@ -48,7 +48,7 @@ class Heights {
 
  private:
   struct Node {
-    int sum = 0, least = 0, most = 0;  // of the leaves below the node; partial sums begin with the first of these
+    int sum = 0, least = 0, most = 0;  // of the leaves below the node; partial sums begin with the first leaf
   };
   std::size_t place(double y) const {
     return static_cast<std::size_t>(std::lower_bound(y_.begin(), y_.end(), y) - y_.begin());

@@ -1,6 +1,6 @@
 // What: the part of the plane that regions cover together.
 // How:  the sum of the indicator functions of the regions is a sum of quadrants, one at each corner of each region,
-//       with a sign. Where regions lie side by side, corners cancel: the rest are the corners of the covered part.
+//       with a sign. Where regions lie side by side, quadrants cancel; those at the corners of the covered part remain.
 // Law:  the quadrants are a function of the covered part, not of its division into regions.
 // Cost: as many corners as the covered part has; n log n to check the corners.
 #pragma once
@@ -25,7 +25,7 @@ class Cover {
  public:
   Cover() = default;
   explicit Cover(const Region& region);
-  /// Takes quadrants. Requires: ascending by corner, none twice, no weight 0.
+  /// Constructs a cover from quadrants. Requires: corners strictly ascend; no weight is 0.
   explicit Cover(std::vector<Quadrant> quadrants) : quadrants_(std::move(quadrants)) {}
 
   /// Returns the sum of two covers.

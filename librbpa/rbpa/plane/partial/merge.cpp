@@ -27,7 +27,8 @@ struct End {
   std::uint32_t chain;
 };
 
-/// Returns the chains sorted by edge_of(chain), their first or last edge. Throws: InvalidInput when two have the same.
+/// Returns the chains sorted by edge_of(chain), their first or last edge. Throws: InvalidInput when two chains have the
+/// same edge.
 std::vector<End> sorted_by(const std::vector<Chain>& chains, PointPair (*edge_of)(const Chain&)) {
   std::vector<End> ends;
   ends.reserve(chains.size());
@@ -66,7 +67,7 @@ std::vector<Chain> join_chains(std::vector<Chain>&& chains, const std::function<
   for (const std::uint32_t c : next)
     if (c != no_index) follows[c] = true;
 
-  // Two chains that meet have the same edge, which is kept once.
+  // Two chains that meet share an edge, which the joined chain has once.
   const auto follow = [&](std::uint32_t from) {
     Chain chain = std::move(chains[from]);
     done[from] = true;
@@ -126,7 +127,7 @@ void number_behind(PartialState& a, PartialState& b) {
   for (OpenComponent& component : b.open) component.group += of_a;  // there are at most as many groups as components
 }
 
-/// Adds the counts of `b` to those of `a`, and appends its lists of components, chains, pinches and polygons.
+/// Adds the counts of `b` to those of `a`, and appends the lists of components, chains, pinches and polygons of `b`.
 void append_all(PartialState& a, PartialState&& b) {
   a.counts = a.counts + b.counts;
   append(a.open, std::move(b.open));
@@ -139,7 +140,8 @@ void append_all(PartialState& a, PartialState&& b) {
 }
 
 /// Merges two sorted lists of shared triangles. Unites in `components` any two components with a triangle in common,
-/// and drops triangles whose three corners are now in merged regions. Throws: InvalidInput when regions share a corner.
+/// and drops triangles whose three corners are now in merged regions. Throws: InvalidInput when the numbers of owned
+/// corners of a triangle add up to more than three.
 std::vector<SharedTriangle> merge_shared(const std::vector<SharedTriangle>& a, const std::vector<SharedTriangle>& b,
                                          meshops::DisjointSets& components) {
   std::vector<SharedTriangle> merged;

@@ -52,7 +52,7 @@ class RimWalk {
       if (!of_.owns(to(side))) return path;
       side = side_after(side);
     } while (side.triangle != first.triangle || side.across != first.across);
-    path.pop_back();  // it repeats the first point
+    path.pop_back();  // the last point repeats the first
     return path;
   }
 
@@ -84,13 +84,13 @@ struct Pass {
   std::uint64_t triangles = 0;
   std::uint64_t twice_edges = 0;
   meshops::DisjointSets components;        // sets of triangles, joined across sides with an owned end
-  std::vector<std::uint32_t> triangle_at;  // for each owned point in a triangle, one such triangle
-  std::vector<std::uint32_t> shared;       // triangles with owned corners and others
+  std::vector<std::uint32_t> triangle_at;  // for each owned point, a triangle at the point, or no_index
+  std::vector<std::uint32_t> shared;       // triangles with both owned and other corners
   std::vector<OpenSide> boundary;          // sides that have an owned end
 };
 
-/// Adds to `pass` the sides of triangle t that have an owned end: both triangles at such a side are known here. The
-/// region counts the sides whose lesser end it owns.
+/// Adds to `pass` the sides of triangle t that have an owned end: the region knows both triangles at each of these
+/// sides. The region counts the sides whose lesser end it owns.
 void look_at_sides(const RegionComplex& of, std::uint32_t t, unsigned owned, Pass& pass) {
   const auto& corners = of.triangulation().triangles[t];
   const auto& neighbors = of.triangulation().neighbors[t];
@@ -240,7 +240,7 @@ class Builder {
   const RegionComplex& of_;
   Pass pass_;
   const Checkpoint& checkpoint_;
-  meshops::FreshVector<std::uint32_t> number_;  // new numbers of components
+  meshops::FreshVector<std::uint32_t> number_;  // for each triangle, its component
   std::vector<std::uint32_t> pinched_;          // the points of pinches, ascending
   PartialState state_;
 };

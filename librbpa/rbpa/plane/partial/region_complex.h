@@ -1,6 +1,7 @@
 // What: the triangles of a region and its halo, and which of them the region owns.
-// Law:  every triangle with a corner that the region owns is one of the whole complex, and so are its neighbors across
-//       the sides at such a corner; others need not be (docs/explanation/plane.md, section 20).
+// Law:  every triangle with a corner that the region owns is in the complex of the whole input, and so are the
+//       neighbors across the triangle's sides at that corner. Other triangles need not be (docs/explanation/plane.md,
+//       section 20).
 #pragma once
 
 #include <cstdint>

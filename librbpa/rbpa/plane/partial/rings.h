@@ -1,4 +1,5 @@
-// What: splits boundary curves of an open component into rings, and makes the polygon of a finished one.
+// What: splits boundary curves of an open component into rings, removes holes, and makes the polygon of a finished
+//       component.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,8 @@ namespace rbpa {
 /// Throws: InvalidInput when a ring has fewer than three points: the curve then bounds no triangles. Cost: n log n.
 void add_curve(OpenComponent& component, std::vector<Corner>&& curve);
 
-/// Returns whether `a` comes before `b`: by first point, then by second. An edge is on one ring, so no two are equal.
+/// Returns whether `a` comes before `b`: by first point, then by second. Each edge is on one ring, so no two rings are
+/// equal.
 bool ring_before(const CornerRing& a, const CornerRing& b);
 
 /// Returns the polygon of a component all of whose curves are closed.

@@ -15,9 +15,9 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;  // new numbers by old ones
 
-/// Numbers the components with a shared triangle by their first one, and sorts state.open by these numbers. Moves the
-/// other components to `finished`, and their old numbers to `old_of_finished`. Returns the new numbers; no_index for
-/// the finished components.
+/// Numbers the components with a shared triangle by their first shared triangle, and sorts state.open by these numbers.
+/// Moves the other components to `finished`, and their old numbers to `old_of_finished`. Returns the new numbers;
+/// no_index for the finished components.
 Numbers number_components(PartialState& state, std::vector<OpenComponent>& finished, Numbers& old_of_finished) {
   Numbers number(state.open.size(), no_index);
   std::vector<OpenComponent> open;
@@ -112,7 +112,7 @@ void settle_pinches(PartialState& state) {
   }
 }
 
-/// Moves the held polygons that are members of no pinch to the finished ones; sorts the others.
+/// Moves the held polygons that are members of no pinch to state.polygons; sorts the other held polygons.
 void release_held(PartialState& state) {
   const auto open = static_cast<std::uint32_t>(state.open.size());
   std::vector<bool> waits(state.held.size(), false);

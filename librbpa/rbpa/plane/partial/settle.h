@@ -1,5 +1,5 @@
 // What: brings a state into canonical form: components without an open rim become polygons, the rest is numbered.
-// Why:  a single region and a merged pair end in the same way, so that the form depends on the regions only.
+// Why:  a single region and a merged pair end in the same way, so that the form of a state depends on its regions only.
 #pragma once
 
 #include "rbpa/plane/partial/state.h"

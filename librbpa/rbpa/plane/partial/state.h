@@ -43,10 +43,10 @@ struct OpenComponent {
   /// The lexicographically least point of the component's chains and rings; (∞, ∞) if there are none.
   Point least = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   std::vector<CornerRing> rings = {};
-  std::vector<HoleSums> taken = {};  // none or one: sums are large
+  std::vector<HoleSums> taken = {};  // empty, or one element; a vector, as a sum is large
 };
 
-/// Points at which the same components touch. The points count in the component whose polygon comes first.
+/// A set of points at which the same components touch. The points count in the component whose polygon comes first.
 struct Pinch {
   /// The components that may come first, ascending: numbers of open components, then, after the last of these numbers,
   /// of held polygons.

@@ -1,4 +1,4 @@
-// What: finds the patch of a tile, by the finder that suits it (tile/finder.h).
+// What: finds the patch of a tile: by enumeration if that suits the tile, otherwise by pivots (tile/finder.h).
 #pragma once
 
 #include "rbpa/plane/enumeration/find_by_enumeration.h"

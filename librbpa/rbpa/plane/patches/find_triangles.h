@@ -1,4 +1,4 @@
-// What: finds all triangles of a radius, and puts them into a list that is a sink of patches.
+// What: finds all triangles of the solid alpha complex, and puts them into a list.
 #pragma once
 
 #include <cstddef>

@@ -3,8 +3,8 @@
 // Law:  each triangle is in one patch; the patches and their order are a function of the sites and alpha.
 // How:  1. The sites in the window of doubles are cut into tiles (tile/cut.h).
 //       2. A finder makes the patch of each tile, and marks the sites whose stars are settled: all triangles of the
-//          complex around them are in patches (patches/find_patch.h). After tiles that settle few stars, some tiles are
-//          skipped (patches/skipped_tiles.h).
+//          complex around these sites are in patches (patches/find_patch.h). After tiles that settle few stars, some
+//          tiles are skipped (patches/skipped_tiles.h).
 //       3. A sink receives the patches and joins them; its step place() is called for one patch at a time, in order.
 //       4. The sites whose stars are not settled, and those beyond the window, make the last patch
 //          (remainder/remainder.h).
@@ -26,7 +26,7 @@ namespace rbpa {
 /// The receiver of patches. For each patch, these functions are called in this order, with one Share that belongs to
 /// the patch until fill() returns and is then used again: prepare(tile, share) in any thread; place(tile, share), one
 /// patch after another, in their order; fill(tile, share) in any thread. worked() is called after each place(), one
-/// call at a time, and repeatedly in the remainder. Each of them may throw, which ends the run.
+/// call at a time, and repeatedly in the remainder. Each function may throw, which ends the run.
 template <typename Sink>
 concept PatchSink = requires(Sink& sink, const TilePatch& tile, typename Sink::Share& share) {
   sink.prepare(tile, share);
@@ -58,7 +58,7 @@ void for_each_patch(const Sites& sites, const Radius& alpha, Threads& threads, S
       [&](std::size_t i, Workspace& w) {
         if (!skipped.contains(i)) {
           skipped.joined(i, w.owned, w.found.settled.size());
-        } else if (w.owned != 0) {  // found before the tiles ahead of it decided that it is skipped
+        } else if (w.owned != 0) {  // found before earlier tiles decided to skip this tile
           w.found.clear();
           sink.prepare(std::as_const(w.found), w.share);
         }

@@ -1,8 +1,9 @@
-// What: the tiles that are left to the remainder unseen, because the tiles before them settled hardly any star.
-// Why:  along curves, tiles decide nothing, and are cut in vain: the remainder triangulates all points once more.
+// What: the tiles that are left to the remainder, because the tiles before settled hardly any star.
+// Why:  along curves, tiles decide nothing: to cut them is in vain, as the remainder triangulates all points again.
 // How:  a tile is in vain if it settles less than one in 64 of its stars. After four tiles in vain in a row the next 4
-//       are skipped; after each further tile in vain the next 8, 16, 32, 64. The first other tile ends this.
-// Law:  a function of the stars that tiles settle, not of threads.
+//       are skipped; after each further tile in vain the next 8, 16, 32, 64. The first tile that is not in vain ends
+//       the skipping.
+// Law:  the skipped tiles depend on the stars that tiles settle, not on threads.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +14,8 @@ namespace rbpa {
 
 class SkippedTiles {
  public:
-  /// Returns whether a tile is skipped; called in any thread. The answer is final when all earlier tiles are joined;
-  /// before, only `true` is final.
+  /// Returns whether a tile is skipped; called in any thread. The result is final once all earlier tiles are joined;
+  /// before that, only `true` is final.
   bool contains(std::size_t tile) const { return tile < next_.load(std::memory_order_relaxed); }
 
   /// Records that a tile was joined that is not skipped, owns `owned` sites and settles `settled` stars. Requires:

@@ -1,6 +1,6 @@
-// What: finds the first point that a ball touches when it rolls over a→b to its left, for sixteen edges at a time, on
-//       the points of a tile. Compiled once for each kind of vector unit; the only include guard is the compiler's own
-//       per kind.
+// What: finds the first point that a ball touches when the ball rolls over an edge a→b to the left, for sixteen edges
+//       at a time, on the points of a tile. Compiled once for each kind of vector unit; HWY_TARGET_TOGGLE is the
+//       include guard.
 // Law:  the result is the Delaunay apex of the edge among all points, or none if the tile's points do not decide it.
 // How:  the circle through a, b and p has its center k half-chords left of the chord's middle, and the least k wins.
 //       Bounds in single precision leave one point nearly always; exact arithmetic decides the rest.
@@ -50,7 +50,8 @@ class ApexSearch {
 
   EdgeBatch& edges() { return edges_; }
 
-  /// Returns the cost so far of edges that needed more than the first window, as a number of points scanned.
+  /// Returns the total cost, as a number of points scanned, of edges for which three short rows of cells did not
+  /// suffice.
   std::size_t work() const { return work_; }
 
   /// Finds the apexes of the first `size` edges, at least one, and stores them in edges().apex:
@@ -58,7 +59,7 @@ class ApexSearch {
   ///   2. bound what rounding can do there;
   ///   3. find the apex among the window's points, edge by edge;
   ///   4. verify that the apex's circle lies in the window;
-  ///   5. search on, from near to far, for the edges where it does not.
+  ///   5. search on, from near to far, for the edges whose apex is not verified.
   /// Vectors of four to sixteen lanes cover a batch so:
   ///
   ///   steps 1 and 4: a lane is an edge           step 3: a lane is a point, and the edge is in all of them
@@ -105,7 +106,7 @@ class ApexSearch {
   // exact decision.
   static constexpr std::size_t work_of_window = 64, work_of_apex = 192, work_of_candidate = 16;
 
-  /// Bounds the rounding errors in the numbers of an edge and of points in a box of this width.
+  /// Bounds the rounding errors in the numbers of an edge and of points in a box of the given width.
   void bound_errors(std::size_t edge, float width) {
     constexpr float two = 2 * TileCoordinates::rounding;
     const float extent = width * (1 + slack) + slack;
@@ -138,7 +139,8 @@ class ApexSearch {
             hn::Set(d, right_of_[i])};
   }
 
-  /// Bounds of k for points, one in each lane; whether each is certainly left of the chord, and whether it may be.
+  /// Bounds of k for points, one in each lane; whether each point is certainly left of the chord, and whether it may
+  /// be.
   struct Bounds {
     V low, high;
     hn::Mask<D> left, perhaps;

@@ -21,7 +21,7 @@ class ExactApex {
   ExactApex(const Tile& tile, const TileCoordinates& coordinates) : tile_(tile), at_(coordinates) {}
 
   /// Returns the candidate that the ball touches first. Candidates may lie on either side of the chord; returns `none`
-  /// if none lies left of it.
+  /// if no candidate lies left of the chord.
   Index winner(std::size_t a, std::size_t b, std::span<const Index> candidates, Index none) const {
     const Chord<double> chord(tile_.points[a], tile_.points[b]);
     Index best = none;
@@ -45,7 +45,8 @@ class ExactApex {
   }
 
  private:
-  /// Returns whether p is in the circle of a, b, q, ties perturbed. Products of four differences are exact in double.
+  /// Returns whether p is in the circle of a, b, q; the symbolic perturbation breaks ties. Products of four differences
+  /// are exact in double.
   bool beats_on_lattice(std::size_t a, std::size_t b, std::size_t p, std::size_t q) const {
     struct Ratio {
       double dot, cross;

@@ -50,8 +50,8 @@ class TileFront {
   }
 
  private:
-  /// Adds a triangle at point v, which has none, on the edge to the nearest point, which is Delaunay; does nothing if
-  /// the tile's points do not decide a triangle.
+  /// Adds a triangle at point v, which has no triangle yet, on the edge from v to the nearest point: this edge is
+  /// Delaunay. Does nothing if the tile's points do not decide a triangle.
   void seed(Index v) {
     const Index q = nearest(v);
     if (q == none) return;
@@ -64,8 +64,8 @@ class TileFront {
   }
 
   /// Returns whether the front has given up, as searches took too long. Where points are scattered, few searches are
-  /// long. Along curves and in clusters many are: there the search for the remainder (remainder.h) is faster, and takes
-  /// the points that are left.
+  /// long. Along curves and in clusters, many are. The search for the remainder (remainder.h) is faster there, and
+  /// processes the points that are left.
   bool has_given_up() const {
     constexpr std::size_t max_work = 200;                          // measured: points read for a triangle
     const std::size_t in_advance = 24 + tile_.points.size() / 16;  // triangles: edges of the hull may come first
@@ -168,8 +168,8 @@ namespace {
 
 HWY_EXPORT(advance_on);
 
-/// Returns whether points lie along curves: they fill a few cells, about as many in each, most of which have few
-/// neighbors that are not empty.
+/// Returns whether points lie along curves: the points fill few cells, about the same number in each, and most of these
+/// cells have few neighbors with points.
 bool is_along_curves(const Tile& tile) {
   constexpr double max_per_cell = 4;     // evenly scattered points have 2.3 per cell that is not empty
   constexpr double min_neighbors = 1.3;  // filled cells right or above: 1 along a curve, 1.7 if scattered

@@ -1,9 +1,10 @@
-// What:   finds the Delaunay triangles of a tile by ball pivoting, as far as its points decide them: a finder
-//         (tile/finder.h).
-// Law:    every triangle of the patch is one of the solid alpha complex of all points. No triangle is left out whose
-//         circumcircle lies where the tile has all points and to which a front of such triangles leads.
-// Cost:   about two pivots a point, each a few vector instructions in single precision; exact arithmetic if these leave
-//         two points. See docs/explanation/plane.md, sections 6 to 11.
+// What:   finds the Delaunay triangles of a tile by ball pivoting, as far as the tile's points decide the triangles: a
+//         finder (tile/finder.h).
+// Law:    every triangle of the patch is one of the solid alpha complex of all points. A triangle is not left out if
+//         its circumcircle lies where the tile has all points, unless more than 64 points lie about on this circle, or
+//         no front of triangles of this kind leads to the triangle.
+// Cost:   about two pivots a point, each a few vector instructions in single precision; exact arithmetic if single
+//         precision leaves several points. See docs/explanation/plane.md, sections 6 to 11.
 // Source: Restricted BPA, sections 3.1 and 3.2.
 #pragma once
 

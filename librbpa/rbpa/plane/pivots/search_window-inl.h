@@ -1,8 +1,7 @@
 // What: the search window of a pivot: the cells to search for the apex, for sixteen edges at a time, and the test that
-//       they were enough. Compiled once for each kind of vector unit; the only include guard is the compiler's own per
-//       kind.
-// Law:  no other point can be the apex instead of a verified one: the part left of the edge of its circle lies in the
-//       searched cells, where the tile has all points.
+//       these cells were enough. Compiled once for each kind of vector unit; HWY_TARGET_TOGGLE is the include guard.
+// Law:  a verified apex is the apex among all points: the part of its circle left of the edge lies in the searched
+//       cells, where the tile has all points.
 #if defined(RBPA_PIVOTS_SEARCH_WINDOW_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_PIVOTS_SEARCH_WINDOW_INL_H_
 #undef RBPA_PIVOTS_SEARCH_WINDOW_INL_H_

@@ -1,7 +1,7 @@
 // What: points that compete for a circle through the ends of a chord. Of the points left of the chord, the one with the
 //       least circle has the least k = dot / cross: docs/explanation/plane.md, section 1.
 // Law:  the results are those of the predicates.
-// Why:  the products of a point and a chord are computed once for each point, not for each pair of them.
+// Why:  the products of a point and a chord are computed once for each point, not for each pair of points.
 #pragma once
 
 #include <bit>
@@ -39,8 +39,8 @@ class Chord {
     return cross > 0;
   }
 
-  /// Returns whether q is inside the circle through the chord and p, ties perturbed. Requires: p is left of the chord,
-  /// and q is another point.
+  /// Returns whether q is inside the circle through the chord and p; the symbolic perturbation breaks ties. Requires: p
+  /// is left of the chord, and q is another point.
   bool is_inside(const Candidate& q, const Candidate& p) const {
     const Two<Real> products = p.dot_and_cross * swapped(q.dot_and_cross), sizes = p.magnitude * swapped(q.magnitude);
     const Real difference = products[0] - products[1];

@@ -1,8 +1,9 @@
-// What: differences of points as integers of a fixed width, times a power of two. Such integers exist on grids, and
-//       wherever coordinates have few bits.
+// What: differences of points as integers of a fixed width, times a power of two. Differences have this form on grids,
+//       and wherever coordinates have few bits.
 // Law:  exact: an expression that is homogeneous in the differences keeps its sign.
-// Why:  on grids nearly every circle is a tie, which no filter decides; integers do in the time of two filters.
-// Cost: some nanoseconds, and fewer if the differences do not fit.
+// Why:  on grids nearly every circle is a tie, which no filter decides; integers decide a tie in the time of two
+//       filters.
+// Cost: some nanoseconds, and less if the differences do not fit.
 #pragma once
 
 #include <algorithm>

@@ -94,8 +94,8 @@ class Predicates {
   }
 
   /// Returns 1 if the perturbation puts q inside the circle of (a, b, p), −1 if outside; never 0. The lexicographically
-  /// largest of the four points is lifted most. If q is the largest, q leaves the circle; if a corner is, the side
-  /// depends on how the corner's lift tilts the circle. Requires: q is on the circle, and none of the three.
+  /// largest of the four points is lifted most. If q is the largest, q leaves the circle; if a corner is the largest,
+  /// the side depends on how the corner's lift tilts the circle. Requires: q is on the circle, and is not a, b or p.
   static int perturbed_side(const Point& a, const Point& b, const Point& p, const Point& q) {
     if (a < q && b < q && p < q) return -1;
     if (b < a && p < a) return orientation(q, b, p);
@@ -117,7 +117,7 @@ class Predicates {
       return difference > 0 ? 1 : -1;
     return compare_to_close_alpha(a, b, c, alpha);
   }
-  /// Returns compare_circumradius() without its filter: faster where the filter would not decide.
+  /// Returns compare_circumradius() without its filter: faster where that filter would not decide.
   static int compare_to_close_alpha(const Point& a, const Point& b, const Point& c, double alpha) {
     if (const int finer = compare_circumradius_finely(a, b, c, alpha); finer != 0) return finer;
     return exact_integer::compare_circumradius(a, b, c, alpha);

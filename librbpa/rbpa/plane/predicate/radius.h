@@ -8,7 +8,7 @@
 
 namespace rbpa {
 
-/// Alpha as used in computations: a positive number, or infinite, also for a number above every circumradius.
+/// The alpha of a computation: a positive number, or infinite. A number above every circumradius may become infinite.
 class Radius {
  public:
   Radius() = default;

@@ -11,8 +11,8 @@ constexpr int width = largest_in_double - least_in_double;
 // The range of exponents of bits in doubles: of the least bit of all, and one above the greatest.
 constexpr int least_bit = -1074, end_bits = 1024;
 
-/// Returns the least exponent of the window that has the most points; `most` becomes their number, without points at
-/// the origin.
+/// Returns the least exponent of the window that has the most points; `most` becomes the number of these points,
+/// without points at the origin.
 int best_window(std::span<const Point> points, std::uint32_t& most) {
   std::array<std::int64_t, end_bits - least_bit + width + 2>
       more{};  // for each first exponent, the increase of the number of points

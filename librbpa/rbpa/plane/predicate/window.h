@@ -1,7 +1,7 @@
-// What: the window of doubles on a set of points: scaled by a power of two, most of them fit double. The few that are
-//       far larger or far finer than the others lie beyond it.
+// What: the window of doubles on a set of points: scaled by a power of two, most of the points fit double. The few
+//       points that are far larger or far finer than the others lie beyond the window.
 // Why:  filters decide points that fit double without regard to underflow and overflow (magnitude.h), and nearly all
-//       input does fit, if not at its own scale.
+//       input fits double, at least when scaled.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,9 @@ struct Window {
   Radius scaled(const Radius& alpha) const;
 };
 
-/// Returns the window that has the most points. If that window has less than half of the points, all points are beyond.
-/// The exponent is 0 if all points fit unscaled. The result is a function of the set of points.
+/// Returns the window that has the most points. If that window has fewer than ⌊n / 2⌋ of the n points, the origin not
+/// counted, all points are beyond the window. The exponent is 0 if all points fit unscaled. The result is a function of
+/// the set of points.
 /// Requires: finite points.
 /// Cost:     linear.
 Window window_of(std::span<const Point> points);

@@ -11,8 +11,8 @@ struct SweptEdge {
   Point low, high;
 };
 
-/// Orders edges from low to high, among those that cross the sweep line between two events of the sweep. Edges meet in
-/// common ends at most, so no orientation is zero. A point on no edge has a place in this order.
+/// Orders edges from low to high, among those that cross the sweep line between two events of the sweep. Edges meet
+/// only in common ends, so no orientation is zero. A point on no edge has a place in this order.
 struct Below {
   using is_transparent = void;
   bool operator()(const SweptEdge* edge, const Point& p) const { return side(*edge, p) > 0; }

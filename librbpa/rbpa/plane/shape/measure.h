@@ -1,5 +1,5 @@
 // What: computes areas, exactly summed and rounded once, and lengths of rings.
-// Law:  a function of the set of edges, not of their order.
+// Law:  sums are a function of the set of edges, not of the order of edges.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace rbpa {
 
-/// Sums of numbers that are not negative, some of them perhaps infinite.
+/// A sum of numbers that are not negative and may be infinite.
 class LengthSum {
  public:
   void add(double value) {
@@ -65,7 +65,7 @@ class BoundaryMeasure {
   LengthSum lengths_;
 };
 
-/// Adds twice the area that the ring encloses, exactly: positive when it is counter-clockwise.
+/// Adds twice the area that the ring encloses, exactly: positive when the ring is counter-clockwise.
 void add_twice_area(ExactSum& sum, const Ring& ring, std::span<const Point> points);
 
 /// Returns the area that the ring encloses, in either orientation, rounded once.

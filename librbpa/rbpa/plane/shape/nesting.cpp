@@ -13,7 +13,7 @@ namespace {
 struct Edge : SweptEdge {
   std::uint32_t polygon;
   std::uint32_t ring;  // 0 is the shell, k is hole k − 1
-  bool opens_shell;    // whether it is the shell's first edge: the lower of two at the first point
+  bool opens_shell;    // whether this is the first edge of a shell: the lower of the two at its first point
   bool solid_above;    // whether the polygon is above the edge
 };
 
@@ -55,7 +55,7 @@ class Sweep {
     return (*start_)->low;
   }
 
-  /// Removes the edges that end at `at` or before. Inserts the edges that begin at `at`, and returns them.
+  /// Removes the edges that end at `at` or before. Inserts and returns the edges that begin at `at`.
   std::span<const Edge* const> move_to_start(const Point& at) {
     step_();
     move_past_ends(at);
@@ -142,7 +142,7 @@ std::vector<std::optional<std::uint32_t>> polygons_around(std::span<const Polygo
     sweep.move_past_ends(at);
     const auto above = sweep.crossed().lower_bound(at);
     if (above == sweep.crossed().begin()) continue;
-    // There is no other edge between this edge and the point.
+    // No other edge lies between the edge `below` and the point.
     const Edge* below = *std::prev(above);
     if (below->solid_above) around[q] = below->polygon;
   }

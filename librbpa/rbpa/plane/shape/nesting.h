@@ -29,7 +29,8 @@ struct HoleOf {
 std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, std::span<const Point> points,
                                            Steps& step);
 
-/// Returns for each of `queries`, which are indices of points, the polygon that contains the point; nothing if none.
+/// Returns for each of `queries`, which are indices of points, the polygon that contains the point; nothing if no
+/// polygon does.
 /// Requires: as nesting(); no query is on a ring.
 /// Throws:   as nesting().
 std::vector<std::optional<std::uint32_t>> polygons_around(std::span<const Polygon> polygons,

@@ -8,7 +8,7 @@
 
 namespace rbpa {
 
-/// Returns the polygons.
+/// Returns outline_polygons(points, complex, filter), but does not check whether the complex is linked.
 /// Requires: as require_linked(), which is not checked.
 /// Throws:   InvalidInput when a bound of the filter is negative or not a number; ContractViolation when the points are
 ///           visibly not those of the complex; Cancelled.

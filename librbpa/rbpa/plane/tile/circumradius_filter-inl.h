@@ -1,7 +1,8 @@
-// What: tests which triangles have a circumradius ≤ alpha: ab² bc² ca² against 4 α² (ab × ac)², a triangle in each
-//       lane. Compiled once for each kind of vector unit: HWY_TARGET_TOGGLE makes an include guard for each kind.
-// Law:  a lane set in `inside` has a circumradius ≤ alpha for the points in double precision, one set in `outside` has
-//       one > alpha; a lane in neither is undecided. docs/explanation/plane.md, section 10, derives the bounds.
+// What: tests which triangles have a circumradius ≤ alpha: compares ab² bc² ca² with 4 α² (ab × ac)², a triangle in
+//       each lane. Compiled once for each kind of vector unit: HWY_TARGET_TOGGLE makes an include guard for each kind.
+// Law:  for the points in double precision, the triangle of a lane set in `inside` has a circumradius ≤ alpha, and that
+//       of a lane set in `outside` a circumradius > alpha; a lane set in neither is undecided.
+//       docs/explanation/plane.md, section 10, derives the bounds.
 #if defined(RBPA_TILE_CIRCUMRADIUS_FILTER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_TILE_CIRCUMRADIUS_FILTER_INL_H_
 #undef RBPA_TILE_CIRCUMRADIUS_FILTER_INL_H_

@@ -1,6 +1,6 @@
 // What: tests which triangles on a tile have a circumradius ≤ alpha, as far as single precision decides.
 // Law:  `inside` and `outside` are true for the points in double precision; exact arithmetic decides `uncertain`.
-// How:  ab² bc² ca² against 4 α² (ab × ca)², several triangles at a time; docs/explanation/plane.md, section 10,
+// How:  compares ab² bc² ca² with 4 α² (ab × ca)², several triangles at a time; docs/explanation/plane.md, section 10,
 //       derives the bounds.
 // Cost: a few nanoseconds a triangle.
 #pragma once

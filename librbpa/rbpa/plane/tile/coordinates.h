@@ -1,7 +1,7 @@
 // What: a tile's points in single precision, relative to one of them, scaled so that the tile is within −1 … 1.
 // Law:  every coordinate is within `rounding` of the true one; on a lattice it is exact.
-// Why:  sixteen coordinates fit a vector register, and nothing can overflow. Decisions use bounds that count the
-//       rounding; docs/explanation/plane.md, section 10 derives them.
+// Why:  sixteen coordinates fit a vector register, and nothing can overflow. Decisions use bounds that allow for the
+//       rounding; docs/explanation/plane.md, section 10, derives the bounds.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace rbpa {
 
 struct TileCoordinates {
   static constexpr float unit_roundoff = 0x1p-24f;
-  static constexpr float rounding = 0x1.05p-25f;  ///< half a unit in the last place of 1, plus the error before it
+  static constexpr float rounding = 0x1.05p-25f;  ///< half a unit in the last place below 1, and earlier rounding
   static constexpr std::size_t padding = 16;      ///< floats that can be read after the last
 
   double scale = 1;  ///< a power of two

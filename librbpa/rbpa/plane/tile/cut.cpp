@@ -69,8 +69,8 @@ bool is_uniform(const Block& a, const Block& b) {
   return std::max(density(a), density(b)) <= max_contrast * std::min(density(a), density(b));
 }
 
-/// Returns the mean over points of the number of points in the same cell: one more than their density if it is uniform,
-/// far more if a few cells have most of the points.
+/// Returns the mean over points of the number of points in the same cell: one more than density() if points are spread
+/// evenly, far more if a few cells have most of the points.
 double mean_occupancy(const Level& level, const Block& block) {
   std::uint64_t squares = 0;
   const auto square = [&](std::uint32_t cell) {
@@ -166,8 +166,8 @@ void Cutter::gather(const Level& level, const Block& block, Tile& tile) {
   });
   owned_ = all_;
 
-  // Points of cells with more than `dense` points are left out, around the block and around the grids in it: they would
-  // cost more time than the triangles along the edge of such a cell.
+  // Points of cells with more than `dense` points are left out, around the block and around the grids in it: to gather
+  // the points would cost more time than to leave the triangles along the edge of a dense cell to the remainder.
   const std::uint32_t dense =
       std::max(std::max(64u, block.merged), 16 * block.points / static_cast<std::uint32_t>(block.columns * block.rows));
   const std::size_t max_all = max_points_around(owned_);
@@ -221,7 +221,7 @@ void Cutter::gather_beyond(const Level& level, const Tile& tile) {
       forget(tile, p.x, p.x, p.y, p.y);
     }
   };
-  // A range may begin or end inside the box.
+  // A range of sites may begin or end among the sites of the level.
   grid_.scan({{tile.x0, tile.y0}, {tile.x1(), tile.y1()}}, [&](std::uint32_t first, std::uint32_t last) {
     if (first < first_inside) take(first, std::min(last, first_inside));
     if (last > last_inside) take(std::max(first, last_inside), last);

@@ -1,6 +1,6 @@
 // What: cuts the plane into tiles along the cells of the point grid.
-// Law:  every site is owned by one tile; a tile has every point of its box, except those in cells that it lists as
-//       unknown.
+// Law:  every site of the grid is owned by one tile; a tile has every point of its box, except those in cells that it
+//       lists as unknown.
 // Cost: linear in the points of the tile and the cells of its block.
 #pragma once
 
@@ -21,15 +21,15 @@ struct Block {
   std::uint32_t points, merged;
 };
 
-/// Returns blocks that together have every point. Each has at least one point and, unless a single cell, at most
-/// `max_points`.
+/// Returns blocks that together have every point. Each block has at least one point, and at most `max_points` unless it
+/// is a single cell.
 std::vector<Block> blocks(const PointGrid& grid, std::uint32_t max_points);
 
 /// A cutter of tiles from a grid, one after another in the same memory.
 class Cutter {
  public:
-  /// Keeps references to both arguments. A tile lists cells with hidden points as unknown, and assumes that further
-  /// points lie beyond them.
+  /// Keeps references to both arguments. A tile lists cells with hidden points as unknown; Tile::nothing_left to
+  /// nothing_above count hidden points.
   explicit Cutter(const PointGrid& grid, const HiddenPoints& hidden = none_hidden()) : grid_(grid), hidden_(hidden) {}
 
   /// Replaces `tile` by the tile of a block: its points, and the ghosts around them. The tile is empty if the block has

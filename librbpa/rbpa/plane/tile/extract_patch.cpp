@@ -9,7 +9,8 @@ namespace {
 using meshops::Patch;
 using meshops::Site;
 
-/// The status of the star of a point. Bit 0: the tile has seen the star. Bit 1: the star is also all in the patch.
+/// The status of the star of a point. Bit 0: the tile has seen the star. Bit 1: the patch also has all triangles of the
+/// star.
 enum StarStatus : std::uint8_t { unseen = 0, shared = 1, settled = 3 };
 
 constexpr int no_side = -1;
@@ -28,7 +29,8 @@ Element* room_for(std::vector<Element>& memory, std::size_t max_size) {
   return memory.data();
 }
 
-/// A list that is written without branches: its next entry is always written, and counted only if it belongs there.
+/// A list that is written without branches: its next entry is always written, and counted only if it belongs to the
+/// list.
 template <typename Element>
 class CountedList {
  public:
@@ -59,7 +61,7 @@ class PatchExtraction {
 
   /// Extracts the patch:
   /// 1. mark the triangles that the tile owns;
-  /// 2. filter by circumradius, and number the sides of those that the patch keeps;
+  /// 2. filter by circumradius, and number the sides of the triangles that the patch keeps;
   /// 3. find the settled stars;
   /// 4. write the entry across each side, and list marginal triangles;
   /// 5. if wanted, order the outline;
@@ -212,7 +214,8 @@ class PatchExtraction {
   }
 
   /// Divides the sides across which the patch has no triangle into holes and rim, and finds the next hole of each hole.
-  /// Mostly a single such side ends at a site; a hole among these is the next hole of the hole that begins there.
+  /// At most sites, a single outer side ends. If that side is a hole, it is the next hole of the hole that begins at
+  /// the site.
   void find_holes(std::span<const int> outer) {
     constexpr int several = -2;
     meshops::Outline& outline = result_.outline;
@@ -249,7 +252,7 @@ class PatchExtraction {
     return result_.patch.across[s / 3][s % 3];
   }
 
-  /// Lists what the remainder needs: the pairs of a site whose star is seen and a neighbor whose star is not settled,
+  /// Lists the data for the remainder: the pairs of a site whose star is seen and a neighbor whose star is not settled,
   /// the corners that are ghosts, and the triangles without a settled corner.
   void list_unsettled() {
     const std::uint8_t* const star = workspace_.star.data();

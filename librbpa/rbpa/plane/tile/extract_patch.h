@@ -32,7 +32,8 @@ struct ExtractionWorkspace {
   std::vector<int> outer;
 };
 
-/// Replaces `result` by the triangles on the front of circumradius ≤ alpha that the tile owns, and the settled sites.
+/// Replaces `result` by the triangles of the front that have circumradius ≤ alpha and that the tile owns, and by the
+/// settled sites.
 /// Requires: `coordinates` are those of the tile.
 void extract_patch(const Tile& tile, const TileCoordinates& coordinates, const LocalFront& front, const Radius& alpha,
                    ExtractionWorkspace& workspace, TilePatch& result);

@@ -1,4 +1,4 @@
-// What: processes all tiles in several threads and joins them in one order.
+// What: processes all tiles in several threads, and joins their results in a fixed order.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,10 @@ namespace rbpa {
 /// Target number of points of a tile. Measured: smaller tiles have more seams, larger ones leave the cache.
 inline constexpr std::uint32_t points_per_tile = 2048;
 
-/// Calls, for each tile of the sites in the window, work(const Tile&, Workspace&) in any thread; then join(number,
-/// Workspace&) in the order of their numbers, the same on every run, and one at a time; then finish(Workspace&) in any
-/// thread. A workspace belongs to one tile at a time, and is used again. A tile is empty if is_wanted(number) is false,
-/// which any thread calls. Rethrows an exception of any call.
+/// Calls three functions for each tile of the sites in the window: work(const Tile&, Workspace&) in any thread; then
+/// join(number, Workspace&), one call at a time, in ascending order of the tiles' numbers, which do not depend on the
+/// run; then finish(Workspace&) in any thread. A workspace belongs to one tile at a time, and is used again. Any thread
+/// calls is_wanted(number); if the result is false, the tile is empty. Rethrows an exception of any call.
 template <typename Workspace, typename IsWanted, typename Work, typename Join, typename Finish>
 void for_each_tile(const Sites& sites, Threads& threads, IsWanted is_wanted, Work work, Join join, Finish finish) {
   struct Item {

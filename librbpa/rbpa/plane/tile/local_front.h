@@ -1,5 +1,5 @@
 // What: triangles of a tile and the front around them, in 16 bits a number.
-// Law:  a side of a triangle is glued as soon as the triangle across it exists.
+// Law:  a side of a triangle is glued as soon as the triangle across the side exists.
 // Why:  an advancing front on a tile needs neither vertices nor curves: fans on one point are separated when the
 //       triangles are added to the mesh. The front stays in the fastest cache, and no branch is unpredictable.
 #pragma once
@@ -29,14 +29,14 @@ class LocalFront {
     triangles_ = 1;
   }
 
-  /// Returns one more than the number of triangles: they are numbered from 1 on.
+  /// Returns one more than the number of triangles: triangles are numbered from 1 on.
   std::size_t triangles() const { return triangles_; }
   /// Returns the ends of a side. Side 4 t + i of triangle t runs from its corner i to the next.
   Index from(std::size_t side) const { return corner_[side]; }
   Index to(std::size_t side) const { return corner_[side + 1]; }
   /// Returns from() of all sides.
   const Index* corners() const { return corner_.data(); }
-  /// Returns the side across; `none` if `side` is on the front, `nothing` if `side` was on the front when sealed.
+  /// Returns the side across; `none` if `side` is on the front, `nothing` if seal() took `side` from the front.
   Index across(std::size_t side) const { return across_[side]; }
 
   /// Returns whether a triangle has a corner on the point, or the point was sealed.
@@ -67,8 +67,9 @@ class LocalFront {
     touched_[c] = 1;
   }
 
-  /// Seals the marked points, at which there is no further triangle: they are touched, and no longer on the front. From
-  /// then on is_touched() and is_on_front() are meaningless for other points, and begin() is the only change allowed.
+  /// Seals the marked points, at which there is no further triangle: marked points become touched, and all sides at
+  /// them leave the front. Afterwards is_touched() and is_on_front() are meaningless for other points, and begin() is
+  /// the only change allowed.
   /// Requires: `marked` has 0 or 1 for each point.
   void seal(const std::vector<std::uint8_t>& marked) {
     for (std::size_t v = 0; v < head_.size(); ++v) {
@@ -98,7 +99,7 @@ class LocalFront {
     across_[other] = s;
   }
   /// Glues side s, which runs between two points, to the opposite side on the front, or adds s to the front if there is
-  /// none. A branch would be mispredicted often: instead both are computed, and one of them has no effect.
+  /// no such side. A branch would be mispredicted often: both results are computed instead, and one has no effect.
   template <typename Added>
   void glue_or_add(Index s, Index from, Index to, Added added) {
     // The side across runs from `to` to `from`: it is listed at the point where it ends.
@@ -125,7 +126,7 @@ class LocalFront {
   std::vector<Index> head_;             // for each point, the first side on the front that ends there
   std::vector<Index> link_;             // for each side on the front, the next side that ends at the same point
   std::vector<Index> corner_, across_;  // a triangle's first corner is repeated after its last
-  // as wide as the others: the compiler assumes that a write of bytes may change them, and reads them again
+  // 16 bits wide: the compiler assumes that a write of bytes may change the other arrays, and would read these again
   std::vector<Index> touched_;
   std::size_t triangles_ = 1;
 };

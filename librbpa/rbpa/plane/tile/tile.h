@@ -22,10 +22,10 @@ struct Tile {
   bool nothing_left = false, nothing_right = false, nothing_below = false, nothing_above = false;
   std::vector<Point> points;
   std::vector<std::uint32_t> site;   ///< for each point, its site
-  std::vector<std::uint8_t> owned;   ///< For each point: 1 if the tile owns it, 0 if it is a ghost in the halo around.
+  std::vector<std::uint8_t> owned;   ///< for each point, 1 if the tile owns the point, 0 if the point is a ghost
   std::vector<std::uint16_t> start;  ///< for each cell its first point; and the end
-  /// For each cell, the number of cells before it that lack points in this tile; at the end, the number of all such
-  /// cells. Empty if no point is missing.
+  /// For each cell, the number of cells before it that lack points in this tile; at the end, the number of all cells
+  /// that lack points. Empty if no point is missing.
   std::vector<std::uint16_t> unknown;
 
   double x1() const { return x0 + columns * cell; }

@@ -16,7 +16,7 @@
 namespace rbpa {
 namespace {
 
-/// The balls of one group or of two: indices, ascending, centers and radii.
+/// The balls of one group or of two groups: indices, ascending, with their centers and radii.
 struct GroupBalls {
   std::vector<std::uint32_t> balls;
   std::vector<Point3> centers;
@@ -32,7 +32,7 @@ struct GroupBalls {
   BallFrame frame() const { return {centers, radii}; }
 };
 
-/// Returns the box around balls with the probe, rounded outward.
+/// Returns the box around balls whose radii include the probe, rounded outward.
 space::Box box_around(const GroupBalls& part, double probe) {
   constexpr double infinity = space::Box::infinity;
   space::Box box;
@@ -107,7 +107,7 @@ BallInterfaces ball_interfaces(std::span<const Point3> centers, std::span<const 
     if (!do_meet) continue;
     for (std::size_t k = 0; k < balls.size(); ++k)
       found.areas[groups[balls[k]] == numbers[b]] += result.areas_alone[balls[k]] - together[i].areas[k];
-    for (double& area : found.areas) area = std::max(area, 0.0);  // rounded, it may be just below
+    for (double& area : found.areas) area = std::max(area, 0.0);  // rounding may leave an area just below 0
     result.all.push_back(found);
   }
   return result;

@@ -1,9 +1,9 @@
 // What:   computes how much of the surface of each group of balls the balls of another group cover: interfaces of
 //         chains, residues, grains.
-// Law:    the area of a group's surface that another group covers is the group's area alone less its part of the
-//         surface of both: 0 or above, and what is covered of both is area(A) + area(B) − area(A ∪ B). Which groups
-//         meet is exact; areas are rounded, as those of measure_balls(). Other groups make no difference to a pair.
-// Cost:   measure_balls() of each group, and of each pair of groups whose bounding boxes meet; shared among threads.
+// Law:    the covered area of a group is the area of the group alone minus its part of the surface of the union of both
+//         groups; it is at least 0. The covered areas of two groups sum to area(A) + area(B) − area(A ∪ B). Which
+//         groups meet is decided exactly; areas are rounded like those of measure_balls(). Other groups make no
+//         difference to a pair.
 // Source: Lee and Richards, The interpretation of protein structures: estimation of static accessibility (1971).
 #pragma once
 
@@ -19,26 +19,26 @@
 
 namespace rbpa {
 
-/// Two groups of balls that meet: balls of both share a contact, or a ball of one is hidden by the other.
+/// Two groups of balls that meet: balls of both share a contact, or a ball of one group hides one of the other.
 struct BallInterface {
   std::array<std::uint32_t, 2> groups;  ///< ascending
-  /// For each group: the area of the surface of its balls that those of the other group cover.
+  /// For each group, the area of its surface that the balls of the other group cover.
   std::array<double, 2> areas{};
-  /// The area of the contacts between balls of the two groups, in the union of both: of the interface itself.
+  /// Area of the interface itself: of the contacts, in the union of both groups, between balls of different groups.
   double contact_area = 0;
 };
 
 struct BallInterfaces {
-  /// For each ball: its area on the surface of the union of its own group; 0 if it is in no group.
+  /// For each ball, its area on the surface of the union of its own group; 0 for a ball in no group.
   std::vector<double> areas_alone;
   std::vector<BallInterface> all;  ///< ascending by groups
 };
 
-/// Computes the interfaces. `groups` has a number for each ball, or no_group; equal spheres of two groups count for the
-/// one of the ball of lower index. Of `options`, contacts and derivatives are ignored; Progress counts groups, then
-/// pairs.
-/// Requires: as measure_balls(); one group for each center.
-/// Throws:   as measure_balls().
+/// Computes the interface of each two groups that meet. `groups` has the number of each ball's group, or no_group. If
+/// spheres of two groups are equal, they count for the group of the ball of lower index. The options `contacts` and
+/// `derivatives` are ignored; Progress counts groups, then pairs of groups.
+/// Requires: what measure_balls() requires; one group for each center.
+/// Throws:   what measure_balls() throws.
 RBPA_API BallInterfaces ball_interfaces(std::span<const Point3> centers, std::span<const double> radii,
                                         std::span<const std::uint32_t> groups, const MeasureBallsOptions& options = {});
 

@@ -74,7 +74,7 @@ class Finder {
       of.area = unscaled(measures.all[i].area, 2);
       const std::vector<std::uint32_t> around = corners(of);
       find_mouths(of, around);
-      if (of.mouths.empty()) {  // rounded, sizes may be just below 0
+      if (of.mouths.empty()) {  // rounding may leave sizes just below 0
         of.volume = std::max(of.volume, 0.0);
         for (LiningBall& ball : of.balls) ball.area = std::max(ball.area, 0.0);
       }
@@ -93,14 +93,15 @@ class Finder {
     return space::outer_face(regular_.simplices[face.tetrahedron], face.across);
   }
 
-  /// Returns whether the orthocenter of a tetrahedron is beyond its face.
+  /// Returns whether the orthocenter of a tetrahedron is beyond a face of it.
   bool flows(const Face& face) const {
     const auto [a, b, c] = space::outer_faces[face.across];
     const std::uint32_t t = face.tetrahedron;
     return space::is_conflict(ball(t, a), ball(t, b), ball(t, c), ball(t, face.across));
   }
 
-  /// Marks the tetrahedra that are connected to infinity through triangles outside of the complex, or flow to it.
+  /// Marks the tetrahedra that are connected to infinity through triangles outside of the complex; if `by_flow`, only
+  /// tetrahedra that flow to infinity.
   void find_outside(bool by_flow) {
     std::vector<std::uint32_t> found;
     Steps step(go_on_);
@@ -123,7 +124,7 @@ class Finder {
     }
   }
 
-  /// Returns the regions with their tetrahedra, in the order of the first of these.
+  /// Returns the regions with their tetrahedra, in the order of the first tetrahedron of each.
   std::vector<BallVoid> regions() {
     const auto count = static_cast<std::uint32_t>(regular_.simplices.size());
     const auto is_in = [&](std::uint32_t t) { return is_outside_[t] == 0 && !faces_.has_tetrahedron(t); };
@@ -179,8 +180,8 @@ class Finder {
     return corners_of(rows);
   }
 
-  /// Tries orthocenters and touching balls, until no orthocenter of positive power is in the void in the triangulation
-  /// of balls grown by the best radius so far.
+  /// Tries orthocenters and touching balls, until the triangulation of the balls grown by the best radius found has no
+  /// orthocenter of positive power in the void.
   void find_largest_ball(BallVoid& of, std::span<const std::uint32_t> around) const {
     std::vector<Point3> centers;
     std::vector<double> radii;
@@ -244,7 +245,7 @@ class Finder {
       for (std::uint8_t k = 0; k < 4; ++k)
         if (is_open({t, k}) && (faces_.is_on_hull(t, k) || is_outside_[beyond({t, k})] != 0)) open.push_back({t, k});
     meshops::DisjointSets sets(open.size());
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> first_at;  // triangle at each edge
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> first_at;  // first triangle at each edge
     for (std::uint32_t i = 0; i < open.size(); ++i) {
       const Triangle triangle = corners(open[i]);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -287,8 +288,8 @@ class Finder {
     return mouth;
   }
 
-  /// Returns the orthoball of the simplex with which a triangle of a mouth comes into the complex: itself, or the
-  /// tetrahedron outside if this flows into the pocket.
+  /// Returns the orthoball of the simplex with which a triangle of a mouth comes into the complex: the triangle itself,
+  /// or the tetrahedron outside if it flows into the pocket.
   space::Orthoball closing_ball(const Face& face) const {
     const std::uint32_t outside = beyond(face);
     if (outside != none) {
@@ -300,7 +301,7 @@ class Finder {
     return space::orthoball(balls_of(corners(face)));
   }
 
-  /// Compares by descending size, and where sizes are equal by the coordinates of corners.
+  /// Returns whether an item comes before another one: by descending size, then by the coordinates of its corners.
   template <typename Item>
   bool is_before(double size, const Item& item, double other_size, const Item& other) const {
     if (size != other_size) return size > other_size;
@@ -343,7 +344,7 @@ class Finder {
   std::span<const double> scaled_radii_;
   space::PowerCells power_cells_;
   std::vector<std::uint8_t> is_outside_;
-  std::vector<std::uint32_t> region_;  // for each tetrahedron
+  std::vector<std::uint32_t> region_;  // region of each tetrahedron
 };
 
 }  // namespace

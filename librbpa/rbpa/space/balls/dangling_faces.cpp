@@ -19,7 +19,7 @@ Triangle ascending(const std::array<std::uint32_t, 4>& corners, std::size_t k) {
   return t;
 }
 
-/// Returns the dangling faces of points in a plane: all simplices of the complex.
+/// Returns the dangling faces of points in a plane: the simplices up to alpha that are in no larger one.
 DanglingFaces flat_faces(const SolidFiltration& filtration, std::size_t points, double alpha) {
   DanglingFaces result;
   std::vector<bool> has_triangle(filtration.edges.size(), false), has_edge(points, false);

@@ -25,12 +25,12 @@ struct DanglingFaces {
   std::vector<std::uint32_t> points;                ///< in no edge of the complex
 };
 
-/// Computes the dangling simplices at `alpha`. If there is no tetrahedron, as for points in a plane, the simplices of
-/// the complex are those of solid_filtration() of radius at most alpha.
+/// Computes the dangling simplices at `alpha`. If there is no tetrahedron, as for points in a plane, the complex
+/// consists of the simplices of solid_filtration() with a radius of at most alpha.
 /// Requires: `delaunay` is solid() of these points at infinity, with neighbors; `radii` are its circumradii(); 0 <
 ///           alpha ≤ infinity.
-/// Throws:   ContractViolation if radii, neighbors or a corner's point are missing; InvalidInput if alpha is not above
-///           0. The rest is not checked.
+/// Throws:   ContractViolation if radii, neighbors or the point of a corner are missing; InvalidInput if alpha is not
+///           above 0. The other requirements are not checked.
 RBPA_API DanglingFaces dangling_faces(std::span<const Point3> points, const Solid& delaunay,
                                       std::span<const double> radii, double alpha, MaxThreads threads = 0);
 

@@ -21,8 +21,8 @@
 namespace rbpa {
 namespace {
 
-/// Returns the sets of tetrahedra that are not in the complex and are connected outside of it. The outside of all is
-/// one more element, after the tetrahedra.
+/// Returns the sets of tetrahedra that are not in the complex and are connected outside of it. One more element, after
+/// the tetrahedra, is the outside of the triangulation.
 meshops::DisjointSets connected_outside(const Solid& delaunay, const space::FacesWithin& faces, const GoOn& go_on) {
   Steps step(go_on);
   const auto count = static_cast<std::uint32_t>(delaunay.simplices.size());
@@ -53,7 +53,7 @@ FullCounts count_flat(std::span<const Point3> points, double alpha, unsigned thr
   return counts;
 }
 
-/// Returns the number of pieces of the triangles, connected through points.
+/// Returns the number of pieces of a void's walls, connected through points.
 std::size_t pieces(const Surface& boundary, const SolidVoid& hollow) {
   meshops::DisjointSets sets(hollow.points.size());
   const auto number = [&](std::uint32_t point) {

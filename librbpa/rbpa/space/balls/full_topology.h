@@ -1,4 +1,4 @@
-// What:   computes the topology of the full alpha complex of points in space, and its voids as a solid of their own.
+// What:   computes the topology of the full alpha complex of points in space, and the voids of the complex as a solid.
 // Law:    exact, for any finite input; a function of the set of points and alpha.
 // How:    a void is a bounded component of the space outside of all tetrahedra and triangles of the complex. It
 //         consists of Delaunay tetrahedra, connected through triangles that are not in the complex.
@@ -34,24 +34,24 @@ RBPA_API FullCounts count_full(std::span<const Point3> points, const Solid& dela
                                double alpha, MaxThreads threads = 0, const GoOn& go_on = {});
 
 /// Returns the voids as a solid: the tetrahedra of the triangulation that are not in the complex and are not connected
-/// to the outside through triangles that are not in the complex. Its solid_components() through triangles are the
-/// voids; its solid_boundary() has the walls, counter-clockwise seen from outside of the voids. A triangle of the
-/// complex between two voids, or inside of one, is there twice. Solid::isolated has the distinct points at no void.
+/// to the outside through triangles that are not in the complex. Each of the solid_components() through triangles is a
+/// void. The solid_boundary() has the walls, counter-clockwise seen from outside of the voids; a triangle of the
+/// complex between two voids, or inside of one, occurs twice. Solid::isolated has the distinct points at no void.
 /// Requires: as count_full().
 /// Throws:   as count_full().
 RBPA_API Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
                           double alpha, MaxThreads threads = 0, const GoOn& go_on = {});
 
-/// The voids of the full alpha complex, and the walls of all.
+/// The voids of the full alpha complex, and the walls of all voids.
 struct FullVoids {
-  /// The walls, counter-clockwise seen from within a void. A triangle between two voids, or inside of one, is there
+  /// The walls, counter-clockwise seen from within a void. A triangle between two voids, or inside of one, occurs
   /// twice.
   Surface boundary;
-  std::vector<SolidVoid> all;  ///< triangle numbers refer to `boundary`; the largest volume first
+  std::vector<SolidVoid> all;  ///< the largest volume first; triangle numbers refer to `boundary`
 };
 
-/// Returns the measures and the walls of each void, with SolidVoid::outside_balls. SolidVoid::islands is the number of
-/// pieces of the walls, connected through points, without the piece that surrounds the void.
+/// Returns the measures and the walls of each void, including SolidVoid::outside_balls. SolidVoid::islands is the
+/// number of pieces of the walls, connected through points, that do not surround the void.
 /// Requires: `space` is the void_space() of these points at this alpha.
 /// Throws:   ContractViolation when `space` is visibly of other points; Cancelled.
 RBPA_API FullVoids full_voids(std::span<const Point3> points, const Solid& space, double alpha, MaxThreads threads = 0,
@@ -62,7 +62,7 @@ struct FullTopology {
   FullVoids voids;
 };
 
-/// Returns count_full(), and full_voids() of the void_space().
+/// Returns the result of count_full(), and that of full_voids() for the void_space().
 /// Requires: as count_full().
 /// Throws:   as count_full().
 RBPA_API FullTopology full_topology(std::span<const Point3> points, const Solid& delaunay,

@@ -1,5 +1,5 @@
-// What:   measures many sets of balls at once, such as the frames of a simulation.
-// How:    a frame is measured by one thread; by several if there are at least twice as many threads as frames.
+// What:   measures many sets of balls in one call, such as the frames of a simulation.
+// How:    one thread measures a frame; several do if there are at least twice as many threads as frames.
 // Law:    the measures of a frame are those of measure_balls(), whatever the other frames and the threads are.
 // Cost:   that of measure_balls() for each frame, shared among the threads.
 #pragma once
@@ -13,17 +13,18 @@
 
 namespace rbpa {
 
-/// The balls of a frame; frames may have different numbers of them.
+/// The balls of a frame. Frames may have different numbers of balls.
 struct BallFrame {
   std::span<const Point3> centers;
   std::span<const double> radii;  ///< one for each center
 };
 
-/// Returns the measures of the balls of each frame, in the order of the frames. `options` are as for measure_balls(),
-/// but if there are several frames, Progress::triangles is the number of finished frames, Progress::points that of all.
-/// Requires: of each frame what measure_balls() requires.
-/// Throws:   as measure_balls(); if there are several frames, the message of InvalidInput begins with the number of the
-///           frame, from 0, as in "frame 3: ".
+/// Returns the measures of the balls of each frame, in the order of the frames. `options` are those of measure_balls();
+/// but if there are several frames, Progress::triangles is the number of finished frames, and Progress::points the
+/// number of all frames.
+/// Requires: for each frame, what measure_balls() requires.
+/// Throws:   what measure_balls() throws; if there are several frames, the message of InvalidInput begins with the
+///           number of the frame, from 0, as in "frame 3: ".
 RBPA_API std::vector<BallMeasures> measure_ball_frames(std::span<const BallFrame> frames,
                                                        const MeasureBallsOptions& options = {});
 

@@ -15,7 +15,7 @@
 namespace rbpa {
 namespace {
 
-/// Measures balls on their triangulation. Those from number `own` on are auxiliary.
+/// Measures balls on their triangulation. The balls from number `own` on are auxiliary.
 BallMeasures measured(std::span<const Point3> centers, std::span<const double> radii, std::size_t own,
                       const RegularTriangulation& regular, const MeasureBallsOptions& options) {
   const GoOn go_on = go_on_of(options.progress, own);
@@ -53,7 +53,7 @@ BallMeasures measure_balls(std::span<const Point3> centers, std::span<const doub
   const SolidOptions with_neighbors = {.threads = options.threads, .progress = options.progress};
   RegularTriangulation regular = regular_triangulation(centers, all_radii, with_neighbors);
   if (!regular.simplices.empty()) return measure_balls(centers, all_radii, regular, options);
-  // All centers are in a plane. Additional balls of radius 0, too far away for any other, make a triangulation.
+  // All centers are in a plane. Additional balls of radius 0, too far away to meet any other, make a triangulation.
   const std::vector<Point3> all =
       space::with_far_points(centers, *std::max_element(all_radii.begin(), all_radii.end()));
   all_radii.resize(all.size(), 0);

@@ -1,10 +1,10 @@
 // What: computes and measures the solid of points in space at a given or chosen radius, in one call: boundary, volume
-//       and area, Betti numbers, voids, components, union of balls.
-// How:  calls, as far as the options say, solid(), circumradii(), choose_solid_alpha(), within(), solid_boundary(),
-//       measure(), voids(), full_topology(), solid_components() and union_of_balls(), in this order.
+//       and area, Betti numbers, voids, components, and the union of balls.
+// How:  calls solid(), circumradii(), choose_solid_alpha(), within(), solid_boundary(), measure(), voids(),
+//       full_topology(), solid_components() and union_of_balls(), in this order, as far as the options require.
 // Law:  a function of the points and options, not of the number of threads.
-// Cost: the sum of the steps. A rule, the full complex and `triangulation` need all tetrahedra of the points; `balls`
-//       computes them once more.
+// Cost: the sum of the steps. A rule, `full` and `triangulation` require all tetrahedra of the points; `balls` computes
+//       all tetrahedra once more.
 #pragma once
 
 #include <cstdint>
@@ -40,16 +40,16 @@ struct MeasureSolidOptions {
   bool components = false;     ///< lists the solid components; implies `boundary`
   bool triangulation = false;  ///< keeps all tetrahedra and their radii even if neither a rule nor `full` needs them
   MaxThreads threads = 0;
-  /// Called repeatedly while tetrahedra are computed, as SolidOptions::progress. Afterwards Progress::triangles is 0:
-  /// called repeatedly while the radius is chosen, the full complex is counted (unless all points are in a plane), and
-  /// the tetrahedra of the balls are computed; else only between steps. Returning false cancels the run.
+  /// Called repeatedly while tetrahedra are computed, as SolidOptions::progress. Later, Progress::triangles is 0; calls
+  /// are repeated while the radius is chosen, the full complex is counted (unless all points are in a plane), and the
+  /// tetrahedra of the balls are computed, and otherwise made only between steps. Returning false cancels the run.
   OnProgress progress = {};
   /// Called by the calling thread when a step begins, never at the same time as `progress`.
   std::function<void(SolidStep)> on_step = {};
 };
 
 struct MeasuredSolid {
-  /// The complex at `alpha`; with neighbors if a boundary or all tetrahedra were needed.
+  /// The complex at `alpha`; has neighbors if a boundary or all tetrahedra were needed.
   Solid solid = {};
   double alpha = 0;                         ///< the radius, given or chosen; infinity if a rule finds no tetrahedron
   std::vector<SolidPlateau> plateaus = {};  ///< all plateaus, the best first, if the rule is `plateau`
@@ -59,20 +59,20 @@ struct MeasuredSolid {
   BoundaryMeasures measures = {};           ///< with `counts`: volume and area of the solid
   SolidCounts counts = {};                  ///< with `counts`: simplices and Betti numbers of the solid
   std::optional<FullCounts> full = {};      ///< with `full`: simplices and Betti numbers of the full complex
-  /// The voids, the largest volume first: with `full` those of the full complex, else with `counts` those of the solid.
+  /// The voids, the largest volume first: voids of the full complex with `full`, else voids of the solid with `counts`.
   /// Their triangles are numbered in around_voids().
   std::vector<SolidVoid> voids = {};
   Surface full_void_boundary = {};              ///< the walls of the voids of the full complex
   std::optional<BallUnion> balls = {};          ///< with `balls`; absent if alpha is infinite
   std::vector<SolidComponent> components = {};  ///< with `components`; the largest volume first
 
-  /// Returns the surface whose triangles are numbered by the voids.
+  /// Returns the surface whose triangles the voids refer to.
   const Surface& around_voids() const { return full ? full_void_boundary : boundary.surface; }
 };
 
-/// Computes the solid and the results that the options request.
-/// Requires: as solid(); for rules that take a cover, 0 < cover ≤ 1; for the rule `plateau`, a rank from 1 to the
-///           number of plateaus if there are any; for `balls`, as union_of_balls().
+/// Computes the solid at the radius of the options, and the results that the options request.
+/// Requires: what solid() requires; for rules that take a cover, 0 < cover ≤ 1; for the rule `plateau`, a rank from 1
+///           to the number of plateaus if there are any; for `balls`, what union_of_balls() requires.
 /// Throws:   InvalidInput that names the violated requirement; ContractViolation if a rule takes a cover that is not
 ///           above 0 and at most 1; Cancelled.
 RBPA_API MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOptions& options = {});

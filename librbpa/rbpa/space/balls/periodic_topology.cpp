@@ -32,7 +32,7 @@ Point3 minus(const Point3& p, const std::array<std::int8_t, 3>& offset, const Po
   return {p.x - offset[0] * box.x, p.y - offset[1] * box.y, p.z - offset[2] * box.z};
 }
 
-/// Returns the image of a triangle whose least corner is in the box, starting at that corner: the same for all images.
+/// Returns the image of a triangle whose least corner is in the box, starting at that corner: equal for all images.
 std::array<Point3, 3> in_box(const PeriodicSolid& solid, const Triangle& triangle) {
   const auto wrapped = [&](std::uint32_t v) { return minus(solid.positions[v], solid.vertices[v].offset, solid.box); };
   std::size_t least = 0;
@@ -45,13 +45,13 @@ std::array<Point3, 3> in_box(const PeriodicSolid& solid, const Triangle& triangl
   return {corner(0), corner(1), corner(2)};
 }
 
-/// A closed surface around some of the tetrahedra at their places: first the triangles that bound them; then, for each
-/// two neighbors that do not meet because one is an image, a triangle of each.
+/// A closed surface around some tetrahedra at their places. First come the triangles that bound the tetrahedra; then,
+/// for each two neighbors that do not meet because one is an image, a triangle of each.
 class Hull {
  public:
   explicit Hull(const PeriodicSolid& solid) : solid_(solid), measure_(solid.positions) {}
 
-  /// Replaces the surface. is_bounding(t, k): whether the triangle across from corner k is part of the boundary.
+  /// Replaces the surface. is_bounding(t, k) returns whether the triangle across from corner k of t is in the boundary.
   template <typename IsBounding>
   void enclose(std::span<const std::uint32_t> tetrahedra, const IsBounding& is_bounding) {
     triangles_.clear();
@@ -67,7 +67,7 @@ class Hull {
 
   std::span<const Triangle> bounding() const { return std::span(triangles_).first(bounding_); }
 
-  /// Returns the volume inside, the area of the bounding triangles, and the least of these.
+  /// Returns the volume inside, the area of the bounding triangles, and the least bounding triangle.
   space::ClosedMeasures measures() const {
     std::vector<std::uint32_t> which(triangles_.size());
     std::iota(which.begin(), which.end(), std::uint32_t{0});
@@ -103,7 +103,7 @@ std::vector<std::uint32_t> points_of(const PeriodicSolid& solid, std::span<const
 struct Complex {
   const PeriodicSolid& delaunay;
   std::vector<bool> is_inside;
-  std::optional<space::FacesWithin> faces = {};  // the faces of the full complex; absent for the solid one
+  std::optional<space::FacesWithin> faces = {};  // faces of the full complex; absent for the solid one
 
   bool has_triangle(std::uint32_t t, std::size_t k) const {
     return faces ? faces->has_triangle(t, k) : is_inside[t] || is_inside[delaunay.neighbors[t][k]];
@@ -135,8 +135,8 @@ void count_simplices(const Complex& of, Threads& threads, const GoOn& go_on, Per
   topology.betti[0] = topology.points - edges.joined;
 }
 
-/// Finds the Betti numbers of the complex. By duality b₂ is that of one-dimensional cohomology of the torus relative to
-/// the outside: one class for each void but one, and one for each direction of the torus in which no void percolates.
+/// Finds the Betti numbers of the complex. By duality, b₂ is that of one-dimensional cohomology of the torus relative
+/// to the outside: one class for each void but one, and one for each direction in which no void percolates.
 void find_betti(const space::Parts& parts, PeriodicTopology& topology) {
   auto& [b0, b1, b2, b3] = topology.betti;
   if (topology.points == 0) return;

@@ -19,8 +19,8 @@
 namespace rbpa {
 namespace {
 
-/// Puts the largest ball of each center into `order`, which has the ball of lowest index there. Balls with a center of
-/// lower index, ascending by that center, are given by `same_center`. Lists the duplicates and counts distinct balls.
+/// Puts the largest ball at each center into `order`, in place of the ball of lowest index. `same_center` has the balls
+/// whose center a ball of lower index has, ascending by center. Lists the duplicates and counts distinct balls.
 void choose_largest(std::span<const double> radii, std::vector<Duplicate> same_center,
                     std::vector<std::uint32_t>& order, RegularTriangulation& result) {
   result.distinct = order.size();
@@ -49,11 +49,10 @@ void choose_largest(std::span<const double> radii, std::vector<Duplicate> same_c
   for (std::uint32_t& i : order) i = largest[i];
 }
 
-/// Returns up to three points that, with the centers of the order, are in no plane, and each of which is alone on its
-/// side of the plane or line of the centers. Requires: all centers are in one plane.
-///
-/// The simplices of the centers then are the faces across from those points: the centers are all on one face of the
-/// hull, where the lower hull is that of their own lifts, whatever the other points are.
+/// Returns up to three points that, together with the centers of the order, are in no plane. Each is alone on its side
+/// of the plane or line of the centers. Requires: all centers are in one plane. The centers are then on one face of the
+/// hull, whose lower hull is that of the centers' own lifts, whatever the other points are. So the simplices of the
+/// centers are the faces across from the additional points.
 std::vector<Point3> apexes(std::span<const Point3> centers, std::span<const std::uint32_t> order) {
   using Coordinate = double Point3::*;
   constexpr std::array<Coordinate, 3> coordinate = {&Point3::x, &Point3::y, &Point3::z};
@@ -86,7 +85,7 @@ std::vector<Point3> apexes(std::span<const Point3> centers, std::span<const std:
   return result;
 }
 
-/// Inserts the balls of the order, and calls use(triangulation) unless all are in one plane. Returns whether it did.
+/// Inserts the balls of the order. Calls use(triangulation), and returns true, unless all centers are in one plane.
 template <typename Use>
 bool triangulate(std::span<const Point3> centers, std::span<const double> radii, std::span<const std::uint32_t> order,
                  const OnProgress& progress, Use use) {
@@ -126,7 +125,7 @@ std::vector<Row> triangulate_flat(std::span<const Point3> centers, std::span<con
   return flat;
 }
 
-/// Lists the distinct balls that are no corner.
+/// Lists the distinct balls that are no corner of the triangulation.
 void list_hidden(std::size_t balls, RegularTriangulation& result) {
   std::vector<bool> is_corner(balls, false);
   for (const auto* rows : {&result.simplices, &result.flat})

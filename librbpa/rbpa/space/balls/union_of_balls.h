@@ -1,8 +1,8 @@
 // What:   computes the volume and surface area of the union of equal balls around points.
-// How:    as measure_balls() does, on the full alpha complex, which is the dual complex of equal balls.
+// How:    computes like measure_balls(), on the full alpha complex, which is the dual complex of equal balls.
 //         docs/explanation/space.md, section 24.
-// Law:    the result of measure_balls() with equal radii: the choice of simplices is exact, sizes and angles are
-//         rounded, their sum is exact and rounded once.
+// Law:    the result is that of measure_balls() with equal radii. The choice of simplices is exact, sizes and angles
+//         are rounded, and their sum is exact and rounded once.
 // Cost:   that of a Delaunay triangulation, and about linear in its tetrahedra.
 // Source: Edelsbrunner, The union of balls and its dual shape (1995).
 #pragma once
@@ -21,10 +21,10 @@ struct BallUnion {
   double volume = 0, area = 0;
 };
 
-/// Computes volume and area of the union; 0 if there is no point. Equal points count once. Ignores options.neighbors.
+/// Computes volume and area of the union; 0 without points. Equal points count once. Ignores options.neighbors.
 /// Requires: finite points; 0 < radius < infinity. If all points are in one plane, points farther away than all balls
 ///           must still fit double.
-/// Throws:   InvalidInput that names the violated requirement; as solid().
+/// Throws:   InvalidInput that names the violated requirement; what solid() throws.
 RBPA_API BallUnion union_of_balls(std::span<const Point3> points, double radius, const SolidOptions& options = {});
 
 /// Computes volume and area of the union from a triangulation that is already computed.

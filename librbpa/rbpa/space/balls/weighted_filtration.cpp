@@ -20,7 +20,7 @@ namespace {
 
 using space::Ball;
 
-/// The rule of orthocenters for values_of_faces.h.
+/// The rule for values_of_faces.h: values are powers of orthocenters.
 class PowerRule {
  public:
   PowerRule(std::span<const Point3> centers, std::span<const double> radii, bool roots)
@@ -58,7 +58,7 @@ class PowerRule {
   bool roots_;
 };
 
-/// Computes values of many simplices, shared among threads.
+/// Computes the values of many simplices, which threads share.
 template <typename Simplices>
 std::vector<double> values_of(const PowerRule& rule, const Simplices& simplices, Threads& threads, const GoOn& go_on) {
   std::vector<double> values(simplices.size());
@@ -90,7 +90,8 @@ void take_flat(std::span<const std::array<std::uint32_t, 4>> flat, const PowerRu
   filtration.edges_of = std::move(edges.of);
 }
 
-/// Fills in point_alpha: the value of a ball whose center is in its cell is its own; else the least of its edges.
+/// Fills in point_alpha: a ball whose center is in its cell has its own value, any other ball the least value of its
+/// edges.
 void find_values_of_balls(const PowerRule& rule, std::size_t balls, const RegularTriangulation& regular, Steps& step,
                           SolidFiltration& filtration) {
   std::vector<std::uint8_t> is_alone(balls, 1);
@@ -112,7 +113,7 @@ void find_values_of_balls(const PowerRule& rule, std::size_t balls, const Regula
 
 }  // namespace
 
-/// Computes the filtration as solid_filtration() does.
+/// Computes the filtration in the steps of solid_filtration().
 SolidFiltration weighted_filtration(std::span<const Point3> centers, std::span<const double> radii,
                                     const WeightedFiltrationOptions& options) {
   space::check_balls(centers, radii);

@@ -1,10 +1,10 @@
 // What:   computes the dual complex of balls at every growth: all simplices of the regular triangulation, and the power
-//         at which each appears. At power p, the ball of radius R has the squared radius R² + p.
-// Law:    a simplex is in the dual complex of the balls grown by p exactly if its power is at most p, for every double
-//         p: the power is rounded up from the exact one, by less than one unit in the last place. No face of a simplex
-//         has a greater power than the simplex. A function of the set of balls, and of their numbering. With radii 0,
-//         signed roots are the radii of solid_filtration().
-// Cost:   that of regular_triangulation(), and two to three times as much again; powers are shared among threads.
+//         at which each appears.
+// Law:    at power p, a ball of radius R has the squared radius R² + p. For every double p, a simplex is in the dual
+//         complex of the grown balls exactly if its power is at most p: the exact power is rounded up, by less than one
+//         unit in the last place. No face of a simplex has a greater power than the simplex. A function of the set of
+//         balls, and of their numbering. With radii 0, signed roots are the radii of solid_filtration().
+// Cost:   that of regular_triangulation(), and two to three times as much again; threads share the powers.
 // Source: Edelsbrunner, The union of balls and its dual shape (1995); docs/explanation/filtration_and_persistence.md,
 //         section 9.
 #pragma once
@@ -19,16 +19,16 @@
 namespace rbpa {
 
 struct WeightedFiltrationOptions {
-  /// Whether values are signed roots of powers: √p, or −√−p for a negative p; a ball of radius R then begins at −R.
+  /// Whether values are signed roots of powers: √p, or −√−p for a negative p. A ball of radius R then appears at −R.
   bool roots = false;
   MaxThreads threads = 0;
   OnProgress progress = {};  ///< Progress::triangles is the number of triangulated balls, then 0
 };
 
-/// Computes the filtration, for solid_persistence(): all its values are powers or roots, those of balls in point_alpha,
-/// infinity for a ball without a cell or equal to one of lower index. SolidFiltration::delaunay has the regular
-/// triangulation; `isolated` are the balls without a cell.
-/// Requires: as regular_triangulation(). Throws: as regular_triangulation().
+/// Computes the filtration for solid_persistence(). All values are powers or signed roots. `point_alpha` has the values
+/// of balls: infinity for a ball without a cell, or equal to one of lower index. SolidFiltration::delaunay has the
+/// regular triangulation; `isolated` lists the balls without a cell.
+/// Requires: what regular_triangulation() requires. Throws: what regular_triangulation() throws.
 RBPA_API SolidFiltration weighted_filtration(std::span<const Point3> centers, std::span<const double> radii,
                                              const WeightedFiltrationOptions& options = {});
 

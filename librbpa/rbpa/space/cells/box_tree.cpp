@@ -7,7 +7,7 @@ namespace {
 
 constexpr std::uint32_t leaf_size = 6;
 
-/// Returns the middle of a box along an axis; halves keep extreme coordinates from overflowing.
+/// Returns the middle of a box along an axis. Coordinates are halved before the sum, which could overflow otherwise.
 double middle(const Box& box, int axis) {
   if (axis == 0) return box.low.x / 2 + box.high.x / 2;
   if (axis == 1) return box.low.y / 2 + box.high.y / 2;

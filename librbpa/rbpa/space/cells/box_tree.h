@@ -1,5 +1,5 @@
-// What: a tree of boxes that finds those that meet a given box, and what is nearest to a point.
-// Cost: n log n to build; a query visits only nodes near the box.
+// What: stores boxes in a tree; finds the boxes that meet a given box, or the item in a box nearest to a point.
+// Cost: n log n to build; a query visits only nodes near the given box or point.
 #pragma once
 
 #include <array>
@@ -21,10 +21,10 @@ class BoxTree {
   /// Builds the tree. Throws: Cancelled.
   BoxTree(std::span<const Box> boxes, meshops::Steps& step);
 
-  /// Replaces box i. Cost: the depth of the tree; the first call is linear in the number of boxes.
+  /// Replaces box i. Cost: the depth of the tree; that of the first call is linear in the number of boxes.
   void replace(std::uint32_t i, const Box& box);
 
-  /// Calls visit(i) for each box i that meets `box`, in some order.
+  /// Calls visit(i) for each box i that meets `box`, in an unspecified order.
   template <typename Visit>
   void for_each_meeting(const Box& box, const Visit& visit) const {
     if (nodes_.empty()) return;
@@ -43,8 +43,8 @@ class BoxTree {
     }
   }
 
-  /// Returns the least i with the least squared(i), the squared distance of a point from something in box i, and this
-  /// number; nothing if it is above `most`.
+  /// Returns i and squared(i) for the i with the least squared(i), the lowest of several; nothing if all values are
+  /// above `most`. squared(i) is the squared distance of p from the item in box i.
   template <typename Squared>
   std::optional<std::pair<std::uint32_t, double>> nearest(const Point3& p, double most, const Squared& squared) const {
     std::optional<std::pair<std::uint32_t, double>> best;
@@ -76,11 +76,11 @@ class BoxTree {
   }
 
  private:
-  /// A node of the tree. The first half of an inner node is the next node in `nodes_`.
+  /// A node of the tree. The first child of an inner node is the next node in `nodes_`.
   struct Node {
     Box box;
-    std::uint32_t first, last;  // its boxes are boxes_[first] … boxes_[last − 1]
-    std::uint32_t second = 0;   // node of the second half; 0 for a leaf
+    std::uint32_t first, last;  // the boxes of the node are boxes_[first] … boxes_[last − 1]
+    std::uint32_t second = 0;   // number of the second child; 0 for a leaf
   };
 
   void build(std::span<const Box> boxes, std::uint32_t first, std::uint32_t last, meshops::Steps& step);
@@ -88,7 +88,7 @@ class BoxTree {
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> numbers_;
   std::vector<Box> boxes_;               // the boxes, in the order of numbers_
-  std::vector<std::uint32_t> position_;  // for each box, its place in numbers_; empty until a box is replaced
+  std::vector<std::uint32_t> position_;  // for each box, its index in numbers_; empty until a box is replaced
 };
 
 }  // namespace rbpa::space

@@ -11,7 +11,8 @@
 namespace rbpa::space {
 namespace {
 
-/// The numbers of cells along an axis. Numbers of coordinates that differ by at most two radii differ by at most two.
+/// Numbers of cells along an axis. If coordinates differ by at most two radii, their cells' numbers differ by at most
+/// two.
 class Numbering {
  public:
   explicit Numbering(double radius) : radius_(radius), inverse_(1 / (radius * (1 + 0x1p-6))) {}
@@ -21,7 +22,7 @@ class Numbering {
       return static_cast<std::int64_t>(std::floor(quotient));
     const long double quotient = std::floor(coordinate / (radius_ * (1 + 0x1p-6L)));
     if (std::abs(quotient) < 0x1p57L) return static_cast<std::int64_t>(quotient);
-    // No other double is within two radii of this coordinate: only equal coordinates need the same number.
+    // No other double is within two radii of this coordinate, so only equal coordinates need equal numbers.
     return std::bit_cast<std::int64_t>(coordinate + 0.0);
   }
   std::array<std::int64_t, 3> operator()(const Point3& p) const { return {(*this)(p.x), (*this)(p.y), (*this)(p.z)}; }
@@ -32,7 +33,7 @@ class Numbering {
 
 using Key = std::array<std::int64_t, 3>;
 
-/// A point's cell as one number, in the order of keys, and the point.
+/// A point, and its cell as one number; these numbers are in the order of keys.
 struct Keyed {
   std::uint64_t cell;
   std::uint32_t index;
@@ -44,7 +45,7 @@ struct Keyed {
 
 constexpr std::size_t at_a_time = 1u << 14;
 
-/// A packing of the keys within a box into integers of bits() bits.
+/// A map from the keys between two corners of a box to integers of bits() bits, in the order of keys.
 class Packing {
  public:
   Packing(const Key& low, const Key& high) : low_(low) {
@@ -64,7 +65,7 @@ class Packing {
   std::array<int, 3> width_;
 };
 
-/// Returns the points sorted by cell: distributes them by the highest eleven of `bits` bits, then sorts each part.
+/// Returns the points sorted by cell, then by index. The highest eleven of `bits` bits are sorted by counting.
 std::vector<Keyed> sorted(std::vector<Keyed> input, int bits, Threads& threads) {
   constexpr int digits = 11;
   const std::size_t n = input.size();
@@ -84,7 +85,7 @@ std::vector<Keyed> sorted(std::vector<Keyed> input, int bits, Threads& threads) 
   return output;
 }
 
-/// Returns the indices of the points in the order of cells; those of one cell are adjacent.
+/// Returns the indices of the points in the order of cells, ascending within a cell.
 std::vector<std::uint32_t> by_cell(std::span<const Point3> points, const Numbering& number, Threads& threads) {
   std::vector<Key> least((points.size() + at_a_time - 1) / at_a_time), greatest(least.size());
   for_each_part(threads, points.size(), at_a_time, [&](std::size_t from, std::size_t to) {
@@ -128,7 +129,7 @@ std::vector<std::uint32_t> by_cell(std::span<const Point3> points, const Numberi
   return order;
 }
 
-/// Returns whether two of a few points are equal.
+/// Returns whether two points are equal. Cost: quadratic; for a few points.
 bool have_equals(std::span<const Point3> points) {
   for (std::size_t i = 1; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -149,7 +150,7 @@ Cells::Cells(std::span<const Point3> points, double radius, Threads& threads) : 
       cells_.push_back({key, static_cast<Site>(i)});
   cells_.push_back({{}, static_cast<Site>(sites_.size())});
 
-  // Sort cells with equal points, so that these are adjacent, the lowest index first.
+  // Sort the points of cells that may have equal ones, so that equal points are adjacent, the lowest index first.
   constexpr std::size_t few = 24, cells_at_a_time = 1024;
   std::vector<std::uint8_t> has_equals((size() + cells_at_a_time - 1) / cells_at_a_time, 0);
   for_each_part(threads, size(), cells_at_a_time, [&](std::size_t from, std::size_t to) {
@@ -199,7 +200,7 @@ std::size_t Cells::cell_of(Site site) const {
 }
 
 std::size_t Cells::first_not_before(const Key& key, std::size_t from) const {
-  // The cells around the next cell are near those around the last one: try a few steps before a binary search.
+  // In ascending queries, the wanted cell is usually a few steps ahead, so these are tried before a binary search.
   constexpr std::size_t steps = 16;
   for (std::size_t step = 0; step < steps; ++step, ++from)
     if (from == size() || !(cells_[from].key < key)) return from;

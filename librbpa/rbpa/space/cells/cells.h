@@ -1,6 +1,6 @@
-// What: sorts points in space into cubic cells, whose side is a radius and a little more. Empty cells are not stored.
-// Law:  every point within two radii of a point is in the 125 cells around its cell, for coordinates of any exponents.
-//       Equal points are one site. The order of the cells is a function of the set of points.
+// What: sorts points in space into cubic cells whose side is slightly more than a radius; empty cells are not stored.
+// Law:  all points within two radii of a point are in the 125 cells around the cell of the point, for coordinates of
+//       any exponents. Equal points are one site. The order of the cells is a function of the set of points.
 //       docs/explanation/surfaces.md, section 16.
 // Cost: a sort; as much memory as the points.
 #pragma once
@@ -17,13 +17,13 @@
 
 namespace rbpa::space {
 
-using Site = std::uint32_t;  ///< a position among distinct points, in the order of their cells
+using Site = std::uint32_t;  ///< a position among the distinct points in the order of cells
 
 class Cells {
  public:
   struct Equal {
     Site site;
-    std::uint32_t index;  // index of another input point at the site
+    std::uint32_t index;  // input index of another point equal to the site
   };
 
   /// Sorts the points. Requires: finite points, fewer than 2^32 − 1; a finite radius above 0.
@@ -34,9 +34,9 @@ class Cells {
   std::size_t size() const { return cells_.size() - 1; }
   /// Returns the distinct points.
   std::span<const Point3> sites() const { return sites_; }
-  /// Returns the lowest input index at each site.
+  /// Returns the lowest input index of each site's points.
   std::span<const std::uint32_t> input_index() const { return input_index_; }
-  /// Returns the other input points, sorted by site and index.
+  /// Returns the input points that are equal to one of lower index, sorted by site, then by index.
   std::span<const Equal> equals() const { return equals_; }
   /// Returns the input points that are equal to one of lower index, ascending by index.
   std::vector<Duplicate> duplicates() const;
@@ -47,13 +47,13 @@ class Cells {
   /// Returns the cell that contains a site.
   std::size_t cell_of(Site site) const;
 
-  /// A search for the cells around a cell; cheap when cells are queried in ascending order.
+  /// A search for the cells around a cell. Queries are cheap if cells are queried in ascending order.
   class Around {
    public:
     explicit Around(const Cells& cells) : cells_(cells) {}
 
-    /// Calls visit(first, last) for runs of sites, in the order of sites. Together the runs contain all sites in the
-    /// cells at most `reach` cells away from cell i, cell i included. Requires: reach is at most 2.
+    /// Calls visit(first, last) for runs of sites first … last − 1, in the order of sites. The runs together contain
+    /// the sites in cell i and in all cells at most `reach` cells away along each axis. Requires: reach is at most 2.
     template <std::int64_t reach = 2, typename Visit>
     void for_each_run(std::size_t i, Visit visit) {
       const Key& key = cells_.cells_[i].key;
@@ -73,7 +73,7 @@ class Cells {
    private:
     const Cells& cells_;
     std::size_t last_query_ = static_cast<std::size_t>(-1);
-    std::array<std::size_t, 25> first_{};  // for each row of cells, where the last search ended
+    std::array<std::size_t, 25> first_{};  // for each row of cells, the result of the last search
   };
 
  private:
@@ -86,7 +86,7 @@ class Cells {
   /// Returns the first cell whose key is not below `key`. Requires: all cells before `from` have lower keys.
   std::size_t first_not_before(const Key& key, std::size_t from) const;
   bool is_in_row(std::size_t cell, std::int64_t x, std::int64_t y, std::int64_t last) const {
-    const Key& key = cells_[cell].key;  // cells_ has one more entry, the end
+    const Key& key = cells_[cell].key;  // valid also for cell == size()
     return cell < size() && key[0] == x && key[1] == y && key[2] <= last;
   }
 
@@ -94,7 +94,7 @@ class Cells {
   std::vector<Point3> sites_;
   std::vector<std::uint32_t> input_index_;
   std::vector<Equal> equals_;
-  std::vector<Cell> cells_;  // sorted by key; one more entry for the end
+  std::vector<Cell> cells_;  // sorted by key; then one entry for the end
 };
 
 }  // namespace rbpa::space

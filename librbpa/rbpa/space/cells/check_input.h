@@ -1,4 +1,4 @@
-// What: input checks shared by all functions on points in space.
+// What: checks the input of functions on points in space.
 // Cost: linear.
 #pragma once
 
@@ -8,13 +8,13 @@
 
 namespace rbpa::space {
 
-// Each function throws InvalidInput that names the first violated requirement.
+// Each of the following functions throws InvalidInput that names the first violated requirement.
 
-/// Checks that all points are finite, and fewer than 2^32 − 1.
+/// Checks that points are fewer than 2^32 − 1, and all finite.
 void check_points(std::span<const Point3> points);
-/// Checks the centers by check_points(), and that there is one radius for each. Does not check the values of radii.
+/// Checks the centers by check_points(), and that there is one radius for each center. Does not check the values.
 void check_centers(std::span<const Point3> centers, std::span<const double> radii);
-/// Checks as check_centers() does, and that radii are finite and at least 0.
+/// Checks centers and radii by check_centers(), and that all radii are finite and at least 0.
 void check_balls(std::span<const Point3> centers, std::span<const double> radii);
 /// Checks that 0 < radius < infinity.
 void check_radius(double radius);

@@ -18,7 +18,7 @@ std::optional<int> scale_to_double(std::span<const Point3> points, double radius
       least = std::min(least, size);
       greatest = std::max(greatest, size);
     }
-  // Assumes that every coordinate uses all its bits. One bit of the radius suffices: it is in no difference.
+  // Every coordinate is assumed to use all its bits. For the radius, which is in no difference, one bit suffices.
   int lowest = std::ilogb(radius), highest = lowest + 1;
   if (greatest > 0) {
     lowest = std::min(lowest, std::max(std::ilogb(least) - (bits - 1), least_bit));

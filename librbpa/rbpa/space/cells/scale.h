@@ -1,5 +1,5 @@
-// What: the power of two by which points in space and a radius are multiplied, so that no product in a filter
-//       underflows or overflows (base/exact/magnitude.h).
+// What: finds a power of two that scales points in space and a radius so that no product in a filter underflows or
+//       overflows (base/exact/magnitude.h).
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 namespace rbpa::space {
 
 /// Returns the exponent of a power of two by which coordinates and radius can be multiplied exactly so that they fit
-/// double: fits_double() holds for the coordinates, and the radius is between 2^-150 and 2^150. Returns 0 where they
-/// fit unscaled, nothing where there is no such power.
+/// double: fits_double() holds for the coordinates, and the radius is between 2^-150 and 2^150. Returns 0 if
+/// coordinates and radius fit unscaled, and nothing if no power makes them fit.
 /// Requires: finite points, a finite radius above 0. Cost: linear.
 std::optional<int> scale_to_double(std::span<const Point3> points, double radius);
 

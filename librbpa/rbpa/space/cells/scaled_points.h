@@ -1,5 +1,5 @@
-// What: scales points in space and a radius, if possible, so that products in filters neither under- nor overflow.
-// Law:  the factor is a power of two, so that products are exact (cells/scale.h).
+// What: scales points in space and a radius, if possible, so that products in filters neither underflow nor overflow.
+// Law:  the factor is a power of two, so that scaling is exact (cells/scale.h).
 // Cost: linear; a copy of the points where the factor is not 1.
 #pragma once
 
@@ -13,7 +13,8 @@
 
 namespace rbpa::space {
 
-/// Points and a radius, scaled. Refers to the given points where no copy is needed. Requires: as scale_to_double().
+/// Scaled points and a scaled radius. Refers to the given points if the factor is 1 or there is no factor. Requires:
+/// what scale_to_double() requires.
 class ScaledPoints {
  public:
   ScaledPoints(std::span<const Point3> points, double radius) : points_(points), radius_(radius) {
@@ -32,7 +33,7 @@ class ScaledPoints {
 
   std::span<const Point3> points() const { return points_; }
   double radius() const { return radius_; }
-  /// Returns whether points and radius fit double; if not, they are not scaled.
+  /// Returns whether points and radius fit double. If not, points() and radius() are not scaled.
   bool fits_double() const { return fits_double_; }
 
  private:

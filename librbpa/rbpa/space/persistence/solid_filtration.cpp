@@ -35,7 +35,8 @@ std::vector<std::uint32_t> keep_below(std::size_t points, Rows& rows) {
   return number;
 }
 
-/// Fills in triangles, with radii, and edges of points without a tetrahedron, from the base of a cone over the points.
+/// Fills in triangles, radii of triangles, and edges for points in a plane or on a line: those of the base of a cone
+/// over the points.
 void take_flat(std::span<const Point3> points, const SolidOptions& options, Threads& threads, Steps& step,
                SolidFiltration& filtration) {
   std::vector<Point3> cone(points.begin(), points.end());
@@ -63,7 +64,7 @@ void take_flat(std::span<const Point3> points, const SolidOptions& options, Thre
 }  // namespace
 
 /// Computes the filtration:
-///   1. sort the points along a curve, and triangulate them as if they had been numbered so;
+///   1. sort the points along a curve, and triangulate the points in this order;
 ///   2. number triangles and edges;
 ///   3. find the radii of tetrahedra, triangles and edges;
 ///   4. rename the corners.

@@ -11,7 +11,7 @@
 namespace rbpa {
 namespace {
 
-/// Sorts pairs of equal birth, from number `first` on, by death and simplices. Requires: pairs are sorted by birth.
+/// Sorts pairs of equal birth, from index `first` on, by death, then by simplices. Requires: pairs are sorted by birth.
 void sort_equal_births(std::vector<SolidPair>& pairs, std::size_t first, Steps& step) {
   const auto is_before = [&](const SolidPair& a, const SolidPair& b) {
     step();
@@ -35,7 +35,7 @@ std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, cons
   space::Pairing pairing(filtration, step);
   const std::vector<std::uint32_t> end_of = std::move(pairing.tunnels).all_ended_by();
   std::vector<SolidPair> pairs;
-  // Memory is reserved first; growing would need it twice.
+  // Memory is reserved first, because a growing vector would need twice as much.
   const auto tunnels = std::count_if(end_of.begin(), end_of.end(), [](std::uint32_t t) { return t != Solid::none; });
   pairs.reserve(pairing.components.all.size() + 1 + static_cast<std::size_t>(tunnels) + pairing.voids.all.size());
   const auto add = [&](int dimension, double birth, double death, std::uint32_t born_by, std::uint32_t ended_by) {

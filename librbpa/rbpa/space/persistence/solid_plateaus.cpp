@@ -23,8 +23,7 @@ namespace {
 using Wide = long double;  // products of three coordinates may exceed double
 constexpr double settles = 2;
 
-/// Returns a ratio that noise does not reach: docs/explanation/filtration_and_persistence.md, section 8 describes how
-/// it was measured.
+/// Returns a ratio that noise does not reach (docs/explanation/filtration_and_persistence.md, section 8).
 double noise_ratio(std::size_t distinct) { return 1.5 + 10 / std::sqrt(static_cast<double>(distinct)); }
 
 /// Returns half the diagonal of the points' bounding box.
@@ -39,15 +38,15 @@ struct Growth {
   std::vector<double> alpha;
   std::vector<Wide> change;
   std::vector<double> volume, void_share;
-  std::size_t begin = 0;  // the first radius at which enough points are covered
+  std::size_t begin = 0;  // index of the first radius from which on enough points are covered
 };
 
-/// The components of the tetrahedra added so far, connected through points, with their numbers of points.
+/// The components, connected through points, of all tetrahedra added, with their numbers of points.
 class Parts {
  public:
   explicit Parts(std::size_t of_all) : sets_(of_all), size_(of_all, 0) {}
 
-  /// Returns whether all points are in one component, which no further tetrahedron changes.
+  /// Returns whether all points are in one component. No further tetrahedron then changes the components.
   bool is_whole(std::size_t distinct) const { return components == 1 && points == distinct; }
   double effective() const {
     const auto of_all = static_cast<double>(points);
@@ -75,19 +74,19 @@ class Parts {
 
  private:
   void count(std::uint64_t size, int by) {
-    const auto times = static_cast<std::uint64_t>(by);  // wraps modulo 2⁶⁴, as the sums do
+    const auto times = static_cast<std::uint64_t>(by);  // −1 wraps modulo 2⁶⁴; so do the sums, correctly
     components += times;
     points += times * size;
     squares += times * size * size;
   }
 
   meshops::DisjointSets sets_;
-  std::vector<std::uint32_t> size_;  // of set i, the number of its points, where i is the lowest index of them
+  std::vector<std::uint32_t> size_;  // size_[i]: number of points in the set with least index i
 };
 
-/// Returns, for each tetrahedron, the radius from which it is in the complex or in a void of it.
+/// Returns for each tetrahedron the radius from which on it is in the complex or in a void of the complex.
 std::vector<double> enclosed_from(std::span<const double> radii, const VoidTree& tree) {
-  std::vector<double> outermost(tree.nodes.size());  // the closing radius of the outermost void that contains each
+  std::vector<double> outermost(tree.nodes.size());  // for each node, the closing radius of the root of its tree
   for (std::size_t n = 0; n < tree.nodes.size(); ++n)
     outermost[n] = tree.nodes[n].parent == VoidTree::none ? tree.nodes[n].closes : outermost[tree.nodes[n].parent];
   std::vector<double> from(radii.begin(), radii.end());
@@ -138,7 +137,7 @@ Growth growth_of(std::span<const Point3> points, const Solid& delaunay, std::spa
   return growth;
 }
 
-/// Returns the plateau, except the numbers that count() finds.
+/// Returns the plateau without the fields that count() fills in.
 SolidPlateau plateau_of(const StepRange& range, const Growth& growth, double ratio, std::size_t distinct) {
   SolidPlateau plateau{.from = growth.alpha[range.first], .ratio = ratio};
   if (range.last < growth.alpha.size()) plateau.to = growth.alpha[range.last];

@@ -23,8 +23,8 @@ class VoidSearch {
   VoidSearch(std::span<const Point3> points, const SolidFiltration& filtration)
       : points_(points), filtration_(filtration), is_reached_(filtration.triangles_of.size(), false) {}
 
-  /// Returns the void that contains `tetrahedron` at `alpha`. Throws ContractViolation, which names the number `pair`,
-  /// if the void is not bounded.
+  /// Returns the void that contains `tetrahedron` at `alpha`. Throws ContractViolation, with the index `pair` in its
+  /// message, if the void is not bounded.
   SolidRepresentative of(std::uint32_t tetrahedron, double alpha, std::size_t pair, Steps& step) {
     SolidRepresentative result;
     auto& reached = result.tetrahedra;
@@ -54,7 +54,7 @@ class VoidSearch {
  private:
   using Vector = space::Vector3<double>;
 
-  /// Adds the triangles that bound the tetrahedra of `result`. A triangle with the void on both sides bounds nothing.
+  /// Adds the triangles that have a tetrahedron of `result` on exactly one side.
   void add_faces(SolidRepresentative& result) const {
     struct Side {
       std::uint32_t triangle, tetrahedron;

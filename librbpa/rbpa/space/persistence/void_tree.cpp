@@ -24,7 +24,7 @@
 namespace rbpa {
 namespace {
 
-/// Returns, for each triangle, the least radius of a tetrahedron at it.
+/// Returns, for each triangle, the least radius of its tetrahedra.
 std::vector<double> first_radii(std::span<const double> radii, const space::NumberedTriangles& triangles) {
   std::vector<double> first(triangles.corners.size(), std::numeric_limits<double>::infinity());
   for (std::size_t t = 0; t < radii.size(); ++t)
@@ -32,8 +32,8 @@ std::vector<double> first_radii(std::span<const double> radii, const space::Numb
   return first;
 }
 
-/// Computes the volumes in descending alpha: each tetrahedron adds its volume to the void that contains its basin, and
-/// each void that closes gets the volume collected so far.
+/// Computes the volumes of voids in descending alpha. Each tetrahedron adds its volume to the void that contains its
+/// basin. The volume of a void is the sum at the radius at which the void closes.
 void find_volumes(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, Steps& step,
                   VoidTree& tree) {
   std::vector<double> volumes(radii.size());
@@ -72,10 +72,10 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
                                        ? first_radii(radii, triangles)
                                        : space::triangle_radii(points, delaunay, radii, triangles, threads, go_on);
   space::PersistentVoids found = space::find_voids(delaunay, radii, triangles.of, wall, step);
-  // A void that is filled as soon as it closes belongs to the void that it splits off from.
+  // A void that is filled at the radius at which it closes belongs to the void from which it separates.
   std::vector<std::uint32_t> part_of(radii.size());
   std::iota(part_of.begin(), part_of.end(), std::uint32_t{0});
-  for (auto at = found.all.rbegin(); at != found.all.rend(); ++at)  // a void comes before those split off from it
+  for (auto at = found.all.rbegin(); at != found.all.rend(); ++at)  // a void comes before voids that separate from it
     if (wall[at->triangle] == radii[at->tetrahedron])
       part_of[at->tetrahedron] = at->parted_from == VoidTree::none ? VoidTree::none : part_of[at->parted_from];
   std::erase_if(found.all, [&](const space::PersistentVoid& v) { return part_of[v.tetrahedron] != v.tetrahedron; });
@@ -101,7 +101,7 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
   tree.node_of.resize(node.size());
   for (std::size_t t = 0; t < node.size(); ++t) {
     std::uint32_t& of = tree.node_of[t] = node_of(found.basin[t]);
-    // Below the radius at which its void closes, a basin is part of the parent void.
+    // At radii below the closing radius of its void, a basin is part of the parent void.
     while (of != VoidTree::none && tree.nodes[of].closes >= radii[t]) of = tree.nodes[of].parent;
   }
   find_volumes(points, delaunay, radii, step, tree);
@@ -113,9 +113,9 @@ std::vector<std::uint32_t> nodes_of(const VoidTree& tree, const Solid& delaunay,
   meshops::require(
       radii.size() == delaunay.simplices.size() && radii.size() == tree.node_of.size(),
       "nodes_of: the tetrahedra, radii and tree.node_of differ in number, expected those that made the tree");
-  // One triangle of each void, reversed: counter-clockwise seen from outside of the tetrahedron that is in the void.
+  // One triangle of each void, reversed: counter-clockwise seen from outside of the tetrahedron in the void.
   std::map<Triangle, std::size_t> void_at;
-  std::vector<bool> is_least(corner_bound<4>(delaunay.simplices), false);  // the lowest corner of such a triangle
+  std::vector<bool> is_least(corner_bound<4>(delaunay.simplices), false);  // lowest corners of keys
   for (std::size_t i = 0; i < voids.size(); ++i) {
     meshops::require(!voids[i].triangles.empty() && voids[i].triangles.front() < boundary.triangles.size(),
                      "nodes_of: a void has no triangle of the boundary, expected voids() with their boundary");

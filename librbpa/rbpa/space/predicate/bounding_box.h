@@ -1,4 +1,4 @@
-// What: computes bounding boxes of points in space, and whether they meet.
+// What: computes bounding boxes of points in space, and tests whether boxes meet.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ struct Box {
   }
 };
 
-/// Returns the box of a range of points.
+/// Returns the bounding box of a range of points.
 template <typename Points>
 Box box_of(const Points& points) {
   Box box;

@@ -30,8 +30,8 @@ class Circumradii {
     Number x, y, z;
   };
 
-  /// Returns the radii of the simplices in the lanes. `coordinates` has 12 rows of lanes, the corners' coordinates. A
-  /// radius is 0 where double-double does not decide.
+  /// Returns the rounded-up radius of the simplex in each lane; 0 where double-double does not decide. `coordinates`
+  /// has 12 rows of lanes: x, y, z of each of the four corners.
   static HWY_INLINE V rounded_up(const double* coordinates) {
     const D d;
     const auto edge = [&](std::size_t corner) HWY_ATTR {
@@ -43,8 +43,7 @@ class Circumradii {
     };
     Vector u = edge(1), v = edge(2), w = edge(3);
     const V greatest = hn::Max(hn::Max(greatest_of(u), greatest_of(v)), greatest_of(w));
-    // The power of two that scales the greatest difference to between 1 and 2, and the differences, are far from the
-    // limits of double.
+    // Whether the greatest difference, and the power of two that scales it to about 1, are far from limits of double.
     const auto are_fit = hn::And(hn::Gt(greatest, hn::Set(d, 0x1p-800)), hn::Lt(greatest, hn::Set(d, 0x1p+900)));
     const hn::RebindToUnsigned<D> du;
     const auto exponent = hn::And(hn::BitCast(du, greatest), hn::Set(du, 0x7ff0000000000000U));
@@ -67,7 +66,7 @@ class Circumradii {
                                        hn::MulAdd(hn::Set(d, 2 * relative), squares.high, hn::Set(d, 0x1p-180)));
     const V denominator_error = hn::MulAdd(hn::Set(d, 8 * volume_error), half,
                                            hn::MulAdd(hn::Set(d, relative), denominator.high, hn::Set(d, 0x1p-180)));
-    // r² − R², times the denominator.
+    // (r² − R²) · denominator, with R the exact radius.
     const auto difference = [&](V r) HWY_ATTR { return Number::product_of(r, r) * denominator - squares; };
     const auto error = [&](V r) HWY_ATTR {
       return hn::MulAdd(hn::Mul(hn::Set(d, 2), hn::Mul(r, r)), denominator_error, squares_error);
@@ -142,7 +141,7 @@ void circumradii_rounded_up(std::span<const Point3> points, std::span<const std:
 }
 
 double circumradius_rounded_up(const Point3& a, const Point3& b, const Point3& c, const Point3& d) {
-  // Precise enough to try doubles one after the other, where nothing overflows or cancels.
+  // The estimate is precise enough for a search over neighboring doubles, unless a value overflows or cancels.
   using Vector = Vector3<long double>;
   const Vector u = from<long double>(a, b), v = from<long double>(a, c), w = from<long double>(a, d);
   const Vector vw = cross(v, w), wu = cross(w, u), uv = cross(u, v);

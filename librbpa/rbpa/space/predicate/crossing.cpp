@@ -12,7 +12,7 @@ int side_of(const Corners& t, const Point3& p) { return orientation(t[0], t[1], 
 
 bool has(const Corners& t, const Point3& p) { return p == t[0] || p == t[1] || p == t[2]; }
 
-/// Tests of points in the plane of a triangle, seen along an axis that is not parallel to the plane.
+/// Tests of points in the plane of a triangle, projected along an axis that is not parallel to the plane.
 class InPlane {
  public:
   /// Keeps a reference to t. Requires: t has an area.
@@ -40,7 +40,7 @@ class InPlane {
   int axis_ = 0;
 };
 
-/// Returns whether the segment meets the triangle anywhere. Requires: `side_p` and `side_q`, the sides of the
+/// Returns whether the segment pq and the triangle t have a point in common. `side_p` and `side_q` are the sides of the
 /// triangle's plane on which p and q are.
 bool meets(const Point3& p, int side_p, const Point3& q, int side_q, const Corners& t) {
   if (side_p * side_q > 0) return false;
@@ -58,8 +58,8 @@ bool cross_at_side(const Point3& a, const Point3& b, const Point3& c, const Poin
   return plane.turn(a, b, c) == plane.turn(a, b, d);
 }
 
-/// Returns whether triangles v a b and v c d cross. If they do, their intersection reaches from v to the side across
-/// from v of one of them.
+/// Returns whether s and t, whose common corner v is s[0] and t[0], cross. Crossing triangles intersect from v up to
+/// the side across from v of one of them.
 bool cross_at_corner(const Corners& s, const Corners& t) {
   const int side_c = side_of(s, t[1]), side_d = side_of(s, t[2]);
   if (side_c * side_d > 0) return false;

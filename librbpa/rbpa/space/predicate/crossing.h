@@ -1,6 +1,6 @@
-// What: tests whether two triangles in space, or a segment and a triangle, cross: share more than corners and sides.
-// Law:  exact for every finite input. Corners are shared when they are equal as points.
-// Cost: tens of nanoseconds where a plane separates them.
+// What: tests whether two triangles in space, or a segment and a triangle, meet outside of shared corners and sides.
+// Law:  exact for every finite input. A corner is shared if it is an equal point.
+// Cost: tens of nanoseconds if the plane of a triangle separates the two.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace rbpa::space {
 
 using Corners = std::array<Point3, 3>;
 
-/// Returns the corners of a triangle, the least point first: the result does not depend on the numbers of points.
+/// Returns the corners of a triangle, rotated so that the least point is first. The result does not depend on indices.
 inline Corners corners_of(std::span<const Point3> points, const Triangle& triangle) {
   const Point3 &a = points[triangle[0]], &b = points[triangle[1]], &c = points[triangle[2]];
   if (b < a && !(c < b)) return {b, c, a};
@@ -21,9 +21,9 @@ inline Corners corners_of(std::span<const Point3> points, const Triangle& triang
   return {a, b, c};
 }
 
-/// Returns whether the triangles cross: whether they overlap, one pierces the other, or they touch anywhere except in a
-/// shared corner or along a shared side.
-/// Requires: triangles with an area.
+/// Returns whether the triangles cross: whether they have a common point that is not a shared corner or on a shared
+/// side. Equal triangles cross.
+/// Requires: both triangles have an area.
 bool triangles_cross(const Corners& s, const Corners& t);
 
 /// Returns whether the segment from p to q meets the triangle anywhere except in an end that is a corner of the

@@ -12,7 +12,7 @@ using Vector = Vector3<Integer>;
 
 Vector operator-(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y, u.z - v.z}; }
 
-/// Scales points and a length to integers.
+/// A scale that makes integers of the coordinates of points and of lengths.
 class Scale {
  public:
   Scale(std::initializer_list<Point3> points, double length = 0) {
@@ -38,10 +38,10 @@ struct Corners {
       : origin(scale(a)), u(scale(b) - origin), v(scale(c) - origin), n(cross(u, v)) {}
 
   Vector origin, u, v;
-  Vector n;  ///< normal; its length is twice the area
+  Vector n;  ///< normal u × v, whose length is twice the area
 };
 
-/// 4 radius² n² − u² v² (u − v)²: not negative when the circumradius is at most the radius.
+/// Returns 4 radius² n² − u² v² (u − v)², which is not negative if the circumradius is at most the radius.
 Integer clearance(const Corners& t, const Integer& radius) {
   const Vector w = t.u - t.v;
   return 4 * radius * radius * dot(t.n, t.n) - dot(t.u, t.u) * dot(t.v, t.v) * dot(w, w);
@@ -98,7 +98,7 @@ int side_of_sphere(const Point3& a, const Point3& b, const Point3& c, const Poin
     const Integer own = scale((*radii)[i]), first = scale((*radii)[0]);
     return dot(to, to) - own * own + first * first;
   };
-  // The volume times the power of q. Twice its product with the center is as above.
+  // The power of q is p² − 2 p · center relative to a, here times the volume; compare_circumradius() has the center.
   const Integer power = lift(p, 4) * dot(t.n, w) - lift(t.u, 1) * dot(cross(t.v, w), p) -
                         lift(t.v, 2) * dot(cross(w, t.u), p) - lift(w, 3) * dot(t.n, p);
   return -power.sign();
@@ -114,7 +114,7 @@ int side_of_least_sphere(const Point3& a, const Point3& b, const Point3& c, cons
   const Scale scale{a, b, c, q};
   const Corners t(scale, a, b, c);
   const Vector d = scale(q) - t.origin;
-  // n² times the power of q. Relative to a, the center is (uu v × n + vv n × u) / 2 n².
+  // `power` is n² times the power of q. Relative to a, the center is (uu v × n + vv n × u) / (2 n²).
   const Integer power =
       dot(t.n, t.n) * dot(d, d) - dot(t.u, t.u) * dot(cross(t.v, t.n), d) - dot(t.v, t.v) * dot(cross(t.n, t.u), d);
   return -power.sign();
@@ -138,7 +138,7 @@ int side_of_ball(const Point3& a, const Point3& b, const Point3& c, double radiu
 }
 
 int normal_sign(const Point3& a, const Point3& b, const Point3& c, const Point3& normal) {
-  const Scale scale{a, b, c}, own{normal};  // the length of the normal does not change the sign
+  const Scale scale{a, b, c}, own{normal};  // a scale of its own: the length of the normal does not matter
   return dot(Corners(scale, a, b, c).n, own(normal)).sign();
 }
 

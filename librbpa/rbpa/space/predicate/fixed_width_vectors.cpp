@@ -7,19 +7,19 @@ using Word = std::uint64_t;
 
 Integer128 product(std::int64_t a, std::int64_t b) { return Integer128{a} * b; }
 
-/// Returns u × v, below 2^124 because the components are below 2^61.
+/// Returns u × v. Components are below 2^124 because those of u and v are below 2^61.
 Vector3<Integer128> wide_cross(const FixedVector& u, const FixedVector& v) {
   return {product(u.y, v.z) - product(u.z, v.y), product(u.z, v.x) - product(u.x, v.z),
           product(u.x, v.y) - product(u.y, v.x)};
 }
 Integer128 square(const FixedVector& u) { return product(u.x, u.x) + product(u.y, u.y) + product(u.z, u.z); }
 
-/// A volume: high 2^64 + low.
+/// A volume: high · 2^64 + low.
 struct Volume {
   Integer128 high = 0;
   Word low = 0;
 
-  /// Adds a b. Requires: a below 2^124, b below 2^61; at most three terms.
+  /// Adds a · b. Requires: |a| < 2^124 and |b| < 2^61; at most three calls.
   void add_product(Integer128 a, std::int64_t b) {
     const auto word = static_cast<Word>(a);
     const Unsigned128 all = Unsigned128{word} * static_cast<Word>(b);
@@ -31,7 +31,7 @@ struct Volume {
   }
 };
 
-/// Returns u · v, a volume if v is a cross product.
+/// Returns v · u, six times the volume of a tetrahedron if v is a cross product of two edges.
 Volume wide_dot(const Vector3<Integer128>& v, const FixedVector& u) {
   Volume volume;
   volume.add_product(v.x, u.x);
@@ -40,10 +40,10 @@ Volume wide_dot(const Vector3<Integer128>& v, const FixedVector& u) {
   return volume;
 }
 
-/// A sum of a few products of 187 by 125 bits, as words with their carries.
+/// A sum of a few products of numbers of 187 and 125 bits. Each word of the sum is stored with its carries.
 class Sum {
  public:
-  /// Adds volume · lift, or subtracts it if the sign is −1.
+  /// Adds sign · volume · lift. Requires: `sign` is 1 or −1.
   void add_product(const Volume& volume, Integer128 lift, int sign) {
     add_product(volume, static_cast<Unsigned128>(lift < 0 ? -lift : lift), lift < 0 ? -sign : sign);
   }
@@ -82,7 +82,7 @@ class Sum {
   std::array<Integer128, 5> word_{};
 };
 
-/// Returns power_sign() of lift(square, i) in place of the squares of u, v, w, p, which are numbered in this order.
+/// Returns power_sign() with lift(square, i) in place of the square of vector i; u, v, w, p are vectors 0 to 3.
 template <typename Lift>
 int power_sign_with(const FixedVector& u, const FixedVector& v, const FixedVector& w, const FixedVector& p, Lift lift) {
   const Vector3<Integer128> uv = wide_cross(u, v);

@@ -1,7 +1,8 @@
-// What: differences of points in space as integers of 61 bits times a power of two, and their determinants in words of
-//       64 bits. The differences have this form on grids of any unit, and for most points near each other.
-// Law:  exact: an expression that is homogeneous in the differences keeps its sign.
-// Why:  on grids most in-sphere tests are ties, which no filter decides.
+// What: represents differences of points in space as integers below 2^61 times a power of two, and computes signs of
+//       their determinants in words of 64 bits. Differences have this form on any grid, and for most points near each
+//       other.
+// Law:  exact: the power of two does not change the sign of an expression that is homogeneous in the differences.
+// Why:  most in-sphere tests on grids are ties, which no filter decides.
 // Cost: a tenth of a microsecond, a twentieth of that of integers of any length; nanoseconds if differences do not fit.
 #pragma once
 
@@ -19,25 +20,26 @@
 
 namespace rbpa::space {
 
-using FixedVector = Vector3<std::int64_t>;  // each below 2^61 in size
+using FixedVector = Vector3<std::int64_t>;  // components are below 2^61 in absolute value
 
 /// Returns the sign of u × v · w.
 int volume_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w);
 
-/// Returns the sign of the volume of u, v, w times the power of p with respect to the sphere through 0, u, v, w.
-/// Weights of balls at u, v, w, p, if given, are below 2^122 in size and subtracted from the squares.
+/// Returns the sign of (volume of u, v, w) · (power of p to the sphere through 0, u, v, w). Weights, if given, are
+/// subtracted from the squares of u, v, w and p, in this order. Requires: weights are below 2^122 in absolute value.
 int power_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w, const FixedVector& p);
 int power_sign(const FixedVector& u, const FixedVector& v, const FixedVector& w, const FixedVector& p,
                const std::array<Integer128, 4>& weights);
 
-/// Vectors from one point to N others, and the weights of the others less that of the one, if they are balls: `radii`
-/// has the one's first. Requires: finite points and radii; radii if and only if weighted.
+/// Vectors from one point to N others. If the points are weighted, also the weight of each other point minus that of
+/// the first point; the first of `radii` is that of the first point. Requires: finite points and radii; `radii` are
+/// given if and only if `weighted`.
 template <std::size_t N, bool weighted = false>
 class FixedVectors {
  public:
   FixedVectors(const Point3& from, const std::array<const Point3*, N>& to,
                [[maybe_unused]] const std::array<double, N + 1>* radii = nullptr) {
-    std::uint64_t unit = 2047;  // the exponent of the lowest set bit of any coordinate, + 1075
+    std::uint64_t unit = 2047;  // 1075 + the exponent of the lowest set bit of all values
     bool are_normal = true;
     const auto include = [&](double value) {
       const std::uint64_t bits = std::bit_cast<std::uint64_t>(value) & ~(std::uint64_t{1} << 63U);
@@ -72,7 +74,7 @@ class FixedVectors {
       }
   }
 
-  /// Returns whether the vectors could be represented exactly; otherwise there are none.
+  /// Returns whether the vectors are represented exactly. If not, vectors and weights are unspecified.
   bool are_exact() const { return are_exact_; }
   const FixedVector& operator[](std::size_t i) const { return vector_[i]; }
   const std::array<Integer128, N>& weights() const requires weighted { return weight_; }

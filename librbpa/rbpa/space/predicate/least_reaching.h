@@ -1,5 +1,5 @@
-// What: searches the least double for which a monotone predicate is true, such as a radius.
-// Cost: a few calls of the predicate where the estimate is near; some sixty without an estimate.
+// What: finds the least double, such as a radius, for which a monotone predicate is true.
+// Cost: a few calls of the predicate if the estimate is near the result; some sixty without an estimate.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 
 namespace rbpa::space {
 
-/// Returns the least positive double for which reaches() is true; infinity where it is true for no finite one. An
+/// Returns the least positive double for which reaches() is true; infinity if it is true for no finite double. An
 /// estimate that is not positive and finite is ignored.
-/// Requires: reaches() is true for all doubles above one for which it is true.
+/// Requires: if reaches() is true for a double, it is true for all greater ones.
 template <typename Reaches>
 double least_reaching(double estimate, const Reaches& reaches) {
   // Positive doubles are ordered like their bits.
@@ -19,7 +19,7 @@ double least_reaching(double estimate, const Reaches& reaches) {
   const auto reaches_bits = [&](std::uint64_t bits) { return reaches(std::bit_cast<double>(bits)); };
   std::uint64_t below = 0, above = std::bit_cast<std::uint64_t>(std::numeric_limits<double>::infinity());
   if (estimate > 0 && estimate <= greatest) {
-    // Searches from the estimate in growing steps.
+    // Bracket the result from the estimate in growing steps.
     const auto start = std::bit_cast<std::uint64_t>(estimate);
     const bool is_reached = reaches_bits(start);
     (is_reached ? above : below) = start;

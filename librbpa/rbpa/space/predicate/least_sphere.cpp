@@ -14,8 +14,8 @@ using Real = long double;
 using Vector = Vector3<Real>;
 constexpr Real unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
 
-/// Returns the sign of `value` if it is certain for an error of at most `error`, else the sign from exact(). An
-/// overflow makes no sign certain.
+/// Returns the sign of `value` if an error of at most `error` cannot change the sign, else exact(). After an overflow,
+/// exact() decides.
 template <typename Exact>
 int sign(Real value, Real error, Exact exact) {
   return value > error ? 1 : value < -error ? -1 : exact();
@@ -32,9 +32,9 @@ int sign(const Power<Number>& power, Exact exact) {
   return power.value > power.error ? 1 : power.value < -power.error ? -1 : exact();
 }
 
-/// Returns `value` with `error`. The error is infinite if a part of `value` may underflow: if `least_square`, the least
-/// square of an edge, is not far above the least normal number, or the square of `error` is not above that number. The
-/// next type of number then decides.
+/// Returns `value` with `error`, or with an infinite error if a part of `value` may underflow. A part may underflow if
+/// `least_square`, the least square of an edge, is not far above the least normal number, or the square of `error` is
+/// not above this number. An infinite error leaves the decision to the next type of number.
 template <typename Number>
 Power<Number> within_range(Number value, Number error, Number least_square) {
   constexpr Number least = std::numeric_limits<Number>::min();
@@ -65,8 +65,8 @@ double rounded_up(Real value) {
   return nearest < value ? std::nextafter(nearest, std::numeric_limits<double>::infinity()) : nearest;
 }
 
-/// Returns the radius, with an error of at most `error`, rounded up. If both ends of its interval round up to the same
-/// double, the result is this double; else reaches() decides.
+/// Returns the exact radius, rounded up. `radius` is an estimate with an error of at most `error`. If both ends of its
+/// interval round up to one double, this double is the result; otherwise reaches() decides between doubles.
 template <typename Reaches>
 double rounded_up(Real radius, Real error, const Reaches& reaches) {
   const double low = rounded_up(radius - error), high = rounded_up(radius + error);
@@ -114,7 +114,7 @@ double LeastSphere::radius_rounded_up() const {
   const Vector u = from<Real>(a_, b_), v = from<Real>(a_, c_), w = from<Real>(b_, c_), n = cross(u, v);
   const Real uu = dot(u, u), vv = dot(v, v), nn = dot(n, n), spread = uu * vv / nn;
   const Real radius = std::sqrt(uu * vv * (dot(w, w) / nn)) / 2;
-  // The error is as in is_within(), where n² is off by at most 80 unit roundoffs of u² v²; the root halves it.
+  // The error is that of is_within(), halved by the root; n² is off by at most 80 unit roundoffs of u² v².
   const Real error =
       spread < 0x1p40L ? unit_roundoff * radius * (32 + 96 * spread) : std::numeric_limits<Real>::infinity();
   return rounded_up(radius, error, [&](double r) { return is_within(r); });

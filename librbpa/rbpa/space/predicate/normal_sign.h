@@ -1,4 +1,4 @@
-// What: tests whether the normal of a triangle agrees with another vector, or with the normal of another triangle.
+// What: computes the sign of the scalar product of a triangle's normal with a vector or another triangle's normal.
 // Law:  exact for every finite input (docs/explanation/surfaces.md, section 15).
 // Cost: some nanoseconds; microseconds when the filter fails.
 #pragma once
@@ -11,7 +11,7 @@
 
 namespace rbpa::space {
 
-/// The normal (b − a) × (c − a), rounded.
+/// The normal (b − a) × (c − a), with rounding errors.
 template <typename Real>
 class RoundedNormal {
  public:
@@ -22,13 +22,15 @@ class RoundedNormal {
                   std::abs(u.x * v.y) + std::abs(u.y * v.x)};
   }
   Real product(const Point3& v) const { return normal_.x * Real(v.x) + normal_.y * Real(v.y) + normal_.z * Real(v.z); }
-  /// Returns the sum of the absolute values of the terms of product(v), whose error is a small fraction of this sum.
+  /// Returns the sum of the absolute values of the terms of product(v). The error of product(v) is a small fraction of
+  /// this sum.
   Real magnitude(const Point3& v) const {
     return magnitude_.x * std::abs(Real(v.x)) + magnitude_.y * std::abs(Real(v.y)) + magnitude_.z * std::abs(Real(v.z));
   }
 
-  /// Returns the scalar product with another normal; magnitude() likewise. A coordinate of a normal has at most four
-  /// roundings, so that a term of the product has at most nine, and the error is below 16 roundoffs of magnitude().
+  /// Returns the scalar product with another normal; magnitude() returns the sum of absolute values. A coordinate of a
+  /// normal has at most four roundings, and a term of the product nine, so that the error of product() is below 16 unit
+  /// roundoffs of magnitude().
   Real product(const RoundedNormal& other) const { return dot(normal_, other.normal_); }
   Real magnitude(const RoundedNormal& other) const { return dot(magnitude_, other.magnitude_); }
 
@@ -36,7 +38,7 @@ class RoundedNormal {
   Vector3<Real> normal_, magnitude_;
 };
 
-/// The normal (b − a) × (c − a), for exact signs.
+/// The normal (b − a) × (c − a), for exact signs of scalar products.
 class TriangleNormal {
  public:
   TriangleNormal(const Point3& a, const Point3& b, const Point3& c) : a_(a), b_(b), c_(c), rounded_(a, b, c) {}
@@ -70,8 +72,8 @@ inline int compare_normals(const Point3& a, const Point3& b, const Point3& c, co
   return exact::compare_normals(a, b, c, d, e, f);
 }
 
-/// Returns whether triangle a, b, c, which becomes d, e, f, turns by less than a right angle and keeps its area. A
-/// triangle without area may become any.
+/// Returns whether a triangle (a, b, c) that becomes (d, e, f) turns by less than a right angle and still has an area.
+/// The result is true for any (d, e, f) if (a, b, c) has no area.
 inline bool keeps_direction(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e,
                             const Point3& f) {
   const int sign = compare_normals(a, b, c, d, e, f);

@@ -16,7 +16,7 @@ struct Differences {
   Differences(const Point3& a, const Point3& b)
       : x(difference(b.x, a.x)), y(difference(b.y, a.y)), z(difference(b.z, a.z)) {}
 
-  /// Returns whether products of three differences, and their last bits, are within the range of double.
+  /// Returns whether products of three components, and their last bits, are within the range of double.
   bool fit() const { return fits(x) && fits(y) && fits(z); }
 
  private:

@@ -1,8 +1,7 @@
-// What: the side of a triangle's plane that a point is on; the side of a line that a point is on, seen along an axis.
+// What: computes on which side of a triangle's plane, or of a line that is seen along an axis, a point is.
 // Law:  exact for every finite input.
-// How:  a floating-point filter; then integers of fixed width, where the differences fit; then expansions, where no
-//       product of the differences can underflow or overflow; then integers of any length
-//       (docs/explanation/surfaces.md, section 15).
+// How:  a floating-point filter; then, for planes, integers of fixed width if differences fit; then expansions if
+//       products stay in the range of double; then integers of any length (docs/explanation/surfaces.md, section 15).
 // Cost: some nanoseconds; a tenth of a microsecond for points in a plane, microseconds at extreme exponents.
 #pragma once
 
@@ -12,12 +11,12 @@
 
 namespace rbpa::space {
 
-/// Returns the sign of (b − a) × (c − a) · (d − a), or of (b − a) × (c − a) · axis, without a filter.
+/// Returns the sign of (b − a) × (c − a) · (d − a), or of (b − a) × (c − a) along an axis, without a filter.
 int orientation_exactly(const Point3& a, const Point3& b, const Point3& c, const Point3& d);
 int orientation_along_exactly(const Point3& a, const Point3& b, const Point3& c, int axis);
 
-/// Constants of both filters: the error is below `orientation_filter`, eight roundings, times the sum of the absolute
-/// values of all terms; below `least_filtered`, terms may underflow.
+/// Constants of the filters: the error is below `orientation_filter`, eight unit roundoffs, times the sum of the
+/// absolute values of all terms. For a bound up to `least_filtered`, terms may underflow.
 constexpr double orientation_filter = 0x1p-50, least_filtered = 0x1p-900;
 
 /// Returns the sign of (b − a) × (c − a) · (d − a): 1 when a, b, c are counter-clockwise seen from d.

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double roundoff = 0x1p-53;
 
-/// The edge from a first ball to another one. The plane in which both have the same power is 2 x · to = lift, for x
-/// relative to the first center.
+/// The edge from a first ball to another one. Powers to both are equal at x, relative to the first center, if 2 x · to
+/// = lift.
 template <typename Real>
 struct Edge {
   Vector3<Real> to;
@@ -36,19 +36,19 @@ struct RoundedEdge : Edge<double> {
     length = std::sqrt(square);
     size = square + std::abs(weights);
   }
-  double length, size;  // size: of all terms of the lift
+  double length, size;  // size: sum of the absolute values of the terms of lift
 };
 
 template <typename Real>
 Vector3<Real> scaled(const Real& s, const Vector3<Real>& v) {
   return {s * v.x, s * v.y, s * v.z};
 }
-/// Returns 2 x (u × v)² for the orthocenter x of a triangle with edges u and v, relative to the first corner.
+/// Returns 2 x (u × v)² for the orthocenter x, relative to the first center, of three balls with edges u and v.
 template <typename Real>
 Vector3<Real> twice_center(const Edge<Real>& u, const Edge<Real>& v, const Vector3<Real>& normal) {
   return plus(scaled(u.lift, cross(v.to, normal)), scaled(v.lift, cross(normal, u.to)));
 }
-/// Returns 2 |x| |u × v|, as a vector, for the same x.
+/// Returns a vector of length 2 |x| |u × v| for the orthocenter x, relative to the first center, of three balls.
 template <typename Real>
 Vector3<Real> twice_distance(const Edge<Real>& u, const Edge<Real>& v) {
   return minus(scaled(u.lift, v.to), scaled(v.lift, u.to));
@@ -59,7 +59,7 @@ Vector3<Real> twice_center(const Edge<Real>& u, const Edge<Real>& v, const Edge<
               scaled(w.lift, cross(u.to, v.to)));
 }
 
-/// The power at the orthocenter of two to four balls, as left² / (4 square) − radius² for the radius of the first.
+/// The power at the orthocenter of two to four balls: left² / (4 square) − radius², with the radius of the first ball.
 template <typename Real>
 struct LeastPower {
   Vector3<Real> left;
@@ -78,7 +78,7 @@ auto least_power(std::size_t balls, const Edges& edge) {
   return LeastPower<Real>{twice_center(u, v, w), six_volumes * six_volumes};
 }
 
-/// Converts balls to integers.
+/// Balls with integers as coordinates and radii.
 class Exact {
  public:
   Exact(std::initializer_list<const Ball*> balls) : balls_(balls) { include_all(); }
@@ -99,7 +99,7 @@ class Exact {
   }
 
  private:
-  /// The least power is above / below, in the square of the scale's unit.
+  /// The least power is above / below, in squared units of the scale.
   struct Ratio {
     Integer above, below;
   };
@@ -115,7 +115,8 @@ class Exact {
     const Integer below = 4 * square;
     return {dot(left, left) - radius * radius * below, below};
   }
-  /// Returns the least double that is not below above / below · 2^exponent, or its signed root. Requires: above ≠ 0.
+  /// Returns the least double that is not below above / below · 2^exponent or, if `is_root`, not below the signed root
+  /// of this number. Requires: above ≠ 0.
   static double rounded_up(Integer above, Integer below, int exponent, bool is_root) {
     constexpr int enough = 110, digits = std::numeric_limits<double>::digits;  // the root of 2¹⁰⁹ has 55 bits
     const bool is_negative = above < 0;
@@ -145,8 +146,8 @@ class Exact {
   std::vector<const Ball*> balls_;
 };
 
-/// The range in which filters are valid, so that what underflows is far below their bounds: lengths are at most
-/// `greatest`, and bounds at least `least_bound`, or `least_length` where lengths are compared.
+/// Limits within which filters are valid, because errors by underflow are far below the bounds: lengths and radii are
+/// at most `greatest`; error bounds are above `least_bound`, or above `least_length` where lengths are compared.
 constexpr double greatest = 0x1p60, least_bound = 0x1p-600, least_length = 0x1p-300;
 
 bool is_in_range(const Ball& ball) { return ball.radius <= greatest; }
@@ -163,7 +164,7 @@ struct Length {
   Length(double length, double roundings) : value(length), error(roundings * roundoff + 8 * roundoff * length) {}
 };
 
-/// Returns the sign of left − 2 radius · right, or that of exact() if it is not certain.
+/// Returns the sign of left − 2 radius · right if it is certain, else exactly().
 template <typename Exactly>
 int compare(const Length& left, double radius, const Length& right, bool is_in_range, Exactly exactly) {
   if (is_in_range && left.error > least_length && right.error > least_length) {
@@ -193,8 +194,8 @@ struct WideEdge : Edge<DoubleDouble> {
   double length, size;
 };
 
-/// Returns least_power_rounded_up() by double-double, or nothing where it is not certain. Requires: at least two balls.
-/// The errors: docs/explanation/exact_decisions.md, section 8.
+/// Returns least_power_rounded_up() by double-double, or nothing if the result is not certain. Requires: at least two
+/// balls. docs/explanation/exact_decisions.md, section 8, derives the errors.
 std::optional<double> try_least_power(std::span<const Ball> balls, bool is_root) {
   constexpr double square_of_roundoff = roundoff * roundoff, least_square = 0x1p-500;
   std::vector<WideEdge> edges;
@@ -204,7 +205,7 @@ std::optional<double> try_least_power(std::span<const Ball> balls, bool is_root)
     return {};
   const auto [left, square] = least_power(balls.size(), [&](std::size_t k) -> const WideEdge& { return edges[k - 1]; });
   if (!(square.high > least_square)) return {};
-  double terms = edges[0].size, lengths = edges[0].length;  // of left, and of the root of `square`
+  double terms = edges[0].size, lengths = edges[0].length;  // bounds of the terms of |left|, and of √square
   for (std::size_t k = 1; k < edges.size(); ++k) {
     terms = terms * edges[k].length + edges[k].size * lengths;
     lengths *= edges[k].length;
@@ -214,7 +215,7 @@ std::optional<double> try_least_power(std::span<const Ball> balls, bool is_root)
   const DoubleDouble radius{balls[0].radius, 0}, weight = radius * radius, four{4, 0};
   const DoubleDouble squares = dot(left, left), denominator = four * square;
   const double size = std::sqrt(squares.high), right = std::sqrt(square.high);
-  // Returns the sign of the power less that of `value`, 0 if it is not certain.
+  // Returns the sign of (least power) − (power that `value` stands for); 0 if the sign is not certain.
   const auto compare = [&](double value) {
     const DoubleDouble power =
         is_root ? DoubleDouble{value, 0} * DoubleDouble{std::abs(value), 0} : DoubleDouble{value, 0};

@@ -1,6 +1,6 @@
-// What: the crossing of a triangle and a ray along x from within a tetrahedron.
-// Law:  exact on any finite input: the ray begins at the first corner, moved into the tetrahedron by infinitesimals, so
-//       that it passes through no point, and through no edge except one along the ray.
+// What: tests whether a ray along x from within a tetrahedron crosses a triangle.
+// Law:  exact on any finite input. The ray begins at the first corner, moved into the tetrahedron by infinitesimals: it
+//       thus passes through no point, and through no edge except one along the ray.
 // Cost: a few orientations, where the bounding boxes overlap in y and z.
 #pragma once
 
@@ -12,8 +12,7 @@
 
 namespace rbpa::space {
 
-/// Returns how the ray from within the tetrahedron `from` crosses the triangle: 1 from behind, −1 from the front, 0 not
-/// at all.
+/// Returns 1 if the ray from within tetrahedron `from` crosses the triangle from behind, −1 from the front, else 0.
 /// Requires: the tetrahedron is not flat.
 inline int ray_crossing(const std::array<Point3, 3>& triangle, const std::array<Point3, 4>& from) {
   const auto& [a, b, c] = triangle;
@@ -21,7 +20,7 @@ inline int ray_crossing(const std::array<Point3, 3>& triangle, const std::array<
   if (from[0].y < low_y || from[0].y > high_y) return 0;
   const auto [low_z, high_z] = std::minmax({a.z, b.z, c.z});
   if (from[0].z < low_z || from[0].z > high_z) return 0;
-  // The ray begins at p + ε q + ε² r + ε³ s for corners p, q, r, s: the first of them on either side decides.
+  // The ray begins at p + ε q + ε² r + ε³ s for corners p, q, r, s: the first corner that is not on the line decides.
   const auto side_of_line = [&](const Point3& u, const Point3& v) {
     for (const Point3& p : from)
       if (const int side = orientation_along(u, v, p, 0); side != 0) return side;
@@ -29,7 +28,7 @@ inline int ray_crossing(const std::array<Point3, 3>& triangle, const std::array<
   };
   const int first = side_of_line(a, b);
   if (first == 0 || side_of_line(b, c) != first || side_of_line(c, a) != first) return 0;
-  // The triangle is ahead if the beginning is on the side from which the ray comes.
+  // The triangle is ahead of the ray if the beginning is on the side of the plane from which the ray comes.
   for (const Point3& p : from)
     if (const int side = orientation(a, b, c, p); side != 0) return side == -first ? first : 0;
   return 0;

@@ -1,10 +1,10 @@
-// What:   the ball of a given radius that rests on three points: whether it exists, and which points it contains.
-// Law:    exact for every finite input. The ball counts as larger by an infinitesimal, and points as moved by even
-//         smaller ones (the symbolic perturbation), so that no fourth point touches the ball.
+// What:   tests whether a ball of a given radius rests on three points, and which points this ball contains.
+// Law:    exact for every finite input. The ball counts as larger by an infinitesimal, and points count as moved by
+//         even smaller infinitesimals (the symbolic perturbation), so that no fourth point touches the ball.
 //         docs/explanation/surfaces.md, sections 10 and 14.
 // How:    a floating-point filter whose bounds are computed with the ball (docs/explanation/surfaces.md, section 15);
 //         then long double, then integers of any length.
-// Cost:   about sixty operations for each ball, and fifteen for each point; microseconds where a filter fails.
+// Cost:   about sixty operations for a ball, and fifteen for a test of a point; microseconds where a filter fails.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@
 
 namespace rbpa::space {
 
-/// Returns whether q is in the ball of radius `radius` that rests on a, b and c: by integers; if q touches it,
-/// by the perturbation.
+/// Returns whether q is in the ball of radius `radius` that rests on a, b and c. Integers decide; if q touches the
+/// ball, the perturbation decides.
 /// Requires: the circumradius of a, b and c is at most `radius`.
 bool in_ball_exactly(const Point3& a, const Point3& b, const Point3& c, double radius, const Point3& q);
 
@@ -35,9 +35,9 @@ class RestingBall {
   static constexpr Real unit_roundoff =
       std::numeric_limits<Real>::epsilon() / 2;  ///< the relative error of one rounding
 
-  /// Makes an object without a ball.
+  /// Makes an object without a ball; rests() is false.
   RestingBall() = default;
-  /// Requires: distinct points, a finite radius above 0.
+  /// Makes the ball if it exists. Requires: distinct points, a finite radius above 0.
   RestingBall(const Point3& a, const Point3& b, const Point3& c, double radius) : a_(a), b_(b), c_(c), radius_(radius) {
     rests_ = fill_in();
   }
@@ -45,7 +45,7 @@ class RestingBall {
   /// Returns whether the ball exists: whether the circumradius of the three points is at most the radius.
   bool rests() const { return rests_; }
 
-  /// Returns whether q is inside. Requires: q is none of the three; the ball rests.
+  /// Returns whether q is inside the ball. Requires: rests(); q is not a, b or c.
   bool contains(const Point3& q) const {
     const Estimate power = power_of(q);
     if (power.value > power.bound) return false;
@@ -53,7 +53,8 @@ class RestingBall {
     return decide(q);
   }
 
-  /// Returns the side of the plane of a, b and c on which q is: 1 the side of the center, −1 the other, 0 in the plane.
+  /// Returns the side of the plane of a, b and c on which q is: 1 for the side from which a, b, c are
+  /// counter-clockwise, −1 for the other side, 0 in the plane. Requires: an object with three points.
   int side_of_plane(const Point3& q) const {
     const Vector3<Real> d = from<Real>(a_, q);
     const Real height = dot(normal_, d);

@@ -13,7 +13,7 @@
 namespace rbpa::space {
 namespace {
 
-/// Compares as Point3 does, but without NaN.
+/// Returns whether p is before q in lexicographic order. Requires: no NaN.
 bool is_less(const Point3& p, const Point3& q) {
   if (p.x != q.x) return p.x < q.x;
   return p.y != q.y ? p.y < q.y : p.z < q.z;
@@ -29,10 +29,10 @@ struct Minor {
 }  // namespace
 
 bool pulled_into_sphere(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q) {
-  // q = Σ λ corner, Σ λ = 1. The perturbed height of q above the corners is ε(q) − Σ λ ε(corner). The largest ε that
-  // does not vanish decides, and λ has the sign of the tetrahedron with q in place of the corner.
+  // Let q = Σ λ corner with Σ λ = 1. The perturbed height of q above the corners is ε(q) − Σ λ ε(corner). The largest ε
+  // whose coefficient is not 0 decides. λ has the sign of the tetrahedron with q in place of the corner.
   std::array<const Point3*, 4> corners = {&a, &b, &c, &d};
-  std::array<std::size_t, 4> left = {0, 1, 2, 3};  // corners not tried yet; not sorted, as usually one corner decides
+  std::array<std::size_t, 4> left = {0, 1, 2, 3};  // corners not tried yet, not sorted: usually one decides
   for (std::size_t count = 4; count > 0; --count) {
     std::size_t largest = 0;
     for (std::size_t i = 1; i < count; ++i)
@@ -124,7 +124,7 @@ bool BeyondFilter::is_inside(const Point3& a, const Point3& b, const Point3& c, 
   if (error < exact_below_) return value != 0 ? value > 0 : pulled_into_sphere(a, b, c, d, q);
   if (const auto in = in_sphere_on_grid(a, b, c, d, q, radii)) return *in;
   if (is_exact_) {
-    // The terms are the same; the error of each is 72 u² instead of 20 u.
+    // The bound of the double-double error has 72 u² in place of 20 u for each term.
     const double finer = in_sphere_by_double_double(a, b, c, d, q, radii);
     if (std::abs(finer) > 0x1p-51 * error) return finer > 0;
   }

@@ -1,4 +1,4 @@
-// What: the sphere through four points, prepared for the most frequent test: is another point inside?
+// What: prepares the sphere through four points for the most frequent test, whether another point is inside.
 // How:  stores the minors of the first three rows of the in-sphere determinant; four products remain for a point q:
 //
 //                  | a − d   |a − d|² |
@@ -6,11 +6,11 @@
 //                  | c − d   |c − d|² |
 //                  | q − d   |q − d|² |
 //
-//       A corner may be at infinity. Its row is (0, 0, 0, 1), the limit of a far corner's row divided by its lift: the
-//       sphere is the half-space beyond the plane through the others, and V is the same four products. Points may be
-//       balls, which have a weight, the square of their radius: of each row's square the difference of the weights of
-//       the point and of d is subtracted.
-// Law:  |V computed − V| ≤ error; docs/explanation/exact_decisions.md, section 7, derives the filter's bound.
+//       A corner may be at infinity. Its row is (0, 0, 0, 1), the limit of a far corner's row divided by the corner's
+//       lift: the sphere is the half-space beyond the plane through the other corners, and V has four products, too.
+//       Points may be balls, whose weights are their squared radii: the weight of the point minus that of d is
+//       subtracted from the square in each row.
+// Law:  |computed V − V| ≤ error; docs/explanation/exact_decisions.md, section 7, derives the bound of the error.
 #pragma once
 
 #include <algorithm>
@@ -21,9 +21,9 @@
 
 namespace rbpa::space {
 
-/// A corner relative to corner d, with its squared length and its length. A length below 2^−200 counts as 2^−200: its
-/// square may underflow, and error bounds need no less than the length. Lengths are at least 2^−150 unless coordinates
-/// were rounded (spread.h).
+/// The vector from corner d to another corner, with its squared length and its length. A length below 2^−200 is stored
+/// as 2^−200: its square may underflow, and error bounds need a number that is not below the length. Lengths are at
+/// least 2^−150 unless coordinates were rounded (spread.h).
 struct Spoke {
   double x, y, z, square, length;
 
@@ -36,8 +36,8 @@ struct Spoke {
   double reach() const { return length; }
 };
 
-/// A spoke from ball to ball: its square is less the difference of the weights, its reach the sum of both by absolute
-/// value, divided by the length.
+/// A spoke from ball to ball. `square` is the squared length minus the difference of weights; `reach_` is the squared
+/// length plus the absolute difference, divided by the length.
 struct WeightedSpoke : Spoke {
   double reach_;
 
@@ -49,11 +49,11 @@ struct WeightedSpoke : Spoke {
   double reach() const { return reach_; }
 };
 
-/// Returns the difference of the weights of two balls, R² − S², with three roundings.
+/// Returns R² − S², the difference of the weights of two balls, with three roundings.
 inline double weight_difference(double R, double S) { return (R - S) * (R + S); }
 
-/// A bound for the error of V(q): constant + slope |q − d|², or with the difference of weights by absolute value in
-/// place of 0: constant + slope (|q − d|² + |difference|). Stored as the first 32 bits of two doubles, rounded up.
+/// A bound for the error of V(q): constant + slope · |q − d|² for points, constant + slope · (|q − d|² + |difference of
+/// weights|) for balls. The two doubles are rounded up and stored by their first 32 bits.
 class ErrorBound {
  public:
   ErrorBound() = default;
@@ -61,7 +61,7 @@ class ErrorBound {
       : bits_(((std::bit_cast<std::uint64_t>(constant) >> 32U) + 1) |
               ((std::bit_cast<std::uint64_t>(slope) & high_bits) + low_one)) {}
 
-  /// Returns the mark of a deleted tetrahedron: NaN, so that no comparison with it is true.
+  /// Returns the mark of a deleted tetrahedron. Its numbers are NaN, so that no comparison with the bound is true.
   static ErrorBound deleted() {
     ErrorBound bound;
     bound.bits_ = ~std::uint64_t{0};
@@ -94,22 +94,23 @@ inline SphereMinors sphere_minors(const Spoke& a, const Spoke& b, const Spoke& c
           -(a.x * ys - a.y * xs + a.square * xy), a.x * yz - a.y * xz + a.z * xy};
 }
 
-/// Filter constant: errors are below this times the lengths of docs/explanation/exact_decisions.md, section 7. It
-/// covers 20 roundings there, and some of the bound itself; 18 with weights are less than 21.
+/// Constant of the filter: errors are below this constant times the lengths in docs/explanation/exact_decisions.md,
+/// section 7. It covers the roundings of V, 20 for points and less than 21 with weights, and those of the bound.
 inline constexpr double in_sphere_filter = 24 * 0x1p-53;
 
-/// Returns the error bound of V by sphere_minors(a, b, c). Requires: no corner at infinity; `underflow` is
-/// Spread::underflow().
+/// Returns the bound of the error of V with the minors of sphere_minors(a, b, c). Requires: no corner at infinity;
+/// `underflow` is Spread::underflow().
 template <typename AnySpoke>
 ErrorBound sphere_error(const AnySpoke& a, const AnySpoke& b, const AnySpoke& c, double underflow) {
   const double sum = a.reach() + b.reach() + c.reach(), weight = in_sphere_filter * (a.length * b.length * c.length);
   return {0.5 * weight * sum * sum + underflow, 1.5 * weight};
 }
 
-/// Returns the same bound if one corner is at infinity. Requires: its spoke is Spoke::to_infinity(), of length 0.
+/// Returns the bound of the error of V if one corner is at infinity. Requires: one spoke is Spoke::to_infinity(), of
+/// length 0; `underflow` is Spread::underflow().
 inline ErrorBound half_space_error(const Spoke& a, const Spoke& b, const Spoke& c, double underflow) {
   const double sum = a.length + b.length + c.length;
-  // The second largest length by itself: a difference from the sum is rounded to 0 where it is that much shorter.
+  // The second largest length is not computed as sum − first, which would be rounded to 0 for a much shorter length.
   const double first = std::max({a.length, b.length, c.length}),
                second =
                    std::max({std::min(a.length, b.length), std::min(b.length, c.length), std::min(c.length, a.length)});
@@ -120,8 +121,8 @@ inline ErrorBound half_space_error(const Spoke& a, const Spoke& b, const Spoke& 
 /// The comparison of a sphere's radius with alpha.
 enum class RadiusSide { within, beyond, unknown };
 
-/// Compares the radius with alpha by the minors, where nothing underflows; docs/explanation/exact_decisions.md, section
-/// 7.
+/// Returns the comparison of the radius with alpha by the minors, or `unknown` where it is not certain
+/// (docs/explanation/exact_decisions.md, section 7).
 inline RadiusSide radius_side(const SphereMinors& m, const ErrorBound& error, double alpha) {
   // (m0, m1, m2) is 2 minor 3 times the vector to the circumcenter.
   constexpr double up = 1 + 0x1p-48, down = 1 - 0x1p-48;

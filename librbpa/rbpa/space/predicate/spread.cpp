@@ -9,7 +9,7 @@
 namespace rbpa::space {
 
 Spread spread(std::span<const Point3> points, std::span<const double> radii) {
-  // Finds the lowest and the highest bit of all coordinates and radii.
+  // Find the exponents of the lowest and the highest bit of all coordinates and radii.
   int lowest = 2000, highest = -2000;
   const auto look = [&](double coordinate) {
     const auto bits = std::bit_cast<std::uint64_t>(coordinate);
@@ -27,9 +27,9 @@ Spread spread(std::span<const Point3> points, std::span<const double> radii) {
     look(p.z);
   }
   for (const double radius : radii) look(radius);
-  if (lowest > highest) return {};  // all are 0
+  if (lowest > highest) return {};  // all values are 0
   if (fits_double({lowest, highest})) return {0, lowest, true};
-  // Scales the greatest coordinate to about 1, as far as the lowest bit allows; a larger spread loses low bits.
+  // Scale the greatest coordinate to about 1, as far as the lowest bit allows. A greater spread loses low bits.
   const int exponent = std::min(std::max(-highest, least_in_double - lowest), largest_in_double - highest);
   return {exponent, lowest + exponent, lowest + exponent >= least_in_double};
 }

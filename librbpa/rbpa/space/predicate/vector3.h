@@ -1,5 +1,5 @@
-// What: computes differences of points in space and their products, in any type of number; rounded numbers,
-//       distances and volumes.
+// What: computes differences of points in space and their products in any type of number, and rounded distances and
+//       volumes.
 #pragma once
 
 #include <algorithm>
@@ -39,12 +39,12 @@ Vector3<Real> cross(const Vector3<Real>& u, const Vector3<Real>& v) {
   return {u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
 }
 
-/// Returns the number rounded to float. Not inlined, as g++ 12 leaves the rounding out where it vectorizes two of them.
+/// Returns the number rounded to float. Not inlined, as g++ 12 omits the rounding when it vectorizes two calls.
 [[gnu::noinline]] inline double to_single(double x) { return static_cast<double>(static_cast<float>(x)); }
 
 inline double distance(const Point3& a, const Point3& b) { return std::hypot(b.x - a.x, b.y - a.y, b.z - a.z); }
 
-/// Returns the volume of a tetrahedron, rounded; independent of the order of its corners.
+/// Returns the volume of a tetrahedron, with rounding errors. The result does not depend on the order of corners.
 template <typename Real>
 Real volume(std::span<const Point3> points, const std::array<std::uint32_t, 4>& corners) {
   std::array<Point3, 4> p = {points[corners[0]], points[corners[1]], points[corners[2]], points[corners[3]]};

@@ -15,7 +15,7 @@ namespace {
 
 std::ptrdiff_t count_of(const std::vector<bool>& which) { return std::count(which.begin(), which.end(), true); }
 
-/// Returns the `kept` triangles of a surface, without components that thereby become islands; clears these in `kept`.
+/// Returns the `kept` triangles of a surface, except components that thereby become islands; clears the flags of these.
 /// Requires: `kept` has one entry for each triangle.
 Surface part_of(std::span<const Point3> points, const Surface& whole, std::vector<bool>& kept, const GoOn& go_on) {
   for (;;) {
@@ -55,8 +55,8 @@ std::vector<bool> touching_points(std::span<const Point3> points, const Surface&
 
 ClosedSurface close_surface(std::span<const Point3> points, const Surface& surface, const SurfaceOptions& options) {
   constexpr int rounds = 4;
-  constexpr double most = 0.05;         // fraction of the triangles that are removed
-  constexpr std::size_t longest = 256;  // edges of a curve around which triangles are removed
+  constexpr double most = 0.05;         // maximum fraction of the triangles that are removed
+  constexpr std::size_t longest = 256;  // maximum number of edges of an open curve in a round
   const GoOn go_on = go_on_of(options.progress, points.size(), surface.triangles.size());
   ClosedSurface best = fill_all(points, surface, options, go_on);
   // Triangles are removed around open curves and, once there are none, around points where sheets touch.

@@ -1,7 +1,7 @@
 // What: finds the triangles of a mesh in space that cross each other.
 // Law:  exact; a function of the points and triangles.
-// Cost: a tree of their bounding boxes, and an exact test for each pair whose boxes meet: some tens of nanoseconds
-//       where a plane separates them.
+// Cost: that of a tree of the triangles' bounding boxes, and of an exact test for each pair whose boxes meet: some tens
+//       of nanoseconds if a plane separates the pair.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 namespace rbpa {
 
 /// Returns the pairs of triangles that cross: they overlap, one pierces the other, or they touch elsewhere than in a
-/// common corner or along a common side; corners are common if they are equal as points. Pairs are indices i < j in
+/// common corner or along a common side. Corners are common if they are equal as points. Pairs are indices i < j in
 /// lexicographic order; only the first `most` are returned. Triangles of no area cross nothing.
 /// Requires: finite points, fewer than 2^32 − 1.
 /// Throws:   InvalidInput that names the violated requirement; ContractViolation when a corner is not an index of a

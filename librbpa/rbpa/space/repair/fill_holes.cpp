@@ -28,7 +28,7 @@ using space::Chord;
 using space::RimTriangle;
 using space::SimpleLoop;
 
-/// Returns how many further triangulations are tried for a loop of `corners` corners: more if one costs less.
+/// Returns the maximum number of further triangulations that are tried for a loop; more if a triangulation costs less.
 std::size_t attempts_for(std::size_t corners) {
   constexpr std::size_t most = 100, least = 10, steps = 100'000'000;
   const std::size_t each = std::min(corners, std::size_t{300}) * std::min(corners, std::size_t{300}) * corners / 6 + 1;
@@ -77,8 +77,8 @@ class Closing {
   }
 
   HoleFilling run() {
-    // The best filling of each loop alone comes first. Then the loops are closed in a fixed order, because each may
-    // obstruct the next.
+    // The best filling of each loop alone is found first. Then the loops are closed in a fixed order, because each
+    // filling may obstruct the next one.
     std::vector<std::optional<space::RimFilling>> first(loops_.size());
     std::vector<std::vector<Chord>> taken(loops_.size());
     for_each_index(threads_, loops_.size(), [&](std::size_t i) {
@@ -120,7 +120,7 @@ class Closing {
       if (candidates.empty()) candidates = space::candidate_chords(rim, work_.steps());
       filling = space::least_triangulation(rim, candidates, chords, triangles, work_.steps());
     }
-    if (fill.outcome != HoleOutcome::filled) return;  // set by an earlier part of the loop
+    if (fill.outcome != HoleOutcome::filled) return;  // an earlier part of the loop has set it
     fill.outcome = has_crossed ? HoleOutcome::crosses : !taken.empty() ? HoleOutcome::edge_taken : HoleOutcome::no_area;
   }
 
@@ -137,7 +137,7 @@ class Closing {
     for (const space::LoopCorner& corner : loop.corners) vertices_.join(corner.in, corner.out);
   }
 
-  /// Appends the new triangles, loop by loop, with the final vertices.
+  /// Appends the new triangles, loop by loop, and replaces merged vertices in all triangles.
   void assemble() {
     std::vector<std::uint32_t> order(loops_.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -154,7 +154,7 @@ class Closing {
 
   std::span<const Point3> points_;
   std::mutex one_call_;
-  std::size_t made_ = 0;  // number of new triangles so far
+  std::size_t made_ = 0;  // number of new triangles up to now
   GoOn go_on_;
   space::Work work_;
   std::vector<SimpleLoop> loops_;
@@ -166,13 +166,13 @@ class Closing {
   Threads threads_;
 };
 
-/// A second attempt: loops that cannot be closed one by one, because an island lies in the hole, are closed together.
-/// Strips of two triangles join them to one loop, which is then closed like any other.
+/// Joins loops, in a second attempt. Loops that cannot be closed alone, because an island lies in the hole, are closed
+/// together: strips of two triangles join them to one loop, which is closed like any other.
 class Joining {
  public:
   using Loop = std::vector<std::uint32_t>;
 
-  /// Keeps references to all arguments except `result`, which is the result of closing the loops one by one.
+  /// Keeps references to all arguments except `result`, the result of closing each loop alone.
   Joining(std::span<const Point3> points, std::span<const Loop> loops, const SurfaceOptions& options,
           HoleFilling result)
       : points_(points),
@@ -202,7 +202,7 @@ class Joining {
     bool is_closed = false;
   };
 
-  /// Returns the loops that are open because of crossings, still boundary, and visit no point twice; the longest first.
+  /// Returns the loops that stay open due to crossings, are still boundary, and visit no point twice; longest first.
   std::vector<Open> open_loops() {
     std::vector<Open> open;
     if (std::count_if(result_.loops.begin(), result_.loops.end(), crosses) < 2) return open;
@@ -243,7 +243,7 @@ class Joining {
 
   static bool crosses(const HoleFill& fill) { return fill.outcome == HoleOutcome::crosses && fill.triangles == 0; }
 
-  /// Joins near open loops to number `first`, one at a time, until the joined loop can be closed.
+  /// Joins near open loops to loop number `first`, one after the other, until the joined loop can be closed.
   void close_with_others(std::vector<Open>& open, std::size_t first) {
     Loop joined = loops_[open[first].number];
     space::Box box = open[first].box;
@@ -293,7 +293,7 @@ class Joining {
   }
 
   /// Returns whether a triangle crosses an existing one or has no area. Counts all near triangles as work, also after a
-  /// hit, so that the count does not depend on their order.
+  /// crossing is found, so that the count does not depend on the order of the triangles.
   bool is_in_the_way(const Triangle& triangle) {
     const space::Corners own = corners_of(triangle);
     if (space::are_collinear(own[0], own[1], own[2])) return true;
@@ -324,7 +324,7 @@ class Joining {
     return true;
   }
 
-  /// Returns whether two triangles have a side in the same direction between the same vertices.
+  /// Returns whether two triangles have a side between the same vertices in the same direction.
   bool has_common_side(std::span<const Triangle> triangles) {
     const std::vector<space::TriangleSide> sides = space::sorted_sides(triangles, {}, work_.steps());
     return std::adjacent_find(sides.begin(), sides.end(), [](const auto& s, const auto& t) {

@@ -35,7 +35,7 @@ std::vector<Triangle> triangles_of(const meshops::Connectivity& mesh) {
   return triangles;
 }
 
-/// Returns the vertices along a curve, the one of lowest index first.
+/// Returns the vertices along a curve, from the vertex of lowest index on.
 std::vector<std::uint32_t> loop_of(const meshops::Connectivity& mesh, const meshops::BoundaryCurve& curve) {
   std::vector<std::uint32_t> loop;
   for (const meshops::Halfedge h : curve) {
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> loop_of(const meshops::Connectivity& mesh, const mesh
   return loop;
 }
 
-/// Glues boundary halfedges that lie on each other where vertices on one site are merged: a slit.
+/// Glues pairs of boundary halfedges that form a slit, as the vertices at their ends are merged.
 void zip(meshops::Connectivity& mesh, std::span<const meshops::Site> site_of) {
   std::map<std::pair<meshops::Site, meshops::Site>, meshops::Halfedge> open;
   const auto site = [&](meshops::Vertex v) { return site_of[static_cast<std::size_t>(v.idx())]; };
@@ -81,7 +81,7 @@ FilledMesh fill_holes(meshops::Connectivity& mesh, std::span<const Point3> place
                    "fill_holes: a curve is given twice, expected once");
   HoleFilling filling = fill_holes(places, triangles, loops, options);
 
-  // Vertices that are merged are on one site of a front.
+  // Vertices that are merged are on one site of the front.
   std::vector<meshops::Site> site_of(mesh.n_vertices());
   for (std::size_t v = 0; v < site_of.size(); ++v) site_of[v] = static_cast<meshops::Site>(v);
   for (std::size_t t = 0; t < triangles.size(); ++t)

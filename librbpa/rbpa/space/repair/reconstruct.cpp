@@ -23,12 +23,12 @@ using Numbers = std::vector<std::uint32_t>;
 /// The points over which the ball rolls, with their normals.
 struct RolledPoints {
   std::vector<Point3> points, normals;
-  std::vector<Point3> unmoved = {};  // places in the result; empty: as `points`
+  std::vector<Point3> unmoved = {};  // places in the result; empty if equal to `points`
   std::vector<double> confidence = {};
 
   std::span<const Point3> places() const { return unmoved.empty() ? points : unmoved; }
 
-  /// Appends the added points. The attributes of each are means of those of the three points around it.
+  /// Appends the added points. The attributes of each added point are means of those of the three points around it.
   void add(const AddedPoints& added) {
     for (std::vector<Point3>* all : {&points, &unmoved})
       if (!all->empty()) all->insert(all->end(), added.points.begin(), added.points.end());
@@ -86,7 +86,7 @@ struct WholeInput {
   }
 };
 
-/// Returns `curves` with the causes that `known` has for their edges.
+/// Returns `curves`. Edges that `known` has, too, get their causes from it.
 std::vector<Hole> with_causes(std::vector<Hole> curves, std::span<const Hole> known) {
   const auto key = [](const RimEdge& edge) { return std::make_pair(edge.triangle, edge.from); };
   std::map<std::pair<std::uint32_t, std::uint32_t>, RimEdge> edges;
@@ -98,7 +98,7 @@ std::vector<Hole> with_causes(std::vector<Hole> curves, std::span<const Hole> kn
   return curves;
 }
 
-/// The suggested repairs by curve; a curve is identified by its first edge and its number of edges.
+/// The suggested repairs by curve. A curve is identified by its first edge and its number of edges.
 class RepairsOfCurves {
  public:
   RepairsOfCurves() = default;
@@ -106,7 +106,7 @@ class RepairsOfCurves {
     for (std::size_t i = 0; i < curves.size(); ++i) repairs_.emplace(key_of(curves[i]), repairs[i]);
   }
 
-  /// Returns the repair of each curve of kind `hole`, a default one if the curve has changed; nothing for other kinds.
+  /// Returns the repair of each curve of kind `hole`, a default one if the curve has changed. Other kinds have none.
   std::vector<std::optional<SuggestedRepair>> of(std::span<const Hole> curves, std::span<const CurveKind> kinds) const {
     std::vector<std::optional<SuggestedRepair>> result(curves.size());
     for (std::size_t i = 0; i < curves.size(); ++i) {
@@ -234,10 +234,10 @@ class Reconstructing {
       radii = auto_radii(cloud_.points, begin(Step::radii));
       for (double& radius : radii) radius = std::min(radius, options_.max_radius);
       radii.erase(std::unique(radii.begin(), radii.end()), radii.end());
-      // The largest spans the gaps everywhere.
+      // The largest radius spans the gaps everywhere.
       if (!has_normals && radii.size() > 1) radii = {radii.back()};
     }
-    // auto_radii() is empty for points on one line, and for fewer than three; a ball needs some radius.
+    // auto_radii() is empty for points on one line and for fewer than three points, but a ball needs some radius.
     radii_ = radii.empty() ? std::vector<double>{1} : radii;
     made_.surface = has_normals ? surface(cloud_.points, normals(), radii_, begin(Step::rolling))
                                 : exposed_triangles(cloud_.points, radii_.back(), begin(Step::rolling));
@@ -278,7 +278,7 @@ class Reconstructing {
     if (std::find(kept.begin(), kept.end(), false) == kept.end()) return;
     const GoOn go_on = counting();
     made_.dropped = dropped_components(cloud_.points, kept, made_.surface, made_.components, go_on);
-    Numbers number;  // new number of each kept triangle; for others, of the next kept one
+    Numbers number;  // new number of each kept triangle; for a dropped one, of the next kept one
     std::uint32_t next = 0;
     for (const std::uint32_t c : made_.components.number) {
       number.push_back(next);
@@ -400,7 +400,7 @@ void renumber(Reconstruction& made, std::span<const std::uint32_t> number) {
     for (RimEdge& edge : hole.edges) {
       edge.from = number[edge.from];
       edge.to = number[edge.to];
-      if (edge.next != decltype(edge.next){}) all(edge.next);  // else there is none
+      if (edge.next != decltype(edge.next){}) all(edge.next);  // otherwise `next` is not set
     }
   all(made.outliers.points);
 }

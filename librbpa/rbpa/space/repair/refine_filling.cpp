@@ -32,7 +32,7 @@ using space::FillingPatch;
 using space::FillingRim;
 using space::Vector;
 
-/// The degree of refinement of a patch: smooth, flat, or none.
+/// The stage of refinement of a patch: with moved points, with added points in place, or without added points.
 enum class Stage : std::uint8_t { coarse, flat, smooth };
 
 /// A patch at one stage. Vertices of the rim have the lower numbers.
@@ -42,7 +42,7 @@ struct Refined {
 };
 
 struct Patch {
-  Indices triangles;  // numbers of the patch's triangles in the surface
+  Indices triangles;  // triangles of the patch, by their numbers in the surface
   Indices rim;        // vertices of the patch, sorted by place
   std::optional<Refined> smooth, flat;
   Stage stage = Stage::coarse;
@@ -51,7 +51,7 @@ struct Patch {
   void lower() { stage = stage == Stage::smooth && flat ? Stage::flat : Stage::coarse; }
 };
 
-/// The triangles at each vertex, and the vertices and edges on the boundary.
+/// The triangles at each vertex of a surface, and marks of the vertices that triangles surround.
 class Fans {
  public:
   Fans(std::span<const Point3> points, const Surface& surface, const GoOn& go_on)
@@ -91,7 +91,7 @@ double distance(const Vector& u, const Vector& v) {
   return std::sqrt(dot(d, d));
 }
 
-/// The input for the refinement of a patch, which depends on places, not on numbers.
+/// The input for the refinement of a patch. It depends on places, not on numbers.
 class PatchInput {
  public:
   PatchInput(const Fans& fans, const Patch& patch, const std::vector<bool>& is_new, meshops::Steps& step)
@@ -141,7 +141,7 @@ class PatchInput {
     rim_.triangles.neighbors = std::move(linked.neighbors);
   }
 
-  /// Adds to rim_ what is at v outside of the patch: curvature, edges to other rim vertices, mean length of edges.
+  /// Adds to rim_ the values at v outside of the patch: curvature, edges to other rim vertices, mean length of edges.
   void take_outside(std::uint32_t v, const std::vector<bool>& is_new) {
     Indices around, outside;
     for (const std::uint32_t t : fans_.triangles_at(v)) {
@@ -166,7 +166,7 @@ class PatchInput {
                                           : sum / static_cast<double>(lengths.size()));
   }
 
-  /// Returns the curvature at v of `triangles`, summed in an order that does not depend on their numbers.
+  /// Returns the curvature of `triangles` at v, summed in an order that does not depend on triangle numbers.
   space::FanCurvature curvature_at(std::uint32_t v, std::span<const std::uint32_t> triangles) const {
     std::vector<std::pair<Point3, Point3>> across;
     for (const std::uint32_t t : triangles) {
@@ -180,8 +180,8 @@ class PatchInput {
     return fan;
   }
 
-  /// Returns twice the mean curvature over the two rings of vertices next to rim vertex v; nothing if no vertex counts.
-  /// Vertices count if triangles surround them, none of them in the patch.
+  /// Returns twice the mean curvature over the two rings of vertices next to rim vertex v. Only vertices count that
+  /// triangles surround, none of them in the patch. Returns nothing if no vertex counts.
   std::optional<double> bend_outside(std::uint32_t v) const {
     const auto neighbors_of = [&](const Indices& of) {
       Indices others;
@@ -236,7 +236,7 @@ class Refining {
   }
 
  private:
-  /// Finds the patches: the connected components of the new triangles, in the order of places.
+  /// Finds the patches: the connected components of the new triangles, in the order of their places.
   void find_patches() {
     meshops::DisjointSets connected(surface_.triangles.size());
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t)
@@ -274,7 +274,7 @@ class Refining {
   }
 
   void refine(Patch& patch, meshops::Steps& step) const {
-    constexpr std::size_t most = std::size_t{1} << 20U;  // added points at which refining a patch stops
+    constexpr std::size_t most = std::size_t{1} << 20U;  // number of added points at which refining a patch stops
     // A filling with two vertices at one place is not a disk with distinct corners.
     const auto is_same = [&](std::uint32_t v, std::uint32_t w) { return fans_.place(v) == fans_.place(w); };
     if (std::adjacent_find(patch.rim.begin(), patch.rim.end(), is_same) != patch.rim.end()) return;

@@ -36,7 +36,7 @@ using Indices = std::vector<std::uint32_t>;
 
 constexpr double ladder = 1.25;           // ratio of consecutive radii of larger balls
 constexpr int steps = 12;                 // number of larger radii that are tried
-constexpr double close_enough = 0x1p-10;  // relative distance to a radius that fails, at which bisection ends
+constexpr double close_enough = 0x1p-10;  // relative distance to a failing radius at which bisection ends
 
 Indices rim_of(const Hole& hole) {
   Indices rim;
@@ -51,7 +51,8 @@ double diagonal_of(const Hole& hole, std::span<const Point3> points) {
   return std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z);
 }
 
-/// Returns the least double that is not below the circumradius of (a, b, c). Requires: `enough` is not below it.
+/// Returns the least double that is not below the circumradius of (a, b, c). Requires: `enough` is not below the
+/// circumradius.
 double least_radius(const Point3& a, const Point3& b, const Point3& c, double enough) {
   // Positive doubles are ordered like their bits
   std::uint64_t too_small = 0, large = std::bit_cast<std::uint64_t>(enough);
@@ -63,15 +64,15 @@ double least_radius(const Point3& a, const Point3& b, const Point3& c, double en
   return std::bit_cast<double>(large);
 }
 
-/// The effect of a larger ball on a hole.
+/// Tests whether a larger ball closes a hole.
 class LargerBall {
  public:
-  /// Keeps references. Requires: no ball is larger than the radius of `near`.
+  /// Keeps references. Requires: each radius passed to closes() is at most the radius of `near`.
   LargerBall(const space::LocalSurfaces& surfaces, const space::NeighborhoodFinder& near, std::uint32_t level)
       : surfaces_(surfaces), near_(near), level_(level) {}
 
-  /// Returns the least radius at which the ball may rest on all triangles that close the hole, if it closes the hole at
-  /// `radius`; else nothing.
+  /// Returns the least radius at which the ball may rest on all triangles that close the hole, if the ball of `radius`
+  /// closes the hole; otherwise nothing.
   std::optional<double> closes(const Hole& hole, double radius) const {
     constexpr std::size_t most_points = 4096;
     Indices wanted = rim_of(hole);
@@ -91,12 +92,12 @@ class LargerBall {
   }
 
  private:
-  /// The triangles added next to a hole.
+  /// The triangles that the larger ball adds next to a hole.
   struct Spread {
     std::vector<Triangle> added;
-    /// Corners around which there may be more triangles than are known; empty: nothing is missing
+    /// Corners around which there may be more triangles than are known. Empty if no triangle is missing.
     Indices beyond;
-    bool is_open = false;  ///< an edge of the hole, or of an added triangle, is still open
+    bool is_open = false;  ///< whether an edge of the hole, or of an added triangle, is open
   };
 
   Spread spread_from(const Hole& hole, const space::LocalSurface& local, const std::vector<std::uint8_t>& known) const {
@@ -132,7 +133,7 @@ class LargerBall {
     return spread;
   }
 
-  /// Returns the triangle of the surface at a rim edge, and its side there.
+  /// Returns the triangle of the local surface at a rim edge, and the side of the triangle at the edge.
   std::pair<std::uint32_t, std::size_t> side_at(const RimEdge& edge, const space::LocalSurface& local) const {
     Triangle corners = surfaces_.corners_of(edge.triangle);
     for (std::uint32_t& corner : corners) corner = local.number_of(corner);
@@ -184,7 +185,7 @@ class Repairs {
   }
 
  private:
-  /// Calls attempt(hole, repair, near) for the wanted holes without a suggested repair; `near` finds the neighborhoods
+  /// Calls attempt(hole, repair, near) for the wanted holes without a suggested repair. `near` finds the neighborhoods
   /// within the radius.
   template <typename IsWanted, typename Attempt>
   void for_each_left(double radius, const IsWanted& is_wanted, const Attempt& attempt) {
@@ -221,9 +222,9 @@ class Repairs {
     Indices at = rim_of(hole);
     at.insert(at.end(), turned.begin(), turned.end());
     sort_unique(at);
-    // The triangles that a radius adds at a point depend on those of smaller radii at the points that its ball touches
-    // there. So each radius extends the changed part by one neighborhood, and as many neighborhoods more are needed to
-    // compute that part as in the whole surface.
+    // The triangles that a radius adds at a point depend on the triangles of smaller radii at the points that the ball
+    // touches from there. So each radius extends the changed part by one neighborhood. As many further neighborhoods
+    // are needed to compute the changed part as in the whole surface.
     Indices changed = at, input;
     for (std::size_t i = 0; i < radii_.size(); ++i) changed = near.around(changed);
     input = changed;
@@ -287,8 +288,8 @@ class Repairs {
     for_each_left(radius, is_wanted, attempt);
   }
 
-  /// Returns the least radius found that closes the hole, at most `radius`, which closes it. Tries `least` first, at
-  /// which the ball may rest on all triangles that close the hole; if such a ball contains another point, bisects.
+  /// Returns the least radius found that closes the hole, at most `radius`, which closes it. First tries `least`, at
+  /// which the ball may rest on all triangles that close the hole; if that ball contains another point, bisects.
   static double least_closing(const LargerBall& ball, const Hole& hole, double too_small, double radius, double least) {
     while (least < radius && radius > too_small * (1 + close_enough)) {
       const double smaller = least > too_small ? least : too_small + (radius - too_small) / 2;

@@ -22,38 +22,39 @@
 
 namespace rbpa {
 
-/// Maximum number of pairs of crossing triangles that a check for watertightness lists.
+/// Maximum number of pairs of crossing triangles that make_watertight() lists.
 inline constexpr std::size_t most_crossing_pairs = 1000;
 
 struct WatertightOptions {
   const SurfaceComponents* components = nullptr;  ///< the surface_components(), if they are known
-  /// For each component of the surface, whether it may stay; empty: all may.
+  /// For each component of the surface, whether it may stay. If empty, all may.
   std::vector<bool> kept = {};
-  /// The final position of each point, by which fillings are refined and crossings found; empty: the given position, by
-  /// which holes are filled. The two differ if scale_space() moved the points.
+  /// The final position of each point, by which fillings are refined and crossings found. If empty, the given position.
+  /// Holes are filled by the given positions. The two differ if scale_space() moved the points.
   std::span<const Point3> places = {};
   bool refine = false;  ///< refines the fillings
 };
 
-/// A surface closed as far as possible. `kept` has a flag for each triangle of the given surface, also of islands.
+/// A surface closed as far as possible. `kept` has a flag for each triangle of the given surface, islands included.
 struct WatertightSurface : ClosedSurface {
   std::vector<bool> components = {};  ///< for each component of the given surface, whether it stays
   AddedPoints added = {};             ///< points inside refined fillings; none without `refine`
-  /// Boundary curves that stay open; `holes` has the reasons, in the order of the curves before filling. Lengths are
+  /// Boundary curves that stay open. `holes` has the reasons, in the order of the curves before filling. Lengths are
   /// between the given points, or between `places` if fillings are refined.
   std::vector<Hole> open = {};
   /// Pairs of triangles that cross, sorted: the first most_crossing_pairs.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> crossing = {};
 
-  /// Returns whether there are triangles, none at a boundary, and none that cross.
+  /// Returns whether there are triangles, none of them at a boundary, and none that cross.
   bool is_watertight() const { return !surface.triangles.empty() && open.empty() && crossing.empty(); }
 };
 
-/// Drops islands and the components that may not stay, and closes the surface as far as possible. The result lists what
-/// was dropped, what stays open and what crosses.
-/// Requires: `surface` is a surface of `points`; options.components, if given, are its components; `kept` and `places`
-///           have one value for each component and point, or none.
-/// Throws:   as close_surface(), refine_filling() and crossing_triangles(); ContractViolation when sizes do not match.
+/// Drops islands and the components that may not stay, and closes the surface as far as possible. The result lists
+/// dropped components, open curves and crossing triangles.
+/// Requires: `surface` is a surface of `points`; options.components, if given, are its components; options.kept has one
+///           value for each component, or none; options.places one for each point, or none.
+/// Throws:   what close_surface(), refine_filling() and crossing_triangles() throw; ContractViolation when sizes do not
+///           match.
 RBPA_API WatertightSurface make_watertight(std::span<const Point3> points, const Surface& surface,
                                            const WatertightOptions& options = {}, const SurfaceOptions& run = {});
 

@@ -21,13 +21,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Policy that also allows only collapses after which every triangle is certified to be near the given ones.
+/// Policy that allows only collapses after which, in addition, all triangles are certified to be near the given ones.
 struct CertifiedPolicy : QuadricPolicy {
   using QuadricPolicy::QuadricPolicy;
-  const space::SurfaceDistance* given = nullptr;  // absent: no limit
+  const space::SurfaceDistance* given = nullptr;  // null if there is no limit
   double error = 0;
   std::vector<RecordedCollapse>* record = nullptr;
-  const char* why = nullptr;  // the key in Decimation::refused of what was forbidden last
+  const char* why = nullptr;  // key in Decimation::refused of the last forbidden collapse
 
   bool allows(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) {
     why = turns(mesh, e, place)     ? Decimation::turned
@@ -52,7 +52,7 @@ struct CertifiedPolicy : QuadricPolicy {
   }
 };
 
-/// Counts the collapses that are refused.
+/// Counts the refused collapses by reason.
 struct Refusals : meshops::SimplifyVisitor {
   Refusals(Decimation& all, const CertifiedPolicy& of) : counts(all), policy(of) {}
   void refused(const meshops::Connectivity&, meshops::Edge, const meshops::Blocker& why) {
@@ -109,7 +109,7 @@ DecimatedSurface decimate(std::span<const Point3> points, const Surface& surface
   DecimatedSurface result;
   result.counts = decimate(made.mesh, places, options, {.at_ends = true});
   SurfaceOfTriangles left = surface_of(made.mesh, places);
-  // Vertices ascend with their input indices, so that the order of the triangles stays canonical.
+  // Vertices ascend by input index, so the order of the triangles stays canonical.
   for (auto& triangle : left.triangles)
     for (std::uint32_t& corner : triangle) corner = made.input_index[corner];
   result.triangles = std::move(left.triangles);

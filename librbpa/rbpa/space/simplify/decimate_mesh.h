@@ -1,5 +1,5 @@
-// What:   decimates a halfedge mesh of triangles in place, with the places of its vertices in an array.
-// Law:    that of decimate() for surfaces (decimate.h), whose cost and source apply too.
+// What:   decimates a halfedge mesh of triangles in place, given the places of its vertices in an array.
+// Law:    that of decimate() for surfaces (decimate.h). The cost and the source are stated there, too.
 #pragma once
 
 #include <vector>
@@ -13,19 +13,19 @@
 
 namespace rbpa {
 
-/// A collapse of decimate(), and the places of its surviving vertex.
+/// A collapse made by decimate(), and the places of the surviving vertex before and after.
 struct RecordedCollapse {
   meshops::WeldEffect effect;
   Point3 before, after;
 };
 
 /// Decimates a mesh, and moves the places of its vertices. Deleted elements stay in the mesh, marked deleted, until
-/// garbage_collection(); places of deleted vertices have no meaning. Appends the collapses to `record`, if it is given.
+/// garbage_collection(). Places of deleted vertices have no meaning. Appends the collapses to `record`, unless null.
 /// Requires: simplify_blocker(mesh) is empty; a sound mesh, except that vertices may have several fans; `places` has a
 ///           position for each vertex by index, finite if the vertex is not deleted.
 /// Throws:   InvalidInput that names a vertex whose place is not finite, and ContractViolation unless there is one
-///           place for each vertex, with the mesh untouched; Cancelled, with the mesh as after the last collapse and
-///           `places` untouched; ContractViolation as meshops::simplify().
+///           place for each vertex: the mesh is then unchanged. Cancelled: the mesh is then as after the last collapse,
+///           and `places` is unchanged. ContractViolation as meshops::simplify() throws it.
 RBPA_API Decimation decimate(meshops::Connectivity& mesh, std::vector<Point3>& places, const DecimationOptions& options,
                              QuadricOptions quadrics = {}, std::vector<RecordedCollapse>* record = nullptr);
 

@@ -26,11 +26,11 @@ using meshops::Face;
 using meshops::Halfedge;
 using meshops::Vertex;
 
-// The bytes are: the name, then numbers of 4 bytes: version, whether survivors move, number of vertices and triangles
-// of the coarse mesh, number of splits and of the triangles of the full mesh. Then for each vertex its number and
-// place, for each triangle its number and corners, which count the vertices before. Then the splits: the halfedges at
-// the vertex that is split, the numbers of the new vertex and triangles, the first sides of these, and the places of
-// the new vertex and, if survivors move, of the other one.
+// The bytes begin with the name and numbers of 4 bytes: the version, whether survivors move, the numbers of vertices
+// and triangles of the coarse mesh, the number of splits, and the number of triangles of the full mesh. Then follow for
+// each vertex its number and place, and for each triangle its number and corners, which count the vertices before. Then
+// follow for each split: the halfedges at the vertex that is split, the numbers of the new vertex and triangles, the
+// first sides of these triangles, and the places of the new vertex and, if survivors move, of the other one.
 constexpr std::string_view magic = "rbpaprog";
 constexpr std::uint32_t version = 1, most_faces = 1U << 29U;
 constexpr std::uint64_t size_of_head = 32, size_of_vertex = 28, size_of_triangle = 16, size_of_split = 21,
@@ -61,7 +61,7 @@ void require_bytes(bool holds, const Parts&... parts) {
   throw InvalidInput(text.str());
 }
 
-/// Takes numbers from bytes. Requires: enough bytes are left.
+/// Reads numbers from bytes. Requires: enough bytes are left.
 class NumbersIn {
  public:
   explicit NumbersIn(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -101,19 +101,19 @@ class Numbering {
   std::vector<bool> is_taken_;
 };
 
-/// Returns how many sides after the first one of its triangle a halfedge is.
+/// Returns how many sides after the first side of its triangle a halfedge is.
 std::uint32_t side_of(const Connectivity& mesh, Halfedge h) {
   const Halfedge first = mesh.halfedge_handle(mesh.face_handle(h));
   return h == first ? 0 : h == mesh.next_halfedge_handle(first) ? 1 : 2;
 }
 
-/// Makes `h` the side of its triangle that comes `side` sides after the first one.
+/// Makes `h` the side of its triangle that is `side` sides after the first side.
 void set_side(Connectivity& mesh, Halfedge h, std::uint32_t side) {
   for (; side % 3 != 0; ++side) h = mesh.next_halfedge_handle(h);
   mesh.set_halfedge_handle(mesh.face_handle(h), h);
 }
 
-/// Returns the number by which bytes name a halfedge: by a side of a triangle, on which or across from which it is.
+/// Returns the number by which bytes name a halfedge: by the side of a triangle that it is on or opposite to.
 std::uint32_t code_of(const Connectivity& mesh, const std::optional<Halfedge>& h,
                       const std::vector<std::uint32_t>& place_of_face) {
   if (!h) return no_index;
@@ -130,7 +130,7 @@ std::optional<Halfedge> halfedge_of(const Connectivity& mesh, std::uint32_t code
   return code % 2 == 0 ? h : mesh.opposite_halfedge_handle(h);
 }
 
-/// Splits a vertex as bytes say. Returns the halfedge whose collapse is the inverse.
+/// Splits a vertex as the bytes say. Returns the halfedge whose collapse undoes the split.
 Halfedge split_as_read(Connectivity& mesh, NumbersIn& in, Numbering& vertices, Numbering& faces) {
   const std::uint32_t code = in.next();
   const std::optional<Halfedge> left = halfedge_of(mesh, code), right = halfedge_of(mesh, in.next());

@@ -1,5 +1,6 @@
-// What:   sums of weighted squared distances to planes and points, as functions of a point: quadrics.
-// Law:    the value at a point is that sum, up to rounding; a + b is the same as b + a, bit for bit.
+// What:   sums of weighted squared distances to planes and points, as functions of a point (quadrics).
+// Law:    the value at a point is the sum of these weighted squared distances, up to rounding; a + b equals b + a, bit
+//         for bit.
 // Source: Garland and Heckbert, Surface simplification using quadric error metrics (1997); Trettner and Kobbelt, Fast
 //         and robust QEF minimization using probabilistic quadrics (2020).
 #pragma once
@@ -16,7 +17,7 @@ class Quadric {
  public:
   Quadric() = default;
   /// Returns `weight` times the squared distance to the plane through p with the unit normal n, plus `weight` times
-  /// `noise` times the squared distance to p. The sum is the mean of the first term if each coordinate of the normal
+  /// `noise` times the squared distance to p. This sum is the mean of the first term if each coordinate of the normal
   /// has the variance `noise`.
   static Quadric plane(const Point3& n, const Point3& p, double weight, double noise = 0) {
     const double at = n.x * p.x + n.y * p.y + n.z * p.z;
@@ -47,8 +48,8 @@ class Quadric {
     return p.x * x + p.y * y + p.z * (zz_ * p.z + 2 * z_) + one_;
   }
 
-  /// Returns the point with the least value; nothing where the planes leave it open: a pivot of the solution is at most
-  /// `least` times the trace of A, or a coordinate is not finite.
+  /// Returns the point with the least value; nothing if the planes do not determine it: if a pivot of the solution is
+  /// at most `least` times the trace of A, or a coordinate is not finite.
   std::optional<Point3> minimum(double least = 1e-12) const {
     const double limit = least * (xx_ + yy_ + zz_);
     if (!(xx_ > limit)) return std::nullopt;

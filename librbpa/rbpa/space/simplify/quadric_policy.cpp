@@ -23,7 +23,7 @@ using meshops::Halfedge;
 using meshops::Vertex;
 using Vector = space::Vector3<double>;
 
-/// Returns the rank of each place in lexicographic order; equal places have one rank.
+/// Returns the rank of each place in lexicographic order. Equal places have one rank.
 std::vector<std::uint32_t> ranks_of(const std::vector<Point3>& places) {
   std::vector<std::uint32_t> order(places.size()), rank(places.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -33,7 +33,7 @@ std::vector<std::uint32_t> ranks_of(const std::vector<Point3>& places) {
   return rank;
 }
 
-/// Sums of quadrics around vertices. Every sum runs through its terms in an order that does not depend on numbers.
+/// Sums of quadrics around vertices. The order of the terms of each sum does not depend on numbers.
 struct Sums {
   const Connectivity& mesh;
   const std::vector<Point3>& at;  // the scaled place of each vertex
@@ -60,13 +60,13 @@ struct Sums {
 
   struct Plane {
     Point3 normal, through;  // unit normal and centroid of a triangle
-    double area = 0;         // 0 for no triangle
+    double area = 0;         // 0 if there is no triangle
   };
 
   std::uint32_t rank_at_end(Halfedge h) const { return rank[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())]; }
   const Point3& at_end(Halfedge h) const { return at[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())]; }
 
-  /// Returns the boundary halfedge of a vertex, or that to the neighbor of the least rank.
+  /// Returns the boundary halfedge that leaves a vertex; if there is none, the halfedge to the neighbor of least rank.
   Halfedge first_of(Vertex v) const {
     Halfedge first = mesh.halfedge_handle(v);
     if (mesh.is_boundary(first)) return first;
@@ -75,7 +75,7 @@ struct Sums {
     return first;
   }
 
-  /// Returns the plane of the triangle of a halfedge; computed from its corner of the least rank on.
+  /// Returns the plane of the triangle of a halfedge, computed from the triangle's corner of least rank on.
   Plane plane_of(Halfedge h) const {
     if (mesh.is_boundary(h)) return {};
     std::array<Halfedge, 3> sides = {h, mesh.next_halfedge_handle(h), mesh.prev_halfedge_handle(h)};
@@ -92,8 +92,8 @@ struct Sums {
             length / 2};
   }
 
-  /// Adds planes that stand on the edge of a halfedge, if it is on the boundary or sharp: for each triangle at the edge
-  /// the plane through the edge that is perpendicular to the triangle.
+  /// Adds the planes that stand on the edge of a halfedge, if the edge is on the boundary or sharp: for each triangle
+  /// at the edge, the plane through the edge perpendicular to the triangle.
   void add_edge(Quadric& sum, Halfedge h) const {
     if (rank_at_end(mesh.opposite_halfedge_handle(h)) > rank_at_end(h)) h = mesh.opposite_halfedge_handle(h);
     const Halfedge o = mesh.opposite_halfedge_handle(h);
@@ -149,7 +149,7 @@ Point3 QuadricPolicy::unscaled(const Point3& p) const {
   return {rounded(center_.x + p.x / scale_), rounded(center_.y + p.y / scale_), rounded(center_.z + p.z / scale_)};
 }
 
-/// Returns the ends of an edge, the one of lesser rank first.
+/// Returns the ends of an edge, the end of lesser rank first.
 std::pair<Vertex, Vertex> QuadricPolicy::ends(const Connectivity& mesh, Edge e) const {
   const Halfedge h = mesh.halfedge_handle(e, 0);
   const Vertex a = mesh.from_vertex_handle(h), b = mesh.to_vertex_handle(h);

@@ -1,7 +1,7 @@
 // What:   simplifies a triangle mesh in space by quadric errors: fewer triangles, near the old ones.
-// Law:    topology as meshops::simplify() keeps it. No triangle turns by a right angle or more in one collapse, decided
-//         exactly on the points that the mesh gets; nor, on request, does any begin to cross another one. The result
-//         does not depend on the numbers of vertices and faces, if no two vertices lie on one point.
+// Law:    topology stays as meshops::simplify() keeps it. No triangle turns by a right angle or more in one collapse,
+//         and on request none begins to cross another one; both are decided exactly on the points that the mesh gets.
+//         The result does not depend on the numbers of vertices and faces, if no two vertices lie on one point.
 // Cost:   that of meshops::simplify(), with some hundred operations for each cost, and microseconds for each collapse.
 // Source: Garland and Heckbert (1997); Trettner and Kobbelt (2020): see quadric.h.
 #pragma once
@@ -28,23 +28,23 @@ class LiveTriangles;
 }
 
 struct QuadricOptions {
-  /// Weight of the planes that stand on boundary edges, as a multiple of the squared length of the edge; triangles
-  /// weigh their area. It keeps boundary curves in place.
+  /// Weight of the planes that stand on boundary edges, as a multiple of the squared length of the edge, where the
+  /// plane of a triangle weighs the area of the triangle. The weight keeps boundary curves in place.
   double boundary_weight = 100;
-  /// Weight of such planes, one for each of the two triangles, on edges at which the normals of the triangles differ by
-  /// more than `sharp_angle`, in degrees.
+  /// Weight of the planes that stand on sharp edges, one for each of the two triangles. An edge is sharp if the normals
+  /// of its triangles differ by more than `sharp_angle`, in degrees.
   double sharp_weight = 1;
   double sharp_angle = 60;
-  /// Standard deviation of the normals, in radians. Above 0, the least error is at one point also where planes leave it
-  /// open; in a plane, vertices stay evenly spread.
+  /// Standard deviation of the normals, in radians. If above 0, the least error is at one point even where planes do
+  /// not determine it, and vertices in a plane stay evenly spread.
   double normal_deviation = 1e-3;
-  /// Whether a vertex goes to the end of its edge with the less error, so that all vertices are vertices of the input;
-  /// otherwise it goes to the place of the least error.
+  /// Whether a vertex moves to the end of its edge with the lesser error, so that all vertices are vertices of the
+  /// input. Otherwise a vertex moves to the place of the least error.
   bool at_ends = false;
-  /// Whether places are rounded to float, as for a mesh with such points.
+  /// Whether places are rounded to float, as for a mesh whose points have float coordinates.
   bool single_precision = false;
-  /// Forbids collapses by which a triangle would cross another one, or touch it elsewhere than in common corners and
-  /// sides, as crossing_triangles() finds them. An edge forbidden for this is tried again after a change near it.
+  /// Forbids collapses after which a triangle would cross another one, or touch it elsewhere than in common corners and
+  /// sides, as defined by crossing_triangles(). A forbidden edge is tried again after a change near it.
   bool no_crossings = false;
 };
 
@@ -53,17 +53,18 @@ class RBPA_API QuadricPolicy {
  public:
   /// Computes the quadrics of a mesh of triangles.
   /// Requires: a sound mesh; `places` has a finite position for each vertex, by index; no option is negative.
-  /// Throws:   ContractViolation unless there is one place for each vertex. A place that is not finite makes a cost
-  ///           that simplify() refuses; with `no_crossings` it is refused here. Cost: n log n.
+  /// Throws:   ContractViolation unless there is one place for each vertex, and with `no_crossings` also if a place is
+  ///           not finite. Without `no_crossings`, a place that is not finite makes a cost that simplify() refuses.
+  ///           Cost: n log n.
   QuadricPolicy(const meshops::Connectivity& mesh, std::vector<Point3> places, const QuadricOptions& options = {});
   QuadricPolicy(QuadricPolicy&&) noexcept;
   ~QuadricPolicy();
 
-  /// Returns the error at the place of the edge: the sum over the triangles that went into its ends, up to three times
-  /// each, of area · distance², and the terms of boundary and sharp edges and of `normal_deviation`. Lengths are
-  /// multiplied by scale(). The error never falls when ends are merged, unless `at_ends`.
+  /// Returns the error at the place of the edge: the sum of area · distance² over the triangles that were merged into
+  /// its ends, each counted up to three times, and of the terms of boundary edges, sharp edges and `normal_deviation`.
+  /// Lengths are multiplied by scale(). The error never falls when ends are merged, unless `at_ends`.
   double cost(const meshops::Connectivity& mesh, meshops::Edge e) const;
-  /// Returns the place to which the edge collapses, as `at_ends` says.
+  /// Returns the place to which the edge collapses: an end with `at_ends`, otherwise the place of the least error.
   Point3 place(const meshops::Connectivity& mesh, meshops::Edge e) const;
   /// Returns whether the collapse of the edge neither turns() a triangle nor crosses() one.
   bool allows(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const {
@@ -74,14 +75,14 @@ class RBPA_API QuadricPolicy {
   bool turns(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const;
   /// Returns whether a triangle at the ends of the edge would cross another one; false without `no_crossings`.
   bool crosses(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const;
-  /// Returns the rank of the vertex among all, by the points of the beginning; vertices on one point have one rank.
+  /// Returns the rank of the vertex among all, by the points of the beginning. Vertices on one point have one rank.
   std::uint32_t key(const meshops::Connectivity&, meshops::Vertex v) const { return rank_[index(v)]; }
-  /// Returns the end of the edge that lies at the place, else the end of the lesser key.
+  /// Returns the end of the edge that lies at the place; if neither does, the end of the lesser key.
   meshops::Vertex survivor(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const;
-  /// Moves the surviving vertex to the place, and adds the quadric of the removed one to its own.
+  /// Moves the surviving vertex to the place, and adds the quadric of the removed vertex to that of the survivor.
   void merge(const meshops::Connectivity& mesh, const meshops::WeldEffect& effect, const Point3& place);
 
-  /// Returns the place of each vertex by index; of vertices that were removed, some former place.
+  /// Returns the place of each vertex by index; for a removed vertex, some former place.
   const std::vector<Point3>& places() const& { return places_; }
   std::vector<Point3> places() && { return std::move(places_); }
 
@@ -112,7 +113,7 @@ class RBPA_API QuadricPolicy {
 
 namespace detail {
 
-/// Policy that also writes the places to the mesh.
+/// Policy that also writes the places to the points of the mesh.
 template <meshops::HasPoints AnyMesh>
 struct MeshQuadrics : QuadricPolicy {
   using QuadricPolicy::QuadricPolicy;

@@ -26,8 +26,8 @@ namespace {
 using meshops::Connectivity;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-/// The triangles of a mesh with canonical numbers: vertices ascend by their places, triangles by their corners, the
-/// least of which comes first.
+/// The triangles of a mesh with canonical numbers: vertices ascend by their places, triangles by their corners. Each
+/// triangle begins with its least corner.
 struct CanonicalSoup {
   CanonicalSoup(const Connectivity& mesh, const std::vector<Point3>& of) {
     std::vector<std::uint32_t> order, rank(mesh.n_vertices());
@@ -72,7 +72,7 @@ std::string text_of(double number) {
   return text.str();
 }
 
-/// Throws InvalidInput unless the options suit the mesh.
+/// Throws InvalidInput unless the options are valid for the mesh.
 void require_options(const std::vector<Point3>& places, const Triangles& triangles, const RemeshOptions& options) {
   constexpr double least = 1e-60, most = 1e60;
   const double length = options.length;
@@ -94,7 +94,8 @@ void require_options(const std::vector<Point3>& places, const Triangles& triangl
   }
   if (const double diagonal = space::distance(box.low, box.high); length > diagonal)
     refuse("the length", length, "at most " + text_of(diagonal) + ", the diagonal of the mesh's box");
-  // Triangles with sides of the length cover the area, and as many lie along the edges of thin triangles.
+  // Counts triangles with sides of the length that cover the area, and as many as lie along the edges of thin
+  // triangles.
   const double unit = std::numbers::sqrt3 / 4, faces = area / (unit * length * length) + 2 * edges / length;
   const auto limit = static_cast<double>(options.most_faces);
   if (faces > limit) {

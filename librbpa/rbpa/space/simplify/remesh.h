@@ -1,11 +1,11 @@
-// What:   remeshes a halfedge mesh of triangles in place: edges of about one length, six at each inner vertex, near the
-//         old triangles.
-// Law:    components, genus, orientation and Betti numbers stay, each boundary curve stays one curve, and what is
-//         closed stays closed. Sharp edges and boundary curves stay curves, whose ends and corners stay where they are.
-//         No operation turns a triangle by a right angle or more. Both are decided exactly; places are rounded. The
-//         result, numbers of vertices and faces included, does not depend on those of the input, if no two vertices lie
-//         on one point.
-// Cost:   in each round microseconds for each triangle.
+// What:   remeshes a halfedge mesh of triangles in place: edges of about one length, six at each inner vertex, and
+//         triangles near the old ones.
+// Law:    components, genus, orientation and Betti numbers stay, each boundary curve stays one curve, and closed
+//         components stay closed. Sharp edges and boundary curves stay curves; their ends and corners stay in place. No
+//         operation turns a triangle by a right angle or more. These decisions are exact; places are rounded. The
+//         result, numbers of vertices and faces included, does not depend on the numbers of the input, if no two
+//         vertices lie on one point.
+// Cost:   microseconds for each triangle in each round.
 // Source: Botsch and Kobbelt, A remeshing approach to multiresolution modeling (2004).
 #pragma once
 
@@ -25,13 +25,14 @@
 namespace rbpa {
 
 struct RemeshOptions {
-  double length = 0;     ///< the length that edges get, in units of the places: above 0, at most the size of the mesh
+  double length = 0;     ///< length of edges, in units of the places: above 0, at most the size of the mesh
   unsigned rounds = 10;  ///< number of times that edges are split, collapsed and flipped, and vertices moved
-  /// An edge is sharp if the normals of its triangles differ by more than this, in degrees; so is the vertex between
-  /// two edges of a curve whose directions do. 180: nothing is sharp, and boundary curves have no corners.
+  /// An edge is sharp if the normals of its triangles differ by more than this angle, in degrees. A vertex between two
+  /// edges of a curve is a corner if the directions of the edges differ by more than this angle. At 180, no edge is
+  /// sharp, and boundary curves have no corners.
   double sharp_angle = 60;
   bool keep_boundary = false;           ///< whether boundary edges and their vertices stay as they are
-  std::size_t most_faces = 20'000'000;  ///< a length that is expected to need more triangles is refused
+  std::size_t most_faces = 20'000'000;  ///< limit: a length that is expected to need more triangles is refused
   bool measured = false;                ///< bounds the distance from the triangles of the beginning
   bool single_precision = false;        ///< whether places are rounded to float, as for a mesh with such points
   GoOn go_on = {};                      ///< progress; false ends the run with Cancelled
@@ -44,24 +45,24 @@ struct Remeshing {
   std::size_t splits = 0;     ///< number of edges that were split
   std::size_t collapses = 0;  ///< number of edges that collapsed
   std::size_t flips = 0;      ///< number of edges that were flipped
-  /// A distance from the triangles of the beginning that no point of the result exceeds, rounding included; at most
-  /// 1.05 times the greatest distance, with rare exceptions. Present if `measured`.
+  /// A distance from the triangles of the beginning that no point of the result exceeds, rounding included. It is at
+  /// most 1.05 times the greatest distance, with rare exceptions. Present if options.measured is set.
   std::optional<double> distance = {};
 };
 
 /// Remeshes a mesh, and replaces the places of its vertices by those of the new ones. In the result, vertices ascend by
-/// their places, every fan of triangles has a vertex of its own, and nothing is marked deleted; isolated vertices stay.
+/// their places, every fan of triangles has a vertex of its own, and nothing is marked deleted. Isolated vertices stay.
 /// The mesh then has status of every kind, and its properties have default values.
 /// Requires: a sound mesh of triangles, in which no two edges join the same vertices, except that vertices may have
 ///           several fans; `places` has a position for each vertex by index, finite if the vertex is not deleted.
 /// Throws:   ContractViolation unless there is one place for each vertex and each face is a triangle, and as
-///           meshops::build_mesh() when edges join the same vertices; InvalidInput when a place is not finite or a
-///           coordinate beyond 1e60, when the length is not from 1e-60 to 1e60, exceeds the diagonal of the mesh's box,
-///           or would need more than `most_faces` triangles, and when the angle is not from 0 to 180; Cancelled. The
-///           mesh and `places` are then untouched.
+///           meshops::build_mesh() throws it when edges join the same vertices. InvalidInput when a place is not
+///           finite, a coordinate is beyond 1e60, the angle is not from 0 to 180, or the length is not from 1e-60 to
+///           1e60, exceeds the diagonal of the mesh's box, or would need more than `most_faces` triangles. Cancelled.
+///           In each case, the mesh and `places` are unchanged.
 RBPA_API Remeshing remesh(meshops::Connectivity& mesh, std::vector<Point3>& places, const RemeshOptions& options);
 
-/// Remeshes a mesh with points, as above, at places_of(mesh).
+/// Remeshes a mesh whose vertices have points, as above, with `places` = places_of(mesh).
 template <meshops::HasPoints AnyMesh>
 Remeshing remesh(AnyMesh& mesh, RemeshOptions options) {
   using Number = std::remove_cvref_t<decltype(std::declval<AnyMesh&>().point(meshops::Vertex())[0])>;

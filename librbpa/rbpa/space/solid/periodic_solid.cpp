@@ -18,8 +18,9 @@ namespace {
 
 using Row = std::array<std::uint32_t, 4>;
 
-/// A face, identified by what its images share: its points, ascending, and the offsets, in boxes, of the second and the
-/// third point from the first. `at` is 4 t + k: across from corner k of tetrahedron t.
+/// A face of a tetrahedron, identified by data that all images of the face share: `points`, ascending, and `apart`, the
+/// offsets in boxes of the second and the third point from the first. `at` is 4 t + k for the face across from corner k
+/// of tetrahedron t.
 struct ImageFace {
   std::array<std::uint32_t, 3> points;
   std::array<std::int8_t, 6> apart;
@@ -46,8 +47,8 @@ ImageFace face_at(const PeriodicSolid& solid, std::uint32_t at) {
   return face;
 }
 
-/// Links the tetrahedra that have images of one face, by a sort of `faces`. A face is given by 4 t + k: across from
-/// corner k of tetrahedron t.
+/// Links tetrahedra that have images of one face as neighbors, by a sort. `faces` has the number 4 t + k of the face
+/// across from corner k of tetrahedron t.
 void link_images(std::span<const std::uint32_t> faces, PeriodicSolid& solid) {
   std::vector<ImageFace> sorted;
   sorted.reserve(faces.size());
@@ -61,7 +62,7 @@ void link_images(std::span<const std::uint32_t> faces, PeriodicSolid& solid) {
   }
 }
 
-/// Points of the box and images of them, in the order of PeriodicSolid::vertices.
+/// Points of the box and their images, in the order of PeriodicSolid::vertices.
 struct Images {
   std::vector<PeriodicVertex> vertices;
   std::vector<Point3> positions;
@@ -69,7 +70,7 @@ struct Images {
 
 /// Returns the points of the box, and their images at most `margin` outside of the box.
 Images images_of(std::span<const Point3> wrapped, const space::Torus& torus, double margin) {
-  // The offsets at which a coordinate is in the box, or at most `margin` beyond it; the differences are exact.
+  // Returns the offsets at which a coordinate is in the box or at most `margin` outside of it. Differences are exact.
   struct Range {
     std::int8_t first, last;
   };
@@ -118,8 +119,8 @@ void list_isolated(std::size_t points, PeriodicSolid& solid) {
   });
 }
 
-/// Finds the tetrahedra of circumradius at most `radius`. All points within twice the radius of a corner in the box are
-/// known; so the tetrahedra with such a corner are right, and each class of images has such a tetrahedron.
+/// Finds the tetrahedra of circumradius at most `radius`. All points and images within twice the radius of the box are
+/// included, so every tetrahedron with a corner in the box is right. Each has an image with a corner in the box.
 PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& torus, double radius,
                           const SolidOptions& options) {
   Images images = images_of(wrapped, torus, 2 * radius);
@@ -135,7 +136,7 @@ PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& t
     number[t] = static_cast<std::uint32_t>(kept.size());
     kept.push_back(t);
   }
-  std::vector<std::uint32_t> at_sides;  // faces whose neighbor is not kept: an image of it may be
+  std::vector<std::uint32_t> at_sides;  // faces whose neighbor is not kept; an image of the neighbor may be
   found.simplices.reserve(kept.size());
   found.neighbors.reserve(kept.size());
   for (const std::uint32_t t : kept) {
@@ -160,7 +161,7 @@ PeriodicSolid find_within(std::span<const Point3> wrapped, const space::Torus& t
   return found;
 }
 
-/// Returns whether there is a tetrahedron, and one on both sides of each triangle; then the tetrahedra fill the space.
+/// Returns whether the tetrahedra fill the space: whether there is one, and every triangle has one on both sides.
 bool is_complete(const PeriodicSolid& solid) {
   const auto has_all = [](const Row& row) { return std::find(row.begin(), row.end(), Solid::none) == row.end(); };
   return !solid.neighbors.empty() && std::all_of(solid.neighbors.begin(), solid.neighbors.end(), has_all);
@@ -177,8 +178,8 @@ PeriodicSolid periodic_solid(std::span<const Point3> points, const Point3& box, 
   wrapped.reserve(points.size());
   for (const Point3& p : points) wrapped.push_back(torus.wrapped(p));
 
-  // Most tetrahedra are small. If those within some radius below alpha fill the space, there are no others, and fewer
-  // images are needed.
+  // Most tetrahedra are small. If the tetrahedra within a radius below alpha fill the space, there are no other
+  // tetrahedra, and images farther out are not needed.
   constexpr double first_in_spacings = 2;
   const double spacing = std::cbrt(torus.box().x) * std::cbrt(torus.box().y) * std::cbrt(torus.box().z) /
                          std::cbrt(static_cast<double>(std::max<std::size_t>(points.size(), 1)));

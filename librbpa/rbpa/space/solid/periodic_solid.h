@@ -2,12 +2,13 @@
 //         conditions: tetrahedra whose corners are points of the box or images of them.
 // Law:    the tetrahedra are a function of the set of points, the box and alpha. Along each axis, the side and the
 //         coordinates modulo the side are rounded to multiples of 2⁻⁵¹ of the power of two above the side, so that all
-//         images are doubles. For the rounded points everything is exact, ties as in solid(). If the sides and all
-//         coordinates are such multiples, moving all points by one such multiple changes only offsets and positions.
-// How:    the points with their images around the box form one solid, of which one image of each tetrahedron is kept.
+//         images are doubles. For the rounded points every decision is exact, with ties as in solid(). If no side or
+//         coordinate needs rounding, moving all points by multiples of the rounding unit changes only offsets and
+//         positions.
+// How:    solid() is computed for the points and their images around the box; one image of each tetrahedron is kept.
 //         docs/explanation/space.md, section 23.
-// Cost:   that of solid() for the points and the images at most 2r outside of the box. r is first twice the mean
-//         spacing of points; the search is repeated with 2r until the tetrahedra fill the space, or r is alpha.
+// Cost:   that of solid() for the points and the images at most 2r outside of the box. r begins at twice the mean
+//         spacing of points and doubles until the tetrahedra fill the space or r is alpha, or nearly half of a side.
 // Source: Caroli and Teillaud, Computing 3D periodic triangulations (2009).
 #pragma once
 
@@ -27,7 +28,7 @@ namespace rbpa {
 
 /// The image of an input point, moved from its place in the box by `offset` boxes along each axis: −1, 0 or 1.
 struct PeriodicVertex {
-  std::uint32_t point = 0;  ///< input index; of points that are equal modulo the box the lowest
+  std::uint32_t point = 0;  ///< input index; the lowest one of points that are equal modulo the box
   std::array<std::int8_t, 3> offset = {0, 0, 0};
   friend bool operator==(const PeriodicVertex&, const PeriodicVertex&) = default;
   friend bool operator<(const PeriodicVertex& a, const PeriodicVertex& b) {
@@ -35,40 +36,40 @@ struct PeriodicVertex {
   }
 };
 
-/// The tetrahedra of a periodic complex. Of all images of a tetrahedron, the result has the one whose corner of least
+/// The tetrahedra of a periodic complex. One image of each tetrahedron is listed: the image whose corner of least input
 /// index is in the box. The corners of a tetrahedron are images of four different points.
 struct PeriodicSolid {
-  Point3 box;                            ///< the sides, rounded as the law says, in units of the points
+  Point3 box;                            ///< the sides, rounded as `Law` above says, in units of the points
   std::vector<PeriodicVertex> vertices;  ///< all corners, sorted by point, then by offset
-  /// Positions of the vertices: the rounded point in the box, plus offset times side, without a rounding error.
+  /// Positions of the vertices: the rounded point in the box plus offset times side, without a further rounding.
   std::vector<Point3> positions;
-  /// The tetrahedra, oriented and sorted as in Solid. Corners are positions in `vertices`.
+  /// The tetrahedra, oriented and sorted as Solid::simplices. Corners are indices in `vertices`.
   std::vector<std::array<std::uint32_t, 4>> simplices;
   /// For each corner of each tetrahedron, the tetrahedron that has an image across from this corner, or Solid::none.
   /// Empty unless requested.
   std::vector<std::array<std::uint32_t, 4>> neighbors;
-  std::vector<Duplicate> duplicates;    ///< points that are equal modulo the box; ascending by index
+  std::vector<Duplicate> duplicates;    ///< points equal modulo the box to one of lower index; ascending
   std::vector<std::uint32_t> isolated;  ///< distinct points in no tetrahedron, ascending
   std::size_t distinct = 0;             ///< number of distinct points
 };
 
-/// Computes the Delaunay tetrahedra of circumradius at most alpha, of the points and all their images; for an infinite
-/// alpha, all Delaunay tetrahedra. Points may be anywhere: coordinates count modulo the box. Progress counts the points
-/// and images of one search, and begins again with the next.
-/// Requires: what solid() requires of the points and the images that are needed; sides of the box from 2⁻⁹⁰⁰ to 2⁹⁰⁰;
-///           alpha below half of the least side, or so many points that no ball of half that side is empty.
+/// Computes the Delaunay tetrahedra of circumradius at most alpha, of the points and all their images. An infinite
+/// alpha gives all Delaunay tetrahedra. Points may be outside of the box: coordinates count modulo the box. Progress
+/// counts the points and images of one search, and restarts with each repeated search.
+/// Requires: the points and their images near the box meet the requirements of solid(); sides of the box from 2⁻⁹⁰⁰ to
+///           2⁹⁰⁰; alpha below half of the least side, or so many points that no ball of half that side is empty.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API PeriodicSolid periodic_solid(std::span<const Point3> points, const Point3& box, double alpha,
                                       const SolidOptions& options = {});
 
-/// Returns the tetrahedra of `solid` with input indices as corners, in the same order, with neighbors if `solid` has
-/// neighbors. The result is for functions that need no positions: min_alpha(), auto_alpha(). Its rows may not be in
-/// lexicographic order. Cost: linear.
+/// Returns the tetrahedra of `solid` in their order with input indices as corners, and with neighbors if `solid` has
+/// neighbors. The result is for functions that need no positions, as min_alpha() and auto_alpha(). Rows of the result
+/// may not be in lexicographic order. Cost: linear.
 RBPA_API Solid without_offsets(const PeriodicSolid& solid);
 
-/// Returns the triangles that have a tetrahedron on one side only, each with three corners of that tetrahedron:
-/// positions in `vertices`, counter-clockwise seen from outside; in the order of tetrahedra and of the corners across.
-/// The triangles form a closed surface if all images of an edge count as one edge. Cost: linear.
+/// Returns the triangles that have a tetrahedron on one side only. Corners are indices in `vertices`, counter-clockwise
+/// seen from outside. Triangles are sorted by tetrahedron, then by the corner across from the triangle. The triangles
+/// form a closed surface if all images of an edge count as one edge. Cost: linear.
 /// Requires: `solid` has neighbors.
 /// Throws:   ContractViolation when neighbors are missing.
 RBPA_API std::vector<Triangle> periodic_boundary(const PeriodicSolid& solid);

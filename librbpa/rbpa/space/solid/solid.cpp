@@ -26,12 +26,12 @@
 namespace rbpa {
 namespace {
 
-/// Finds the tetrahedra from triples of points, where alpha is at most about the spacing and few points are
-/// cospherical:
+/// Finds the tetrahedra from triples of points. Suited to an alpha up to about the spacing and few cospherical points:
 ///   1. sort the points into cells, and estimate the cost;
-///   2. find the tetrahedra of a part of the cells, in any thread, and append them;
+///   2. find the tetrahedra of each part of the cells, in any thread, and append the tetrahedra in the order of parts;
 ///   3. find neighbors, and sort.
-/// Returns false, and fills in nothing, if it would cost more than `most_cost` a point, in units of triples_cost().
+/// Returns false, and fills in nothing, if alpha is infinite, points are few or cannot be scaled, the estimated cost of
+/// a point is above `most_cost` in units of triples_cost(), or find_by_triples() gives up.
 bool find_near(std::span<const Point3> points, double alpha, double most_cost, const SolidOptions& options,
                Solid& solid) {
   constexpr double most_exact = 1.0 / 64;  // exact decisions a point, at most
@@ -88,7 +88,8 @@ void list_isolated(std::size_t points, Solid& solid) {
   });
 }
 
-/// Finds the tetrahedra tile by tile, where points fill a volume.
+/// Finds the tetrahedra tile by tile; suited to points that fill a volume. Returns false, and fills in nothing, if
+/// scaling is not exact or find_by_tiles() gives up.
 bool find_in_tiles(std::span<const Point3> points, double alpha, const SolidOptions& options, Solid& solid) {
   const space::Spread spread = space::spread(points);
   const double scaled_alpha = std::ldexp(alpha, spread.exponent);
@@ -108,10 +109,10 @@ bool find_in_tiles(std::span<const Point3> points, double alpha, const SolidOpti
   return true;
 }
 
-/// Finds the tetrahedra in the triangulation of all points, if they are in no plane:
-///   1. scale the points by a power of two, and sort them;
-///   2. insert them, one by one;
-///   3. select the tetrahedra of circumradius at most alpha, and number them.
+/// Finds the tetrahedra in the triangulation of all points. Finds none if all points are in one plane:
+///   1. scale the points by a power of two, and sort the points;
+///   2. insert the points one by one;
+///   3. select and number the tetrahedra of circumradius at most alpha.
 void insert_all(std::span<const Point3> points, double alpha, const SolidOptions& options, const Checkpoint& checkpoint,
                 Solid& solid) {
   const space::Spread spread = space::spread(points);
@@ -138,15 +139,15 @@ void insert_all(std::span<const Point3> points, double alpha, const SolidOptions
 Solid solid(std::span<const Point3> points, double alpha, const SolidOptions& given) {
   if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
   space::check_points(points);
-  const OnProgress progress = rising(given.progress);  // one way to find tetrahedra may be given up for another
+  const OnProgress progress = rising(given.progress);  // a method may give up, and another one then begins from 0
   SolidOptions options = given;
   if (progress) options.progress = [&](const Progress& now) { return progress(now); };
   const auto checkpoint = checkpoint_of(options.progress, points.size());
   if (checkpoint) checkpoint();
   Solid solid;
-  // Costs for each point in units of triples_cost(), fitted to uniform points, as triples_cost() is.
+  // Costs of a point in units of triples_cost(), fitted to uniform points.
   constexpr double by_insertion = 1500, by_tiles = 800;
-  constexpr std::size_t fewest_for_tiles = 20'000;  // with fewer, too many points are at the hull
+  constexpr std::size_t fewest_for_tiles = 20'000;  // with fewer points, too many are at the hull
   const auto by_triples = [&](double most_cost) { return find_near(points, alpha, most_cost, options, solid); };
   const bool is_found =
       points.size() < fewest_for_tiles

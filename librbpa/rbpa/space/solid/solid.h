@@ -26,19 +26,19 @@ namespace rbpa {
 
 struct SolidOptions {
   bool neighbors = true;  ///< whether Solid::neighbors is filled in
-  /// Maximum number of threads; 0: all processors. Where points are inserted one by one, one thread inserts them
+  /// Maximum number of threads; 0: all processors. Insertion of points one by one uses one thread
   /// (docs/explanation/space.md).
   MaxThreads threads = 0;
   OnProgress progress = {};  ///< Progress::triangles is the number of finished points
 };
 
-/// Tetrahedra with their neighbors. Corners are input indices; of equal points, the lowest index stands for all.
+/// Tetrahedra with their neighbors. Corners are input indices; the lowest index of equal points stands for all of them.
 struct Solid {
   /// The value for no neighbor in `neighbors`.
   static constexpr std::uint32_t none = 0xffffffff;
 
   /// The tetrahedra. Each is positively oriented: (b − a) × (c − a) · (d − a) > 0 for corners a, b, c, d; a is the
-  /// corner of lowest index, b that of second lowest index. Rows are in lexicographic order.
+  /// corner of lowest index, b the corner of second lowest index. Rows are in lexicographic order.
   std::vector<std::array<std::uint32_t, 4>> simplices;
   /// For each corner of each tetrahedron, the tetrahedron across from this corner, or none where the complex ends.
   /// Empty if SolidOptions::neighbors is false.
@@ -48,8 +48,8 @@ struct Solid {
   std::size_t distinct = 0;             ///< number of distinct points
 };
 
-/// Computes the Delaunay tetrahedra of circumradius at most alpha. There are none for fewer than four points and for
-/// points of one plane.
+/// Computes the Delaunay tetrahedra of circumradius at most alpha. The result has no tetrahedra for fewer than four
+/// points and for points in one plane.
 /// Requires: 0 < alpha ≤ infinity; finite points, fewer than 2^32 − 1; at most 2^30 Delaunay tetrahedra.
 /// Throws:   InvalidInput that names the violated requirement: before anything is computed, except for too many
 ///           tetrahedra; Cancelled.

@@ -20,8 +20,8 @@ using space::place_of;
 
 constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
 
-/// The triangles with a tetrahedron on one side only, glued through the tetrahedra at their sides. A face is identified
-/// by 4 t + k: across from corner k of tetrahedron t.
+/// The triangles that have a tetrahedron on one side only, glued through the tetrahedra around their sides. The number
+/// of a face is 4 t + k for the face across from corner k of tetrahedron t.
 class OpenFaces {
  public:
   explicit OpenFaces(const Solid& solid) : solid_(solid) {
@@ -32,7 +32,7 @@ class OpenFaces {
   /// Step 1: finds the faces without a neighbor, in canonical order.
   void find() {
     first_.resize(solid_.simplices.size());
-    std::vector<Row> rows;  // corners, and the number of the face
+    std::vector<Row> rows;  // three corners, and the number of the face
     std::uint32_t bound = 0;
     for (std::uint32_t t = 0; t < first_.size(); ++t) {
       first_[t] = static_cast<std::uint32_t>(rows.size());
@@ -54,7 +54,7 @@ class OpenFaces {
     neighbors_.assign(triangles_.size(), no_neighbors);
   }
 
-  /// Step 2: glues each side to the side that ends the same wedge of tetrahedra.
+  /// Step 2: glues each side to the side at the other end of its wedge of tetrahedra.
   void glue() {
     for (std::uint32_t i = 0; i < triangles_.size(); ++i)
       for (std::uint32_t j = 0; j < 3; ++j)
@@ -73,13 +73,14 @@ class OpenFaces {
   }
 
  private:
-  /// Walks through the tetrahedra around side j of triangle i, and glues the side to the side where the walk ends. A
-  /// neighbor is entered only if it shares the face; so no two tetrahedra have the same next one, and the walk ends.
+  /// Walks through the tetrahedra around side j of triangle i, and glues the side to the side where the walk ends. The
+  /// walk enters a neighbor only if the neighbor shares the face. No two tetrahedra therefore lead to the same next
+  /// one, and the walk ends.
   void glue(std::uint32_t i, std::uint32_t j) {
     constexpr const char* not_shared =
         "solid_boundary: expected neighbors[t][k] to be the tetrahedron across the face opposite corner k of t";
     const std::uint32_t p = triangles_[i][(j + 1) % 3], q = triangles_[i][(j + 2) % 3];
-    // In each tetrahedron: the corners across from the faces through which the walk enters and leaves.
+    // `in` and `out` are the corners of tetrahedron t across from the faces through which the walk enters and leaves t.
     std::uint32_t t = faces_[i] / 4, in = faces_[i] % 4, out = place_of(triangles_[i][j], solid_.simplices[t]);
     for (std::uint32_t next = solid_.neighbors[t][out]; next != Solid::none; next = solid_.neighbors[t][out]) {
       meshops::require(next < solid_.simplices.size(), not_shared);
@@ -104,7 +105,7 @@ class OpenFaces {
   }
 
   const Solid& solid_;
-  std::vector<std::uint32_t> first_;           // for each tetrahedron: the number of open faces before its own
+  std::vector<std::uint32_t> first_;           // for each tetrahedron: the number of open faces of earlier ones
   meshops::FreshVector<std::uint32_t> place_;  // for each open face as found: its canonical place
   std::vector<Triangle> triangles_, neighbors_;
   std::vector<std::uint32_t> faces_;

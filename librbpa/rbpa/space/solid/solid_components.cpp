@@ -25,7 +25,7 @@ SolidComponents solid_components(std::span<const Point3> points, const Solid& so
                    "solid_components: found a component without boundary triangles, expected solid_boundary(solid)");
   const space::Measures measure(points);
   std::vector<space::ClosedMeasures> measures;
-  std::vector<std::uint32_t> component;  // for each of `measures`, its component
+  std::vector<std::uint32_t> component;  // for each element of `measures`, its component
   for (std::size_t c = 0; c < of_triangles.size(); ++c) {
     const auto triangles = of_triangles.items(c);
     measures.push_back(measure.of(boundary.surface.triangles, triangles));

@@ -14,8 +14,8 @@
 namespace rbpa {
 namespace {
 
-/// Returns the number of the cell of x, of `cells` equal ones from `low` to `high`; of the nearest one if x is outside.
-/// Halves avoid a difference beyond the range of double.
+/// Returns the number of the cell that contains x, or is nearest to x, among `cells` equal cells from `low` to `high`.
+/// Coordinates are halved so that no difference is beyond the range of double.
 std::size_t cell_along(double x, double low, double high, std::size_t cells) {
   const double ratio = (x / 2 - low / 2) / (high / 2 - low / 2) * static_cast<double>(cells);
   return ratio >= 1 ? std::min(static_cast<std::size_t>(std::min(ratio, 1e6)), cells - 1) : 0;
@@ -82,7 +82,7 @@ std::uint32_t SolidLocator::find(const Point3& query, Walk& walk) const {
     std::uint32_t next = t;
     for (std::size_t k = 0; k < 4 && next == t; ++k) {
       const std::uint32_t beyond = neighbors_[t][k];
-      if (beyond == before && before != Solid::none) continue;  // the query is on this side of the face to `before`
+      if (beyond == before && before != Solid::none) continue;  // the query is not beyond the face to `before`
       if (side(t, k) <= 0) continue;
       if (beyond == Solid::none) return Solid::none;
       next = beyond;
@@ -91,7 +91,7 @@ std::uint32_t SolidLocator::find(const Point3& query, Walk& walk) const {
     before = t;
     t = next;
   }
-  // Tetrahedra that have the query on a common face, edge or corner are neighbors through faces that contain it.
+  // All tetrahedra that contain the query are connected through faces that contain the query.
   walk.around.assign(1, t);
   std::uint32_t first = t;
   for (std::size_t i = 0; i < walk.around.size(); ++i)

@@ -1,8 +1,8 @@
 // What:   finds the tetrahedron of a Delaunay triangulation that contains a point.
-// Law:    the tetrahedron is found exactly, as a function of the point and the triangulation: of several tetrahedra
-//         that share the face, edge or corner on which the point lies, the one of lowest index is found.
-// How:    a walk from tetrahedron to tetrahedron toward the point, from one at an input point in the same cell of a
-//         grid or, if that has none, in a cell before. Such a walk ends in every Delaunay triangulation.
+// Law:    the tetrahedron is found exactly, as a function of the point and the triangulation: if the point lies on a
+//         face, edge or corner of several tetrahedra, the tetrahedron of lowest index is found.
+// How:    a walk from tetrahedron to tetrahedron toward the point. The walk begins at an input point in the same cell
+//         of a grid or, if this cell has none, in an earlier cell. Such a walk ends in every Delaunay triangulation.
 // Cost:   construction is linear in the tetrahedra; a query takes a few steps of the walk where the points are dense.
 // Source: Devillers, Pion, Teillaud, Walking in a triangulation (2002).
 #pragma once
@@ -21,14 +21,14 @@ namespace rbpa {
 
 struct SolidLocateOptions {
   MaxThreads threads = 0;  ///< maximum number; 0: all processors
-  GoOn go_on = {};         ///< callback for cancellation, called after each 1,024 queries
+  GoOn go_on = {};         ///< callback for cancellation, called after each part of 1,024 queries
 };
 
-/// A Delaunay triangulation that is prepared for queries. Several threads may query it at the same time.
+/// A Delaunay triangulation prepared for queries. Several threads may query one object at the same time.
 class RBPA_API SolidLocator {
  public:
-  /// Prepares queries in a triangulation. Keeps the spans, whose arrays must outlive this object and stay unchanged.
-  /// Requires: finite `points`; `simplices` and `neighbors` are those of solid() of `points` at infinity.
+  /// Prepares a triangulation for queries. Keeps the spans: the arrays must outlive this object and stay unchanged.
+  /// Requires: finite `points`; `simplices` and `neighbors` are arrays of solid(points, infinity).
   /// Throws:   ContractViolation when the numbers of rows differ, or a corner or a neighbor does not exist; no other
   ///           requirement is checked.
   SolidLocator(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 4>> simplices,

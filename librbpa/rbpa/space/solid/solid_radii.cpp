@@ -69,14 +69,14 @@ class GrowingPieces {
     }
     for (std::uint32_t t = 0; t < simplices.size(); ++t)
       if (radii_[t] <= alpha) ++size[sets.find(t)];
-    // A component of n tetrahedra has at most 4 n corners: most components are too small to be counted.
+    // A component of n tetrahedra has at most 4 n corners. Most components are thus too small to be counted.
     for (std::uint32_t root = 0; root < size.size(); ++root)
       if (4 * std::size_t{size[root]} >= wanted_ && count_corners(root, alpha, sets) >= wanted_) return true;
     return false;
   }
 
  private:
-  static constexpr std::uint32_t none = 0xffffffff, unseen = 0xfffffffe;  // no corner; not seen yet
+  static constexpr std::uint32_t none = 0xffffffff, unseen = 0xfffffffe;  // marks: no corner; not seen yet
 
   std::size_t count_corners(std::uint32_t root, double alpha, meshops::DisjointSets& sets) {
     std::size_t count = 0;
@@ -92,7 +92,7 @@ class GrowingPieces {
   const Solid& delaunay_;
   std::span<const double> radii_;
   Steps& step_;
-  std::vector<std::uint32_t> seen_;  // for each point: the root of the last component found at it
+  std::vector<std::uint32_t> seen_;  // for each point: the root of its component, or a mark
   std::size_t wanted_ = 0;
 };
 
@@ -142,7 +142,7 @@ double auto_alpha(const Solid& delaunay, std::span<const double> radii, double s
   meshops::require(delaunay.neighbors.size() == radii.size(),
                    "auto_alpha: the triangulation has no neighbors, expected solid() with the option neighbors");
   if (delaunay.simplices.empty()) return infinity;
-  // A component with enough points keeps them as alpha grows, so the least alpha is found by bisection over the radii.
+  // A component keeps its points as alpha grows, so the least alpha is found by bisection over the radii.
   std::vector<double> sorted(radii.begin(), radii.end());
   Steps asked(go_on);
   sort(sorted, asked, std::less<>());

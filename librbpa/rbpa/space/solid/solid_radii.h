@@ -1,5 +1,6 @@
-// What:   computes the radius at which each tetrahedron enters the solid alpha complex; and from these radii the
-//         complex of any alpha, and the least alpha at which the complex, or one component, has a share of the points.
+// What:   computes the radius at which each tetrahedron enters the solid alpha complex, selects the complex of any
+//         alpha by these radii, and finds the least alpha at which the complex or a component has a share of the
+//         points.
 // Law:    a tetrahedron is in the complex of alpha exactly if its radius is at most alpha, for every double alpha > 0.
 // Cost:   some 70 nanoseconds a tetrahedron for circumradii(), shared among threads; n log n for auto_alpha(), linear
 //         for the other functions.
@@ -17,7 +18,7 @@
 
 namespace rbpa {
 
-/// Returns the circumradius of each tetrahedron, rounded up to a double; infinity if it is above all doubles.
+/// Returns the circumradius of each tetrahedron, rounded up to a double; infinity for a radius above all doubles.
 /// Requires: finite points, fewer than 2^32 − 1; the four points of a simplex are not in one plane (not checked).
 /// Throws:   InvalidInput that names the number of points, the first point that is not finite, or the first simplex
 ///           with a corner that is not a point; Cancelled.
@@ -26,23 +27,23 @@ RBPA_API std::vector<double> circumradii(std::span<const Point3> points,
                                          MaxThreads threads = 0, const GoOn& go_on = {});
 
 /// Returns the least alpha at which at least the fraction `share` of the distinct points are corners of tetrahedra. A
-/// share below 1 ignores outliers. The share is count / all in double, so that 7 of 100 points are the share 0.07. The
-/// result is infinity if there is no tetrahedron.
+/// share below 1 ignores outliers. Shares are quotients count / all in double, so that 7 of 100 points are a share of
+/// 0.07. Returns infinity if there is no tetrahedron.
 /// Requires: `delaunay` is solid() at infinity, and `radii` are its circumradii(); 0 < share ≤ 1.
 /// Throws:   ContractViolation if the number of radii differs or the share is out of its bounds; Cancelled.
 RBPA_API double min_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1,
                           const GoOn& go_on = {});
 
 /// Returns the least alpha at which one solid component, connected through triangles, has at least the fraction `share`
-/// of the distinct points as corners. Other components may exist. The result is infinity if there is no tetrahedron.
+/// of the distinct points as corners. Other components may exist. Returns infinity if there is no tetrahedron.
 /// Requires: what min_alpha() requires; `delaunay` has neighbors.
 /// Throws:   as min_alpha(); ContractViolation if neighbors are missing.
 RBPA_API double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1,
                            const GoOn& go_on = {});
 
-/// Returns the tetrahedra of a solid whose radius is at most alpha, with neighbors if `solid` has neighbors. Of the
-/// Delaunay triangulation, the result is solid() with this alpha.
-/// Requires: `radii` has the radius of each tetrahedron, in the order of `solid`; only their number is checked.
+/// Returns the tetrahedra of a solid whose radius is at most alpha, with neighbors if `solid` has neighbors. If `solid`
+/// is the Delaunay triangulation, the result is solid() with this alpha.
+/// Requires: `radii` has the radius of each tetrahedron, in the order of `solid`; only the number of radii is checked.
 /// Throws:   ContractViolation if the number of radii differs; InvalidInput when alpha is not above 0.
 RBPA_API Solid within(const Solid& solid, std::span<const double> radii, double alpha);
 

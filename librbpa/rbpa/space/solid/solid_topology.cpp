@@ -28,12 +28,12 @@ SolidCounts space::count_solid(const Solid& solid, const SolidBoundary& boundary
   counts.solid_components = count_sets(outside.solid_components);
   counts.components = count_sets(outside.components);
   const std::size_t surfaces = count_sets(outside.surfaces);
-  // Signed numbers: the sums may be negative if the arrays are not those of a solid.
+  // Signed numbers, because sums may be negative if `boundary` is not the boundary of `solid`.
   const auto signed_of = [](std::size_t count) { return static_cast<std::ptrdiff_t>(count); };
   const std::ptrdiff_t euler = outside.twice_euler / 2;
   const std::ptrdiff_t edges =
       signed_of(counts.points) + signed_of(counts.triangles) - signed_of(counts.tetrahedra) - euler;
-  // Each component has one surface around it.
+  // Each component has one outer surface; every other surface bounds a void.
   const std::ptrdiff_t voids = signed_of(surfaces) - signed_of(counts.components);
   const std::ptrdiff_t tunnels = signed_of(surfaces) - euler;
   meshops::require(outside.twice_euler % 2 == 0 && edges >= 0 && voids >= 0 && tunnels >= 0, not_its_boundary);

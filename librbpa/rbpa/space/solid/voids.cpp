@@ -18,8 +18,8 @@
 namespace rbpa {
 namespace {
 
-/// The nesting of the boundary's surfaces, which gives the void that each surface bounds:
-///   1. for each component of the complex, find the surface around it; its other surfaces are around voids;
+/// The nesting of the boundary's surfaces, which determines the void that each surface bounds:
+///   1. find the surface around each component of the complex; the component's other surfaces are around voids;
 ///   2. find the components within each surface around a void;
 ///   3. find the innermost void around each component.
 class Nesting {
@@ -43,8 +43,7 @@ class Nesting {
   const space::Grouped& surfaces() const { return surfaces_; }
   /// Returns whether a surface is around a component.
   bool is_outer(std::uint32_t surface) const { return outer_[component_[surface]] == surface; }
-  /// Returns, for a surface around a component, the surface around the innermost void that contains the component, or
-  /// none.
+  /// Returns for a surface around a component the surface around the innermost void that contains it, or none.
   std::uint32_t around(std::uint32_t surface) const { return around_[surface]; }
 
   /// Does steps 2 and 3.
@@ -54,7 +53,7 @@ class Nesting {
     std::sort(by_y.begin(), by_y.end(),
               [&](std::uint32_t c, std::uint32_t d) { return start(c)[0].y < start(d)[0].y; });
     std::vector<std::uint32_t> depth(outer_.size(), 0);
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> within;  // component, and surface around a void
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> within;  // a component; a surface around it and a void
     for (std::uint32_t s = 0; s < surfaces_.size(); ++s) {
       if (is_outer(s)) continue;
       for (const std::uint32_t c : components_within(s, by_y)) {
@@ -62,7 +61,7 @@ class Nesting {
         ++depth[c];
       }
     }
-    // The surface of the innermost void around c is of a component that lies in one void less than c.
+    // The innermost void around c is bounded by the component that lies in one void fewer than c.
     for (const auto& [c, s] : within)
       if (depth[component_[s]] + 1 == depth[c]) around_[outer_[c]] = s;
   }
@@ -74,13 +73,13 @@ class Nesting {
     const auto& [a, b, c] = boundary_.surface.triangles[triangle];
     return {points_[a], points_[b], points_[c]};
   }
-  /// Returns a tetrahedron of a component; rays start within it.
+  /// Returns a tetrahedron of a component, within which rays start.
   Tetrahedron start(std::uint32_t component) const {
     const auto& [a, b, c, d] = solid_.simplices[boundary_.tetrahedra[surfaces_.items(outer_[component]).front()]];
     return {points_[a], points_[b], points_[c], points_[d]};
   }
 
-  /// Returns which of `surfaces`, all of one component, encloses the component.
+  /// Returns the element of `surfaces` that encloses the component. Requires: all surfaces of one component.
   std::uint32_t outer_surface(std::span<const std::uint32_t> surfaces) const {
     const auto& [a, b, c, d] = solid_.simplices[boundary_.tetrahedra[surfaces_.items(surfaces.front()).front()]];
     const Tetrahedron from = {points_[a], points_[b], points_[c], points_[d]};
@@ -95,7 +94,7 @@ class Nesting {
   }
 
   /// Returns the other components inside `surface`, which is around a void. `by_y` has all components, sorted by the y
-  /// of start(). Only components whose start() begins in the box of the surface are tested.
+  /// of start()[0]. A component is tested only if its start()[0] is in the bounding box of the surface.
   std::vector<std::uint32_t> components_within(std::uint32_t surface, const std::vector<std::uint32_t>& by_y) const {
     const auto triangles = surfaces_.items(surface);
     space::Box box;
@@ -105,7 +104,7 @@ class Nesting {
       return std::lower_bound(components.begin(), components.end(), y,
                               [&](std::uint32_t c, double value) { return start(c)[0].y < value; });
     };
-    std::vector<std::uint32_t> inside_box;  // the components that begin in the box, sorted by y
+    std::vector<std::uint32_t> inside_box;  // the components with start()[0] in the box, sorted by y
     for (auto c = first_from(by_y, low.y); c != by_y.end() && start(*c)[0].y <= high.y; ++c) {
       const Point3 p = start(*c)[0];
       if (*c != component_[surface] && p.x >= low.x && p.x <= high.x && p.z >= low.z && p.z <= high.z)
@@ -155,7 +154,7 @@ Voids voids(std::span<const Point3> points, const Solid& solid, const SolidBound
 
   Nesting nesting(points, solid, boundary, outside);
   nesting.find_floating();
-  // A void is identified by the surface around it.
+  // The number of a void is for now that of the surface around the void.
   const auto& surfaces = nesting.surfaces();
   std::vector<std::size_t> islands(surfaces.size(), 0);
   for (std::uint32_t s = 0; s < surfaces.size(); ++s)
@@ -177,7 +176,7 @@ Voids voids(std::span<const Point3> points, const Solid& solid, const SolidBound
     place[v] = static_cast<std::uint32_t>(result.all.size());
     const auto triangles = of_voids.items(v);
     const space::ClosedMeasures& of = measures[v];
-    // The triangles of a void's boundary face the void.
+    // The triangles face the void, so that their signed volume is negative.
     result.all.push_back({{triangles.begin(), triangles.end()},
                           corners_of(boundary, triangles),
                           islands[key[v]],

@@ -20,18 +20,18 @@
 namespace rbpa {
 namespace {
 
-// Chosen by experiments: docs/explanation/surfaces.md, section 20.
+// The numbers are chosen by experiments: docs/explanation/surfaces.md, section 20.
 constexpr std::size_t neighbors = 32;
 constexpr double most_of_all = 0.99;  // fraction of the points whose gaps are ordinary
-constexpr double beyond_most = 2;     // a gap more than this many times the largest of these is an exception
+constexpr double beyond_most = 2;     // a gap more than this many times the largest ordinary one is an exception
 constexpr double margin = 1.25;       // because surfaces are not flat, and not all gaps are seen
-constexpr double ladder = 2;          // ratio of radii: a ball this many times larger than needed loses detail
-constexpr double some_of_all = 0.05;  // fraction of the points that gets a smaller radius of its own
+constexpr double ladder = 2;          // ratio of radii: a ball larger than needed by this factor loses detail
+constexpr double some_of_all = 0.05;  // fraction of the points that get a smaller radius of their own
 constexpr std::size_t most_radii = 4;
 constexpr double least_flatness = 0.5;  // least flatness of the neighbors of a point on a surface
-// Fraction of a point's neighbors that are at least as near to it as to their own neighbors
+// Least fraction of the neighbors of an ordinary point that are at least as near to the point as to their own neighbors
 constexpr double least_returned = 0.5;
-// Points on no surface are left out if they are at most this fraction of all
+// Points on no surface are left out if they are at most this fraction of all points
 constexpr double most_strangers = 0.3;
 constexpr double none = -1;
 
@@ -42,8 +42,8 @@ struct Gaps {
   std::vector<double> least;  // for each point, nearest_circumradius() or none; used if no point has a gap
 };
 
-/// Returns whether a point is on a surface, as far as its neighbors show. An outlier is farther from its neighbors than
-/// they are from their own neighbors, or has neighbors on all sides.
+/// Returns whether a point is on a surface, by its neighbors. An outlier is farther from its neighbors than these are
+/// from their own neighbors, or has neighbors on all sides.
 bool is_on_surface(const space::Neighborhoods& near, std::size_t i, double flatness) {
   if (flatness < least_flatness) return false;
   const auto squared = [&](std::uint32_t p, std::uint32_t q) {
@@ -57,8 +57,8 @@ bool is_on_surface(const space::Neighborhoods& near, std::size_t i, double flatn
   return static_cast<double>(returned) >= least_returned * static_cast<double>(near.count);
 }
 
-/// Replaces `result` by the neighbors relative to point i, times 2^-exponent so that no square overflows or underflows.
-/// Returns the exponent.
+/// Replaces `result` by the neighbors relative to point i, times 2^-exponent, so that no square overflows or
+/// underflows. Returns the exponent.
 int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3>& result) {
   const Point3& p = near.points[i];
   const auto around = near.around(i);
@@ -73,8 +73,7 @@ int relative(const space::Neighborhoods& near, std::size_t i, std::vector<Point3
   return exponent;
 }
 
-/// Removes the gaps of points on no surface, if these are few, and of points that seem flat by chance among mostly such
-/// neighbors.
+/// Removes the gaps of points on no surface, if they are few, and of points most of whose neighbors are on no surface.
 void leave_out_strangers(Gaps& gaps, const std::vector<char>& on_surface) {
   const auto all = std::count(on_surface.begin(), on_surface.end(), 0);
   if (static_cast<double>(all) > most_strangers * static_cast<double>(on_surface.size())) return;
@@ -91,7 +90,7 @@ void leave_out_strangers(Gaps& gaps, const std::vector<char>& on_surface) {
 Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   constexpr std::size_t points_at_a_time = 1024;
   const Checkpoint go_on = checkpoint_of(options.progress, points.size());
-  Threads threads(points.size() < 1000 ? 1 : options.threads);  // for few points another thread starts too late
+  Threads threads(points.size() < 1000 ? 1 : options.threads);  // for few points, another thread would start too late
   space::PlanesOfPoints planes = space::fit_planes<double>(std::move(points), neighbors, threads, go_on);
   const std::vector<Point3> normals = std::move(planes.normals);
   Gaps gaps{std::move(planes.near), {}, {}};
@@ -104,7 +103,7 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
     std::vector<Point3> around;
     for (std::size_t i = first; i < last; ++i) {
       const int exponent = relative(gaps.near, i, around);
-      // A corner within half of the farthest neighbor's distance is nearer to the point than to any beyond the
+      // A corner within half of the farthest neighbor's distance is nearer to the point than to any point beyond the
       // neighbors.
       const Point3& end = around.back();
       const double farthest = std::sqrt(end.x * end.x + end.y * end.y + end.z * end.z);
@@ -121,7 +120,7 @@ Gaps gaps_of(std::vector<Point3> points, const SurfaceOptions& options) {
   return gaps;
 }
 
-/// Returns for each point the largest gap of at most `largest` in its neighborhood; `none` if there is none.
+/// Returns for each point the largest gap of at most `largest` in its neighborhood; `none` if there is no such gap.
 std::vector<double> needs(const Gaps& gaps, double largest) {
   std::vector<double> need(gaps.gap.size(), none);
   for (std::size_t i = 0; i < need.size(); ++i) {
@@ -140,7 +139,7 @@ std::vector<double> without_none(std::vector<double> values) {
   return values;
 }
 
-/// Returns half the diagonal of the box of distinct points; nothing if all are on one line.
+/// Returns half the diagonal of the box of distinct points; nothing if all points are on one line.
 std::vector<double> half_diagonal(std::span<const Point3> points) {
   const auto is_on_line = [&](const Point3& p) { return space::are_collinear(points[0], points[1], p); };
   if (std::all_of(points.begin(), points.end(), is_on_line)) return {};
@@ -160,7 +159,7 @@ std::vector<double> radii_of(const Gaps& gaps) {
   const double largest = *(std::upper_bound(sorted.begin(), sorted.end(), beyond_most * most) - 1);
   std::vector<double> need = without_none(needs(gaps, largest)), radii;
   const auto some = static_cast<std::size_t>(some_of_all * static_cast<double>(need.size()));
-  // Steps are larger where densities differ too much for this many radii.
+  // Steps are larger if densities differ too much for this number of radii.
   static_assert(most_radii == 4);
   const double step = std::max(ladder, cube_root(need.back() / need[some]));
   while (radii.size() < most_radii && need.size() > some) {

@@ -49,7 +49,7 @@ std::vector<bool> are_rims(std::span<const Point3> points, const SurfaceComponen
     areas.push_back(area.rounded());
     total += area;
   }
-  // The vector area of the component. For a tube it is near 0, because the ends cancel, and has no direction.
+  // The vector area of the component. For a tube it is near 0, because the areas of the two ends cancel.
   const Vector mean = total.rounded();
   const double length = std::hypot(mean.x, mean.y, mean.z);
   const double least = rim_share * std::ldexp(2 * component.area, -2 * scale.exponent());

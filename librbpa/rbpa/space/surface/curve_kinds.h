@@ -1,7 +1,7 @@
 // What: classifies boundary curves of a surface as holes, outer rims, or rims of small islands; finds the islands.
 // Law:  the result depends on the points and the triangles only, not on any order. The area that a curve encloses, seen
-//       along a direction, is the component of its vector area in that direction. Kinds are right if the areas of
-//       components are in the range of double: for sizes from about 1e-150 to 1e150.
+//       along a direction, is the component of the curve's vector area in that direction. Kinds are right if the areas
+//       of components are in the range of double: for sizes from about 1e-150 to 1e150.
 // Cost: linear in the edges of the curves and the components, and a sort of the curves.
 #pragma once
 
@@ -20,15 +20,15 @@ namespace rbpa {
 
 /// The kind of a boundary curve.
 enum class CurveKind : std::uint8_t {
-  /// The outer end of a sheet: seen along the component's mean normal, the curve encloses at least a quarter of the
-  /// component's area, and so do all curves of the component together. The boundaries of a square and of half a sphere
-  /// are rims; the boundary of a cube without its bottom is a hole, and so are the two ends of a tube.
+  /// The outer end of a sheet. Seen along the mean normal of the component, the curve encloses at least a quarter of
+  /// the component's area, and so do all curves of the component together. The boundaries of a square and of half a
+  /// sphere are rims; the boundary of a cube without its bottom is a hole, and so are the two ends of a tube.
   rim,
   hole,    ///< any other curve of a component that is not an island
   island,  ///< any boundary curve of an island
 };
 
-/// Returns for each component whether it is an island: open, with less than 1 % of the area of the largest component.
+/// Returns for each component whether it is an island: open, and with less than 1 % of the largest component's area.
 /// Requires: `components` are in the order of surface_components(); not checked.
 RBPA_API std::vector<bool> islands(const SurfaceComponents& components);
 
@@ -38,7 +38,7 @@ struct HoleChoice {
   double most_length = std::numeric_limits<double>::infinity();      ///< maximum length, in units of the points
   bool rims = false;  ///< whether curves of every kind are chosen, not only holes
 
-  /// Returns whether the choice includes a curve of this kind.
+  /// Returns whether the choice includes `curve`, whose kind is `kind`.
   bool has(const Hole& curve, CurveKind kind) const {
     return (rims || kind == CurveKind::hole) && curve.edges.size() <= most_edges && curve.length <= most_length;
   }
@@ -53,7 +53,7 @@ RBPA_API std::vector<Hole> chosen_curves(std::span<const Hole> curves, std::span
 /// Returns the kind of each curve.
 /// Requires: `curves` are all holes() or surface_curves() of a surface of `points`, and `components` its components.
 /// Throws:   ContractViolation when a curve has no edge, or an edge has a point, triangle or component that does not
-///           exist. Missing curves are not noticed; then others may get the wrong kind.
+///           exist. Missing curves are not noticed; other curves may then get the wrong kind.
 RBPA_API std::vector<CurveKind> curve_kinds(std::span<const Point3> points, const SurfaceComponents& components,
                                             std::span<const Hole> curves);
 

@@ -19,7 +19,7 @@
 namespace rbpa {
 namespace {
 
-using Wide = long double;  // products of extreme coordinates do not overflow
+using Wide = long double;  // in long double, products of extreme coordinates do not overflow
 
 const Point3& viewpoint_of(std::size_t i, std::span<const Point3> viewpoints) {
   return viewpoints[viewpoints.size() == 1 ? 0 : i];
@@ -30,7 +30,7 @@ Wide height(const Point3& p, const Point3& from, const Point3& n) {
   return (Wide(from.x) - p.x) * n.x + (Wide(from.y) - p.y) * n.y + (Wide(from.z) - p.z) * n.z;
 }
 
-/// Returns the confidence that a normal turned toward a viewpoint is on the right side: a plane that is seen at a
+/// Returns the confidence that a normal turned toward a viewpoint is on the right side. A plane that is seen at a
 /// grazing angle may be seen from either side.
 double view_confidence(const Point3& p, const Point3& from, const Point3& n) {
   constexpr double beyond_doubt = 0.25;  // cosine of the angle between normal and view: 76 degrees
@@ -49,18 +49,19 @@ void check_viewpoints(std::span<const Point3> points, std::span<const Point3> vi
       throw InvalidInput("viewpoint " + std::to_string(i) + " is not finite, expected finite coordinates");
 }
 
-/// Returns the normals of distinct points, in their order, and their confidence if wanted, without viewpoints.
+/// Returns the normals of distinct points, in their order, and with `with_confidence` the confidence; not yet turned to
+/// viewpoints.
 template <typename Real>
 EstimatedNormals normals_of(std::vector<Point3> points, const NormalOptions& options, bool with_confidence) {
   const std::size_t count = points.size();
   const GoOn going = go_on_of(options.progress, count);
   const Checkpoint go_on = checkpoint_of(going);
-  Threads threads(count < 1000 ? 1 : options.threads);  // for few points another thread starts too late
+  Threads threads(count < 1000 ? 1 : options.threads);  // for few points, another thread would start too late
   auto [near, normals, confidence] = space::fit_planes<Real>(std::move(points), options.neighbors, threads, go_on);
   if (options.viewpoints.empty()) {
     space::OrientationTree tree = space::orient_normals<Real>(near, normals, go_on);
     space::OuterSides sides;
-    if constexpr (std::is_same_v<Real, double>) {  // other points do not fit the sums of areas either
+    if constexpr (std::is_same_v<Real, double>) {  // points that require long double do not fit the sums of areas
       sides = space::outer_sides(near, normals, {.threads = options.threads, .progress = on_progress_of(going)});
       if (!sides.empty()) tree = space::orient_normals<Real>(near, normals, go_on, sides.side);
     }

@@ -1,11 +1,11 @@
-// What:   estimates normals of points in space: fits a plane to the nearest points of each, and turns all normals to
-//         one side of the surface.
+// What:   estimates normals of points in space: fits a plane to each point and its nearest others, and turns all
+//         normals to one side of the surface.
 // Law:    the normals depend on the set of points and their viewpoints only, not on any order or thread; multiplying
-//         all points and viewpoints by a power of two changes nothing. Equal points have equal normals, unless their
+//         all points and viewpoints by a power of two changes no normal. Equal points have equal normals, unless their
 //         viewpoints differ. The result is an estimate, in rounded numbers; docs/explanation/surfaces.md, section 3,
 //         shows where it is wrong.
-// Cost:   O(n log n); about 30 times as long on the lines of a scanner, ten times as long on closed bodies thinner than
-//         the spacing of the points. Memory: at most about 25 · `neighbors` + 100 bytes a point.
+// Cost:   O(n log n); about 30 times as long for points on the lines of a scanner, ten times as long for closed bodies
+//         thinner than the spacing of the points. Memory: at most about 25 · `neighbors` + 100 bytes a point.
 // Source: Hoppe, DeRose, Duchamp, McDonald, Stuetzle, Surface reconstruction from unorganized points (1992).
 #pragma once
 
@@ -20,37 +20,37 @@
 namespace rbpa {
 
 struct NormalOptions {
-  /// Number of nearest other points to which, with the point itself, the plane is fitted; all of them if there are
-  /// fewer. The two rings around a point have 18 others in a triangular grid, 24 in a square one. Fewer points follow
-  /// the noise; more points round off edges and include the other side of thin parts.
+  /// Number of nearest other points to which the plane is fitted, together with the point itself; all others if there
+  /// are fewer. The two rings around a point have 18 others in a triangular grid, 24 in a square one. With fewer
+  /// points, normals follow the noise; with more, edges are rounded off, and the other side of thin parts is included.
   std::size_t neighbors = 16;
-  /// Viewpoints, from which the points were seen: one for all, or one for each point. Empty: unknown.
+  /// Viewpoints from which the points were seen: one for all points, or one for each. Empty if they are unknown.
   std::span<const Point3> viewpoints = {};
   MaxThreads threads = 0;
   OnProgress progress = {};  ///< Progress::triangles is 0
 };
 
 /// Returns for each point the unit normal of the plane that fits the point and its nearest others with the least sum of
-/// squared distances. Points at equal distances are ordered by their coordinates. If `neighbors` is at least 8 and the
-/// nearest others are nearly on a line, as on the lines of a scanner that are farther apart than eight points along
-/// them, the plane is fitted to the same number of points, chosen far from each other among the nearest 8 · `neighbors`
-/// or, if these are on a line too, the nearest 16 · `neighbors`.
+/// squared distances. Points at equal distances are ordered by their coordinates. A wider neighborhood is used if
+/// `neighbors` is at least 8 and the nearest others are nearly on a line, as on the lines of a scanner that are farther
+/// apart than eight points along a line. The plane is then fitted to as many points, chosen far from each other among
+/// the nearest 8 · `neighbors` or, if the chosen ones are on a line too, among the nearest 16 · `neighbors`.
 ///
 /// Points that are connected through nearest others have normals on one side: the normals are turned along a minimum
-/// spanning tree, whose weights measure how uncertain the side is across an edge. The first normal points outward at
+/// spanning tree, whose weights measure the uncertainty of the side across an edge. The first normal points outward at
 /// the extreme point in one direction: the first of +z, −z, +y, −y, +x, −x that is within 60 degrees of the normal of
-/// its extreme point, or else the nearest to it. If no step errs (docs/explanation/surfaces.md, section 3), the normals
-/// of each component of a closed surface point outward, also of a component inside another one; the normals of a plane
-/// that is not too steep point upward.
+/// its extreme point, or else the direction nearest to the normal of its extreme point. If no step errs
+/// (docs/explanation/surfaces.md, section 3), the normals of each component of a closed surface point outward, also
+/// those of a component inside another one. The normals of a plane that is not too steep point upward.
 ///
-/// The spanning tree errs if the two sides of a closed body are nearer to each other than the points are. There the
-/// side is decided by the outer shells of the exposed_triangles() of balls with a radius of a few spacings.
+/// The spanning tree errs if the two sides of a closed body are nearer to each other than the points are. In this case,
+/// the outer shells of the exposed_triangles() of balls with a radius of a few spacings decide the side.
 ///
-/// With viewpoints, each normal is turned by turn_toward() instead.
+/// If there are viewpoints, each normal is turned by turn_toward() instead.
 ///
 /// If the nearest points are on a line within the precision of double, the normal, before it is turned, is the
-/// direction across the line that is nearest to the z axis, or to the y axis if the line is parallel to z; that of a
-/// single distinct point is +z.
+/// direction across the line that is nearest to the z axis, or to the y axis if the line is parallel to z. The normal
+/// of a single distinct point is +z.
 /// Requires: finite points, fewer than 2^32 − 1; at least 2 neighbors; no viewpoint, one, or one for each point,
 ///           finite.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
@@ -69,22 +69,22 @@ inline constexpr double least_confidence = 0.5;
 /// - the confidence in the plane that fits the neighbors: 1 minus the ratio of the two least eigenvalues of the
 ///   neighbors' covariance; 1 in a plane, about 0 in a ball of points, 0 on a line;
 /// - the confidence in the side. Each edge of the spanning tree cuts the graph of nearest points in two; the edges
-///   across the cut vote whether the normals at their ends agree, each weighted by its own confidence. A cut counts 1
-///   if all agree, 0 if half of the weight or more does not; the confidence is the least cut on the path from the
-///   middle of the tree to the point. If balls decide the sides of points, each of these points begins a part of the
-///   tree; the confidence in the middle of a part is then 1 if balls see its first point from one side only, 0 if they
-///   see as much from both. With viewpoints, the confidence in the side is four times the cosine of the angle between
-///   normal and view, at most 1; 0 at the viewpoint itself.
+///   across the cut vote whether the normals at their ends agree, each edge weighted by its own confidence. A cut
+///   counts 1 if all edges agree, 0 if half of the weight or more does not; the confidence is the least cut on the path
+///   from the middle of the tree to the point. If balls decide the sides of points, each of these points begins a part
+///   of the tree; the confidence in the middle of a part is then 1 if balls see the first point of the part from one
+///   side only, 0 if they see as much of it from both sides. With viewpoints, the confidence in the side is four times
+///   the cosine of the angle between normal and view, at most 1; 0 at the viewpoint itself.
 /// Requires: what estimate_normals() requires.
 /// Throws:   what estimate_normals() throws.
-/// Cost:     O(n log n) more, in one thread; measured, 0 to 16 % of the estimate by one thread.
+/// Cost:     O(n log n) in addition, in one thread; measured, 0 to 16 % of the estimate's time in one thread.
 RBPA_API EstimatedNormals estimate_normals_and_confidence(std::span<const Point3> points,
                                                           const NormalOptions& options = {});
 
-/// Turns each normal to the side of its plane on which the viewpoint is. If the viewpoint is in the plane, the first
-/// nonzero coordinate of the normal among z, y, x becomes positive.
+/// Turns each normal to the side of its plane on which the viewpoint is. If the viewpoint is in the plane, turns the
+/// normal so that its first nonzero coordinate among z, y, x is positive.
 /// Requires: a normal for each point; one viewpoint, or one for each point; all finite.
-/// Throws:   InvalidInput when sizes do not fit or a viewpoint is not finite; then no normal is turned. Points and
+/// Throws:   InvalidInput when sizes do not fit or a viewpoint is not finite; no normal is then turned. Points and
 ///           normals are not checked.
 /// Cost:     linear.
 RBPA_API void turn_toward(std::span<const Point3> points, std::span<const Point3> viewpoints,

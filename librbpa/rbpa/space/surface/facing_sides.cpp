@@ -11,11 +11,11 @@ namespace {
 std::pair<std::uint32_t, std::uint32_t> ends(const EdgeSide& side) {
   return {std::min(side.from, side.to), std::max(side.from, side.to)};
 }
-/// Returns whether the positive side of a triangle follows its side: counter-clockwise about the direction from the
-/// edge's lower end to the higher.
+/// Returns whether the positive side of the triangle comes after the side, counter-clockwise about the direction from
+/// the lower end of the edge to the higher end.
 bool opens(const EdgeSide& side) { return side.from < side.to; }
 
-/// Sorts the sides of one edge counter-clockwise, beginning with the first.
+/// Sorts the sides of one edge counter-clockwise, starting from the first side.
 void sort_around(std::span<const Point3> points, std::span<EdgeSide> sides) {
   const auto [low, high] = ends(sides.front());
   const Point3 &a = points[low], &b = points[high], &start = points[sides.front().apex];

@@ -49,8 +49,8 @@ std::vector<Hole> curves_of(const Surface& surface, Steps& step) {
   return curves;
 }
 
-/// Returns the length of a curve, summed by ascending lengths of edges, so that the result has the same bits wherever
-/// the curve begins.
+/// Returns the length of a curve. Adds edges by ascending length, so that the bits do not depend on where the curve
+/// begins.
 double length_of(const Hole& curve, std::span<const Point3> points) {
   std::vector<double> lengths;
   for (const RimEdge& e : curve.edges) {
@@ -63,7 +63,7 @@ double length_of(const Hole& curve, std::span<const Point3> points) {
   return sum;
 }
 
-/// The exposed triangles of one radius at the first ends of rim edges.
+/// The exposed triangles of one radius at the points at which rim edges begin.
 class Exposed {
  public:
   Exposed(std::span<const Point3> points, std::span<const Duplicate> duplicates,
@@ -72,7 +72,7 @@ class Exposed {
     std::vector<std::uint8_t> wanted;
     for (const std::uint32_t i : near.input) wanted.push_back(at_rim[i]);
     exposed_ = space::exposed_at(near.points, radius, wanted, options);
-    for (space::ExposedAt& of : exposed_)  // their order does not change
+    for (space::ExposedAt& of : exposed_)  // indices ascend alike, so the order does not change
       of = {near.input[of.at], near.input[of.second], near.input[of.third], near.input[of.beyond]};
   }
 
@@ -94,8 +94,8 @@ class Exposed {
   std::vector<space::ExposedAt> exposed_;
 };
 
-/// Fills in the cause of an edge and the place of the cause. Requires: edge.next is set; `smaller` is the interior of
-/// the smaller radii, if there are smaller radii.
+/// Fills in the cause of an edge, and its `corners` and `sides`. Requires: edge.next is set; `smaller` is the interior
+/// of the surface of the smaller radii, if there are any.
 void explain(RimEdge& edge, const space::Agreement& agreement, const std::optional<space::Interior>& smaller) {
   edge.corners = agreement.disagreeing(edge.next);
   const auto disagreeing = std::count(edge.corners.begin(), edge.corners.end(), true);

@@ -14,14 +14,14 @@
 namespace rbpa {
 namespace {
 
-/// A corner of a surface, from which a ray starts in the direction of x.
+/// A corner of a surface, from which a ray starts in the direction of +x.
 struct Query {
   std::uint32_t surface, corner;
-  std::vector<std::uint32_t> hit = {};      // surfaces hit, once for each triangle hit
+  std::vector<std::uint32_t> hit = {};      // surfaces that the ray hits, once for each triangle hit
   std::vector<std::uint32_t> touched = {};  // surfaces on which the corner lies
 };
 
-/// Queries in the squares of a grid in y and z, across the rays.
+/// Queries in the squares of a grid in y and z, perpendicular to the rays.
 class Squares {
  public:
   Squares(std::span<const Point3> points, std::vector<Query>& queries) : queries_(queries) {
@@ -47,7 +47,7 @@ class Squares {
  private:
   std::size_t at_y(double y) const { return place(y, box_.low.y, box_.high.y); }
   std::size_t at_z(double z) const { return place(z, box_.low.z, box_.high.z); }
-  /// Returns the square of a coordinate along an axis, a monotone function.
+  /// Returns the number, along an axis, of the square that contains a coordinate. The function is monotone.
   std::size_t place(double x, double least, double greatest) const {
     if (!(x > least)) return 0;
     const double share = (x / 2 - least / 2) / (greatest / 2 - least / 2);
@@ -60,7 +60,7 @@ class Squares {
   std::vector<std::vector<std::uint32_t>> squares_;
 };
 
-/// Returns whether p is on the triangle or its sides. Requires: p is in the plane and in the bounding box of the
+/// Returns whether p is in the triangle, its sides included. Requires: p is in the plane and in the bounding box of the
 /// triangle.
 bool is_on(const std::array<Point3, 3>& t, const Point3& p) {
   for (const int axis : {0, 1, 2}) {
@@ -77,7 +77,7 @@ void shoot(Query& query, std::uint32_t surface, const Point3& p, const std::arra
   const std::array sides = {space::orientation_along(t[0], t[1], p, 0), space::orientation_along(t[1], t[2], p, 0),
                             space::orientation_along(t[2], t[0], p, 0)};
   const auto [low, high] = std::minmax_element(sides.begin(), sides.end());
-  if (*low < 0 && *high > 0) return;  // the ray misses it
+  if (*low < 0 && *high > 0) return;  // the ray misses the triangle
   const bool is_seen_from_its_side = *low == 0 && *high == 0;
   const int above = is_seen_from_its_side ? 0 : space::orientation(t[0], t[1], t[2], p);
   if (above == 0) {
@@ -108,7 +108,7 @@ void shoot_all(std::span<const Point3> points, std::span<const std::vector<Trian
     }
 }
 
-/// Returns the number of surfaces that are hit an odd number of times and not touched.
+/// Returns the number of surfaces that the ray hits an odd number of times and on which the corner does not lie.
 std::size_t depth_of(Query& query) {
   std::sort(query.hit.begin(), query.hit.end());
   std::size_t depth = 0;
@@ -127,7 +127,7 @@ std::vector<std::size_t> nesting_depths(std::span<const Point3> points, std::spa
                                         const GoOn& go_on) {
   Steps step(go_on);
   std::vector<std::size_t> result(surfaces.size(), 0);
-  std::vector<std::vector<std::uint32_t>> corners(surfaces.size());  // corners not tried yet; the next is last
+  std::vector<std::vector<std::uint32_t>> corners(surfaces.size());  // untried corners; the next one is last
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     for (const Triangle& triangle : surfaces[s]) {
       step();
@@ -141,7 +141,7 @@ std::vector<std::size_t> nesting_depths(std::span<const Point3> points, std::spa
     corners[s].erase(std::unique(corners[s].begin(), corners[s].end(), is_same), corners[s].end());
   }
   std::vector<bool> is_known(surfaces.size(), false), is_asked(surfaces.size(), false);
-  // Nearly all first corners touch no other surface. For the rest, twice as many corners are tried each time.
+  // Nearly all first corners lie on no other surface. For the rest, twice as many corners are tried each time.
   for (std::size_t at_once = 1;; at_once *= 2) {
     std::vector<Query> queries;
     for (std::uint32_t s = 0; s < surfaces.size(); ++s)

@@ -18,10 +18,10 @@
 namespace rbpa {
 namespace {
 
-using Real = long double;  // products of coordinates in double do not overflow it
+using Real = long double;  // products of double coordinates do not overflow
 using LongVector = space::Vector3<Real>;
 
-/// A triangle, and the ball of the radius that rests on it.
+/// The ball of the radius that rests on a triangle.
 class RestingBall {
  public:
   RestingBall(std::span<const Point3> points, const Triangle& triangle, Real radius) : a_(points[triangle[0]]) {
@@ -44,7 +44,7 @@ class RestingBall {
     }
   }
 
-  /// Returns the distance from the triangle to the center, less the possible rounding error: the center of a nearly
+  /// Returns the distance from the triangle to the center, minus the possible rounding error: the center at a nearly
   /// degenerate triangle may be anywhere.
   Real clearance() const { return clearance_ - 1000 * error_; }
   Point3 center() const {
@@ -59,8 +59,8 @@ class RestingBall {
   Real height_ = 0, clearance_ = 0, error_ = 0;
 };
 
-/// Calls visit(component, i) for each component that winds around place i. A triangle is only compared with the places
-/// within its range of y. Requires: coordinates of places within the range of the points' coordinates.
+/// Calls visit(component, i) for each component that winds around place i. A triangle is compared only with the places
+/// within its range of y. Requires: coordinates of places are within the range of the points' coordinates.
 template <typename Visit>
 void for_each_enclosed(std::span<const Point3> points, const Surface& shells, const SurfaceComponents& components,
                        std::span<const Point3> places, Steps& step, const Visit& visit) {
@@ -122,7 +122,7 @@ std::vector<bool> outer_shells(std::span<const Point3> points, double radius, co
         component.is_closed(),
         "outer_shells: found a component with a boundary, expected closed ones, as exposed_triangles() has");
 
-  // For each shell, the ball with the center highest above its triangle, where rounding of the center matters least.
+  // For each shell, finds the ball whose center is highest above its triangle, where rounding matters least.
   Steps step(go_on);
   std::vector<Real> clearance(count, -std::numeric_limits<Real>::infinity());
   std::vector<Point3> center(count);

@@ -14,7 +14,7 @@
 namespace rbpa {
 namespace {
 
-/// Finds the outliers of points that are multiplied by 2^exponent, so that squares fit double.
+/// Finds the outliers of points that were multiplied by 2^exponent so that squares fit double.
 template <typename Real>
 Outliers outliers_of(const std::vector<Point3>& points, int exponent, const OutlierOptions& options) {
   space::DistinctPoints sites = space::distinct_points(points);

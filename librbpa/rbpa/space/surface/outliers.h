@@ -1,10 +1,11 @@
 // What:   finds outliers in space: points that are much farther from their nearest neighbors than most points are.
 // Law:    a function of the set of points, not of any order or thread; distances are rounded. Equal points count as
-//         one, and are outliers together. Multiplying all points by a power of two multiplies the median distance only.
+//         one, and are outliers together. Multiplying all points by a power of two changes no outlier, and multiplies
+//         the median distance.
 // Cost:   O(n log n), about a third of the cost of estimate_normals(). Memory: 4 · `neighbors` bytes a point, and a few
 //         copies of the points.
-// Source: Rusu, Marton, Blodow, Dolha, Beetz, Towards 3D point cloud based object maps (2008), with the median in place
-//         of mean and deviation, which outliers move.
+// Source: Rusu, Marton, Blodow, Dolha, Beetz, Towards 3D point cloud based object maps (2008). The median takes the
+//         place of mean and deviation, which outliers move.
 #pragma once
 
 #include <cstddef>
@@ -20,8 +21,8 @@ namespace rbpa {
 
 struct OutlierOptions {
   /// A point is an outlier if its distance to the neighbor of rank `neighbors` is more than `factor` times the median
-  /// of these distances at distinct points (of an even number, the upper median). Sparse parts of a scan, with fewer
-  /// than half of the points, are outliers too if their spacing is more than `factor` times that of the rest.
+  /// of these distances at distinct points (the upper median of an even number). Sparse parts of a scan that have fewer
+  /// than half of the points are outliers too if their spacing is more than `factor` times that of the rest.
   double factor = 4;
   /// Rank of the neighbor to which the distance is measured; 1 is the nearest other point. If there are fewer other
   /// points, the distance to the farthest counts. Groups of up to `neighbors` outliers close together are found.
@@ -32,8 +33,8 @@ struct OutlierOptions {
 
 struct Outliers {
   std::vector<std::uint32_t> points;  ///< input indices, ascending
-  /// The median distance, rounded, in units of the points; infinity beyond the largest double; 0, and no outliers, for
-  /// fewer than two distinct points.
+  /// The median distance, rounded, in units of the points. Infinity if it exceeds the largest double; 0, without
+  /// outliers, for fewer than two distinct points.
   double distance = 0;
 };
 

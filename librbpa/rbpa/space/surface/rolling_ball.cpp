@@ -20,7 +20,7 @@ using space::Cells;
 
 constexpr space::Site no_site = 0xffffffff;
 
-/// Returns the site of each input point; no_site for duplicates.
+/// Returns the site of each input point; no_site for a duplicate.
 std::vector<space::Site> sites_of(const Cells& cells, std::size_t points) {
   std::vector<space::Site> site(points, no_site);
   for (space::Site s = 0; s < cells.sites().size(); ++s) site[cells.input_index()[s]] = s;
@@ -83,7 +83,7 @@ class RollingBall::Inside {
         site_(sites_of(cells_, points.size())),
         agreement_(points_, normals_, cells_.duplicates()) {}
 
-  /// The other points that a ball can touch or contain while it touches a given point, nearest first.
+  /// The other points that the ball can touch or contain while it touches a given point, the nearest first.
   struct Near {
     std::vector<Point3> points;
     std::vector<std::uint32_t> input;
@@ -99,7 +99,7 @@ class RollingBall::Inside {
     };
     const space::Site at = site(index);
     const std::span<const Point3> sites = cells_.sites();
-    // Rounded outward, by more than the rounding error of a distance.
+    // The limit is rounded outward, by more than the rounding error of a distance.
     const Real radius = cells_.radius(), farthest = 4 * radius * radius * (1 + Real(0x1p-40));
     std::vector<Distance> found;
     Cells::Around(cells_).for_each_run(cells_.cell_of(at), [&](space::Site first, space::Site last) {

@@ -1,8 +1,8 @@
-// What:   a ball that rests on three points and rolls from there, one step at a time: ball pivoting for code that
-//         traverses the exposed triangles in its own order, as an advancing front does.
+// What:   rolls a ball that rests on three points, one step at a time: ball pivoting for code that traverses the
+//         exposed triangles in its own order, as an advancing front does.
 // Law:    exact, on any finite input. Each result is a function of the points, their normals and the radius, not of
 //         earlier queries. Rolling back returns to the same triangle. docs/explanation/surfaces.md, section 12.
-// Cost:   each roll reads the points within about two radii; surface() rolls over all sides at once, which is faster.
+// Cost:   each roll reads the points within about two radii; one call of surface() rolls over all sides faster.
 // Source: Bernardini et al., The ball-pivoting algorithm for surface reconstruction (1999).
 #pragma once
 
@@ -18,8 +18,8 @@
 
 namespace rbpa {
 
-/// A ball of fixed radius on fixed points. Points are input indices; of equal points only the lowest is in triangles.
-/// Several threads may call const functions at once. A moved-from ball may only be destroyed or assigned to.
+/// A ball of fixed radius on fixed points. Points are input indices; of equal points, only the lowest is in triangles.
+/// Several threads may call const functions concurrently. A moved-from ball may only be destroyed or assigned to.
 class RBPA_API RollingBall {
  public:
   using Triangle = std::array<std::uint32_t, 3>;  ///< counter-clockwise as the ball sees it
@@ -28,7 +28,7 @@ class RBPA_API RollingBall {
   /// Requires: what surface() requires.
   /// Throws:   InvalidInput that names the violated requirement.
   RollingBall(std::span<const Point3> points, std::span<const Point3> normals, double radius);
-  /// Makes a ball on points without normals, as above. Requires: what exposed_triangles() requires.
+  /// Takes points without normals, as above. Requires: what exposed_triangles() requires.
   RollingBall(std::span<const Point3> points, double radius);
   RollingBall(RollingBall&&) noexcept;
   RollingBall& operator=(RollingBall&&) noexcept;
@@ -37,9 +37,9 @@ class RBPA_API RollingBall {
   /// Returns the input points, duplicates included.
   std::span<const Point3> points() const;
 
-  /// Rolls the ball that rests on the exposed triangle (a, b, c) over the side from a to b until it touches a point p.
-  /// Returns p, which may be c again; the ball then rests on (b, a, p), and roll(b, a, p) is c. The result is empty if
-  /// the ball does not rest on (a, b, c), as if an index is that of no point or of a duplicate.
+  /// Rolls the ball that rests on the exposed triangle (a, b, c) over the side from a to b until the ball touches a
+  /// point p. Returns p, which may be c again; the ball then rests on (b, a, p), and roll(b, a, p) is c. The result is
+  /// empty if the ball does not rest on (a, b, c), for example if an index is that of no point or of a duplicate.
   std::optional<std::uint32_t> roll(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
 
   /// A roll from the exposed triangle (a, b, from) to (b, a, to).
@@ -47,14 +47,13 @@ class RBPA_API RollingBall {
     std::uint32_t from, to;
     friend bool operator==(const Roll&, const Roll&) = default;
   };
-  /// Returns all results of roll(a, b, …), by ascending `from`. Their triangles (a, b, from) and (b, a, to) are all
-  /// exposed triangles with a side between a and b. The list is empty when an index is that of no point or of a
-  /// duplicate.
+  /// Returns all results of roll(a, b, …), by ascending `from`. The triangles (a, b, from) and (b, a, to) of the
+  /// results are all exposed triangles with a side between a and b. The list is empty if an index is that of no point
+  /// or of a duplicate.
   std::vector<Roll> rolls(std::uint32_t a, std::uint32_t b) const;
 
   /// Returns the exposed triangles whose corner of lowest index is `first`, in lexicographic order; none for a
-  /// duplicate. Over all points, each triangle is returned once.
-  /// Throws: ContractViolation when `first` is not the index of a point.
+  /// duplicate. The results for all points together have each triangle once.
   std::vector<Triangle> triangles_from(std::uint32_t first) const;
 
   /// Returns whether the triangle's own normal has a positive scalar product with the normals of all points at its

@@ -16,8 +16,8 @@
 namespace rbpa {
 namespace {
 
-/// Moves the points by one step. Returns the noise: the median distance between a point's move and the mean move of its
-/// neighbors, in spacings; 0 for a single point. Curvature moves neighbors together, so it is no noise.
+/// Moves the points by one step. Returns the noise: the median distance, in spacings, between a point's move and the
+/// mean move of its neighbors; 0 for a single point. Curvature moves neighbors together, so it is not noise.
 template <typename Real>
 double step(std::vector<Point3>& points, const ScaleSpaceOptions& options, const Checkpoint& go_on) {
   space::DistinctPoints sites = space::distinct_points(points);
@@ -28,7 +28,7 @@ double step(std::vector<Point3>& points, const ScaleSpaceOptions& options, const
   std::vector<Point3> ways(near.points.size());
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const Point3 &p = near.points[i], &n = normals[i];
-    Real above = 0;  // height of the centroid of the point and the others
+    Real above = 0;  // sum of the heights of the others above the point
     for (const std::uint32_t j : near.around(i)) {
       const Point3& q = near.points[j];
       above += (Real(q.x) - p.x) * n.x + (Real(q.y) - p.y) * n.y + (Real(q.z) - p.z) * n.z;
@@ -64,7 +64,7 @@ ScaleSpace scale_space(std::span<const Point3> points, const ScaleSpaceOptions& 
   const Checkpoint go_on = checkpoint_of(options.progress, points.size());
   const std::optional<int> exponent = space::fit_double(result.points);
   constexpr std::size_t most = 8;
-  constexpr double little = 0.1;  // noise at which to stop, in spacings
+  constexpr double little = 0.1;  // noise, in spacings, below which the steps end
   while (result.steps < (options.steps == 0 ? most : options.steps)) {
     const double noise =
         exponent ? step<double>(result.points, options, go_on) : step<long double>(result.points, options, go_on);

@@ -13,7 +13,7 @@
 namespace rbpa {
 namespace {
 
-/// A side of a triangle, across from a corner, and the vertices at its ends.
+/// A side of a triangle.
 struct Side {
   std::uint32_t low, high;  // the vertices at its ends
   std::uint32_t triangle;
@@ -58,7 +58,7 @@ SplitFans split_fans(const Surface& surface, const GoOn& go_on) {
     if (fans.find(corner) == corner) first.push_back(corner);
   sort(first, step, [&](std::uint32_t f, std::uint32_t g) { return at(f) != at(g) ? at(f) < at(g) : f < g; });
   for (const std::uint32_t corner : first) result.point.push_back(at(corner));
-  // The first corner of a fan is numbered first; the others copy its number.
+  // The first corner of each fan is numbered first; the other corners of the fan copy the number.
   for (std::uint32_t v = 0; v < first.size(); ++v) at(first[v]) = v;
   for (std::uint32_t corner = 0; corner < corners; ++corner) at(corner) = at(fans.find(corner));
   return result;
@@ -67,7 +67,7 @@ SplitFans split_fans(const Surface& surface, const GoOn& go_on) {
 Surface indexable_surface(const Surface& surface, const GoOn& go_on) {
   Surface result = surface;
   const auto across = [&](const Side& side) -> std::uint32_t& { return result.neighbors[side.triangle][side.across]; };
-  // After a fan is cut everywhere that it meets the edge, each part meets the edge only at its two ends.
+  // If a fan is cut everywhere that it meets the edge, each of its parts meets the edge only at its two ends.
   for_each_edge(split_fans(surface, go_on), go_on, [&](auto first, auto last) {
     if (last - first > 2)
       for (auto side = first; side != last; ++side) across(*side) = Surface::none;

@@ -15,11 +15,11 @@
 namespace rbpa {
 namespace {
 
-/// Assembles the triangles of sites for which keep(v, x, y) returns true; see SurfaceAssembly::add():
+/// Assembles the triangles of sites for which keep(v, x, y) returns true (SurfaceAssembly::add()):
 ///   1. find the rings of a part of the sites, in any thread (find_rings());
 ///   2. add the triangles of the part that are kept, and the rings that are needed for their neighbors;
 ///   3. report progress, part by part in order;
-///   4. when all parts are there, number the triangles and look up their neighbors;
+///   4. when all parts are added, number the triangles and look up their neighbors;
 ///   5. list the points that are equal to another one.
 template <typename Keep, typename IsNeeded>
 void assemble(const space::Cells& cells, bool fits_double, std::size_t input_points, Threads& threads,
@@ -58,7 +58,7 @@ void assemble(const space::Cells& cells, bool fits_double, std::size_t input_poi
   surface.duplicates = cells.duplicates();
 }
 
-/// Returns the threads to use. Few sites need one thread: another would start too late.
+/// Returns the threads to use. Few points are left to one thread, as another would start too late.
 Threads threads_for_sites(std::size_t points, unsigned wanted) { return Threads(points < 1000 ? 1 : wanted); }
 
 }  // namespace
@@ -84,7 +84,7 @@ Surface surface(std::span<const Point3> points, std::span<const Point3> normals,
   Threads threads = threads_for_sites(points.size(), options.threads);
   const space::ScaledPoints scaled(points, radius);
   const space::Cells cells(scaled.points(), scaled.radius(), threads);
-  std::vector<Point3> own(cells.sites().size());  // for each site, the normal of its lowest index
+  std::vector<Point3> own(cells.sites().size());  // for each site, the normal of its point of lowest index
   for_each_part(threads, own.size(), 1u << 14, [&](std::size_t from, std::size_t to) {
     for (std::size_t i = from; i < to; ++i) own[i] = normals[cells.input_index()[i]];
   });

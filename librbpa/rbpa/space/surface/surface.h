@@ -1,4 +1,4 @@
-// What:   ball pivoting of points in space; the surface is returned as arrays of indices in canonical order.
+// What:   pivots a ball over points in space, and returns the surface as arrays of indices in canonical order.
 // Law:    a function of the set of points, their normals and the radius, not of any order, seed or thread. Every
 //         decision is exact, on any finite input; ties are decided by the symbolic perturbation that CGAL uses.
 //         docs/explanation/surfaces.md.
@@ -23,24 +23,25 @@ namespace rbpa {
 /// Options of a computation on points or on a surface.
 struct SurfaceOptions {
   MaxThreads threads = 0;
-  /// Progress::triangles is the number of exposed triangles so far, or of new ones while holes are filled; otherwise
-  /// the number of given triangles, or 0 while points are searched.
+  /// Progress::triangles is the number of exposed triangles found up to now, or of new triangles while holes are
+  /// filled; otherwise the number of given triangles, or 0 while points are searched.
   OnProgress progress = {};
 };
 
 /// Oriented triangles, and for each side the triangle on which the ball comes to rest when it rolls over the side.
-/// Corners are input indices; of equal points the lowest.
+/// Corners are input indices; of equal points, the lowest.
 struct Surface {
   /// The value for no neighbor in `neighbors`.
   static constexpr std::uint32_t none = 0xffffffff;
 
-  /// The triangles, counter-clockwise as the ball sees them, each with its least index first; in lexicographic order.
+  /// The triangles, counter-clockwise as the ball sees them, each with its least index first, in lexicographic order.
   /// Three points may form two triangles, one for each side.
   std::vector<std::array<std::uint32_t, 3>> triangles;
   /// Neighbor k of a triangle is the triangle to which the ball rolls over the side across from corner k, or none.
   /// Rolling back returns to the same triangle.
   std::vector<std::array<std::uint32_t, 3>> neighbors;
-  /// For each triangle, the number, from 0, of the radius that created it. Empty unless surface_levels.h made it.
+  /// For each triangle, the number, from 0, of the radius that created it. Filled in only by surface() of several radii
+  /// (surface_levels.h) and functions that keep levels.
   std::vector<std::uint32_t> levels;
   std::vector<Duplicate> duplicates;  ///< points equal to one of lower index; ascending by index
   std::size_t distinct = 0;           ///< number of distinct points
@@ -53,7 +54,7 @@ struct Surface {
 RBPA_API Surface exposed_triangles(std::span<const Point3> points, double radius, const SurfaceOptions& options = {});
 
 /// Computes the surface A_r: the exposed triangles whose own normal has a positive scalar product with the normals of
-/// all points at their corners. Two sides are glued if the ball rolls over each of them to the other triangle.
+/// all points at their corners. Two sides are glued if the ball rolls over each side to the triangle of the other.
 /// Requires: what exposed_triangles() requires; a normal for each point, finite, of any length but 0.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 RBPA_API Surface surface(std::span<const Point3> points, std::span<const Point3> normals, double radius,

@@ -27,9 +27,9 @@ namespace {
 using space::Corners, space::corners_of;
 using Vector = space::Vector3<double>;
 
-/// A component, and the tie-breaker between equal components.
+/// A component, and the triangle that orders components of equal area and volume.
 struct Measured : SurfaceComponent {
-  Corners least{};  ///< triangle; no other component has the same, as triangles are oriented
+  Corners least{};  ///< least triangle; no other component has it, as triangles are oriented
 };
 
 /// Measures a component. Requires: at least one triangle.
@@ -173,7 +173,7 @@ DroppedComponents dropped_components(std::span<const Point3> points, const std::
     dropped.area += component.area;
     dropped.genus += genus[c];
   }
-  std::vector<char> use(points.size(), 0);  // by dropped triangles only: 1; by kept ones: 2
+  std::vector<char> use(points.size(), 0);  // 1 for corners of dropped triangles only, 2 for corners of kept ones
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const char by = kept[components.number[t]] ? 2 : 1;
     for (const std::uint32_t corner : surface.triangles[t]) use[corner] = std::max(use[corner], by);

@@ -1,10 +1,10 @@
-// What:   computes the surface of points in space by several radii: a larger radius closes gaps that smaller ones left
+// What:   computes the surface of points in space by several radii: a larger radius closes gaps that smaller ones leave
 //         open.
-// Law:    a function of the set of points, their normals and the radii, not of any order or thread. An oriented
-//         2-manifold with boundary, each fan with a vertex of its own; its triangles never cross. A radius adds
-//         triangles and removes none, and changes no gluing between earlier ones. docs/explanation/surfaces.md, section
-//         17.
-// Source: Bernardini et al., section 4.4, use radii in ascending order; the rule here differs from theirs.
+// Law:    a function of the set of points, their normals and the radii, not of any order or thread. The result is an
+//         oriented 2-manifold with boundary if each fan has a vertex of its own; its triangles never cross. A radius
+//         adds triangles, removes none, and changes no gluing between earlier ones. docs/explanation/surfaces.md,
+//         section 17.
+// Source: Bernardini et al., section 4.4, use radii in ascending order; the rule of this function differs from theirs.
 #pragma once
 
 #include <span>
@@ -15,11 +15,11 @@
 
 namespace rbpa {
 
-/// Computes the surface() of the first radius; then adds, for each further radius, those triangles of its surface that
-/// touch no interior point and no interior edge of the surface so far: no point around which a fan is closed, and no
-/// edge at which two sides are glued. Surface::levels has for each triangle the number of its radius, from 0; it is
-/// filled in also for a single radius.
-/// Requires: as surface(); at least one radius, strictly ascending.
+/// Computes the surface() of the first radius. For each further radius, adds those triangles of its surface that touch
+/// no interior point and no interior edge of the surface of the smaller radii: no point around which a fan is closed,
+/// and no edge at which two sides are glued. Surface::levels has for each triangle the number of its radius, from 0,
+/// also if there is a single radius.
+/// Requires: what surface() requires; at least one radius, strictly ascending.
 /// Throws:   InvalidInput that names the violated requirement; Cancelled.
 /// Cost:     that of surface() for the first radius; for each further radius, that of surface() for the points near
 ///           points that are not interior.

@@ -23,8 +23,8 @@ meshops::Patch patch_of(const Surface& surface, const SplitFans& fans) {
   for (std::size_t t = 0; t < fans.triangles.size(); ++t)
     for (std::size_t side = 0; side < 3; ++side) {
       patch.triangles[t][side] = static_cast<meshops::Site>(fans.triangles[t][side]);
-      // Side `side` leads from that corner to the next, across from the third. The other triangle's side begins at the
-      // next corner.
+      // Side `side` leads from corner `side` to the next corner, across from the third. The other triangle's side
+      // begins at that next corner.
       const std::uint32_t other = surface.neighbors[t][(side + 2) % 3];
       patch.across[t][side] = meshops::Patch::nothing;
       if (other == Surface::none) continue;
@@ -35,7 +35,7 @@ meshops::Patch patch_of(const Surface& surface, const SplitFans& fans) {
   return patch;
 }
 
-/// Makes the mesh; calls give_back() as soon as the surface is no longer needed.
+/// Makes the mesh. Calls give_back() as soon as the surface is no longer needed.
 template <typename GiveBack>
 SurfaceMesh mesh_of(std::span<const Point3> points, const Surface& surface, GiveBack give_back) {
   if (surface.triangles.size() > max_points)

@@ -15,8 +15,8 @@
 namespace rbpa {
 namespace {
 
-/// A side of a triangle between two points, across from a third corner. It opens where it leads from the lower point to
-/// the higher: then the triangle's positive side follows it, counter-clockwise about that direction.
+/// A side of a triangle between two points, across from a third corner. The side opens if it leads from the lower to
+/// the higher point: the triangle's positive side then follows it, counter-clockwise about that direction.
 struct SideInSpace {
   std::uint32_t low, high, apex;
   std::uint32_t triangle, across;
@@ -44,7 +44,7 @@ void check_triangles(std::span<const Point3> points, std::span<const Triangle> t
   }
 }
 
-/// Sets `distinct` and `duplicates`. Returns, for each point, the lowest index at its place.
+/// Sets `distinct` and `duplicates`. Returns, for each point, the lowest index among the points at its place.
 std::vector<std::uint32_t> lowest_equal(std::span<const Point3> points, Surface& surface) {
   std::vector<std::uint32_t> order(points.size()), lowest(points.size());
   std::iota(order.begin(), order.end(), std::uint32_t{0});
@@ -88,8 +88,8 @@ class EdgeTurn {
  private:
   const Point3& at(const SideInSpace& side) const { return points_[side.apex]; }
   int along(const SideInSpace& side) const { return space::orientation_along(a_, b_, at(side), axis_); }
-  /// Returns the part of a full turn, from the direction of the first side on, in which a side is: 0 that direction, 1
-  /// the first half, 2 the opposite direction, 3 the second half.
+  /// Returns the part of a full turn in which a side is, from the direction of the first side on: 0 in that direction,
+  /// 1 in the first half, 2 in the opposite direction, 3 in the second half.
   int part(const SideInSpace& side) const {
     const int turned = space::orientation(a_, b_, start_, at(side));
     if (turned != 0) return turned > 0 ? 1 : 3;
@@ -99,7 +99,7 @@ class EdgeTurn {
     const int first = part(s), second = part(t);
     return first != second ? first - second : -space::orientation(a_, b_, at(s), at(t));
   }
-  /// Returns whether no other triangle lies on the triangle of side i with its positive side on the same side.
+  /// Returns whether no other triangle with the same orientation lies on the triangle of side i.
   bool is_alone(std::size_t i) const {
     const auto lies_on = [&](std::size_t j) {
       return j != i && sides_[j].opens == sides_[i].opens && compare(sides_[i], sides_[j]) == 0;
@@ -140,7 +140,7 @@ std::vector<Triangle> glued_by_place(std::span<const Point3> points, std::span<c
   return neighbors;
 }
 
-/// Appends the triangles, with their neighbors, to `surface` in canonical order.
+/// Appends the triangles and their neighbors to `surface`, in canonical order.
 void put_in_order(SurfaceOfTriangles& surface, std::span<const Triangle> triangles, std::vector<Triangle>& neighbors) {
   std::vector<Triangle> rotated(triangles.begin(), triangles.end());
   for (std::size_t t = 0; t < rotated.size(); ++t) {

@@ -23,7 +23,7 @@
 namespace rbpa {
 namespace {
 
-/// Returns the distinct points that are in no triangle.
+/// Returns the distinct points that are in no triangle, each with the first cause.
 std::vector<UnusedPoint> without_triangle(std::size_t points, const Surface& surface) {
   std::vector<std::uint8_t> is_used(points, 0);
   for (const auto& triangle : surface.triangles)
@@ -38,7 +38,7 @@ std::vector<UnusedPoint> without_triangle(std::size_t points, const Surface& sur
   return unused;
 }
 
-/// Raises the causes of points that are corners of `exposed`, the exposed triangles of one radius near unused points.
+/// Raises the causes of points on `exposed`, the exposed triangles of one radius near unused points.
 void raise_causes(const space::NeighborhoodSubset& near, std::span<const space::ExposedAt> exposed,
                   const space::Agreement& agreement, std::vector<UnusedCause>& causes, Steps& step) {
   for (const space::ExposedAt& local : exposed) {
@@ -50,14 +50,14 @@ void raise_causes(const space::NeighborhoodSubset& near, std::span<const space::
   }
 }
 
-/// Returns whether every ball that touches points[v] contains another point. This is so if and only if a
-/// ball rests on v, the nearest point and a third one (docs/explanation/surfaces.md, section 18).
-/// Requires: distinct points; no empty ball rests on v; `around` has all points that such balls can touch or hold.
+/// Returns whether every ball that touches points[v] contains another point. This is so exactly if a ball rests on v,
+/// the nearest point and a third one (docs/explanation/surfaces.md, section 18). Requires: distinct points; no empty
+/// ball rests on v; `around` has all points that such balls can touch or hold.
 bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const std::uint32_t> around, double radius) {
   using Real = long double;
   std::uint32_t nearest = v;
   Real least = 0;
-  // Returns whether p comes before `nearest`. A square is off by less than three epsilons of itself.
+  // Returns whether p comes before `nearest`. The relative error of a square is below three epsilons.
   const auto comes_before = [&](std::uint32_t p, Real square) {
     if (nearest == v) return true;
     if (std::abs(square - least) > 8 * std::numeric_limits<Real>::epsilon() * least) return square < least;
@@ -77,8 +77,8 @@ bool is_hidden(std::uint32_t v, std::span<const Point3> points, std::span<const 
   });
 }
 
-/// For each wanted point of `near` with the cause `no_ball_rests`: changes the cause to `hidden` if every ball that
-/// touches the point contains another point.
+/// Changes the cause of each wanted point of `near` from `no_ball_rests` to `hidden` if every ball that touches the
+/// point contains another point.
 void find_hidden(const space::NeighborhoodSubset& near, double radius, std::vector<UnusedCause>& causes,
                  const std::vector<std::uint8_t>& wanted, Steps& step) {
   Threads threads;

@@ -21,7 +21,7 @@ namespace {
 using std::numbers::pi;
 
 /// Returns the exponent of a power of two that scales the balls so that products of lengths are within the range of
-/// double: 0 for sizes that need none.
+/// double. Returns 0 if the sizes need no scaling.
 int scale_exponent(std::span<const Point3> centers, std::span<const double> radii) {
   const auto [low, high] = box_of(centers);
   double size = *std::max_element(radii.begin(), radii.end());
@@ -94,25 +94,25 @@ class BallParts {
     std::array<double, 2> height;  // signed distance of the contact's plane from each center
     double distance = 0, area = 0;
     double growth = 0;          // derivative of the area when all radii grow alike
-    double angle = 0, arc = 0;  // of the circle's arcs on the surface; 0 if there are none
+    double angle = 0, arc = 0;  // sums over the circle's arcs on the surface; 0 if there are none
     std::uint32_t arcs = 0;
   };
   /// Sums over the simplices at a ball.
   struct Vertex {
-    bool is_exposed = false;  // whether its cell reaches out of the ball
-    std::int64_t turns = 0;   // tetrahedra of the complex, and sides of triangles without one
+    bool is_exposed = false;  // whether the power cell reaches out of the ball
+    std::int64_t turns = 0;   // number of tetrahedra of the complex, and of sides of triangles without one
     std::int64_t edges = 0;
     std::uint32_t arcs = 0;
-    double corners = 0;  // angles at the points where three spheres meet
-    double heights = 0;  // of contacts, each times the angle of its arcs
-    double cones = 0;    // areas of contacts times their heights
+    double corners = 0;  // sum of the angles at points where three spheres meet
+    double heights = 0;  // sum of the heights of contacts, each times the angle of its arcs
+    double cones = 0;    // sum of the areas of contacts times their heights
   };
   /// An edge of the triangulation from the ball that is measured.
   struct Spoke {
     Spoke(const Ball& from, const Ball& to, std::uint32_t other) : edge(from, to), ball(other) {}
     EdgeOfBalls edge;
-    std::uint32_t ball, last = Solid::none;  // last: the last of its tetrahedra in the list
-    std::uint32_t ends = 0;                  // of arcs, at sides of triangles without a tetrahedron
+    std::uint32_t ball, last = Solid::none;  // last: the last tetrahedron of the edge in the list
+    std::uint32_t ends = 0;                  // ends of arcs, at sides of triangles without a tetrahedron
     bool is_exposed = false, has_triangle = false;
     WedgePart parts;  // sums
     void add(double times, const WedgePart& part) {
@@ -121,18 +121,18 @@ class BallParts {
       parts.growth += times * part.growth;
     }
   };
-  /// The places of a tetrahedron's other corners.
+  /// The places of the other corners of a tetrahedron.
   struct Corners {
     std::array<std::uint32_t, 3> place;
     bool is_filled;  // the tetrahedron is in the complex
   };
-  /// A tetrahedron outside of the complex, as one around an edge.
+  /// A tetrahedron outside of the complex, in the list of those around an edge.
   struct Around {
     EdgeAt at;
-    std::uint32_t before;  // the one before it around the same edge
+    std::uint32_t before;  // the previous tetrahedron around the edge
   };
   struct Workspace {
-    std::vector<std::uint32_t> place;  // for each ball, its place among `ends`, if it is one
+    std::vector<std::uint32_t> place;  // for each ball in `ends`, its place there
     std::vector<std::uint32_t> ends;   // the other ball of each spoke
     std::vector<Spoke> spokes;
     std::vector<Corners> star;
@@ -162,7 +162,7 @@ class BallParts {
         [](std::size_t, Workspace&) {});
   }
 
-  /// Measures the edges from ball i to balls of a greater index, and what is at ball i alone.
+  /// Measures the edges from ball i to balls of greater index, and sums what is at ball i alone.
   void measure_star(std::uint32_t i, Workspace& w) {
     const auto star = stars_[i];
     w.ends.clear();
@@ -179,7 +179,7 @@ class BallParts {
     for (const auto& [ball, k] : w.up) w.edges.push_back(measured(i, w.spokes[k]));
   }
 
-  /// Numbers the other corners of a tetrahedron at ball i, and finds what does not depend on the other tetrahedra.
+  /// Numbers the other corners of a tetrahedron at ball i, and adds the parts that do not depend on other tetrahedra.
   void visit(std::uint32_t t, std::uint32_t i, Workspace& w) {
     const auto& row = cells_.simplices[t];
     const auto own = static_cast<std::size_t>(std::find(row.begin(), row.end(), i) - row.begin());
@@ -233,7 +233,7 @@ class BallParts {
     return place;
   }
 
-  /// Adds a tetrahedron of the complex to the edges that it has at ball i.
+  /// Adds the parts in a tetrahedron of the complex to its edges at ball i.
   void add_tetrahedron(std::uint32_t i, const std::array<std::uint32_t, 3>& place, Workspace& w) const {
     const std::array<Spoke*, 3> to = {&w.spokes[place[0]], &w.spokes[place[1]], &w.spokes[place[2]]};
     if (to[0]->ball < i && to[1]->ball < i && to[2]->ball < i) return;
@@ -290,7 +290,7 @@ class BallParts {
     add_both(result_.area_gradient, unscaled(edge.growth, 1));
   }
 
-  /// Returns whether ball i, which is in no edge of the complex, is in it as a vertex.
+  /// Returns whether ball i, which is in no edge of the complex, is a vertex of the complex.
   bool has_vertex(std::size_t i) const {
     return i < stars_.bound() && !stars_[i].empty() &&
            is_center_in_cell(cells_, radii_, static_cast<std::uint32_t>(i), stars_[i]);

@@ -1,8 +1,9 @@
-// What: measures each ball's part of a union, and the contacts of balls, on the dual complex of the balls.
-// How:  docs/explanation/space.md, section 24. The tetrahedra at each ball are visited twice: first to find which edges
-//       at the ball are in the complex, which of them reach the surface, and what is beside triangles; then to add
-//       what is in tetrahedra. The end of lower index measures an edge.
-// Law:  threads do not change a bit; neither does the choice of contacts and gradients.
+// What: measures the part of each ball in a union of balls, and the contacts of balls, on the dual complex of the
+//       balls.
+// How:  docs/explanation/space.md, section 24. The tetrahedra at each ball are visited twice. The first visit finds the
+//       edges at the ball that are in the complex, those that reach the surface, and the parts beside triangles; the
+//       second one adds the parts in tetrahedra. Each edge is measured at its end of lower index.
+// Law:  the number of threads, and the choice of contacts and gradients, do not change a bit of the other results.
 // Cost: linear in the tetrahedra.
 #pragma once
 
@@ -16,7 +17,7 @@
 
 namespace rbpa::space {
 
-/// Measures the balls around the points of `cells`. Balls from number `own` on are auxiliary: they meet no other.
+/// Measures the balls around the points of `cells`. Balls from number `own` on are auxiliary: they meet no other ball.
 /// Requires: a radius for each point; `faces` is the dual complex of these balls; `cells` has tetrahedra and neighbors,
 ///           and is no periodic box.
 /// Throws: Cancelled.

@@ -6,17 +6,17 @@
 namespace rbpa::space {
 namespace {
 
-/// Ratio of squares below which a rounded difference has lost too many digits; also of two products.
+/// Ratios of squares: below `lossy`, a rounded difference has lost too many digits; `thin` limits flat triangles.
 constexpr double lossy = 0x1p-10, thin = 0x1p-6;
 
-/// A third ball seen along an edge, at the distance y from it. The line of same power to all three is `offset` / y from
-/// the edge, and moves by `rate` / y when all radii grow.
+/// A third ball seen along an edge, at the distance y from the edge. The line of points of equal power to all three
+/// balls is at the distance `offset` / y from the edge, and moves by `rate` / y when all radii grow.
 template <typename Real>
 struct Side {
   Real square, offset, rate, ratio;  // square: y²; ratio: offset / square
-  bool is_thin;                      // or too rough for another reason
+  bool is_thin;                      // the triangle is too flat, or values are too rough for another reason
 
-  /// The third ball is at the end of the spoke, `along` times the edge along it, and `apart` from it, squared.
+  /// The third ball is at the end of the spoke: `along` times the edge along it, and √`apart` away from it.
   Side(const BallEdge<Real>& edge, const BallEdge<Real>& spoke, const Real& along, const Real& apart)
       : square(apart),
         offset(spoke.lift - along * edge.lift),
@@ -32,8 +32,8 @@ Side<double> side_of(const EdgeOfBalls& edge, const EdgeOfBalls& spoke, double p
   return side;
 }
 
-/// A side by vectors. Both ends of the edge give the same; the nearer one is chosen, from which short distances are
-/// exact.
+/// A side, computed from vectors. Both ends of the edge give equal results; the end nearer to the third ball is chosen,
+/// from which short distances are exact.
 struct PreciseSide {
   using Edge = BallEdge<DoubleDouble>;
   PreciseSide(const Ball& i, const Ball& j, const Ball& k)
@@ -49,14 +49,14 @@ struct PreciseSide {
   Side<DoubleDouble> side;
 };
 
-/// A result, and whether it needs double-double.
+/// A result in double, and whether it must be computed again in double-double.
 template <typename Result>
 struct Tried {
   Result result;
   bool is_rough;
 };
 
-/// Returns the part in a tetrahedron between two sides; cosine and sine of the angle are times both distances.
+/// Returns the part in a tetrahedron between two sides. Cosine and sine of the angle are multiplied by both distances.
 template <typename Real>
 Tried<WedgePart> between(const Side<Real>& a, const Side<Real>& b, const Real& cosine, double sine, double radius,
                          bool with_angle) {
@@ -73,7 +73,7 @@ Tried<WedgePart> between(const Side<Real>& a, const Side<Real>& b, const Real& c
 template <typename Real>
 Tried<WedgePart> beside(const BallEdge<Real>& edge, const Side<Real>& side) {
   const Real radius = exactly<Real>(edge.a->radius), ii = radius * radius;
-  // Half of the chord in which the line of same power meets the balls, squared.
+  // The square of half the chord in which the line of equal power meets the balls.
   const double square = rounded(ii - edge.lift * edge.lift / edge.square - side.offset * side.ratio);
   const double half = std::sqrt(std::max(square, 0.0)), y = std::sqrt(rounded(side.square));
   if (!(y > 0)) return {{}, true};
@@ -93,7 +93,7 @@ Tried<double> angle_at_corner(const BallEdge<Real>& u, const BallEdge<Real>& v) 
           rounded(nn) < lossy * rounded(u.square) * rounded(v.square) || square < lossy * rounded(ii)};
 }
 
-/// Returns the square of the radius of the circle in which the spheres meet; negative if they do not.
+/// Returns the square of the radius of the circle in which the spheres of an edge meet; negative if they do not meet.
 double square_of_circle(const EdgeOfBalls& edge) {
   const bool is_smaller = edge.a->radius <= edge.b->radius;
   const BallEdge<DoubleDouble> from_smaller(is_smaller ? *edge.a : *edge.b, is_smaller ? *edge.b : *edge.a);
@@ -107,8 +107,9 @@ WedgePart precise_in_tetrahedron(const Ball& i, const Ball& j, const Ball& k, co
   return between(a.side, b.side, dot(a.away, b.away), sine, i.radius, with_angle).result;
 }
 
-/// Returns the corner angle at a sphere where it meets that of a very small ball, at the edge's end, and a third one.
-/// It follows from the angle beside the triangle, which only the small ball knows well, by the cotangent formula.
+/// Returns the corner angle at a sphere where it meets that of a very small ball, at the end of `edge`, and a third
+/// one. The cotangent formula gives it from the angle beside the triangle, which is accurate only if computed from the
+/// small ball.
 double angle_near_small_ball(const EdgeOfBalls& edge, const EdgeOfBalls& other) {
   const CircleOfBalls circle(edge);
   const double angle = beside_triangle(edge, other).angle;
@@ -162,7 +163,7 @@ CircleOfBalls::CircleOfBalls(const EdgeOfBalls& edge) : distance(std::sqrt(edge.
 }
 
 double corner_angle(const EdgeOfBalls& j, const EdgeOfBalls& k) {
-  // The limit of a small circle around which the angle beside the triangle is 0.
+  // If spheres touch, the angle is the limit for a small circle, around which the angle beside the triangle is 0.
   for (const EdgeOfBalls* edge : {&j, &k})
     if (edge->is_tangent) return edge->lift > 0 ? std::numbers::pi : 0;
   for (const auto& [edge, other] : {std::pair{&j, &k}, std::pair{&k, &j}})

@@ -1,8 +1,8 @@
-// What: angles and areas around the common circle of two balls, within one tetrahedron of the dual complex, or beside a
-//       triangle of it that has no tetrahedron on that side.
-// How:  docs/explanation/space.md, section 24. In double, from the products of edges at one ball; where terms cancel,
-//       again in double-double, from vectors.
-// Law:  errors are some 2^−43 of a full turn, or of the square of a radius.
+// What: computes angles and areas around the common circle of two balls, within one tetrahedron of the dual complex, or
+//       beside a triangle of the complex on a side without a tetrahedron of the complex.
+// How:  docs/explanation/space.md, section 24. Computes in double, from the scalar products of edges at one ball; if
+//       terms cancel, computes again in double-double, from vectors.
+// Law:  errors are about 2^−43 of a full turn for angles, and of the square of a radius for areas.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace rbpa::space {
 
-// Formulas are evaluated in double and in double-double.
+// The formulas are evaluated in double and in double-double: `Real` is one of the two.
 template <typename Real>
 Real apart(double a, double b) {
   if constexpr (std::is_same_v<Real, double>)
@@ -42,9 +42,9 @@ Vector3<Real> times(const Real& s, const Vector3<Real>& v) {
   return {s * v.x, s * v.y, s * v.z};
 }
 
-/// The edge from a ball to another one, times a power of two that keeps the square of a short edge within the range of
-/// double. The points x, relative to the first center, of the same power to both have x · to = lift. Refers to the
-/// balls.
+/// The vector from the center of a ball to that of another one, multiplied by a power of two that keeps the square of a
+/// short edge within the range of double. The points x, relative to the first center, that have the same power to both
+/// balls satisfy x · to = lift. Refers to the balls.
 template <typename Real>
 struct BallEdge {
   BallEdge(const Ball& first, const Ball& second)
@@ -61,10 +61,10 @@ struct BallEdge {
   const Ball *a, *b;
   double scale = 1;
   Vector3<Real> to;
-  Real square, lift, shrink;  // shrink: difference of the radii
+  Real square, lift, shrink;  // shrink: difference of the radii, times the power of two
 };
 
-/// The edge in double.
+/// The edge in double, with derived numbers.
 struct EdgeOfBalls : BallEdge<double> {
   EdgeOfBalls(const Ball& first, const Ball& second)
       : BallEdge(first, second), inverse_length(1 / std::sqrt(square)), inverse(inverse_length * inverse_length) {
@@ -74,7 +74,7 @@ struct EdgeOfBalls : BallEdge<double> {
   }
   double inverse_length, inverse;  // inverse: of the square
   bool is_uneven;                  // one ball is so small that lengths rounded for the other are too rough for it
-  /// The spheres touch, up to rounding in double-double: where other spheres meet their circle has no direction.
+  /// Whether the spheres touch, up to rounding in double-double: points on their circle then have no direction.
   bool is_tangent;
 
  private:
@@ -83,32 +83,32 @@ struct EdgeOfBalls : BallEdge<double> {
 
 /// The part of the contact of two balls that is in a wedge.
 struct WedgePart {
-  double angle = 0;   ///< of the wedge; 0 if not requested
+  double angle = 0;   ///< angle of the wedge; 0 if not requested
   double area = 0;    ///< of the contact's part, less its sector of the disc within the circle where that is exposed
-  double growth = 0;  ///< derivative of the area when all radii grow alike, less the same
+  double growth = 0;  ///< derivative of that area when all radii grow alike
 };
 
-/// The three edges of a tetrahedron at a ball, and their products.
+/// The three edges from one ball to the others of a tetrahedron, and the scalar products of the edges.
 struct EdgesAtCorner {
   explicit EdgesAtCorner(const std::array<const EdgeOfBalls*, 3>& edges);
   std::array<const EdgeOfBalls*, 3> edge;
-  std::array<double, 3> product;  ///< for each edge, that of the other two
-  double volume;                  ///< six times that of the tetrahedron
+  std::array<double, 3> product;  ///< for each edge, the product of the other two
+  double volume;                  ///< six times the volume of the tetrahedron
 };
 
 /// Returns the part of the contact at edge k that is in the tetrahedron.
 WedgePart in_tetrahedron(const EdgesAtCorner& at, std::size_t k, bool with_angle);
-/// Returns the part of the contact at the first edge between the triangle of both edges and the point beside it in
-/// which the spheres of the three balls meet.
+/// Returns the part of the contact at the first edge that lies beside the triangle of both edges: between the triangle
+/// and the point in which the spheres of the three balls meet.
 WedgePart beside_triangle(const EdgeOfBalls& edge, const EdgeOfBalls& other);
 
 /// The circle in which the spheres of two balls meet.
 struct CircleOfBalls {
   explicit CircleOfBalls(const EdgeOfBalls& edge);
 
-  double distance;            ///< of the centers
+  double distance;            ///< distance of the centers
   double height_i, height_j;  ///< signed distances of the circle's plane from the centers, toward the other center
-  double square;              ///< of the radius
+  double square;              ///< square of the circle's radius
 };
 
 /// A circle that measures wedges around it. Refers to the balls.
@@ -116,7 +116,7 @@ struct BallCircle : CircleOfBalls {
   BallCircle(const Ball& i, const Ball& j) : BallCircle(EdgeOfBalls(i, j)) {}
   explicit BallCircle(const EdgeOfBalls& of) : CircleOfBalls(of), edge(of) {}
 
-  /// Return the parts in a tetrahedron with two more balls, and beside a triangle with a third one.
+  /// Return the part in a tetrahedron with two more balls, and the part beside a triangle with a third ball.
   WedgePart in_tetrahedron(const Ball& k, const Ball& l, bool with_angle) const {
     const EdgeOfBalls to_k(*edge.a, k), to_l(*edge.a, l);
     return space::in_tetrahedron(EdgesAtCorner({&edge, &to_k, &to_l}), 0, with_angle);
@@ -126,8 +126,8 @@ struct BallCircle : CircleOfBalls {
   EdgeOfBalls edge;
 };
 
-/// Returns the angle at the sphere of the common first ball, in the point where it meets those of j and k, between the
-/// directions toward j and k: of the spherical triangle of these directions and that point.
+/// Returns the angle, on the sphere of the common first ball, at the point in which this sphere meets those of j and k:
+/// the angle there of the spherical triangle of this point and the directions toward j and k.
 double corner_angle(const EdgeOfBalls& j, const EdgeOfBalls& k);
 inline double corner_angle(const Ball& i, const Ball& j, const Ball& k) { return corner_angle({i, j}, {i, k}); }
 

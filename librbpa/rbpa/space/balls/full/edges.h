@@ -1,5 +1,5 @@
-// What: visits the edges of a triangulation, of points or of a periodic box, each with the tetrahedra around it.
-// Law:  an edge is identified by its points, and in a periodic box also by their offset in boxes.
+// What: visits the edges of a triangulation of points or of a periodic box, each with the tetrahedra around the edge.
+// Law:  an edge is identified by its two points, and in a periodic box also by the offset between them in boxes.
 // Cost: linear, and a sort of the edges at each point.
 #pragma once
 
@@ -28,7 +28,7 @@ struct EdgeAt {
   std::uint8_t from, to;
 };
 
-/// Returns the numbers of the other two corners of the tetrahedron.
+/// Returns the positions of the other two corners of the tetrahedron.
 inline std::array<std::size_t, 2> others(const EdgeAt& at) {
   std::array<std::size_t, 2> found{};
   for (std::size_t k = 0, count = 0; k < 4; ++k)
@@ -36,11 +36,11 @@ inline std::array<std::size_t, 2> others(const EdgeAt& at) {
   return found;
 }
 
-/// Returns whether the least sphere through the ends of an edge has a radius of at most alpha and contains no corner of
-/// the tetrahedra around the edge, `ring`.
+/// Returns whether the least sphere through the ends of an edge has a radius of at most alpha and no corner of the
+/// tetrahedra around the edge inside. `ring` has these tetrahedra.
 bool is_edge_alone(const Triangulated& delaunay, std::span<const EdgeAt> ring, double alpha);
 
-/// The tetrahedra at each point.
+/// The tetrahedra at each point, as an array of lists.
 class PointStars {
  public:
   explicit PointStars(const Triangulated& delaunay) {
@@ -64,18 +64,18 @@ class PointStars {
   TetrahedraAt at_;
 };
 
-/// Reusable memory of for_each_edge_up(): the edges at a point, in a hash table.
+/// Reusable memory of for_each_edge_up(): the edges at a point, and a hash table of them.
 struct EdgesUp {
   struct Edge {
-    std::uint64_t key;  // the point at the other end, and its offset from the given one in boxes
-    std::uint32_t end;  // of its tetrahedra in `rings`; before, their number
+    std::uint64_t key;  // the point at the other end, and its offset in boxes from the given point
+    std::uint32_t end;  // end of the edge's tetrahedra in `rings`; earlier, their number
   };
   std::vector<std::uint32_t> table, edge_of, order;  // edge_of: for each entry of `found`
   std::vector<Edge> edges;
   std::vector<EdgeAt> found, rings;
 
   static constexpr std::uint32_t none = 0xffffffff;
-  /// Returns the number of the edge with this key, a new one if there is none.
+  /// Returns the number of the edge with this key. Adds the edge if there is none.
   std::uint32_t number(std::uint64_t key) {
     std::size_t at = (key * 0x9E3779B97F4A7C15U >> 32U) * table.size() >> 32U;
     while (table[at] != none && edges[table[at]].key != key) at = (at + 1) & (table.size() - 1);
@@ -87,8 +87,8 @@ struct EdgesUp {
   }
 };
 
-/// Calls visit(b, tetrahedra around the edge from a to b) for each edge at a whose other end b is greater, ascending by
-/// b. Tetrahedra ascend. Cost: linear, and a sort of the edges.
+/// Calls visit(b, tetrahedra around the edge) for each edge from a to a point b > a, ascending by b. The tetrahedra
+/// ascend. Cost: linear, and a sort of the edges.
 template <typename Visit>
 void for_each_edge_up(std::uint32_t a, std::span<const std::uint32_t> star, const Triangulated& delaunay, EdgesUp& up,
                       Visit visit) {
@@ -129,8 +129,8 @@ void for_each_edge_up(std::uint32_t a, std::span<const std::uint32_t> star, cons
   }
 }
 
-/// Calls is_meant(a, b, tetrahedra around the edge) for each edge, a < b, from any thread; then join(a, b), one call at
-/// a time and in order, for each edge for which is_meant returned true. Throws: Cancelled.
+/// Calls is_meant(a, b, tetrahedra around the edge) for each edge with a < b, from any thread. Calls join(a, b), one
+/// call at a time and in order, for each edge for which is_meant() returned true. Throws: Cancelled.
 template <typename IsMeant, typename Join>
 void for_each_edge(const Triangulated& delaunay, const PointStars& stars, Threads& threads, const IsMeant& is_meant,
                    const Join& join, const GoOn& go_on = {}) {
@@ -160,10 +160,10 @@ void for_each_edge(const Triangulated& delaunay, const PointStars& stars, Thread
 struct EdgeCounts {
   std::size_t edges = 0;
   std::size_t points = 0;  ///< number of points that are ends of an edge
-  std::size_t joined = 0;  ///< edges of a spanning forest: points − joined = components
+  std::size_t joined = 0;  ///< number of edges of a spanning forest; points − joined is the number of components
 };
 
-/// Counts the edges for which has_edge(tetrahedra around the edge) returns true; it is called from any thread.
+/// Counts the edges for which has_edge(tetrahedra around the edge) returns true. Any thread calls has_edge().
 template <typename HasEdge>
 EdgeCounts count_edges(const Triangulated& delaunay, Threads& threads, const HasEdge& has_edge,
                        const GoOn& go_on = {}) {

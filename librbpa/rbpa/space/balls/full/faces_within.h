@@ -1,11 +1,11 @@
-// What: finds the triangles and edges of a Delaunay triangulation (also of a periodic box) in the full alpha complex,
-//       and those of a regular triangulation in the dual complex of balls.
-// Law:  a simplex is in the complex if a ball of radius at most alpha has its corners on its sphere and no point
-//       inside. Equivalently: a simplex of higher dimension with this face is in the complex; or the least sphere
-//       through its corners has a radius of at most alpha and no corner of the simplices around it is inside. For
-//       balls, the least power of the simplex is at most 0, and no corner around it conflicts (orthosphere.h).
-// How:  each triangle is tested with the corners of its first tetrahedron. In a periodic box the other tetrahedron may
-//       have an image of the triangle; images are exact, so the result holds for both.
+// What: finds the triangles and edges of a Delaunay triangulation (also of a periodic box) that are in the full alpha
+//       complex, and those of a regular triangulation that are in the dual complex of balls.
+// Law:  a simplex is in the full alpha complex if a ball of radius at most alpha has all its corners on the sphere and
+//       no point inside. Equivalently: a simplex of higher dimension with this face is in the complex; or the least
+//       sphere through its corners has a radius of at most alpha and contains no corner of the simplices around it. For
+//       balls, the power of the simplex is at most 0, and no corner around it conflicts (orthosphere.h).
+// How:  each triangle is tested in its first tetrahedron. In a periodic box, the other tetrahedron may have an image of
+//       the triangle instead; tests of images are exact, so the result holds for both tetrahedra.
 // Cost: linear in the tetrahedra; exact predicates where neither tetrahedron at a triangle is in the complex.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4.
 #pragma once
@@ -23,19 +23,19 @@
 
 namespace rbpa::space {
 
-/// The simplices that are in a complex by themselves. Any thread may call.
+/// The rule that decides which simplices are in a complex by themselves. Any thread may call the functions.
 class SimplexRule {
  public:
   virtual ~SimplexRule() = default;
   virtual bool has_tetrahedron(std::uint32_t t) const = 0;
-  /// Returns whether the triangle across from corner k of t is within the limit, and this corner does not conflict.
+  /// Returns whether the triangle across from corner k of t is within the limit, and corner k does not conflict.
   virtual bool has_triangle_beside(std::uint32_t t, std::size_t k) const = 0;
   virtual bool has_edge(std::span<const EdgeAt> ring) const = 0;
 };
 
-/// Returns whether the center of ball i is in its power cell. A ball in no edge of the dual complex is a vertex of the
-/// complex if this is true. `star` has the tetrahedra at the ball. Requires: a regular triangulation of balls with
-/// these radii.
+/// Returns whether the center of ball i is in the ball's own power cell. If so, a ball in no edge of the dual complex
+/// is a vertex of the complex. `star` has the tetrahedra at the ball. Requires: `regular` is the regular triangulation
+/// of balls with these radii.
 bool is_center_in_cell(const Triangulated& regular, std::span<const double> ball_radii, std::uint32_t i,
                        std::span<const std::uint32_t> star);
 
@@ -85,8 +85,8 @@ class FacesWithin {
  private:
   Triangulated delaunay_;
   std::shared_ptr<const SimplexRule> rule_;
-  std::vector<std::uint8_t> has_tetrahedron_;  // 1, or 2 if no face of it is on the hull
-  std::vector<std::uint8_t> has_triangle_;     // across from each of the four corners
+  std::vector<std::uint8_t> has_tetrahedron_;  // 1 if in the complex, 2 if in addition no face is on the hull
+  std::vector<std::uint8_t> has_triangle_;     // for each tetrahedron: the triangles across from its four corners
 };
 
 }  // namespace rbpa::space

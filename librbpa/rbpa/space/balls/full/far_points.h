@@ -1,4 +1,4 @@
-// What: additional points that make a triangulation in space of points in a plane.
+// What: adds points far away to points in a plane, so that they have a triangulation in space.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace rbpa::space {
 
-/// Returns the points and three more, not in a plane with any of them, and farther away than twice the radius.
-/// Requires: at least one point. Throws: InvalidInput if the additional points would not be finite.
+/// Returns the points and three additional ones, whose plane contains no point, and which are farther away than twice
+/// the radius. Requires: at least one point. Throws: InvalidInput if the additional points would not be finite.
 inline std::vector<Point3> with_far_points(std::span<const Point3> points, double radius) {
   const auto [low, high] = box_of(points);
   double far = 4 * (radius + (high.x - low.x) + (high.y - low.y) + (high.z - low.z));

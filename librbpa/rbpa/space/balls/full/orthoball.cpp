@@ -18,9 +18,9 @@ WideVector times(const Real& s, const WideVector& v) { return {s * v.x, s * v.y,
 
 }  // namespace
 
-// Relative to the first center, of radius R: points of the same power to a ball with the center u and the radius S have
-// x · u = (u² + R² − S²) / 2; those at the same distance s from both have s (R − S) more. So the points at the same
-// distance from all are x = center + s · slope, and |x| = R + s is a quadratic equation.
+// Let u be the vector from the first center to that of another ball, with the radii R and S. Points x of equal power to
+// both balls have x · u = (u² + R² − S²) / 2; for points at an equal distance s from both balls, x · u is greater by s
+// (R − S). So points at an equal distance from all are x = center + s · slope, and |x| = R + s is a quadratic equation.
 Orthoball orthoball(std::span<const Ball> balls) {
   std::vector<Ball> b(balls.begin(), balls.end());
   std::sort(b.begin(), b.end(), [](const Ball& p, const Ball& q) { return p.center < q.center; });

@@ -16,12 +16,12 @@ namespace {
 
 using std::numbers::pi;
 
-/// Sums over the simplices of a region at a ball: section 25 of the page.
+/// Sums over the simplices of a region at a ball: docs/explanation/space.md, section 25.
 struct Term {
   std::uint32_t region, ball;
-  bool is_end = false;     // whether the ball ends an edge of the complex here
+  bool is_end = false;     // whether the ball is an end of an edge of the complex at the region
   std::int64_t turns = 0;  // half turns
-  double angles = 0;       // to be subtracted from these
+  double angles = 0;       // angles to be subtracted from the half turns
   double arcs = 0;
   double contacts = 0;  // three times the volume of cones over contacts; each is counted at one end
 
@@ -40,7 +40,7 @@ class Terms {
 
   const PointStars& stars() const { return stars_; }
 
-  /// Returns the terms of all regions, ascending by region and ball: several of each.
+  /// Returns the terms of all regions, ascending by region and ball. A region and ball may have several terms.
   std::vector<Term> all(Threads& threads, const GoOn& go_on) const {
     constexpr std::size_t at_a_time = 1u << 9;
     struct Workspace {

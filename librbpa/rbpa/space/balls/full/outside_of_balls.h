@@ -1,8 +1,9 @@
-// What: measures what balls with different radii leave of regions of tetrahedra outside of their complex, and the share
-//       of each ball in the surface there.
-// How:  the volume of the tetrahedra, less the parts of balls in their angles: docs/explanation/space.md, section 25.
-// Law:  right for voids, up to rounding. At triangles outside of the complex, the part of a ball that reaches across
-//       counts on the side of the tetrahedra at its center.
+// What: measures the part of regions of tetrahedra outside of balls with different radii, and the share of each ball in
+//       the surface there.
+// How:  subtracts from the volume of the tetrahedra the parts of balls at their corners: docs/explanation/space.md,
+//       section 25.
+// Law:  the sizes of voids are right, up to rounding. If a ball reaches across a triangle outside of the complex, the
+//       part beyond counts on the side of the tetrahedra at the ball's center.
 // Cost: linear in the tetrahedra around the corners of regions.
 // Source: Edelsbrunner, Facello, Fu, Liang, Measuring proteins and voids in proteins (1995).
 #pragma once
@@ -20,18 +21,18 @@
 
 namespace rbpa::space {
 
-/// Balls around the vertices of a triangulation, and regions of its tetrahedra outside of the balls' complex. Any
-/// thread calls the functions.
+/// Balls around the vertices of a triangulation, and regions of its tetrahedra outside of the balls' complex. The
+/// functions are called from any thread.
 struct BallRegions {
   static constexpr std::uint32_t none = 0xffffffff;
 
   Triangulated cells;
-  std::span<const Point3> positions;      ///< those of `cells`, scaled as the radii
+  std::span<const Point3> positions;      ///< positions of `cells`, in the scale of the radii
   std::span<const double> radii;          ///< for each vertex
   std::span<const std::uint32_t> region;  ///< for each tetrahedron, its region, or none
   std::size_t count = 0;                  ///< number of regions
-  /// Return whether the triangle across from corner k of t, the edge with these tetrahedra around it, and a point are
-  /// in the complex. Without the last one, all points are.
+  /// Return whether these are in the complex: the triangle across from corner k of t, the edge with these tetrahedra
+  /// around it, and a point. If `has_vertex` is empty, all points are.
   std::function<bool(std::uint32_t t, std::size_t k)> is_wall;
   std::function<bool(std::span<const EdgeAt>)> has_edge;
   std::function<bool(std::uint32_t)> has_vertex = {};
@@ -39,9 +40,9 @@ struct BallRegions {
 
 /// Sizes of a region, in units of the scaled positions.
 struct RegionMeasure {
-  double tetrahedra = 0;  ///< volume of its tetrahedra; the same for any order of points
+  double tetrahedra = 0;  ///< volume of its tetrahedra, whatever the order of points
   double volume = 0;      ///< volume outside of the balls
-  double area = 0;        ///< area of the balls there
+  double area = 0;        ///< area of the balls' surface there
 };
 
 /// The part of a sphere that is in a region and outside of the other balls.
@@ -59,9 +60,9 @@ struct RegionMeasures {
 /// missing only across a wall or the hull. Throws: Cancelled.
 RegionMeasures outside_of_balls(const BallRegions& regions, Threads& threads, const GoOn& go_on = {});
 
-/// Returns, for each of `voids` voids, the volume of its part that is at least alpha from every point, in cubed units.
-/// Requires: `space` has the tetrahedra of voids, without a neighbor across a triangle of the complex; `void_of` has
-///           for each tetrahedron the number of its void; 0 < alpha < infinity unless there are no tetrahedra.
+/// Returns for each of `voids` voids the volume of its part that is at least alpha from every point, in cubed units.
+/// Requires: `space` has the tetrahedra of the voids, without a neighbor across a triangle of the complex; `void_of`
+///           has for each tetrahedron the number of its void; 0 < alpha < infinity unless there are no tetrahedra.
 /// Throws: Cancelled.
 std::vector<double> outside_of_balls(const Triangulated& space, std::span<const std::uint32_t> void_of,
                                      std::size_t voids, double alpha, Threads& threads, const GoOn& go_on = {});

@@ -22,7 +22,7 @@ struct Corner {
 };
 using Polygon = std::vector<Corner>;
 
-/// Cuts off the part where height(point) is above 0. The new side has `beyond` beyond it.
+/// Cuts off the part of a polygon where height(point) is above 0. The cell `beyond` is beyond the new side.
 template <typename Height>
 void cut(Polygon& polygon, const Height& height, std::uint32_t beyond, Polygon& copy) {
   copy.clear();
@@ -36,11 +36,11 @@ void cut(Polygon& polygon, const Height& height, std::uint32_t beyond, Polygon& 
   polygon.swap(copy);
 }
 
-/// The part of a disc around the origin that is in a polygon, both perpendicular to the normal.
+/// The part of a disc around the origin that is in a polygon, in the plane perpendicular to the normal.
 struct Covered {
   Vector normal;
-  double square;               // of the disc's radius
-  double area = 0, angle = 0;  // angle: of the arcs within the polygon
+  double square;               // square of the disc's radius
+  double area = 0, angle = 0;  // angle: sum over the arcs within the polygon
 
   void add_side(const Vector& from, const Vector& to) {
     const Vector along = minus(to, from);
@@ -91,7 +91,7 @@ Slice PowerCells::slice(const Triangle& corners) const {
   const Polygon whole = {{{0, 0, 0}, none}, {u, none}, {v, none}};
   Slice slice{twice_area / 2, twice_area / 2, 0};
   const Point3 middle = {origin.x + (u.x + v.x) / 3, origin.y + (u.y + v.y) / 3, origin.z + (u.z + v.z) / 3};
-  // More than one cell to begin with, as rounding may choose one that only touches the triangle.
+  // The search starts from several cells, as rounding may choose one that only touches the triangle.
   std::vector<std::uint32_t> found = {corners[0], corners[1], corners[2], ball_at(middle, corners[0])}, neighbors;
   sort_unique(found);
   Polygon polygon, copy;

@@ -1,8 +1,8 @@
-// What: the power cells of balls: the cell that has a point, and what balls leave of a triangle.
-// How:  cells cut the triangle into convex polygons, each of which one disc covers in part. They are found from one to
-//       the next, across the sides of the polygons.
+// What: finds the power cell of balls that contains a point, and measures the part of a triangle outside of balls.
+// How:  power cells cut the triangle into convex polygons; in each, only the disc of the cell's ball counts. The cells
+//       are found one from another, across the sides of the polygons.
 // Law:  sizes are rounded; a cell that meets the triangle in a tiny piece may be left out.
-// Cost: the neighbors in the triangulation of all cells that meet the triangle.
+// Cost: linear in the neighbors of all cells that meet the triangle.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 namespace rbpa::space {
 
 struct Slice {
-  double area = 0;       ///< of the triangle
+  double area = 0;       ///< area of the triangle
   double outside = 0;    ///< area outside of all balls
   double perimeter = 0;  ///< length of the arcs within the triangle that are on the surface of the union
 };
@@ -30,7 +30,7 @@ struct PowerCells {
   double power(const Point3& x, std::uint32_t i) const;
   /// Returns a ball of least power at x, up to rounding; `start` is any corner of a tetrahedron.
   std::uint32_t ball_at(const Point3& x, std::uint32_t start) const;
-  /// Measures the triangle of the centers of three corners of a tetrahedron: 0 if its area is below 2⁻⁴⁰⁰.
+  /// Measures the triangle of the centers of three corners of a tetrahedron; all 0 if its area is below 2⁻⁴⁰⁰.
   Slice slice(const Triangle& corners) const;
 };
 

@@ -1,4 +1,4 @@
-// What: a common view of two kinds of triangulations, of points and of a periodic box, for functions that take either.
+// What: gives a common view of triangulations of points and of periodic boxes, for functions that take either.
 #pragma once
 
 #include <array>
@@ -15,10 +15,10 @@ namespace rbpa::space {
 struct Triangulated {
   std::span<const Point3> positions;  ///< position of each vertex
   std::span<const std::array<std::uint32_t, 4>> simplices, neighbors;
-  /// In a periodic box, the point and offset of each vertex; otherwise empty: vertices are points.
+  /// In a periodic box, the point and offset of each vertex. Otherwise empty: vertices are points.
   std::span<const PeriodicVertex> vertices = {};
 
-  /// Refers to a Solid or a RegularTriangulation.
+  /// Makes a view of a Solid or a RegularTriangulation.
   template <typename Triangulation>
   Triangulated(std::span<const Point3> points, const Triangulation& cells)
       : positions(points), simplices(cells.simplices), neighbors(cells.neighbors) {}

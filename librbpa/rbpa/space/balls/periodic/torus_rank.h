@@ -1,4 +1,4 @@
-// What: counts the linearly independent ones among integer vectors, exactly.
+// What: counts how many of some integer vectors are linearly independent, exactly.
 #pragma once
 
 #include <array>

@@ -21,7 +21,7 @@ std::vector<Point3> beside_flat(std::span<const Point3> points) {
   double size = 0;
   for (const Point3& p : points)
     for (const auto axis : axes) size = std::max(size, std::abs(p.*axis));
-  // Shift the first point along each axis by the greatest absolute coordinate, toward zero so that nothing overflows.
+  // Shift the first point along each axis by the greatest absolute coordinate; toward zero, so that no sum overflows.
   std::array<Point3, 3> along = {a, a, a};
   for (std::size_t k = 0; k < 3; ++k) along[k].*axes[k] += a.*axes[k] > 0 ? -size : size;
 

@@ -1,5 +1,6 @@
-// What: a column of a boundary matrix with coefficients in Z/2, to which other columns are added.
-// How:  ascending entries; with many entries a heap, in which an entry that occurs twice counts as absent.
+// What: stores a column of a boundary matrix with coefficients in Z/2, and adds other columns to it.
+// How:  few entries are a sorted list, many are a heap, in which an entry that occurs an even number of times is
+//       absent.
 // Cost: linear in the entries added, times a logarithm in a heap.
 #pragma once
 
@@ -12,20 +13,20 @@
 
 namespace rbpa::space {
 
-/// An edge in a column: its rank in the filtration, from 1, in the high bits, and its number in the low bits, so that
-/// entries are compared by rank. 0 is no entry.
+/// An edge in a column. The high bits have the rank of the edge in the filtration, from 1, and the low bits its number,
+/// so that a comparison of entries compares ranks. 0 stands for no entry.
 using ColumnEntry = std::uint64_t;
 inline ColumnEntry column_entry(std::uint32_t rank, std::uint32_t edge) { return ColumnEntry{rank} << 32U | edge; }
 inline std::uint32_t edge_of(ColumnEntry entry) { return static_cast<std::uint32_t>(entry); }
 
 class Column {
  public:
-  /// Replaces the entries.
+  /// Replaces all entries.
   void assign(std::span<const ColumnEntry> ascending) {
     entries_.assign(ascending.begin(), ascending.end());
     is_heap_ = false;
   }
-  /// Adds a column: entries that are in both drop out.
+  /// Adds a column modulo 2: entries that are in both columns are removed.
   void add(std::span<const ColumnEntry> ascending) {
     constexpr std::size_t few = 64;
     if (!is_heap_ && entries_.size() + ascending.size() > few) {

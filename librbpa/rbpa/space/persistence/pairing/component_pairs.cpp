@@ -10,7 +10,7 @@ namespace rbpa::space {
 
 PersistentComponents find_components(const SolidFiltration& filtration, std::span<const std::uint32_t> order,
                                      Steps& step) {
-  // Sets are of ranks, so that the least of a set is its first point.
+  // Elements of the sets are ranks of points, so that the least element is the first point of a component.
   const auto points = sorted_by_alpha(filtration.point_alpha, step);
   std::vector<std::uint32_t> rank(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) rank[points[i]] = i;

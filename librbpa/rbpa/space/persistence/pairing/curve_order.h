@@ -1,5 +1,5 @@
 // What: numbers points along a space-filling curve, so that simplices near each other are near in memory.
-// Law:  of equal points, the one of lowest index comes first: duplicates are the same after renaming.
+// Law:  the first one of equal points is the point of lowest index, so that renaming does not change duplicates.
 // Cost: a sort.
 #pragma once
 
@@ -15,21 +15,21 @@ namespace rbpa::space {
 
 class CurveOrder {
  public:
-  /// Requires: finite points. Throws what `checkpoint` throws.
+  /// Sorts the points along the curve. Requires: finite points. Throws what `checkpoint` throws.
   CurveOrder(std::span<const Point3> points, const Checkpoint& checkpoint);
 
-  /// Returns what belongs to each point, in the order of the curve.
+  /// Returns the items in the order of the curve. Requires: of_points[i] is the item of point i.
   template <typename Item>
   std::vector<Item> sorted(std::span<const Item> of_points) const {
     std::vector<Item> result(index_.size());
     for (std::size_t i = 0; i < index_.size(); ++i) result[i] = of_points[index_[i]];
     return result;
   }
-  /// Renames all corners, and moves values of points, from places on the curve to input indices.
+  /// Replaces places on the curve by input indices in all corners, and sorts the values of points by input index.
   void rename_corners(SolidFiltration& filtration) const;
 
  private:
-  std::vector<std::uint32_t> index_;  // of the point at each place
+  std::vector<std::uint32_t> index_;  // for each place on the curve, the input index of its point
 };
 
 }  // namespace rbpa::space

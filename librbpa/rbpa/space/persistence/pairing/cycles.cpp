@@ -14,7 +14,7 @@
 namespace rbpa::space {
 namespace {
 
-/// Returns the edges that occur an odd number of times, ascending.
+/// Returns the edges that occur an odd number of times in `edges`, ascending.
 std::vector<std::uint32_t> sum(std::vector<std::uint32_t> edges) {
   std::sort(edges.begin(), edges.end());
   std::vector<std::uint32_t> odd;
@@ -40,7 +40,7 @@ Cycles::Cycles(std::span<const Point3> points, const SolidFiltration& filtration
       arcs_(2 * filtration.edges.size()),
       parent_edge_(points.size(), Solid::none),
       depth_(points.size(), 0) {
-  // At first, begin_[p + 1] is the beginning of p's arcs; each arc stored moves it on, at last to the end of p's arcs.
+  // In the second loop, begin_[p + 1] moves from the beginning of p's arcs to their end.
   for (const auto& [a, b] : filtration.edges) {
     ++begin_[a + std::size_t{2}];
     ++begin_[b + std::size_t{2}];
@@ -53,7 +53,7 @@ Cycles::Cycles(std::span<const Point3> points, const SolidFiltration& filtration
     arcs_[begin_[b + std::size_t{1}]++] = {a, edge};
   }
   if (filtration.edges.empty()) return;
-  // The tree contains all points.
+  // The tree of edges that end components connects all points; it is searched from one point.
   std::vector<std::uint32_t> reached = {filtration.edges.front()[0]};
   for (std::size_t i = 0; i < reached.size(); ++i) {
     step(4);
@@ -85,7 +85,7 @@ Cycle Cycles::of(std::uint32_t edge) {
       return {std::move(shortest), least, true};
     }
   }
-  // Parts that replaced others may meet, or use an edge twice.
+  // Paths that replaced parts of the cycle may meet, or use an edge twice.
   Edges edges = shortened(found.first, triangle);
   for (const Edges& other : found.others) append(edges, other);
   found = loops(sum(std::move(edges)), edge);
@@ -112,8 +112,8 @@ std::uint32_t Cycles::across(std::uint32_t edge, std::uint32_t point) const {
   return a == point ? b : a;
 }
 
-/// Returns the cycle of `others`, which end no component, and of edges that end components. The latter join points at
-/// an odd number of edges along the tree, the deepest first.
+/// Returns `others`, edges that end no component, completed to a cycle by edges of the tree. Tree edges join the points
+/// at which an odd number of edges ends, the deepest point first.
 Cycles::Edges Cycles::with_joining_edges(const Edges& others) const {
   Edges edges = others;
   std::unordered_set<std::uint32_t> odd;
@@ -136,7 +136,7 @@ Cycles::Edges Cycles::with_joining_edges(const Edges& others) const {
 }
 
 Cycles::Loops Cycles::loops(const Edges& edges, std::uint32_t first) const {
-  std::unordered_map<std::uint32_t, Edges> at;  // for each point: its edges that are in no loop yet
+  std::unordered_map<std::uint32_t, Edges> at;  // for each point: its edges, from which used ones are removed
   for (const std::uint32_t edge : edges)
     for (const std::uint32_t point : filtration_.edges[edge]) at[point].push_back(edge);
   std::unordered_set<std::uint32_t> used;
@@ -158,7 +158,7 @@ Cycles::Loops Cycles::loops(const Edges& edges, std::uint32_t first) const {
         points.push_back(point);
         continue;
       }
-      // The edges in between are a loop.
+      // The edges since the first visit of `point` are a loop.
       const auto from = static_cast<std::ptrdiff_t>(seen->second);
       Edges loop(path.begin() + from, path.end());
       path.resize(seen->second);
@@ -178,7 +178,8 @@ Cycles::Loops Cycles::loops(const Edges& edges, std::uint32_t first) const {
   return result;
 }
 
-/// Drops loops that do not belong to the tunnel: boundaries of triangles up to `triangle`, alone or together.
+/// Removes other loops that do not belong to the tunnel: those that are boundaries of triangles up to `triangle`, and
+/// all of the rest if these are a boundary together.
 void Cycles::drop_boundaries(Loops& loops, std::uint32_t triangle) {
   std::erase_if(loops.others, [&](const Edges& loop) { return pairing_.tunnels.is_boundary(loop, triangle); });
   Edges all;
@@ -186,8 +187,7 @@ void Cycles::drop_boundaries(Loops& loops, std::uint32_t triangle) {
   if (loops.others.size() > 1 && pairing_.tunnels.is_boundary(all, triangle)) loops.others.clear();
 }
 
-/// Returns the shortest path from `from` to `to` along edges before `before`; nothing if it is not shorter than
-/// `bound`.
+/// Returns the shortest path from `from` to `to` along edges earlier than `before`, if it is shorter than `bound`.
 std::optional<Cycles::Edges> Cycles::shorter_path(std::uint32_t from, std::uint32_t to, std::uint32_t before,
                                                   double bound) {
   constexpr double roundings = 1e-12;
@@ -197,7 +197,7 @@ std::optional<Cycles::Edges> Cycles::shorter_path(std::uint32_t from, std::uint3
     std::uint32_t edge;
     bool is_done = false;
   };
-  using Open = std::tuple<double, double, std::uint32_t>;  // lower bound of the total length, length so far, point
+  using Open = std::tuple<double, double, std::uint32_t>;  // bound of the path's length, length up to point, point
   std::unordered_map<std::uint32_t, Reached> reached = {{from, {0, Solid::none}}};
   std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
   open.emplace(distance(points_[from], points_[to]), 0, from);
@@ -226,13 +226,13 @@ std::optional<Cycles::Edges> Cycles::shorter_path(std::uint32_t from, std::uint3
   return std::nullopt;
 }
 
-/// Returns the loop from its first edge on. Parts are replaced by shorter paths where the difference is a boundary of
-/// triangles up to `triangle`.
+/// Returns the loop with parts replaced by shorter paths, where part and path together are a boundary of triangles up
+/// to `triangle`. The first edge remains the first.
 Cycles::Edges Cycles::shortened(const Edges& loop, std::uint32_t triangle) {
   const std::uint32_t first = loop.front();
   Edges path(loop.begin() + 1, loop.end());
   const auto points_on = [&] {
-    // The second edge of the loop starts at the end of the first edge where the two meet.
+    // The first point of the path is the end of the first edge at which the second edge begins.
     const auto& [a, b] = filtration_.edges[first];
     const auto& ends = filtration_.edges[path.front()];
     std::vector<std::uint32_t> points = {ends[0] == b || ends[1] == b ? b : a};

@@ -1,13 +1,13 @@
 // What: finds a short cycle of edges around each tunnel.
-// Law:  if a cycle's last edge in the filtration makes a tunnel, and the cycle is a boundary of triangles up to the
-//       triangle that ends the tunnel, it is no boundary of earlier triangles alone: otherwise the last edge would be
-//       paired with an earlier triangle.
-// How:  the column of the reduction is such a cycle. The shortest of all cycles with this last edge is the edge and a
-//       shortest path between its ends among earlier edges; columns decide whether this cycle is a boundary when the
-//       tunnel ends. If it is not, parts of the column's cycle are replaced by shortest paths where the difference is a
-//       boundary.
-// Cost: for each cycle, the number of edges in a ball as large as the cycle around the ends of its last edge; where
-//       parts are replaced, several times that number.
+// Law:  let the last edge, in the filtration, of a cycle make a tunnel, and let the cycle be a boundary of triangles up
+//       to the triangle that ends the tunnel. The cycle is then no boundary of earlier triangles alone: otherwise an
+//       earlier triangle would be paired with the edge.
+// How:  the column of the reduction is a cycle of this kind. The shortest of all cycles with the given last edge
+//       consists of the edge and a shortest path of earlier edges between its ends; columns decide whether this cycle
+//       is a boundary when the tunnel ends. If not, shortest paths replace parts of the column's cycle where part and
+//       path together are a boundary.
+// Cost: for each cycle, the number of edges in a ball as large as the cycle around the ends of its last edge; several
+//       times this number if parts are replaced.
 // Source: Dijkstra (1959); Hart, Nilsson, Raphael (1968).
 #pragma once
 
@@ -24,7 +24,7 @@
 namespace rbpa::space {
 
 struct Cycle {
-  std::vector<std::uint32_t> edges;  ///< consecutive edges, beginning with the one that makes the tunnel
+  std::vector<std::uint32_t> edges;  ///< edges in the order of the cycle; the first one makes the tunnel
   double length = 0;
   bool is_shortest = false;
 };
@@ -43,8 +43,8 @@ class Cycles {
     std::uint32_t to, edge;
   };
   struct Loops {
-    Edges first;                ///< contains the wanted edge, and starts with it
-    std::vector<Edges> others;  ///< edge-disjoint; none visits a point twice
+    Edges first;                ///< the loop of the wanted edge, which is its first edge
+    std::vector<Edges> others;  ///< the other loops: no common edge; no loop visits a point twice
   };
 
   double length(std::uint32_t edge) const;
@@ -60,9 +60,9 @@ class Cycles {
   const SolidFiltration& filtration_;
   Pairing& pairing_;
   Steps& step_;
-  std::vector<std::size_t> begin_;  // for each point: the position in arcs_ of its first arc
+  std::vector<std::size_t> begin_;  // for each point: the index of its first arc in arcs_
   std::vector<Arc> arcs_;
-  std::vector<std::uint32_t> parent_edge_, depth_;  // of each point in the tree of edges that end components
+  std::vector<std::uint32_t> parent_edge_, depth_;  // for each point, in the tree of edges that end components
 };
 
 }  // namespace rbpa::space

@@ -16,7 +16,8 @@ class EdgeTable {
       begin_[triangle[0]] += 2;
       ++begin_[triangle[1]];
     }
-    // An edge is a side of at least two triangles, so that half of these counts bound the numbers of edges.
+    // begin_[p] is now the number of sides up from p. An edge is a side of at least two triangles, so that half of this
+    // number bounds the number of edges.
     std::size_t sum = 0;
     for (std::size_t& begin : begin_) {
       const std::size_t slots = begin == 0 ? 0 : std::bit_ceil(begin / 2 + 1);
@@ -26,7 +27,7 @@ class EdgeTable {
     slots_.assign(sum, Solid::none);
   }
 
-  /// Returns the number of the edge from a up to b. A new edge is appended to `edges`.
+  /// Returns the number of the edge from a to b. Appends a new edge to `edges`. Requires: a < b.
   std::uint32_t number(std::uint32_t a, std::uint32_t b, std::vector<std::array<std::uint32_t, 2>>& edges) {
     std::uint32_t* const slots = &slots_[begin_[a]];
     const std::size_t mask = begin_[a + std::size_t{1}] - begin_[a] - 1;
@@ -43,7 +44,7 @@ class EdgeTable {
   }
 
  private:
-  std::vector<std::size_t> begin_;  // for each point: where the slots of the edges up from it begin
+  std::vector<std::size_t> begin_;  // for each point: the beginning of the slots of edges up from it
   std::vector<std::uint32_t> slots_;
 };
 
@@ -57,7 +58,7 @@ NumberedTriangles number_triangles(const Solid& delaunay, Steps& step) {
   NumberedTriangles triangles;
   triangles.of.resize(simplices.size());
   triangles.corners.reserve(2 * simplices.size() + simplices.size() / 16);
-  std::size_t half_shared = 0;  // number of triangles whose second tetrahedron is yet to come
+  std::size_t half_shared = 0;  // number of triangles whose second tetrahedron is not visited yet
   for (std::uint32_t t = 0; t < simplices.size(); ++t) {
     step();
     for (std::size_t k = 0; k < 4; ++k) {

@@ -1,13 +1,13 @@
-// What: numbers the triangles and the edges of a triangulation, and finds the triangles of each tetrahedron and the
-//       edges of each triangle.
-// How:  a triangle is numbered by the first of its tetrahedra, an edge by the first of its triangles. The table of
-//       edges has a short section for the edges up from each corner; it stays in the caches where the corners of
-//       consecutive tetrahedra are near each other:
+// What: numbers the triangles and edges of a triangulation; finds the triangles of tetrahedra and the edges of
+//       triangles.
+// How:  triangles are numbered in the order of their first tetrahedra, edges in the order of their first triangles. The
+//       table of edges has for each point a short section of the edges to greater points. The sections in use stay in
+//       the caches if the corners of consecutive tetrahedra are near each other:
 //
 //           corner     0        1      2 …
 //           slots   | · 3 · 7 | · 12 | 5 · …
 //
-//       A section has at least half as many slots as triangles have an edge up, plus one.
+//       The section of a point that is the lower end of n sides of triangles has at least n / 2 + 1 slots.
 // Cost: linear; twenty bytes for each triangle for the tables.
 #pragma once
 
@@ -28,8 +28,8 @@ struct NumberedTriangles {
   std::vector<std::array<std::uint32_t, 4>> of;  ///< for each tetrahedron: the triangle across from each corner
 };
 
-/// Returns the triangles. Requires: one row of neighbors for each tetrahedron. Throws ContractViolation where a
-/// neighbor does not exist, or does not share the face with its tetrahedron; Cancelled.
+/// Returns the triangles. Requires: one row of neighbors for each tetrahedron. Throws ContractViolation if a neighbor
+/// does not exist or does not share the face; Cancelled.
 NumberedTriangles number_triangles(const Solid& delaunay, Steps& step);
 
 struct NumberedEdges {
@@ -37,8 +37,8 @@ struct NumberedEdges {
   std::vector<std::array<std::uint32_t, 3>> of;    ///< for each triangle: the edge across from each corner
 };
 
-/// Returns the edges. Requires: corners of `triangles` ascend, and are below `points`; each edge is a side of two
-/// triangles at least.
+/// Returns the edges. Requires: the corners of each triangle ascend and are below `points`; each edge is a side of at
+/// least two triangles.
 NumberedEdges number_edges(std::size_t points, std::span<const Triangle> triangles, Steps& step);
 
 }  // namespace rbpa::space

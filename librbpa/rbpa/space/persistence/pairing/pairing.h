@@ -1,4 +1,4 @@
-// What: pairs, in all dimensions, each simplex that begins a class with the simplex that ends the class.
+// What: pairs each simplex that begins a homology class with the simplex that ends the class, in all dimensions.
 // Cost: docs/explanation/filtration_and_persistence.md, section 10.
 #pragma once
 
@@ -16,12 +16,13 @@
 
 namespace rbpa::space {
 
-/// Throws ContractViolation, with a message that begins with `function`, where arrays do not fit together.
+/// Throws ContractViolation, with a message that begins with `function`, if sizes or numbers in the arrays of the
+/// filtration do not fit together.
 void check_filtration(const char* function, const SolidFiltration& filtration);
-/// Throws as above, and where an end of an edge is not an index of `points`.
+/// Throws ContractViolation if the filtration does not fit together, or an end of an edge is not an index of `points`.
 void check_filtration(const char* function, std::span<const Point3> points, const SolidFiltration& filtration);
 
-/// All pairs of a filtration. Requires: a filtration that passes check_filtration().
+/// All pairs of a filtration. Requires: the filtration passes check_filtration().
 struct Pairing {
   Pairing(const SolidFiltration& filtration, Steps& step)
       : edges(sorted_by_alpha(filtration.edge_alpha, step)),

@@ -1,7 +1,7 @@
 // What: sorts simplices of one dimension in the order of a filtration: by alpha, then by number or volume.
-// How:  non-negative doubles sort like their bits, negative ones in reverse. Three passes of radix sort use the first
-//       bits that differ; comparisons sort the rest where these bits are equal.
-// Cost: linear where few radii are nearly but not exactly equal; else a sort.
+// How:  non-negative doubles are ordered like their bits, negative ones in reverse. Three passes of radix sort use the
+//       highest 32 bits that differ; simplices that are equal in these bits are sorted by comparisons.
+// Cost: linear if few values are nearly but not exactly equal; else a sort.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,7 @@
 
 namespace rbpa::space {
 
-/// Returns the numbers of the simplices, sorted by alpha, then by number. Requires: no alpha is
-/// −0 or not a number.
+/// Returns the numbers of the simplices, sorted by alpha, then by number. Requires: no alpha is −0 or NaN.
 inline meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const double> alpha, Steps& step) {
   constexpr int digit_bits = 11, digits = 3, key_bits = 32;
   constexpr std::uint32_t mask = (1u << digit_bits) - 1;
@@ -64,8 +63,8 @@ inline meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const doubl
   return order;
 }
 
-/// Returns the numbers of the simplices, sorted by alpha, then by volume, so that sums of volumes in this order do not
-/// depend on the numbers.
+/// Returns the numbers of the simplices, sorted by alpha, then by volume. Sums of volumes in this order do not depend
+/// on the numbering. Requires: no alpha is −0 or NaN.
 template <typename Real>
 meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const double> alpha, std::span<const Real> volumes,
                                                     Steps& step) {

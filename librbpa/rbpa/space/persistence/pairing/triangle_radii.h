@@ -1,5 +1,5 @@
 // What: computes the radius at which each triangle of a Delaunay triangulation enters the full alpha complex.
-// How:  values_of_faces.h, with least spheres: a point inside conflicts. Radii are rounded up.
+// How:  values_of_faces.h with the rule of least spheres: a point inside the sphere conflicts. Radii are rounded up.
 // Cost: linear; shared among threads.
 // Source: Edelsbrunner and Mücke, Three-dimensional alpha shapes (1994), section 4.
 #pragma once
@@ -19,7 +19,7 @@
 
 namespace rbpa::space {
 
-/// The rule of least spheres for values_of_faces.h.
+/// The rule of least spheres for values_of_faces.h: the value of a face is the radius of its least sphere.
 class RadiusRule {
  public:
   explicit RadiusRule(std::span<const Point3> points) : points_(points) {}
@@ -33,7 +33,7 @@ class RadiusRule {
   Face triangle(const Triangle& corners) const {
     return {points_, {points_[corners[0]], points_[corners[1]], points_[corners[2]]}};
   }
-  /// Stops at the first: at most one corner of a triangle is inside the least sphere of the others.
+  /// Returns the bits of values_of_faces.h, at most one: only one corner can be inside the least sphere of the others.
   std::uint8_t conflicts(const Triangle& corners) const {
     for (std::size_t k = 0; k < 3; ++k)
       if (in_least_sphere(points_[corners[(k + 1) % 3]], points_[corners[(k + 2) % 3]], points_[corners[k]]))

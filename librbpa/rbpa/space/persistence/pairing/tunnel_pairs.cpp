@@ -86,7 +86,7 @@ void Tunnels::reduce(std::uint32_t triangle) {
     const std::uint32_t edge = edge_of(pivot), owner = owner_[edge];
     if (owner == Solid::none) return keep(edge, triangle, is_sum ? column_.ascending() : std::vector<ColumnEntry>());
     if (is_triangle_before(triangle, owner)) {
-      // The reduced column is stored there; the reduction continues with the column that was stored.
+      // The current column is stored at this edge, and the reduction continues with the column that was stored.
       const std::vector<ColumnEntry> others = released(edge);
       std::vector<ColumnEntry> mine = column_.ascending();
       if (others.empty())
@@ -110,7 +110,7 @@ void Tunnels::add_column_of(std::uint32_t edge) {
     column_.add(columns_[kept_[edge]]);
 }
 
-/// Stores the reduced column of a triangle at its pivot, `edge`. An empty column stands for the triangle's boundary.
+/// Stores the reduced column of a triangle at its pivot, `edge`. An empty `column` stands for the triangle's boundary.
 void Tunnels::keep(std::uint32_t edge, std::uint32_t triangle, std::vector<ColumnEntry> column) {
   owner_[edge] = triangle;
   if (column.empty()) return;
@@ -123,7 +123,7 @@ void Tunnels::keep(std::uint32_t edge, std::uint32_t triangle, std::vector<Colum
   columns_[kept_[edge]] = std::move(column);
 }
 
-/// Returns the column stored at an edge, and removes it; empty where none is stored.
+/// Removes the column stored at an edge, and returns the column; empty if none is stored.
 std::vector<ColumnEntry> Tunnels::released(std::uint32_t edge) {
   const std::uint32_t at = std::exchange(kept_[edge], Solid::none);
   if (at == Solid::none) return {};

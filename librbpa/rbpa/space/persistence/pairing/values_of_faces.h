@@ -1,7 +1,7 @@
 // What: finds the value at which each triangle and edge of a triangulation enters a filtration, from the values of its
 //       tetrahedra.
-// How:  a face that is alone, as no corner of the simplices around it conflicts, has a value of its own; any other has
-//       the least value of the simplices of which it is a face. A rule decides both:
+// How:  a face is alone if no other corner of the simplices around the face conflicts with it. A face that is alone has
+//       a value of its own, any other the least value of the simplices around it. A rule decides conflicts and values:
 //
 //         rule.triangle(triangle).conflicts(corner), .value()       conflicts with, and value of, a triangle
 //         rule.conflicts(triangle)       bit k is set if corner k conflicts with the edge across from it
@@ -29,8 +29,8 @@ namespace rbpa::space {
 
 inline constexpr std::size_t faces_at_a_time = 1u << 12;
 
-/// Returns the value of each of `triangles`. Requires: `delaunay` has neighbors; `values` are those of its tetrahedra;
-/// `triangles` is its number_triangles().
+/// Returns the value of each triangle. Requires: `delaunay` has neighbors; `values` are those of its tetrahedra;
+/// `triangles` is number_triangles() of `delaunay`.
 template <typename Rule>
 std::vector<double> values_of_triangles(const Rule& rule, const Solid& delaunay, std::span<const double> values,
                                         const NumberedTriangles& triangles, Threads& threads, const GoOn& go_on) {
@@ -60,7 +60,7 @@ std::vector<double> values_of_triangles(const Rule& rule, const Solid& delaunay,
   return result;
 }
 
-/// Fills in edge_alpha. Requires: edges, triangles and triangle_alpha.
+/// Fills in filtration.edge_alpha. Requires: the edges, the triangles and the values of triangles are filled in.
 template <typename Rule>
 void find_values_of_edges(const Rule& rule, Threads& threads, const GoOn& go_on, Steps& step,
                           SolidFiltration& filtration) {
@@ -89,7 +89,8 @@ void find_values_of_edges(const Rule& rule, Threads& threads, const GoOn& go_on,
   });
 }
 
-/// Fills in triangles and edges with their values. Requires: tetrahedra with neighbors and values.
+/// Fills in triangles, values of triangles, and edges; find_values_of_edges() fills in the values of edges. Requires:
+/// tetrahedra with neighbors and values.
 template <typename Rule>
 void find_faces(const Rule& rule, std::size_t points, Threads& threads, const GoOn& go_on, Steps& step,
                 SolidFiltration& filtration) {

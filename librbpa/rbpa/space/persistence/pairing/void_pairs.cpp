@@ -8,8 +8,8 @@
 namespace rbpa::space {
 namespace {
 
-/// Sets of tetrahedra, each with its last element in the filtration. The outside is an element, too: it has the
-/// greatest number and is the last of all.
+/// Sets of tetrahedra. Each set knows its last element in the filtration. The outside is an element, too, with the
+/// greatest number; it is later than all tetrahedra.
 class Basins {
  public:
   explicit Basins(std::span<const double> alpha) : alpha_(alpha), sets_(alpha.size() + 1), last_(alpha.size() + 1) {
@@ -18,12 +18,12 @@ class Basins {
 
   std::uint32_t outside() const { return static_cast<std::uint32_t>(alpha_.size()); }
   std::uint32_t find(std::uint32_t t) { return sets_.find(t); }
-  /// Returns the last tetrahedron of a set, or none: the outside.
+  /// Returns the last tetrahedron of a set, or none if the last element is the outside.
   std::uint32_t last(std::uint32_t set) const { return last_[set] == outside() ? Solid::none : last_[set]; }
   struct Joined {
-    std::uint32_t ended, stays;  ///< the last tetrahedron of the set that ends, and of the other
+    std::uint32_t ended, stays;  ///< the last tetrahedron of the set that ends, and of the other set
   };
-  /// Joins two sets. Requires: they are different; a and b are from find().
+  /// Joins sets a and b: the set whose last element is earlier ends. Requires: a ≠ b; both are results of find().
   Joined join(std::uint32_t a, std::uint32_t b) {
     const bool is_a_first = is_before(last_[a], last_[b]);
     const Joined joined = {last(is_a_first ? a : b), last(is_a_first ? b : a)};
@@ -43,7 +43,7 @@ class Basins {
   std::vector<std::uint32_t> last_;
 };
 
-/// Joins each tetrahedron to the one across the last of its triangles that have the radius of the tetrahedron, if any.
+/// Joins each tetrahedron to the tetrahedron or outside across its last triangle of equal radius, if any.
 void flow(const Solid& delaunay, std::span<const double> radii,
           std::span<const std::array<std::uint32_t, 4>> triangles_of, std::span<const double> triangle_radii,
           Steps& step, Basins& basins, std::vector<bool>& makes_one) {
@@ -59,7 +59,7 @@ void flow(const Solid& delaunay, std::span<const double> radii,
     }
     if (last == Solid::none) continue;
     const std::uint32_t a = basins.find(t), b = basins.find(across);
-    if (a == b) continue;  // joined already by the same triangle, from its other side
+    if (a == b) continue;  // the triangle joined the two from its other side
     basins.join(a, b);
     makes_one[last] = true;
   }

@@ -43,7 +43,7 @@ std::vector<Bridge> nearest_bridges(std::span<const Point3> points, std::span<co
     return key(f) < key(g);
   };
   std::vector<Found> found;            // a heap; the worst of the best is first
-  constexpr std::size_t at_once = 16;  // as many pairs of edges are compared as fast as one pair of triangles
+  constexpr std::size_t at_once = 16;  // pairs of edges that are compared as fast as one pair of triangles
   for (std::uint32_t i = 0; i < loop.size(); ++i) {
     work(other.size() / at_once + 1);
     if (work.is_over()) return {};

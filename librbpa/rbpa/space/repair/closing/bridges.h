@@ -1,4 +1,4 @@
-// What: finds bridges: pairs of edges of two boundary loops, between which a strip of two triangles joins the loops.
+// What: finds bridges: pairs of edges of two boundary loops, which a strip of two triangles between the edges joins.
 // Law:  a function of the points along the loops; it does not depend on where the loops begin.
 // Cost: the product of the numbers of edges.
 #pragma once
@@ -14,12 +14,12 @@
 
 namespace rbpa::space {
 
-/// A pair of edges, one of each loop, each given by the position of its first corner in the loop.
+/// A pair of edges, one of each loop. An edge is given by the position of its first corner in the loop.
 struct Bridge {
   std::uint32_t edge, other;
 };
 
-/// Returns the `most` bridges whose corners are nearest to each other, or fewer, the best first. Returns none if the
+/// Returns the bridges whose corners are nearest to each other, the best first, at most `most`. Returns none if the
 /// work is used up before all pairs are compared.
 /// Requires: both loops have the hole to their left.
 std::vector<Bridge> nearest_bridges(std::span<const Point3> points, std::span<const std::uint32_t> loop,
@@ -29,7 +29,7 @@ std::vector<Bridge> nearest_bridges(std::span<const Point3> points, std::span<co
 std::array<std::array<std::uint32_t, 3>, 2> strip_of(const Bridge& bridge, std::span<const std::uint32_t> loop,
                                                      std::span<const std::uint32_t> other);
 
-/// Returns the loop that bounds the hole without the strip of `bridge`.
+/// Returns the loop that bounds what the strip of `bridge` leaves of the hole.
 std::vector<std::uint32_t> joined_loop(const Bridge& bridge, std::span<const std::uint32_t> loop,
                                        std::span<const std::uint32_t> other);
 

@@ -25,10 +25,10 @@ void add_level(const Rim& rim, std::span<const std::uint32_t> corners, std::vect
   }
   const BoxTree tree(boxes, step);
   std::vector<std::pair<double, std::uint32_t>> others;
-  double reach = 1;  // for the first corner all; for each other one a bit more than the corner before needed
+  double reach = 1;  // reaches all corners at first; later, a bit more than the corner before needed
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const auto is_within = [&](const auto& other) { return other.first <= reach * reach; };
-    // The box is a bit wider than the reach, so that rounding leaves out no corner within the reach.
+    // The box is a bit wider than the reach, so that rounding excludes no corner within the reach.
     for (bool enough = false; !enough; reach *= enough ? 1 : 2) {
       others.clear();
       const double wide = reach * (1 + 0x1p-30);

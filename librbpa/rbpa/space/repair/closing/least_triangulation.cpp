@@ -11,7 +11,7 @@ namespace rbpa::space {
 namespace {
 
 constexpr std::uint32_t no_corner = 0xffffffff;
-constexpr float impossible = 8;  // a turn greater than any
+constexpr float impossible = 8;  // a turn greater than any possible one
 
 /// A triangle of places: its unit normal and area.
 struct Facet {
@@ -52,10 +52,10 @@ class Search {
   }
 
  private:
-  /// The best triangulation behind a chord.
+  /// The best triangulation of the part behind a chord.
   struct Part {
     Vector unit{};                   // normal of the triangle at the chord
-    std::uint32_t apex = no_corner;  // third corner of that triangle; none for a side of the rim
+    std::uint32_t apex = no_corner;  // third corner of that triangle; no_corner for a side of the rim
     float least = 0;                 // lower bound of the turn of any triangulation of the part
   };
   /// Weights of the parts, by the number or by the place of their chords.
@@ -64,17 +64,17 @@ class Search {
     std::vector<float> turn;
     std::vector<double> area;
   };
-  /// The best triangulation of a part so far, and the bound at which the search ends.
+  /// The best triangulation of a part among those that were tried, and the bound at which the search ends.
   struct Best {
     FillingWeight weight{.turn = impossible, .area = 0};
     Part part{};
-    double enough = -1;  // lower bound of the area; the search ends at this area if the turn is least, too
+    double enough = -1;  // lower bound of the area; the search ends at this area if the turn is also least
 
     bool is_final() const { return weight.area <= enough && weight.turn <= part.least; }
   };
 
-  /// Returns the unit normal and the area of the triangle, both 0 if it is too thin for double; nothing if its corners
-  /// are on a line.
+  /// Returns the unit normal and the area of the triangle, both 0 if the triangle is too thin for double. Returns
+  /// nothing if its corners are on a line.
   std::optional<Facet> facet(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     const Vector u = rim_.places[b] - rim_.places[a], v = rim_.places[c] - rim_.places[a], n = cross(u, v);
     const double length = std::sqrt(dot(n, n));
@@ -85,8 +85,8 @@ class Search {
     return Facet{{n.x / length, n.y / length, n.z / length}, length / 2};
   }
 
-  /// Sets least_turns_ to a lower bound of the turn over each side: the least of all triangles at the side; 0 if not
-  /// all chords are known.
+  /// Sets least_turns_ to a lower bound of the turn over each side: the least turn of all triangles at the side; 0 if
+  /// not all chords are known.
   void find_least_turns() {
     least_turns_.assign(rim_.size(), 0);
     if (!chords_.are_all()) return;
@@ -116,7 +116,7 @@ class Search {
       best.part.unit = rim_.normals[chord.first];
       best.part.least = least_turns_[chord.first];
     } else if (chords_.is_complete()) {
-      // There are chords to all corners in between. They are adjacent in both orders.
+      // There are chords to all corners in between, which are adjacent in both orders.
       const std::uint32_t count = chord.second - chord.first - 1;
       const std::uint32_t first = chords_.first_from(chord.first),
                           second = chords_.first_to(chord.second) + chord.first + 1;
@@ -139,8 +139,8 @@ class Search {
     from_.area[number] = to_.area[place] = best.weight.area;
   }
 
-  /// Tries the triangle at the chord with the parts behind its two other sides. `first` is the number of one of these
-  /// sides, `second` the place of the other in the order by higher ends.
+  /// Tries the triangle at the chord with the parts behind its other two sides. `first` is the number of one side,
+  /// `second` the place of the other side in the order of the high ends.
   void attempt(const Chord& chord, std::uint32_t first, std::uint32_t second, Best& best) {
     FillingWeight weight{std::max(from_.turn[first], to_.turn[second]), 0};
     if (weight.turn > best.weight.turn || weight.turn == impossible) return;

@@ -12,7 +12,7 @@
 namespace rbpa::space {
 namespace {
 
-/// Returns, for each triangle of vertices, the triangles with which it shares a side: number k is across from corner k.
+/// Returns, for each triangle of vertices, the neighbors with which it shares a side: number k is across from corner k.
 std::vector<Triangle> neighbors_of(std::span<const Triangle> triangles, meshops::Steps& step) {
   std::vector<Triangle> neighbors(triangles.size(), {no_index, no_index, no_index});
   const std::vector<TriangleSide> sides = sorted_sides(triangles, {}, step);

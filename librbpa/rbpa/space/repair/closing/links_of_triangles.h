@@ -1,5 +1,5 @@
-// What: turns triangles of vertices into those of a Surface: with points as corners, in lexicographic order, glued
-//       where they share two vertices.
+// What: turns triangles of vertices into triangles of a Surface: with points as corners, in lexicographic order, and
+//       glued where triangles share two vertices.
 // Cost: a sort of the sides, and of the triangles.
 #pragma once
 
@@ -18,8 +18,8 @@ struct LinkedTriangles {
   std::vector<std::uint32_t> order;  ///< for each triangle, its number among the given ones
 };
 
-/// Returns the triangles `of_vertices`, linked; `point` has the point of each vertex. A side stays unglued where more
-/// than two triangles share it, or two in the same direction. Throws: Cancelled.
+/// Returns the triangles `of_vertices`, linked; `point` has the point of each vertex. A side stays unglued if more than
+/// two triangles share it, or two triangles run along it in one direction. Throws: Cancelled.
 LinkedTriangles linked_triangles(std::span<const std::array<std::uint32_t, 3>> of_vertices,
                                  std::span<const std::uint32_t> point, meshops::Steps& step);
 

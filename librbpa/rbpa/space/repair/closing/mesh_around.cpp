@@ -57,7 +57,7 @@ bool is_side(const Chord& chord, std::size_t size) {
   return chord.second == chord.first + 1 || (chord.first == 0 && chord.second + 1 == size);
 }
 
-/// Returns which of two crossing triangles is to be forbidden: the one of larger area.
+/// Returns the one of two crossing triangles that is to be forbidden: the one of larger area.
 const RimTriangle& worse(const Rim& rim, const RimTriangle& s, const RimTriangle& t) {
   const auto square = [&](const RimTriangle& of) {
     const Vector n = cross(rim.places[of[1]] - rim.places[of[0]], rim.places[of[2]] - rim.places[of[0]]);
@@ -82,7 +82,7 @@ MeshAround::MeshAround(std::span<const Point3> points, std::span<const std::arra
   for (std::size_t l = 0; l < loops.size(); ++l)
     for (const LoopCorner& corner : loops[l].corners) corners_at_[l].push_back(*place_of(points[corner.in]));
 
-  std::vector<std::uint32_t> place(points.size(), 0);  // for each vertex, its place counted from 1; 0: none
+  std::vector<std::uint32_t> place(points.size(), 0);  // for each vertex, its place, counted from 1, or 0
   for (std::size_t v = 0; v < points.size(); ++v) {
     step(2);
     if (const auto found = place_of(points[v])) place[v] = *found + 1;
@@ -107,7 +107,7 @@ std::optional<std::uint32_t> MeshAround::place_of(const Point3& p) const {
 
 std::vector<Chord> MeshAround::taken_chords(const SimpleLoop& loop) const {
   const std::vector<std::uint32_t>& corners = corners_at_[static_cast<std::size_t>(&loop - loops_.data())];
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> at;  // pairs of a place and a corner of the loop there
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> at;  // pairs of a place and the loop's corner at it
   for (std::uint32_t i = 0; i < corners.size(); ++i) at.emplace_back(corners[i], i);
   std::sort(at.begin(), at.end());
   std::vector<Chord> taken;

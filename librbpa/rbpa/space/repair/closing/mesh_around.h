@@ -1,6 +1,6 @@
-// What: keeps the obstacles of fillings: the triangles of a mesh near the loops to be filled, and the edges between
-//       points of the loops.
-// Law:  exact. Fillings that were added are obstacles too.
+// What: keeps the obstacles to fillings: the triangles of a mesh near the loops that are to be filled, and the edges
+//       between points of the loops.
+// Law:  exact. Fillings that were added are obstacles to later ones.
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@
 
 namespace rbpa::space {
 
-/// The chords and triangles of a rim's filling that are not allowed, by corners of the rim.
+/// The chords and triangles of a filling that are not allowed, by corners of the rim.
 struct Faults {
-  std::vector<Chord> taken;     ///< chords between points that an edge of the mesh joins already
-  std::vector<Chord> crossing;  ///< chords that cross a triangle
+  std::vector<Chord> taken;     ///< chords whose ends an edge of the mesh joins already
+  std::vector<Chord> crossing;  ///< chords that cross a triangle of the mesh
   /// New triangles that cross a side of a triangle of the mesh, or another new triangle.
   std::vector<RimTriangle> triangles;
   bool none() const { return taken.empty() && crossing.empty() && triangles.empty(); }
@@ -29,14 +29,14 @@ struct Faults {
 
 class MeshAround {
  public:
-  /// Keeps the span `loops`, which has all loops that may be filled. Throws: Cancelled.
+  /// Prepares for fillings of `loops`, which has all loops that may be filled. Keeps the span. Throws: Cancelled.
   MeshAround(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
              std::span<const SimpleLoop> loops, meshops::Steps& step);
 
   /// Returns the chords of a loop that are edges of the mesh, sorted. Requires: `loop` is an element of `loops`.
   std::vector<Chord> taken_chords(const SimpleLoop& loop) const;
-  /// Returns the faults of `filling`, which fills loop `number` with this rim. Without faults it may be added. Spends
-  /// work for each pair of triangles.
+  /// Returns the faults of `filling`, which fills loop `number` with this rim; without faults, the filling may be
+  /// added. Spends work for each pair of triangles.
   Faults faults(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling, Work& work) const;
   /// Adds the filling of loop `number` to the mesh.
   void add(std::uint32_t number, const Rim& rim, std::span<const RimTriangle> filling);

@@ -17,9 +17,9 @@ using Vector = Vector3<double>;
 
 inline Vector operator-(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y, u.z - v.z}; }
 
-/// The greatest turn of a surface over an edge. The turn is |n − n'|² for unit normals n and n': 0 where the surface is
-/// flat, 4 where it is folded back, ascending with the angle. Angles below 0.0035 degrees count as flat. The code uses
-/// no function that processors or libraries may round differently.
+/// The greatest turn of a surface over an edge. The turn is |n − n'|² for the unit normals n and n' on both sides: 0
+/// where the surface is flat, 4 where it is folded back, ascending with the angle. Angles below 0.0035 degrees count as
+/// flat. The code uses no function that processors or libraries may round differently.
 inline constexpr float most_turn = 4;
 inline float turn_between(const Vector& unit, const Vector& other) {
   constexpr double flat = 0x1p-28;
@@ -28,11 +28,11 @@ inline float turn_between(const Vector& unit, const Vector& other) {
   return turn < flat ? 0 : turn < 4 ? static_cast<float>(turn) : most_turn;
 }
 
-/// The rim of a hole, with the hole to its left. All corners are at different points.
+/// The rim of a hole, with the hole to its left. No two corners are at one point.
 struct Rim {
   std::vector<Point3> points;
   std::vector<Vector> places;  ///< the points, scaled to a box of side 1
-  /// Unit normal of the triangle at the edge from each corner to the next; 0 if it has no area.
+  /// Unit normal of the triangle at the edge from each corner to the next; 0 if the triangle has no area.
   std::vector<Vector> normals;
   int exponent = 0;  ///< one unit of `places` is 2^exponent units of `points`
 

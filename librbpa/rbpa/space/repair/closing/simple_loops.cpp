@@ -41,7 +41,7 @@ std::vector<SimpleLoop> simple_loops(std::span<const Point3> points, std::span<c
         open.push_back({vertex, vertex, edge});
         continue;
       }
-      // The corners since the last visit are a loop of their own; the corners before continue with the next ones.
+      // The corners since the last visit become a loop of their own. The earlier corners continue with the next ones.
       const auto first = open.begin() + static_cast<std::ptrdiff_t>(found->second);
       SimpleLoop part{l, {first, open.end()}};
       for (auto corner = first + 1; corner != open.end(); ++corner) place.erase(points[corner->in]);

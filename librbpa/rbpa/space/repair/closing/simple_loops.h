@@ -1,5 +1,5 @@
-// What: splits boundary loops into simple loops, which visit no point twice.
-// Law:  the points of the result are a function of the points along each loop, not of where it begins.
+// What: splits boundary loops into simple loops, which visit each point at most once.
+// Law:  the points of the result are a function of the points along each loop, not of its first corner.
 // Cost: n log n for a loop of n edges; quadratic at worst, if points repeat.
 #pragma once
 
@@ -20,12 +20,12 @@ struct LoopCorner {
 };
 
 struct SimpleLoop {
-  std::uint32_t loop;  ///< number of the loop of which it is a part
+  std::uint32_t loop;  ///< number of the given loop of which this one is a part
   std::vector<LoopCorner> corners;
 };
 
-/// Cuts each loop at points that it visits again: the part in between becomes a loop of its own, perhaps of two
-/// corners. Returns the simple loops, sorted by number of corners, then by their points. Throws: Cancelled.
+/// Cuts each loop at points that it visits again. The part between two visits becomes a loop of its own, perhaps of
+/// only two corners. Returns the simple loops, sorted by number of corners, then by their points. Throws: Cancelled.
 std::vector<SimpleLoop> simple_loops(std::span<const Point3> points, std::span<const std::vector<std::uint32_t>> loops,
                                      meshops::Steps& step);
 

@@ -14,7 +14,7 @@ namespace {
 
 auto key(const TriangleSide& side) { return std::tie(side.from, side.to); }
 
-/// Returns the side from `from` to `to`, or the end.
+/// Returns the side from `from` to `to`, or the end of `sides`.
 std::vector<TriangleSide>::const_iterator find(const std::vector<TriangleSide>& sides, std::uint32_t from,
                                                std::uint32_t to) {
   const auto found = std::lower_bound(sides.begin(), sides.end(), std::tie(from, to),
@@ -49,7 +49,7 @@ std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std:
   std::uint32_t vertices = 0;
   for (const TriangleSide& side : sides) vertices = std::max(vertices, side.from + 1);
   constexpr std::uint32_t none = 0xffffffff;
-  std::vector<std::uint32_t> next(vertices, none);  // along the boundary, with the triangles to the right
+  std::vector<std::uint32_t> next(vertices, none);  // next vertex along the boundary, with the triangles to the right
   for (const TriangleSide& side : sides) {
     step(2);
     if (find(sides, side.to, side.from) != sides.end()) continue;

@@ -1,4 +1,4 @@
-// What: finds the sides of triangles that are given by vertex numbers alone, and the loops of their boundary.
+// What: finds the sides of triangles that are given by vertex numbers alone, and the loops of the triangles' boundary.
 // Cost: a sort of the sides.
 #pragma once
 
@@ -17,12 +17,12 @@ struct TriangleSide {
   std::uint32_t triangle;
 };
 
-/// Returns the sides of which both ends are wanted, or all sides if `is_wanted` is empty; sorted by from, to, triangle.
+/// Returns the sides of which both ends are wanted, or all sides if `is_wanted` is empty. Sorted by from, to, triangle.
 /// Throws: Cancelled.
 std::vector<TriangleSide> sorted_sides(std::span<const std::array<std::uint32_t, 3>> triangles,
                                        const std::vector<bool>& is_wanted, meshops::Steps& step);
 
-/// Returns the loops of boundary_loops(). Throws: ContractViolation as boundary_loops(); Cancelled.
+/// Returns the loops that boundary_loops() returns. Throws: what boundary_loops() throws; Cancelled.
 std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std::uint32_t, 3>> triangles,
                                                  meshops::Steps& step);
 
@@ -30,7 +30,7 @@ std::vector<std::vector<std::uint32_t>> loops_of(std::span<const std::array<std:
 class BoundarySides {
  public:
   /// Finds the triangles. Throws: ContractViolation if a loop is empty or has an edge that is not a boundary side, or
-  /// loops pass an edge twice; Cancelled.
+  /// if the loops contain an edge twice; Cancelled.
   BoundarySides(std::span<const std::array<std::uint32_t, 3>> triangles,
                 std::span<const std::vector<std::uint32_t>> loops, meshops::Steps& step);
 

@@ -1,5 +1,5 @@
-// What: a budget for closing holes: the number of pairs of triangles, and of edges, that may still be compared.
-// Law:  a count, not a time: it does not depend on the order of the input, the machine or the number of threads.
+// What: keeps the budget for closing holes: the number of pairs of triangles, and of edges, that may still be compared.
+// Law:  the budget is a count, not a time, so it does not depend on the order of the input, the machine or the threads.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // What:   computes the mean curvature of triangles around a vertex.
-// How:    weights edges by cotangents of the angles across from them; a triangle counts by the part of its area that is
-//         nearest to the vertex.
+// How:    weights edges by cotangents of the angles across from them; each triangle counts by the part of its area that
+//         is nearest to the vertex.
 // Source: Meyer, Desbrun, Schröder, Barr, Discrete differential-geometry operators for triangulated 2-manifolds (2003).
 #pragma once
 
@@ -19,7 +19,7 @@ inline double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 struct CornerWeights {
   double to_a = 0, to_b = 0;  ///< half cotangents of the angles at b and at a
   double area = 0;            ///< area of the part of the triangle that is nearest to v
-  Vector normal{};            ///< its length is twice the triangle's area
+  Vector normal{};            ///< normal of the triangle; its length is twice the area
 
   CornerWeights(const Vector& v, const Vector& a, const Vector& b) : normal(cross(minus(a, v), minus(b, v))) {
     const double twice = length(normal);
@@ -49,8 +49,8 @@ struct FanCurvature {
     normal = plus(normal, of.normal);
     area += of.area;
   }
-  /// Returns twice the mean curvature times the area: below 0 if the surface bends away from its normal, as the surface
-  /// of a ball does.
+  /// Returns twice the mean curvature times the area. The result is below 0 if the surface bends away from its normal,
+  /// as the surface of a ball does.
   double bend() const {
     const double size = length(normal);
     return size > 0 ? dot(sum, normal) / size : 0;

@@ -11,7 +11,7 @@
 namespace rbpa::space {
 namespace {
 
-/// Returns the unit normal of the triangle's plane; 0 where the triangle has no area.
+/// Returns the unit normal of the triangle's plane; 0 if the triangle has no area.
 Vector unit_normal(const Vector& a, const Vector& b, const Vector& c) {
   const Vector n = cross(minus(b, a), minus(c, a));
   const double size = length(n);
@@ -52,7 +52,7 @@ void FillingPatch::refine(std::size_t most, meshops::Steps& step) {
   while (between_.size() < most && split_large(step)) flip_all(step);
 }
 
-/// Splits the triangles that are large at the beginning of the call. Returns whether there were any.
+/// Splits the triangles that are large at the time of the call. Returns whether there were any.
 bool FillingPatch::split_large(meshops::Steps& step) {
   bool has_split = false;
   const std::size_t count = mesh_.n_faces();
@@ -79,8 +79,8 @@ bool FillingPatch::split_large(meshops::Steps& step) {
   return has_split;
 }
 
-/// Returns whether the distance of the triangle's centroid to each corner is large relative to the edges there, and to
-/// the edges wanted in the middle.
+/// Returns whether the distance of the triangle's centroid to each corner is large relative to the edges at the corner
+/// and to the edges wanted in the middle.
 bool FillingPatch::is_large(Mesh::FaceHandle f) const {
   std::array<Vector, 3> corners{};
   std::array<double, 3> scales{};
@@ -122,8 +122,8 @@ void FillingPatch::flip_all(meshops::Steps& step) {
   }
 }
 
-/// Returns whether the angles across from the edge sum to more than 180 degrees, and the flipped edge does not exist
-/// yet and folds nothing.
+/// Returns whether the edge should be flipped: the angles across from it sum to more than 180 degrees, and the flipped
+/// edge does not exist yet and folds nothing.
 bool FillingPatch::is_better_flipped(Edge e) const {
   if (mesh_.is_boundary(e)) return false;
   const Halfedge h = mesh_.halfedge_handle(e, 0);
@@ -142,14 +142,14 @@ bool FillingPatch::is_better_flipped(Edge e) const {
   return dot(new_from, mean) > 0 && dot(new_to, mean) > 0 && dot(new_from, new_to) > 0;
 }
 
-/// Returns twice the mean curvature wanted at each name: the given one, at most most_bend(), where the rim has one, and
-/// harmonic elsewhere. Returns nothing if the equations do not determine it.
+/// Returns twice the mean curvature wanted at each numbered vertex: the given one, cut to most_bend(), where the rim
+/// has one, and harmonic elsewhere. Returns nothing if the equations do not determine the curvature.
 std::optional<std::vector<double>> FillingPatch::bends() const {
   std::vector<double> bends(rim_.places.size() + between_.size(), 0);
   const std::optional<double> most = most_bend();
   if (!most || std::none_of(rim_.bend.begin(), rim_.bend.end(), [](const auto& bend) { return bend.has_value(); }))
     return bends;
-  std::vector<std::uint32_t> number(bends.size(), Surface::none);  // for each name, the number of its unknown
+  std::vector<std::uint32_t> number(bends.size(), Surface::none);  // for each vertex number, the number of its unknown
   std::uint32_t count = 0;
   for (std::size_t name = 0; name < bends.size(); ++name) {
     if (name < rim_.bend.size() && rim_.bend[name])
@@ -219,7 +219,7 @@ bool FillingPatch::make_smooth(meshops::Steps& step) {
 }
 
 /// Does one round: moves the added vertices to where the curvature is as wanted, by the current weights and normals,
-/// and sets `farthest` to the longest move. Returns false, and moves nothing, if this determines no places.
+/// and sets `farthest` to the longest move. Returns false, and moves nothing, if the equations determine no places.
 bool FillingPatch::bend_like(const std::vector<double>& bends, meshops::Steps& step, double& farthest) {
   const std::size_t rim = rim_.places.size();
   std::vector<FanCurvature> fans(bends.size());

@@ -18,17 +18,17 @@
 
 namespace rbpa::space {
 
-/// The input of a patch. Its vertices, the rim, are numbered from 0.
+/// The input of a patch. The vertices of the rim are numbered from 0.
 struct FillingRim {
   std::vector<Vector> places;         ///< places of the vertices, all different
-  std::vector<double> scales;         ///< for each vertex: the mean length of its edges outside of the patch
-  std::vector<FanCurvature> outside;  ///< for each vertex: sum over its triangles outside of the patch
-  /// For each vertex: twice the mean curvature over those vertices of the two rings outside that triangles surround,
-  /// none of them in the patch; absent if there are no such vertices.
+  std::vector<double> scales;         ///< for each vertex: mean length of its edges outside of the patch
+  std::vector<FanCurvature> outside;  ///< for each vertex: sum over its triangles outside of the patch, for curvature
+  /// For each vertex: twice the mean curvature over the two rings of vertices outside; only vertices count that
+  /// triangles surround, none of them in the patch. Absent if no vertex counts.
   std::vector<std::optional<double>> bend;
   std::vector<bool> is_inner;  ///< for each vertex: whether triangles surround it entirely
   Surface triangles;           ///< corners are vertices; glued; lowest corner first, sorted
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< between vertices, outside of the patch; low < high
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< edges of vertices, outside of the patch; low < high
 };
 
 class FillingPatch {
@@ -36,17 +36,17 @@ class FillingPatch {
   /// Keeps a reference to `rim`.
   explicit FillingPatch(const FillingRim& rim);
 
-  /// Adds vertices until triangles are about as large as the rim's edges suggest, or there are at least `most`.
+  /// Adds vertices until triangles are about as large as the rim's edges suggest, or at least `most` are added.
   /// Throws: Cancelled.
   void refine(std::size_t most, meshops::Steps& step);
-  /// Moves the added vertices so that the surface is smooth across the rim and as curved there as it is outside, with
-  /// harmonic curvature inside. Returns false, and moves nothing, if this determines no places. Throws: Cancelled.
+  /// Moves the added vertices so that the surface is smooth across the rim, as curved there as outside, and of harmonic
+  /// curvature inside. Returns false, and moves nothing, if the equations determine no places. Throws: Cancelled.
   bool make_smooth(meshops::Steps& step);
 
   std::size_t added() const { return between_.size(); }
   Vector place(std::size_t added) const;
-  /// Returns, for each added vertex, the three vertices between which it was added. Numbers below those of added
-  /// vertices are vertices of the rim.
+  /// Returns, for each added vertex, the three vertices between which it was added. Numbers of rim vertices come first,
+  /// then those of added vertices.
   const std::vector<std::array<std::uint32_t, 3>>& between() const { return between_; }
   std::vector<std::array<std::uint32_t, 3>> triangles() const;
   /// Returns whether a triangle has no area in double precision.
@@ -69,11 +69,11 @@ class FillingPatch {
 
   const FillingRim& rim_;
   Mesh mesh_;
-  // For each mesh vertex, its number: in the rim (shared by several vertices if fans meet), or that of an added vertex
+  // For each mesh vertex, its number. Several mesh vertices have the number of one rim vertex if fans meet there.
   std::vector<std::uint32_t> names_;
-  std::vector<double> scales_;  // the wanted length of edges at each vertex, by number
+  std::vector<double> scales_;  // wanted length of edges at each vertex, by number
   std::vector<std::array<std::uint32_t, 3>> between_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;  // between numbers: all edges that exist, also outside
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges_;  // all edges, also outside, by numbers of vertices
 };
 
 }  // namespace rbpa::space

@@ -1,4 +1,4 @@
-// What: solves a sparse system of linear equations of places by least squares.
+// What: solves a sparse system of linear equations between places by least squares.
 // Cost: about n^1.5 for n places on a surface.
 #pragma once
 
@@ -15,7 +15,7 @@ class LeastSquares {
  public:
   explicit LeastSquares(std::size_t places) : places_(places) {}
 
-  /// Begins another equation. Terms added from now on sum up to `known`.
+  /// Begins another equation: the terms added next sum up to `known`.
   void add_equation(const Vector3<double>& known) { known_.push_back(known); }
   /// Adds the term factor · place to the last equation.
   void add(std::uint32_t place, double factor) {

@@ -1,5 +1,5 @@
-// What: bounds the distance of a mesh from the triangles of another, and checks the places of vertices.
-// Law:  conservative, as SurfaceDistance is.
+// What: bounds the distance of a mesh from given triangles, and checks the places of vertices.
+// Law:  conservative: no point of the mesh is farther than the bound.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace rbpa::space {
 
-/// Throws ContractViolation unless there is one place for each vertex, and InvalidInput that names a vertex, not marked
-/// deleted, whose place is not finite. Messages begin with `operation`.
+/// Throws ContractViolation unless there is one place for each vertex. Throws InvalidInput that names a vertex if the
+/// vertex is not marked deleted and its place is not finite. Messages begin with `operation`.
 void require_places(const char* operation, const meshops::Connectivity& mesh, const std::vector<Point3>& places);
 
 /// Returns the vertices of each triangle of a mesh. Requires: a mesh of triangles.

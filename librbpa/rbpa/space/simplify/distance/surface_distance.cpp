@@ -11,16 +11,16 @@ namespace {
 using Vector = Vector3<double>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int most_cuts = 96;  // in a row; `slack` counts on it
+constexpr int most_cuts = 96;  // maximum number of cuts in a row; slack() relies on it
 
 Vector times(double t, const Vector& v) { return {t * v.x, t * v.y, t * v.z}; }
 double squared(const Vector& v) { return dot(v, v); }
 Point3 point(const Vector& v) { return {v.x, v.y, v.z}; }
 
-/// Returns what rounding adds at most to a distance between points of local coordinates up to `size`.
+/// Returns the greatest amount that rounding adds to a distance between points of local coordinates up to `size`.
 double slack(double size) { return std::ldexp(std::max(size, 1.0), -43); }
 
-/// Returns the greatest coordinate; infinity if products of some could overflow.
+/// Returns the greatest absolute coordinate; infinity if products of coordinates could overflow.
 double size_of(const std::array<Vector, 3>& corners) {
   const double most = std::ldexp(1.0, 200);
   double size = 0;
@@ -32,7 +32,7 @@ double size_of(const std::array<Vector, 3>& corners) {
 
 }  // namespace
 
-/// A convex polygon.
+/// A convex polygon, with the number of cuts that led to it.
 struct SurfaceDistance::Piece {
   static constexpr std::size_t most = 12;
   std::array<Vector, most> corners;
@@ -47,7 +47,7 @@ struct SurfaceDistance::Piece {
   }
   const Vector& operator[](std::size_t i) const { return corners[i % count]; }
 
-  /// Returns the corners from number i on through number j, with these at the ends: part of a cut.
+  /// Returns part of a cut: the corners number i through j, between the corners `first` and `last`.
   Piece part(std::size_t i, std::size_t j, const Vector& first, const Vector& last) const {
     Piece part{.corners = {}, .count = 0, .cuts = cuts + 1};
     part.add(first);
@@ -56,10 +56,10 @@ struct SurfaceDistance::Piece {
     return part;
   }
 
-  /// Cuts off what is beyond the plane through `on`, on the side to which `out` points. Returns that part, and keeps
-  /// the rest; returns nothing, and keeps all, if nothing is beyond, or if rounding leaves no simple cut.
+  /// Cuts off the part beyond the plane through `on`, on the side to which `out` points. Returns that part, and keeps
+  /// the rest. Returns nothing, and keeps all, if no part is beyond the plane or rounding leaves no simple cut.
   std::optional<Piece> cut_off(const Vector& on, const Vector& out) {
-    // Parts that are thinner than rounding are not cut off: that would leave the same piece again and again.
+    // A part that is thinner than rounding is not cut off: the remaining piece could be the same again and again.
     const double thin = std::ldexp(std::sqrt(squared(out)), -45);
     std::array<double, most> height{};
     std::size_t enters = most, leaves = most, changes = 0;
@@ -123,7 +123,7 @@ class SurfaceDistance::Bounding {
     waiting_.push_back(whole);
   }
 
-  /// Returns whether all pieces are within `limit`.
+  /// Returns whether all pieces are certified to be within `limit`.
   bool is_within(double limit) {
     while (!waiting_.empty()) {
       Piece piece = waiting_.back();
@@ -135,8 +135,8 @@ class SurfaceDistance::Bounding {
     return true;
   }
 
-  /// Returns a bound of all pieces that exceeds the greatest distance, or else `least`, by a twentieth at most if there
-  /// is no limit of the work.
+  /// Returns a bound for all pieces. Unless the work reaches its limit, the bound exceeds the greatest distance, or
+  /// `least` if that is more, by at most a twentieth.
   double bound(double least) {
     double bound = 0;
     for (std::size_t work = 0; !waiting_.empty(); ++work) {
@@ -157,7 +157,7 @@ class SurfaceDistance::Bounding {
  private:
   static constexpr std::size_t most_work = 100'000;
 
-  /// Returns the greatest distance of a corner from a given triangle.
+  /// Returns the greatest distance of the piece's corners from a given triangle.
   double greatest(const Piece& piece, std::uint32_t number) const {
     double greatest = 0;
     for (std::size_t i = 0; i < piece.count; ++i)
@@ -165,8 +165,8 @@ class SurfaceDistance::Bounding {
     return std::sqrt(greatest);
   }
 
-  /// Cuts the piece along the prism on a given triangle; pieces that are not within `allowed` of it wait. Returns the
-  /// bound of the one that is, or 0.
+  /// Cuts the piece along the prism on a given triangle. Pieces that are not within `allowed` of the triangle wait.
+  /// Returns the bound of the piece that is within, or 0.
   double divide(Piece& piece, std::uint32_t number, double allowed) {
     const Given& given = all_.given_[number];
     const Vector normal = cross(given.ab, given.ac);
@@ -241,8 +241,8 @@ std::array<Vector, 3> SurfaceDistance::local(const Corners& triangle) const {
   return {local(triangle[0]), local(triangle[1]), local(triangle[2])};
 }
 
-/// Returns the vector to a point from a point of the given triangle, mostly from the nearest one (Ericson, Real-time
-/// collision detection, 5.1.5).
+/// Returns the vector to p from a point of the given triangle: from the nearest point, up to rounding (Ericson,
+/// Real-time collision detection, 5.1.5).
 Vector SurfaceDistance::from_nearest(const Vector& p, std::uint32_t number) const {
   const Given& given = given_[number];
   const Vector ap = minus(p, given.a), ab = given.ab, ac = given.ac;
@@ -261,7 +261,7 @@ Vector SurfaceDistance::from_nearest(const Vector& p, std::uint32_t number) cons
     const double w = share(d4 - d3, (d4 - d3) + (d5 - d6));
     return at(1 - w, w);
   }
-  // The foot on the plane, and once more for what rounding has left, as triangles may be thin.
+  // Finds the foot on the plane, and corrects it once for rounding, as triangles may be thin.
   double s = share(vb, va + vb + vc), t = share(vc, va + vb + vc);
   const Vector rest = minus(ap, plus(times(s, ab), times(t, ac)));
   const double r1 = dot(ab, rest), r2 = dot(ac, rest), whole = bb * cc - bc * bc;

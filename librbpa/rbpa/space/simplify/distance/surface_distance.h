@@ -1,11 +1,11 @@
-// What:   bounds the distance of a triangle from a set of triangles from above: no point of it is farther; finds the
-//         nearest point of the set.
-// How:    the distance from one convex triangle is a convex function, so that on a convex piece it is greatest at a
-//         corner. A triangle is cut into convex pieces, each compared with one of the given triangles: a piece is cut
-//         along the prism that stands on the given triangle nearest to its middle, or in two halves.
-// Law:    conservative: rounding errors are added to each bound (docs/explanation/surfaces.md, section 25). A
-//         function of the set of given triangles, not of any order.
-// Cost:   to build, a sort; for a triangle, some searches in a tree of boxes for each given triangle near it.
+// What:   computes an upper bound of the distance of a triangle's points from a set of triangles, and finds the nearest
+//         point of the set.
+// How:    the distance from one convex triangle is a convex function, so on a convex piece it is greatest at a corner.
+//         A triangle is cut into convex pieces, each compared with one of the given triangles: a piece is cut along the
+//         prism that stands on the given triangle nearest to its middle, or in two halves.
+// Law:    conservative: bounds include rounding errors (docs/explanation/surfaces.md, section 25). A function of the
+//         set of given triangles, not of any order.
+// Cost:   a sort to build; for a triangle, some searches in a tree of boxes for each given triangle near it.
 #pragma once
 
 #include <array>
@@ -25,23 +25,23 @@ class SurfaceDistance {
  public:
   using Corners = std::array<Point3, 3>;
 
-  /// Takes a copy of the triangles. Requires: finite points; corners are indices of points. Throws: Cancelled.
+  /// Copies the triangles. Requires: finite points; corners are indices of points. Throws: Cancelled.
   SurfaceDistance(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 3>> triangles,
                   const meshops::GoOn& go_on = {});
 
-  /// Returns whether every point of the triangle is certified to be within `limit` of a given triangle. It may be false
-  /// for triangles that are within it, but only just.
+  /// Returns whether every point of the triangle is certified to be within `limit` of a given triangle. The result may
+  /// be false for a triangle that is barely within the limit.
   bool is_within(const Corners& triangle, double limit) const;
 
-  /// Returns the greatest distance of the corners and the middle of the triangle from the given triangles: the greatest
-  /// distance of a point of the triangle is at least that, up to rounding.
+  /// Returns the greatest distance of the corners and the middle of the triangle from the given triangles. The greatest
+  /// distance of any point of the triangle is at least the result, up to rounding.
   double least(const Corners& triangle) const;
   /// Returns a number that the distance of no point of the triangle exceeds. It is at most 1.05 times the greatest
-  /// distance or 1.05 times `least`, whichever is more, unless more pieces are needed than a limit of the work allows.
+  /// distance or 1.05 times `least`, whichever is more, unless the work reaches a limit.
   double greatest(const Corners& triangle, double least) const;
 
   /// Returns the point of the given triangles that is nearest to p, rounded; absent if it is farther than `limit`. With
-  /// `facing`, only of triangles whose normals make less than a right angle with that vector, rounded.
+  /// `facing`, considers only triangles whose normals make less than a right angle with that vector, rounded.
   std::optional<Point3> nearest_point(const Point3& p, double limit,
                                       const std::optional<Vector3<double>>& facing = {}) const;
 

@@ -16,7 +16,7 @@ using meshops::Connectivity;
 using meshops::Face;
 using meshops::Vertex;
 
-constexpr std::size_t group = 16;  // triangles for which the tree is searched at once
+constexpr std::size_t group = 16;  // number of triangles for which the tree is searched together
 
 std::size_t index(Vertex v) { return static_cast<std::size_t>(v.idx()); }
 std::size_t index(Face f) { return static_cast<std::size_t>(f.idx()); }
@@ -30,7 +30,7 @@ Corners corners_at(const std::array<Vertex, 3>& vertices, std::span<const Point3
   return {places[index(vertices[0])], places[index(vertices[1])], places[index(vertices[2])]};
 }
 
-/// Returns whether two of the triangles, which all begin with the same corner, cross.
+/// Returns whether two of the triangles cross. Requires: all triangles begin with one common corner.
 bool cross_each_other(const std::vector<Corners>& triangles) {
   std::vector<Box> sides;
   for (const Corners& t : triangles) sides.push_back(box_of(std::array{t[1], t[2]}));

@@ -1,10 +1,11 @@
-// What: the triangles of a mesh in space while its edges collapse; tells whether a collapse would make some cross.
-// Law:  exact; triangles cross as in crossing_triangles(): if none did before, and no collapse was made that would make
-//       some cross, none does.
-// How:  a tree of the boxes of all triangles, in which boxes are replaced; it is built anew when half of the triangles
-//       are gone. The triangles around the vertex that moves have a corner in common: two of them cross only if the
-//       side across from that corner, of one of them, meets the other one.
-// Cost: for each triangle that moves a search in the tree, and an exact test for each triangle near it; about 90 bytes
+// What: keeps the triangles of a mesh in space while edges collapse, and tells whether a collapse would make some
+//       cross.
+// Law:  exact; triangles cross as in crossing_triangles(). If no triangles cross before, and no refused collapse is
+//       made, none cross after.
+// How:  a tree of the boxes of all triangles, in which boxes are replaced, and which is built anew when half of the
+//       triangles are gone. The triangles around the vertex that moves have a corner in common: two of them cross only
+//       if, in one of them, the side across from this corner meets the other triangle.
+// Cost: a search in the tree for each triangle that moves, and an exact test for each triangle near it; about 90 bytes
 //       for each triangle.
 #pragma once
 
@@ -23,14 +24,14 @@ namespace rbpa::space {
 
 class LiveTriangles {
  public:
-  /// Requires: a mesh of triangles, with a finite place for each vertex of a face. Throws: ContractViolation that names
-  /// a vertex whose place is not finite.
+  /// Takes the triangles. Requires: a mesh of triangles, with a finite place for each vertex of a face. Throws:
+  /// ContractViolation that names a vertex whose place is not finite.
   LiveTriangles(const meshops::Connectivity& mesh, std::span<const Point3> places);
 
   /// Returns whether a triangle that moves when e collapses to `place` would cross another triangle.
   bool would_cross(const meshops::Connectivity& mesh, meshops::Edge e, std::span<const Point3> places,
                    const Point3& place) const;
-  /// Takes note of a collapse, after which the survivor is at its new place.
+  /// Updates the boxes after a collapse. Requires: the survivor is at its new place.
   void update(const meshops::Connectivity& mesh, const meshops::WeldEffect& effect, std::span<const Point3> places);
 
  private:

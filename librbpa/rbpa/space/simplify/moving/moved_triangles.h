@@ -1,4 +1,4 @@
-// What: the triangles that change when an edge collapses: those at an end that moves, without those that close.
+// What: visits the triangles that change when an edge collapses: those at an end that moves, except those that vanish.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 namespace rbpa::space {
 
 /// Calls visit(old, second, third) for each triangle of which a corner would move from `old` to `place` if the edge
-/// collapsed, with its other corners in the order of the triangle, until visit returns false. Returns whether it never
-/// did. Requires: triangles; a place for each vertex.
+/// collapsed, until visit() returns false. The other corners are in the order of the triangle. Returns whether visit()
+/// never returned false. Requires: triangles; a place for each vertex.
 template <typename Visit>
 bool for_each_moved_triangle(const meshops::Connectivity& mesh, meshops::Edge e, std::span<const Point3> places,
                              const Point3& place, const Visit& visit) {

@@ -20,12 +20,12 @@ using meshops::Halfedge;
 using meshops::Vertex;
 using Vector = Vector3<double>;
 
-/// Returns whether the angle between two vectors is above the one of the given cosine; false if one of them is 0.
+/// Returns whether the angle between two vectors is greater than the one with the given cosine; false if a vector is 0.
 bool is_above(const Vector& u, const Vector& v, double cosine) {
   return dot(u, v) < cosine * std::sqrt(dot(u, u)) * std::sqrt(dot(v, v));
 }
 
-/// Tests edges and vertices of a mesh.
+/// Tests whether edges of a mesh are on curves, and vertices are corners of curves.
 struct Sharpness {
   const Connectivity& mesh;
   const std::vector<Point3>& places;
@@ -41,12 +41,12 @@ struct Sharpness {
     return mesh.is_boundary(e) ||
            is_above(normal(mesh.halfedge_handle(e, 0)), normal(mesh.halfedge_handle(e, 1)), cosine);
   }
-  /// Returns whether a curve turns at the vertex between two halfedges that leave it.
+  /// Returns whether a curve has a corner at the vertex between two halfedges that leave it.
   bool turns(Halfedge one, Halfedge other) const {
     const Point3& middle = at_end(mesh.opposite_halfedge_handle(one));
     return is_above(from<double>(at_end(one), middle), from<double>(middle, at_end(other)), cosine);
   }
-  /// Returns the number of edges by which the angles at a vertex are nearest to 60 degrees.
+  /// Returns the number of edges with which the angles at a vertex are nearest to 60 degrees.
   int degree(Vertex v) const {
     const Point3& p = places[index_of(v)];
     double sum = 0;

@@ -43,7 +43,7 @@ bool is_cap(const Point3& a, const Point3& b, const Point3& c) {
   return is_flat(a, b, c) || is_flat(b, c, a) || is_flat(c, a, b);
 }
 
-/// An edge that waits with its squared length; of equal lengths the lesser or the greater number comes first.
+/// The squared length and the number of a waiting edge. Of equal lengths, the number decides.
 using Waiting = std::pair<double, int>;
 
 }  // namespace
@@ -79,7 +79,7 @@ std::optional<Point3> RemeshRun::rounded(const std::optional<Point3>& p) const {
   return Point3{to_single(p->x), to_single(p->y), to_single(p->z)};
 }
 
-/// Splits edges, the longest first: it is the longest of its triangles, so that no angle becomes much smaller.
+/// Splits long edges, the longest first. Each is the longest of its triangles, so no angle becomes much smaller.
 void RemeshRun::split_long() {
   std::priority_queue<Waiting> longest;
   const auto add = [&](Edge e) {
@@ -105,7 +105,7 @@ bool RemeshRun::try_split(Edge e) {
   for (const Halfedge side : {h, mesh_.opposite_halfedge_handle(h)}) {
     if (mesh_.is_boundary(side)) continue;
     const Halfedge next = mesh_.next_halfedge_handle(side);
-    // Beside a longer edge that stays, splits would have no end.
+    // Next to a longer edge that stays, splits would not come to an end.
     for (const Halfedge other : {next, mesh_.next_halfedge_handle(next)})
       if (is_kept(mesh_.edge_handle(other)) && squared_length(mesh_.edge_handle(other)) > squared_length(e))
         return false;
@@ -123,7 +123,7 @@ bool RemeshRun::try_split(Edge e) {
   return true;
 }
 
-/// Collapses edges, the shortest first.
+/// Collapses short edges, the shortest first.
 void RemeshRun::collapse_short() {
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> shortest;
   const auto add = [&](Edge e) {
@@ -141,7 +141,7 @@ void RemeshRun::collapse_short() {
   }
 }
 
-/// Collapses the edge to its middle or toward one of its ends, and returns the vertex that is left.
+/// Collapses the edge to its middle, or else to one of its ends. Returns the vertex that is left; nothing if none.
 std::optional<RemeshRun::Vertex> RemeshRun::try_collapse(Edge e) {
   const Halfedge h = mesh_.halfedge_handle(e, 0), o = mesh_.opposite_halfedge_handle(h);
   const std::array<std::pair<Halfedge, std::optional<Point3>>, 3> ways = {
@@ -157,7 +157,8 @@ std::optional<RemeshRun::Vertex> RemeshRun::try_collapse(Edge e) {
   return std::nullopt;
 }
 
-/// Returns the middle of the edge of h, on the curve if it is on one; nothing if only one end may move.
+/// Returns the middle of the edge of h, moved to the curve that both ends are on, if any. Returns nothing if an end is
+/// fixed or the ends are not on one curve.
 std::optional<Point3> RemeshRun::middle_of(Halfedge h) const {
   const Vertex a = mesh_.from_vertex_handle(h), b = mesh_.to_vertex_handle(h);
   const int curve = curves_.of_vertex[index_of(a)];
@@ -165,8 +166,8 @@ std::optional<Point3> RemeshRun::middle_of(Halfedge h) const {
   return on_curve(middle(at(a), at(b)), curve);
 }
 
-/// Returns whether the start of h may vanish while its end goes to the place: no curve is lost, no edge becomes too
-/// long, and no triangle turns.
+/// Returns whether the start of h may vanish while the end of h moves to the place: no curve is lost, no edge becomes
+/// too long, and no triangle turns.
 bool RemeshRun::may_collapse(Halfedge h, const Point3& place) const {
   const Vertex v = mesh_.from_vertex_handle(h), w = mesh_.to_vertex_handle(h);
   const int curve = curves_.of_vertex[index_of(v)];
@@ -175,7 +176,7 @@ bool RemeshRun::may_collapse(Halfedge h, const Point3& place) const {
     const auto is_on_curve = [&](Halfedge side) { return curves_.of_edge[index_of(mesh_.edge_handle(side))] == curve; };
     const Halfedge o = mesh_.opposite_halfedge_handle(h);
     if (!is_on_curve(h)) return false;
-    // The other edge of the curve at v must not merge with one to an apex.
+    // The other edge of the curve at v must not be merged with an edge to an apex.
     if (!mesh_.is_boundary(h) && is_on_curve(mesh_.prev_halfedge_handle(h))) return false;
     if (!mesh_.is_boundary(o) && is_on_curve(mesh_.next_halfedge_handle(o))) return false;
   }
@@ -190,7 +191,7 @@ bool RemeshRun::may_collapse(Halfedge h, const Point3& place) const {
                                  });
 }
 
-/// Flips edges until none is left to flip. As try_flip() follows an order, this comes to an end.
+/// Flips edges until no edge is left to flip. The flips come to an end, as each flip makes progress in one order.
 void RemeshRun::flip_to_regular() {
   std::vector<int> excess(mesh_.n_vertices());
   for (const Vertex v : meshops::live_vertices(mesh_))
@@ -204,7 +205,7 @@ void RemeshRun::flip_to_regular() {
   }
 }
 
-/// Flips the edge if fewer caps are left, else a lesser sum of squares of excesses, else a shorter edge.
+/// Flips the edge if fewer caps result; or as many, with a lesser sum of squared excesses, else a shorter edge.
 bool RemeshRun::try_flip(Edge e, std::vector<int>& excess) {
   if (curves_.of_edge[index_of(e)] != MeshCurves::none) return false;
   const Halfedge h = mesh_.halfedge_handle(e, 0), o = mesh_.opposite_halfedge_handle(h);
@@ -240,8 +241,8 @@ void RemeshRun::move_vertices(bool onto_given) {
   }
 }
 
-/// Returns whether the vertex may go to the place: no edge becomes shorter than a quarter of a short one, no triangle a
-/// cap, and none turns.
+/// Returns whether the vertex may move to the place: no edge becomes shorter than a quarter of a short one, no triangle
+/// becomes a cap, and no triangle turns.
 bool RemeshRun::may_move(Vertex v, const Point3& place) const {
   const Point3& old = at(v);
   if (old == place) return true;
@@ -256,7 +257,7 @@ bool RemeshRun::may_move(Vertex v, const Point3& place) const {
   return true;
 }
 
-/// Returns where the vertex should be; nothing if it stays.
+/// Returns the place to which the vertex should move; nothing if it stays.
 std::optional<Point3> RemeshRun::target(Vertex v, bool onto_given) const {
   const int curve = curves_.of_vertex[index_of(v)];
   if (curve == MeshCurves::fixed || mesh_.is_isolated(v)) return std::nullopt;
@@ -268,8 +269,8 @@ std::optional<Point3> RemeshRun::target(Vertex v, bool onto_given) const {
   return on_curve(middle(beside[0], beside[1]), curve);
 }
 
-/// Returns the mean of the centroids of the triangles at v, weighted by area and projected to the tangent plane; with
-/// `onto_given`, the nearest point of those given triangles that face as v does: another sheet may be near.
+/// Returns the mean of the centroids of the triangles at v, weighted by area and projected to the tangent plane. With
+/// `onto_given`, returns the nearest point of the given triangles that face as v does, as another sheet may be near.
 std::optional<Point3> RemeshRun::along_surface(Vertex v, bool onto_given) const {
   const Point3& p = at(v);
   Vector sum{}, normal{};
@@ -290,7 +291,7 @@ std::optional<Point3> RemeshRun::along_surface(Vertex v, bool onto_given) const 
   return rounded(onto_given ? given_.nearest_point(moved, options_.length, normal) : moved);
 }
 
-/// Returns the point of a curve that is nearest to p; p itself for no curve.
+/// Returns the point of a curve that is nearest to p; p itself if `curve` is none.
 std::optional<Point3> RemeshRun::on_curve(const Point3& p, int curve) const {
   return rounded(curve == MeshCurves::none
                      ? p

@@ -1,7 +1,7 @@
-// What: the rounds of a remeshing: splits long edges, collapses short ones, flips edges toward six at a vertex, and
-//       moves vertices along the surface.
-// Law:  that of remesh() (remesh.h). The result depends on the numbers of vertices, edges and faces of the given mesh,
-//       which are therefore canonical.
+// What: runs the rounds of a remeshing: splits long edges, collapses short ones, flips edges toward six at a vertex,
+//       and moves vertices along the surface.
+// Law:  that of remesh() (remesh.h), if the numbers of vertices, edges and faces of the given mesh are canonical: the
+//       result depends on these numbers.
 #pragma once
 
 #include <optional>
@@ -18,11 +18,11 @@ namespace rbpa::space {
 
 class RemeshRun {
  public:
-  /// Keeps references to all. `given` has the triangles of the mesh as it is now.
+  /// Keeps references to all arguments. `given` has the triangles of the mesh at the time of the call.
   RemeshRun(meshops::Connectivity& mesh, std::vector<Point3>& places, const SurfaceDistance& given,
             const RemeshOptions& options, Remeshing& counts);
 
-  /// Changes the mesh, the places and the counts. Deleted elements stay marked. Throws: Cancelled.
+  /// Runs all rounds: changes mesh, places and counts. Deleted elements stay marked. Throws: Cancelled.
   void operator()();
 
  private:

@@ -1,6 +1,6 @@
 // What: sorts the pieces of a boundary by absolute volume, the largest first.
-// Law:  among pieces of equal volume, the piece with the lexicographically least triangle is first; no two closed
-//       pieces share a triangle, so there are no ties.
+// Law:  among pieces of equal volume, the piece with the lexicographically least triangle is first. There are no ties,
+//       because no two closed pieces share a triangle.
 // Cost: a sort.
 #pragma once
 

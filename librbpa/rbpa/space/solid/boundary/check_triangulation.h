@@ -1,4 +1,4 @@
-// What: checks of the triangulation that functions on the full alpha complex require.
+// What: checks the triangulation and radii that functions on the full alpha complex require.
 #pragma once
 
 #include <span>
@@ -10,12 +10,13 @@
 
 namespace rbpa::space {
 
-/// Throws ContractViolation, with a message that begins with `function`, unless there is one radius and one row of
-/// neighbors for each tetrahedron, and all corners are below points.size().
+/// Checks that each tetrahedron has one radius and one row of neighbors, and all corners are below points.size().
+/// Throws:   ContractViolation, with a message that begins with `function`.
 void check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
                          std::span<const double> radii);
-/// Checks the same, and alpha. Returns the threads for this number of points, at most `threads` if that is above 0.
-/// Throws: ContractViolation as above; InvalidInput unless alpha is above 0.
+/// Checks the triangulation and radii as check_triangulation() above does, and that alpha is above 0. Returns threads
+/// suited to the number of points; a `threads` above 0 limits their number.
+/// Throws: ContractViolation, with a message that begins with `function`; InvalidInput unless alpha is above 0.
 Threads check_triangulation(const std::string& function, std::span<const Point3> points, const Solid& delaunay,
                             std::span<const double> radii, double alpha, unsigned threads);
 

@@ -18,8 +18,8 @@ namespace rbpa::space {
 inline constexpr const char* not_its_boundary =
     "the boundary is not that of the solid, or the solid has no neighbors: expected solid_boundary(solid)";
 
-/// Throws ContractViolation unless `solid` has neighbors, and `boundary` is closed and linked, has only corners below
-/// `points`, and has one tetrahedron of `solid` for each triangle.
+/// Checks that `solid` has neighbors, and that `boundary` is closed and linked, has only corners below `points`, and
+/// has one tetrahedron of `solid` for each triangle. Throws ContractViolation otherwise.
 inline void require_boundary(std::size_t points, const Solid& solid, const SolidBoundary& boundary) {
   meshops::require(solid.neighbors.size() == solid.simplices.size() &&
                        boundary.tetrahedra.size() == boundary.surface.triangles.size(),
@@ -41,11 +41,11 @@ inline meshops::DisjointSets connected_through_faces(const Solid& solid) {
   return sets;
 }
 
-/// Joins the sets of tetrahedra that meet in a point. Only points of the boundary matter: around any other point, all
-/// tetrahedra are connected through faces.
+/// Joins the sets of tetrahedra that meet in a point. Only points of the boundary are visited: around any other point,
+/// all tetrahedra are connected through faces already.
 /// Requires: `sets` is connected_through_faces(); `boundary` has passed require_boundary().
 inline void connect_through_points(std::size_t points, const SolidBoundary& boundary, meshops::DisjointSets& sets) {
-  std::vector<std::uint32_t> first(points, Solid::none);  // a tetrahedron at each point
+  std::vector<std::uint32_t> first(points, Solid::none);  // for each point of the boundary, a tetrahedron at the point
   for (std::size_t t = 0; t < boundary.tetrahedra.size(); ++t)
     for (const std::uint32_t corner : boundary.surface.triangles[t]) {
       if (first[corner] == Solid::none) first[corner] = boundary.tetrahedra[t];

@@ -7,8 +7,9 @@
 
 namespace rbpa::space {
 
-/// Returns the counts. Requires: `outside` is outside_of() of `solid` and `boundary`.
-/// Throws:   ContractViolation when the counts show that the three do not belong together.
+/// Returns the counts.
+/// Requires: `outside` is the result of outside_of() for `solid` and `boundary`.
+/// Throws:   ContractViolation when the counts are impossible: then the three arguments do not belong together.
 SolidCounts count_solid(const Solid& solid, const SolidBoundary& boundary, const Outside& outside);
 
 }  // namespace rbpa::space

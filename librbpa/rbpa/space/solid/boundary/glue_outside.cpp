@@ -11,7 +11,7 @@
 namespace rbpa::space {
 namespace {
 
-/// Calls put(from, to, triangle, across) for each side that leads to its greater point: once for each wedge at an edge.
+/// Calls put(from, to, triangle, across) for each side with from < to: once for each wedge of tetrahedra at an edge.
 template <typename Put>
 void for_each_rising_side(const std::vector<Triangle>& triangles, const Put& put) {
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
@@ -30,7 +30,7 @@ std::size_t glue_outside(std::span<const Point3> points, Surface& boundary) {
   struct Side {
     std::uint32_t to, triangle, across;
   };
-  // Group the sides by the point that they leave.
+  // Group the sides by their point `from`.
   std::vector<std::uint32_t> end(points.size() + 1, 0);
   for_each_rising_side(triangles, [&](std::uint32_t from, auto...) { ++end[from + 1]; });
   for (std::size_t i = 1; i < end.size(); ++i) end[i] += end[i - 1];

@@ -9,8 +9,8 @@ bool arcs_cross(std::span<const Point3> points, std::uint32_t center, const Link
   const auto sign = [&](std::uint32_t i, std::uint32_t j, std::uint32_t k) {
     return orientation(points[center], points[i], points[j], points[k]);
   };
-  // A direction within (a, b, c) is a + ε b + ε² c. The side of the arc's plane is given by the first term that is not
-  // 0. The terms of the other end, whose infinitesimal is smaller, come last.
+  // A direction within (a, b, c) is a + ε b + ε² c. The first term that is not 0 gives the side of the arc's plane. The
+  // infinitesimals of `to` are smaller, so that their terms come last.
   const auto side_of_arc = [&](std::uint32_t k) {
     for (const std::uint32_t j : to)
       for (const std::uint32_t i : from)
@@ -25,7 +25,8 @@ bool arcs_cross(std::span<const Point3> points, std::uint32_t center, const Link
   const int begin = side_of_edge(from), end = side_of_edge(to);
   if (begin == end) return false;
   const int at_p = side_of_arc(p), at_q = side_of_arc(q);
-  // The planes meet in two opposite directions. The arcs cross if both pass through the same one.
+  // The planes of the arcs meet in two opposite directions. The arcs cross if both pass through one of these
+  // directions.
   return at_p != at_q && at_q == -end;
 }
 

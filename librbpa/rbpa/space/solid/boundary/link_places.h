@@ -2,10 +2,10 @@
 //       point, on a sphere, in which there are tetrahedra.
 // Law:  exact, on any finite input.
 // Cost: up to nine orientations for each triangle.
-// How:  an arc leads from a direction within a tetrahedron of one part to a direction within a tetrahedron of the
-//       other; its crossings with each closed curve of the link's boundary are counted. The directions are moved off
-//       the edges of the tetrahedra by infinitesimals of different orders, so that the arc never passes through a
-//       corner. docs/explanation/space.md, section 19.
+// How:  the crossings of an arc with each closed curve of the link's boundary are counted. The arc leads from a
+//       direction within a tetrahedron of one part to a direction within a tetrahedron of the other part. The
+//       directions are moved off the edges of the tetrahedra by infinitesimals of different orders, so that the arc
+//       never passes through a corner. docs/explanation/space.md, section 19.
 #pragma once
 
 #include <array>
@@ -19,9 +19,9 @@ namespace rbpa::space {
 /// The three corners of a tetrahedron other than the center.
 using LinkTriangle = std::array<std::uint32_t, 3>;
 
-/// Returns whether the arc from within triangle `from` of the link to within triangle `to` crosses the arc from p to q.
-/// Points stand for their directions from `center`.
-/// Requires: neither triangle is in a plane with the center, and p and q are on no line with it.
+/// Returns whether the arc from a direction within `from` to a direction within `to` crosses the arc from p to q. A
+/// point stands for its direction from `center`.
+/// Requires: neither triangle is in a plane with `center`; p, q and `center` are on no line.
 bool arcs_cross(std::span<const Point3> points, std::uint32_t center, const LinkTriangle& from, const LinkTriangle& to,
                 std::uint32_t p, std::uint32_t q);
 

@@ -18,8 +18,8 @@ namespace {
 
 using Integers = std::array<std::int64_t, 3>;
 
-/// Bounds of coordinates: below 2^60 as integers, and below 2^500 as doubles, so that products fit double with their
-/// last bits.
+/// Exponents of the bounds of scaled coordinates: below 2^60 as integers, below 2^500 as doubles. Products of the
+/// scaled doubles fit double with their last bits.
 constexpr int integer_bits = 60, double_bits = 500;
 
 /// Returns the greatest absolute value of each coordinate.
@@ -143,7 +143,7 @@ ClosedMeasures Measures::of(std::span<const Triangle> triangles, std::span<const
   }
   result.low = box.low;
   result.high = box.high;
-  // The triangles need a scale of their own if other points are much farther out.
+  // If other points are much farther out, the scale is too coarse, and the triangles get a scale of their own.
   const Point3 size = size_of(std::array{result.low, result.high});
   constexpr int too_small = -200;  // an exponent of 2
   const auto is_small = [&](double of_triangles, const PowerOfTwo& scale) {

@@ -1,9 +1,10 @@
 // What: computes volume, area and bounding box of the region that closed triangles enclose.
-// Law:  sums are exact and rounded once, so that they do not depend on the order; solid_boundary.h has the bounds.
-// How:  the volume is a sum of determinants of corners. If coordinates are integer multiples of 2⁻⁶⁰ of the greatest
-//       one, as usual, it is a sum of integers; else a product of two numbers is two doubles, and a product of three is
-//       four terms of an ExactSum.
-// Cost: linear; an integer sum takes a tenth of the time.
+// Law:  sums are exact and rounded once, so that results do not depend on the order of triangles. solid_boundary.h
+//       states the bounds of errors.
+// How:  the volume is a sum of determinants of corners. Determinants are summed as integers if the coordinates along
+//       each axis, divided by the power of two above the greatest one, are multiples of 2⁻⁶⁰. Otherwise a product of
+//       two numbers is two doubles, and each of the six products of three is added to an ExactSum.
+// Cost: linear; integers take a tenth of the time of an ExactSum.
 #pragma once
 
 #include <array>
@@ -19,14 +20,14 @@ struct ClosedMeasures {
   double volume = 0;  ///< in cubed units of the points; negative if the triangles face the enclosed region
   double area = 0;
   Point3 low, high;  ///< opposite corners of the box
-  /// The least triangle by coordinates, from its lexicographically least corner on: independent of any numbering
+  /// The least triangle by coordinates, rotated so that its least corner is first; does not depend on indices.
   std::array<Point3, 3> least{};
 };
 
-/// A multiplication by a power of two, in two steps, because the factor alone may be beyond the range of double.
+/// A multiplication by a power of two in two steps, because the power may be beyond the range of double.
 class PowerOfTwo {
  public:
-  /// Chooses the factor that brings `size` to between 2^(exponent − 1) and 2^exponent; 1 if `size` is 0.
+  /// Chooses the factor that scales `size` to at least 2^(exponent − 1) and below 2^exponent; 1 if `size` is 0.
   PowerOfTwo(double size, int exponent);
 
   double operator()(double x) const { return x * first_ * second_; }
@@ -42,8 +43,8 @@ class Measures {
   /// Keeps the span.
   explicit Measures(std::span<const Point3> points);
 
-  /// Returns the measures of the triangles with the indices `which`. Requires: at least one index; these triangles form
-  /// closed surfaces; their corners are indices of the points.
+  /// Returns the measures of the triangles with the indices `which`. Requires: at least one index; the triangles with
+  /// these indices form closed surfaces, and their corners are indices of the points.
   ClosedMeasures of(std::span<const Triangle> triangles, std::span<const std::uint32_t> which) const;
 
  private:

@@ -23,15 +23,15 @@ struct Corner {
       outside;  // the next triangle around the corner, as glued through the solid and through the outside
 };
 
-/// A corner at the current point.
+/// A triangle of the boundary at the current point.
 struct CornerAt {
   std::uint32_t triangle, head;
-  std::uint32_t region;  // region of the link's inside: tetrahedra connected through faces at the point
+  std::uint32_t region;  // region of the link: tetrahedra connected through faces at the point
   std::uint32_t part;    // part of the link: regions that touch are one part
   std::uint32_t fan;     // fan of triangles glued through the outside
 };
 
-/// A visit of all points, one after the other, which joins the surfaces in Outside::surfaces that are one at a point.
+/// A visit of all points, one after the other, that joins sets of Outside::surfaces where a point connects them.
 class AtPoints {
  public:
   AtPoints(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary,
@@ -79,7 +79,7 @@ class AtPoints {
     if (seen_.empty()) seen_.resize(solid_.simplices.size(), 0);
     at_.clear();
     const std::uint32_t first_region = next_region_;
-    std::size_t left = corners.size();  // corners in tetrahedra that are not reached yet
+    std::size_t left = corners.size();  // number of corners in tetrahedra that are not reached yet
     for (const Corner& c : corners) {
       if (seen_[c.tetrahedron] < first_region) left = pass_region(v, c.tetrahedron, left);
       at_.push_back({c.triangle, c.head, seen_[c.tetrahedron] - first_region, 0, 0});
@@ -93,12 +93,12 @@ class AtPoints {
     join_fans(v);
   }
 
-  /// Sets fan_ to the number of the fan of each corner at a point. Returns the number of fans. Requires: `corners` are
-  /// ascending by triangle; next_of(corner) is the next triangle around the point.
+  /// Sets fan_[i] to the number of the fan of corners[i]. Returns the number of fans. Requires: `corners` are those at
+  /// one point, ascending by triangle; next_of(corner) is the next triangle around the point.
   template <typename Next>
   std::size_t find_fans(std::span<const Corner> corners, const Next& next_of) {
     constexpr std::uint32_t unseen = 0xffffffff;
-    constexpr std::size_t few = 16;  // fewer corners are compared faster than searched
+    constexpr std::size_t few = 16;  // up to this number, comparing all corners is faster than a search
     next_.resize(corners.size());
     fan_.assign(corners.size(), unseen);
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -122,8 +122,8 @@ class AtPoints {
     return fans;
   }
 
-  /// Marks in seen_ the tetrahedra of one region: those connected with `from` through faces at v. `left` boundary
-  /// corners at v are in no region yet; returns how many are left then. Stops when there are none.
+  /// Marks in seen_ the tetrahedra of one region: those connected with `from` through faces at v. `left` is the number
+  /// of boundary corners at v that are in no region yet. Returns the number that remains; stops at 0.
   std::size_t pass_region(std::uint32_t v, std::uint32_t from, std::size_t left) {
     seen_[from] = next_region_;
     reached_.assign(1, from);
@@ -147,8 +147,8 @@ class AtPoints {
     return left;
   }
 
-  /// Joins regions of the link that touch in a point of the link. Such a point is an edge of the complex, along which a
-  /// side of each region leaves v.
+  /// Joins regions of the link that touch in a point of the link. A point of the link is an edge of the complex from v;
+  /// the regions touch if both have a boundary triangle at this edge.
   void find_parts(std::uint32_t regions) {
     std::sort(at_.begin(), at_.end(), [](const CornerAt& a, const CornerAt& b) { return a.head < b.head; });
     part_.resize(regions);
@@ -165,8 +165,7 @@ class AtPoints {
     return region;
   }
 
-  /// Joins the surfaces of fans of different parts of the link that are in the same region of its complement, because
-  /// no part separates them.
+  /// Joins the surfaces of fans of different parts of the link that no part of the link separates.
   void join_fans(std::uint32_t v) {
     std::sort(at_.begin(), at_.end(),
               [](const CornerAt& a, const CornerAt& b) { return std::pair(a.part, a.fan) < std::pair(b.part, b.fan); });
@@ -176,11 +175,11 @@ class AtPoints {
       parts += at_[i].part != at_[i - 1].part;
       fans += at_[i].fan != at_[i - 1].fan;
     }
-    if (parts == fans) {  // no part goes around another
+    if (parts == fans) {  // each part has one fan: no part separates two others
       for (const CornerAt& c : at_) outside_.surfaces.join(at_.front().triangle, c.triangle);
       return;
     }
-    // For each fan, its place: for each part with several fans, the fan of that part that faces it.
+    // The place of each fan: for each part with several fans, the fan of this part that faces the fan.
     std::vector<std::pair<std::vector<std::uint32_t>, std::uint32_t>> places;  // second: a triangle of the fan
     std::vector<std::span<const CornerAt>> by_part;
     for (std::size_t i = 0, end = 0; i < at_.size(); i = end) {
@@ -205,8 +204,8 @@ class AtPoints {
       if (places[i].first == places[i - 1].first) outside_.surfaces.join(places[i].second, places[i - 1].second);
   }
 
-  /// Returns the number of the fan of `part` that an arc to `part` from another part, `from`, crosses an odd number of
-  /// times.
+  /// Returns the number of the fan of `part` that faces `from`, another part: an arc from `from` to `part` crosses this
+  /// fan an odd number of times.
   std::uint32_t fan_between(std::uint32_t v, std::span<const CornerAt> from, std::span<const CornerAt> part) const {
     const auto link_triangle = [&](const CornerAt& c) {
       const Row& corners = solid_.simplices[behind_[c.triangle]];
@@ -229,7 +228,7 @@ class AtPoints {
   std::span<const Point3> points_;
   const Solid& solid_;
   const std::vector<Triangle>& triangles_;
-  const std::vector<Triangle>&glued_inside_, &glued_outside_;  // neighbors of triangles
+  const std::vector<Triangle>&glued_inside_, &glued_outside_;  // neighbors of each triangle
   const std::vector<std::uint32_t>& behind_;                   // tetrahedra behind the triangles
   Outside& outside_;
   std::vector<std::uint32_t> seen_;  // for each tetrahedron: the last region that contained it
@@ -258,8 +257,8 @@ Outside outside_of(std::span<const Point3> points, const Solid& solid, const Sol
   AtPoints at_points(points, solid, boundary, glued.neighbors, outside);
   at_points.look_at_all();
 
-  // χ of the boundary, and of the surface just inside of it, along which a tube joins the fans of one region. χ of the
-  // open inside is half of the latter, and counts negatively in three dimensions.
+  // Euler characteristics of the boundary, and of the surface just inside of the boundary, on which a tube joins the
+  // fans of one region. The open inside contributes minus half of the latter to that of the complex.
   const auto faces = static_cast<std::ptrdiff_t>(triangles.size());
   const auto of_boundary =
       static_cast<std::ptrdiff_t>(outside.points) - static_cast<std::ptrdiff_t>(outside.edges) + faces;

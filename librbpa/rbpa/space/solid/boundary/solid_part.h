@@ -1,4 +1,4 @@
-// What: makes some of the tetrahedra of a solid a solid of their own.
+// What: makes a solid of some of the tetrahedra of a solid.
 // Cost: linear.
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace rbpa::space {
 
 /// Returns the solid of the tetrahedra with the ascending indices `kept`. The neighbor of tetrahedron t across from
-/// corner k stays if it is kept, too, and keeps(t, k). A point that is left without a tetrahedron becomes isolated.
+/// corner k stays if it is in `kept` and keeps(t, k) is true. A point that loses all its tetrahedra becomes isolated.
 template <typename Keeps>
 Solid part_of(const Solid& solid, const std::vector<std::uint32_t>& kept, const Keeps& keeps) {
   Solid part;

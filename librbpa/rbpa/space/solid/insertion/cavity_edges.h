@@ -1,10 +1,10 @@
-// What: finds which of the new tetrahedra that fill a cavity are neighbors: two are if their outer faces share an edge.
-// How:  a table from directed edges to faces. Both tetrahedra at an edge write to the edge in their own direction, then
-//       read the entry of the opposite direction, so that nothing has to be cleared.
+// What: finds neighbors among the tetrahedra that fill a cavity: pairs whose outer faces share an edge.
+// How:  a table from directed edges to faces. Each of the two tetrahedra at an edge writes the entry of its own
+//       direction of the edge, and later reads the entry of the opposite direction. The table never has to be cleared.
 //
 //           write  (a, b) → across from c       read  (b, a)
 //
-// Cost: a store and a load for each edge; with more than 128 vertices, that of a hash table.
+// Cost: a store and a load for each directed edge; with more than 128 vertices, two accesses to a hash table.
 #pragma once
 
 #include <bit>
@@ -18,8 +18,8 @@ namespace rbpa::space {
 
 class CavityEdges {
  public:
-  /// Prepares for vertices numbered below `vertices`, and `faces` faces. Requires: every edge is written before the
-  /// first is read.
+  /// Prepares for vertices numbered below `vertices`, and for `faces` faces. Requires: afterwards, every edge is
+  /// written before the first edge is read.
   void begin(std::size_t vertices, std::size_t faces) {
     is_small_ = vertices <= width;
     if (is_small_) return;
@@ -30,7 +30,7 @@ class CavityEdges {
   }
 
   bool is_small() const { return is_small_; }
-  /// Requires: is_small().
+  /// Returns the entry of an edge in the small table. Requires: is_small().
   Face& in_table(std::uint32_t from, std::uint32_t to) { return table_[from * width + to]; }
 
   void put(std::uint32_t from, std::uint32_t to, Face face) {

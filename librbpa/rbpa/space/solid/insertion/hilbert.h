@@ -1,7 +1,7 @@
-// What:   the Hilbert curve through the cells of a cube.
+// What:   computes positions of cells on the Hilbert curve through a cube.
 // Law:    consecutive cells of the curve share a face.
-// How:    a state is the corner at which the curve enters the cube and the axis along which it leaves; the state of
-//         each octant follows:
+// How:    a state consists of the corner at which the curve enters the cube and the axis along which the curve leaves.
+//         A table gives the state of each octant:
 //
 //             state (entry, axis) × octant → position among the eight, state within the octant
 //
@@ -24,7 +24,7 @@ struct HilbertStep {
 
 inline constexpr std::size_t hilbert_states = 24;  // state = 8 · axis + entry
 
-/// Returns the steps, by state and by octant.
+/// Returns the steps as a table: the step of a state and an octant is element [state][octant].
 constexpr std::array<std::array<HilbertStep, 8>, hilbert_states> hilbert_steps() {
   const auto turned = [](unsigned bits, unsigned by) { return (bits << by | bits >> (3 - by)) & 7U; };
   const auto gray = [](unsigned i) { return i ^ (i >> 1U); };
@@ -44,8 +44,8 @@ constexpr std::array<std::array<HilbertStep, 8>, hilbert_states> hilbert_steps()
 
 }  // namespace detail
 
-/// Returns the position of a cell on the curve through 2^levels cells along each axis. Requires: coordinates below
-/// 2^levels, levels ≤ 21.
+/// Returns the position of cell (x, y, z) on the curve through a cube with 2^levels cells along each axis. Requires:
+/// coordinates below 2^levels, levels ≤ 21.
 inline std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z, int levels) {
   static constexpr auto steps = detail::hilbert_steps();
   std::uint64_t index = 0;

@@ -13,7 +13,7 @@
 namespace rbpa::space {
 namespace {
 
-constexpr std::uint32_t max_tetrahedra = std::uint32_t{1} << 30U;  // so that their faces can be numbered with 32 bits
+constexpr std::uint32_t max_tetrahedra = std::uint32_t{1} << 30U;  // 32 bits number their faces
 
 }  // namespace
 
@@ -39,8 +39,8 @@ BasicInsertion<weighted>::BasicInsertion(std::span<const Point3> points, std::sp
     vertex.z = p.z;
     if constexpr (weighted) vertex.radius = scaled_radii[order[i]];
   }
-  // The number of tetrahedra of points that fill a volume, including the hull and temporarily deleted ones. Memory that
-  // is not used is not touched.
+  // The usual number of tetrahedra of points that fill a volume, including ghosts and deleted tetrahedra. Reserved
+  // memory that is not used is not touched.
   const std::size_t expected = 7 * order.size() + 64;
   tetrahedra_.reserve(expected);
   error_.reserve(expected);
@@ -62,11 +62,11 @@ bool BasicInsertion<weighted>::begin() {
   exchange(4, fourth);
   if (orientation(point(1), point(2), point(3), point(4)) < 0) exchange(1, 2);
 
-  // The faces of (1, 2, 3, 4), as the cavity around vertex 4 has them, and those of the three ghosts at vertex 4.
+  // The first tetrahedron, its ghosts at the three faces that contain vertex 4, and the ghost at the face (1, 2, 3).
   constexpr std::array<std::array<Vertex, 4>, 5> corners = {
       {{1, 2, 3, 4}, {at_infinity, 3, 2, 4}, {at_infinity, 1, 3, 4}, {at_infinity, 2, 1, 4}, {3, 1, at_infinity, 2}}};
   const std::uint32_t first = new_tetrahedra(corners.size());
-  const auto across = [&](std::uint32_t t, std::size_t k) {  // the face with the same corners
+  const auto across = [&](std::uint32_t t, std::size_t k) {  // returns the equal face of another tetrahedron
     for (std::uint32_t other = 0; other < corners.size(); ++other)
       for (std::uint32_t j = 0; j < 4; ++j) {
         std::array<Vertex, 4> mine = corners[t], its = corners[other];
@@ -137,13 +137,13 @@ bool BasicInsertion<weighted>::decide(std::uint32_t t, Vertex v, const Estimate&
   return beyond_filter_.is_inside(point(a), point(b), point(c), point(d), point(v), estimate.value, estimate.error);
 }
 
-/// A point in the plane of a hull face is beyond it if it is in the circle of the face: in the sphere of the
-/// tetrahedron behind the face.
+/// Returns whether v is beyond the hull face of a ghost. A point in the plane of the face counts as beyond if it is in
+/// the circle of the face: in the sphere of the tetrahedron behind the face.
 template <bool weighted>
 bool BasicInsertion<weighted>::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
   const auto& corner = ghost.corner;
   const std::size_t k = corner[0] == at_infinity ? 0 : corner[1] == at_infinity ? 1 : 2;
-  const auto& face = outer_faces[k];  // positively oriented with a point on its other side
+  const auto& face = outer_faces[k];  // positively oriented with a point inside of the hull
   const int side = orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v));
   if (side != 0) return side < 0;
   const std::uint32_t behind = ghost.neighbor[k] / 4;
@@ -151,17 +151,17 @@ bool BasicInsertion<weighted>::decide_ghost(const Tetrahedron& ghost, Vertex v) 
   return is_inside(behind, v, estimate(behind, vertex_[v]));
 }
 
-/// Walks to a tetrahedron whose sphere contains the point; for a hidden ball, to one that contains its center. The
-/// powers with respect to the spheres of two neighbors are equal on the plane of their common face. So the power of the
-/// point decreases from a tetrahedron to the neighbor on the point's side of a face; the walk takes the step of
-/// greatest decrease.
+/// Returns a tetrahedron whose sphere contains the point of v; for a hidden ball, a tetrahedron that contains the
+/// center. A point on the plane of a face has equal powers with respect to the spheres on both sides of the face. The
+/// power of the point thus decreases from a tetrahedron to the neighbor on the point's side of a face; the walk takes
+/// the step of greatest decrease.
 template <bool weighted>
 std::uint32_t BasicInsertion<weighted>::locate(Vertex v) const {
   const Inserted& q = vertex_[v];
   std::uint32_t t = start_;
   const Estimate at_start = estimate(t, q);
   if (at_start.value > at_start.error) return t;
-  // V is minus the power times six volumes, and minor 3 is minus six volumes; for ghosts minor 3 is about 0.
+  // The value V is −power · six volumes, and minor 3 is −six volumes; minor 3 of a ghost is about 0.
   const auto power_of = [&](std::uint32_t s, double value) {
     return tetrahedra_[s].is_ghost() ? std::numeric_limits<double>::infinity() : value / tetrahedra_[s].minor[3];
   };
@@ -178,12 +178,12 @@ std::uint32_t BasicInsertion<weighted>::locate(Vertex v) const {
         best = other;
       }
     }
-    if (best == t) return locate_exactly(t, v);  // because of rounded powers, or a tie
+    if (best == t) return locate_exactly(t, v);  // rounded powers or a tie ended the walk
     t = best;
   }
 }
 
-/// Walks from face to face by exact orientations; ends because the exact power decreases.
+/// Returns a tetrahedron as locate() does, by exact orientations. The walk ends because the exact power decreases.
 template <bool weighted>
 std::uint32_t BasicInsertion<weighted>::locate_exactly(std::uint32_t t, Vertex v) const {
   while (true) {
@@ -201,7 +201,7 @@ std::uint32_t BasicInsertion<weighted>::locate_exactly(std::uint32_t t, Vertex v
       if (orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v)) > 0)
         next = tetrahedron.neighbor[k] / 4;
     }
-    // The point is in the tetrahedron and no corner of it: it is inside of the sphere. A ball may be hidden.
+    // The point is in the tetrahedron but is no corner of it, and thus inside of the sphere; a ball may be hidden.
     if (next == t) return t;
     t = next;
     if (tetrahedra_[t].is_ghost()) return t;  // the point is beyond the face of the ghost
@@ -227,8 +227,8 @@ void BasicInsertion<weighted>::find_cavity(std::uint32_t first, Vertex v) {
     next_level_.make_room(3 * count + 3);
     cavity_.make_room(count + 1);  // one more is written but not counted
     boundary_.make_room(count + 1);
-    // Independent computations come first, then the dependent ones. About half of the answers are yes, so the code does
-    // not branch on them.
+    // All estimates are computed first, as they do not depend on each other. About half of the tests succeed, so the
+    // code does not branch on the results.
     for (std::size_t i = 0; i < count; ++i) estimates_.push(estimate(level_[i] / 4, q));
     for (std::size_t i = 0; i < count; ++i) {
       const Face face = level_[i];
@@ -260,7 +260,7 @@ inline void BasicInsertion<weighted>::add_spoke(Vertex corner, const Inserted& f
     spokes_.push(corner == at_infinity ? AnySpoke::to_infinity() : spoke());
 }
 
-/// Returns the number of a corner among the vertices of the cavity's boundary.
+/// Returns the number of a corner among the vertices of the cavity's boundary; adds a new corner to rim_.
 template <bool weighted>
 inline std::uint32_t BasicInsertion<weighted>::number_of(Vertex corner, Vertex v) {
   Inserted& p = vertex_[corner];
@@ -272,7 +272,7 @@ inline std::uint32_t BasicInsertion<weighted>::number_of(Vertex corner, Vertex v
   return p.local;
 }
 
-/// Makes room for as many tetrahedra as the boundary has faces: reuses those of the cavity, then adds more.
+/// Resizes cavity_ to one tetrahedron for each face of the boundary: the cavity's, then free ones, then new ones.
 template <bool weighted>
 void BasicInsertion<weighted>::make_room() {
   const std::size_t wanted = boundary_.size();
@@ -321,7 +321,7 @@ void BasicInsertion<weighted>::fill_cavity(Vertex v) {
   start_ = cavity_[0];
 }
 
-/// Fills in corners 0 to 2, the minors, and their error bound.
+/// Fills in corners 0 to 2 of tetrahedron t, its minors, and its error bound.
 template <bool weighted>
 inline void BasicInsertion<weighted>::make(std::uint32_t t, const Locals& locals) {
   const AnySpoke &a = spokes_[locals[0]], &b = spokes_[locals[1]], &c = spokes_[locals[2]];

@@ -20,7 +20,7 @@ struct Place {
 };
 
 constexpr int max_levels = 21;
-constexpr unsigned bits_of_round = 3;  // each round has eight times the points of the one before
+constexpr unsigned bits_of_round = 3;  // each round has eight times the points of the previous one
 
 /// Sorts points along the curve recursively: cells with several points get curves of their own.
 class Sorter {
@@ -37,11 +37,10 @@ class Sorter {
     const double size = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
     if (!(size > 0x1p-1000) || places.size() == 2) return sort_by_coordinates(places);
 
-    // Levels are chosen so that a cell holds one or two points where points are spread evenly: fewer levels are less
-    // work.
+    // With these levels, few cells have several points where points are spread evenly. More levels would be more work.
     const int levels = std::min(max_levels, static_cast<int>(std::bit_width(places.size())) / 3 + 2);
     const auto cells = static_cast<double>(std::uint32_t{1} << levels);
-    const double cells_in_size = cells / size;  // the last cell may be rounded into the one after it
+    const double cells_in_size = cells / size;  // min() in `cell` catches values rounded up beyond the last cell
     const auto cell = [&](double x, double from) {
       return static_cast<std::uint32_t>(std::min((x - from) * cells_in_size, cells - 1));
     };
@@ -79,7 +78,7 @@ std::uint64_t scrambled(std::uint64_t i) {
   return i ^ (i >> 31U);
 }
 
-/// Returns the insertion round of the point at a place on the curve; 0 is the last round.
+/// Returns the insertion round of the point at a place on the curve. Rounds descend; 0 is the last one.
 unsigned round_of(std::size_t place) {
   return static_cast<unsigned>(std::countr_zero(scrambled(place) | std::uint64_t{1} << 63U)) / bits_of_round;
 }

@@ -1,9 +1,9 @@
-// What:   computes the order in which points are inserted: rounds of random points, each eight times as large as the
-//         round before and sorted along a Hilbert curve.
-// Why:    randomness keeps the number of tetrahedra that are made small on any input; rounds keep the walk from one
-//         point to the next short; the curve keeps the memory in use in the caches.
-// Law:    a function of the set of points. Each distinct point comes once, with its lowest index.
-// Cost:   a sort; more only where clusters are finer than the cells of the curve: these get a curve of their own.
+// What:   computes the order in which points are inserted: rounds of random points, each about eight times as large as
+//         the previous round and sorted along a Hilbert curve.
+// Why:    randomness limits the number of tetrahedra made in total on any input, rounds shorten the walks to points,
+//         and the curve keeps the memory that is used in the caches.
+// Law:    a function of the set of points. Each distinct point occurs once, with its lowest index.
+// Cost:   a sort; further sorts only for clusters finer than the cells of the curve, which get a curve of their own.
 // Source: Amenta, Choi, Rote, Incremental constructions con BRIO (2003).
 #pragma once
 
@@ -17,19 +17,19 @@
 
 namespace rbpa::space {
 
-/// Returns the indices of all points in the order of the Hilbert curve; equal points follow each other, the lowest
-/// index first. Calls `checkpoint`, if any, repeatedly; it may throw.
-/// Requires: finite points; `scaled` has the points times a factor such that differences do not overflow. Rounding in
-///           `scaled` affects only the order of points near each other.
+/// Returns the indices of all points in the order of the Hilbert curve. Equal points are adjacent, the lowest index
+/// first. Calls `checkpoint`, if any, repeatedly; `checkpoint` may throw.
+/// Requires: finite points; `scaled` has the points times one factor, and differences in `scaled` do not overflow.
+///           Rounding in `scaled` affects only the order of points near each other.
 std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, std::span<const Point3> scaled,
                                           const Checkpoint& checkpoint);
 
 struct SpatialOrder {
   std::vector<std::uint32_t> order;   ///< indices of the distinct points
-  std::vector<Duplicate> duplicates;  ///< the other points, ascending by index
+  std::vector<Duplicate> duplicates;  ///< the points equal to one of lower index; ascending by index
 };
 
-/// Returns the insertion order. Requirements and calls of `checkpoint` are those of order_on_curve().
+/// Returns the insertion order. The requirements, and the calls of `checkpoint`, are those of order_on_curve().
 SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled,
                            const Checkpoint& checkpoint);
 

@@ -1,5 +1,5 @@
-// What: a list to which values are added without a check of the capacity, after make_room().
-// Why:  processors cannot predict whether a value is wanted, so every value is written and only wanted ones are
+// What: a list that appends values without a check of the capacity, after a call of make_room().
+// Why:  a branch on whether a value is wanted would be mispredicted. All values are written; only wanted ones are
 //       counted.
 #pragma once
 
@@ -13,18 +13,18 @@ namespace rbpa::space {
 template <typename T>
 class Stack {
  public:
-  /// Makes room for `more` further values.
+  /// Ensures that `more` further values can be written.
   void make_room(std::size_t more) {
     if (count_ + more > items_.size()) items_.resize(2 * (count_ + more));
   }
-  /// Requires: room for one.
+  /// Appends a value. Requires: room for one value.
   void push(const T& value) { items_[count_++] = value; }
-  /// Writes the value, and counts it only if `is_meant`. Requires: room for one.
+  /// Appends a value if `is_meant`, without a branch. Requires: room for one value.
   void push_if(bool is_meant, const T& value) {
     items_[count_] = value;
     count_ += is_meant ? 1 : 0;
   }
-  /// Writes three values, and counts them only if `is_meant`. Requires: room for three.
+  /// Appends three values if `is_meant`, without a branch. Requires: room for three values.
   void push_if(bool is_meant, const std::array<T, 3>& values) {
     for (std::size_t i = 0; i < 3; ++i) items_[count_ + i] = values[i];
     count_ += is_meant ? 3 : 0;

@@ -16,7 +16,7 @@ double checked(double side) {
 }
 
 double step_of(double side) {
-  constexpr int bits = 51;  // bits of a coordinate; an offset by boxes needs one more, 52
+  constexpr int bits = 51;  // bits of a wrapped coordinate; an image needs one more, 52
   int exponent = 0;
   std::frexp(checked(side), &exponent);
   return std::ldexp(1.0, exponent - bits);

@@ -1,4 +1,4 @@
-// What: inserts all points of a triangulation, and selects tetrahedra of it as rows.
+// What: inserts all points into a triangulation, and selects tetrahedra of the triangulation as rows.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace rbpa::space {
 
-/// Inserts all points. Returns false if all are in one plane. Throws Cancelled.
+/// Inserts all points. Returns false, and inserts none, if all points are in one plane. Throws Cancelled.
 template <bool weighted>
 bool insert_all(BasicInsertion<weighted>& triangulation, const OnProgress& progress) {
   if (!triangulation.begin()) return false;
@@ -26,7 +26,8 @@ bool insert_all(BasicInsertion<weighted>& triangulation, const OnProgress& progr
   return true;
 }
 
-/// Returns the finite tetrahedra t for which keep(t), with vertices as corners.
+/// Returns the tetrahedra t, without ghosts, for which keep(t) is true, and their neighbors if `neighbors` is true.
+/// Corners are vertices of the triangulation.
 template <bool weighted, typename Keep>
 SolidRows rows_of(const BasicInsertion<weighted>& triangulation, bool neighbors, Threads& threads, Keep keep) {
   const auto tetrahedra = triangulation.tetrahedra();

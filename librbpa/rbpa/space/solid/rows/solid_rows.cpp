@@ -10,11 +10,10 @@
 namespace rbpa::space {
 namespace {
 
-/// An even permutation of four numbers that puts the two least first: two bits for each place.
+/// An even permutation of four numbers that puts the two least ones first. Two bits for each place.
 using Permutation = std::uint8_t;
 
-/// Returns the permutations, indexed by the places of the least number and of the next: element 4 i + j. Twelve are
-/// used.
+/// Returns the permutations: element 4 i + j is for the least number at place i and the second least at place j ≠ i.
 constexpr std::array<Permutation, 16> even_permutations() {
   std::array<Permutation, 16> all{};
   for (unsigned i = 0; i < 4; ++i)
@@ -30,7 +29,8 @@ constexpr std::array<Permutation, 16> even_permutations() {
   return all;
 }
 
-/// Returns the permutation of a row. The places of the two least cannot be predicted, so the code does not branch.
+/// Returns the permutation of a row. Without branches on the places of the two least numbers, which would be
+/// mispredicted.
 Permutation permutation_of(const Row& row) {
   static constexpr auto all = even_permutations();
   // Each number together with its place.
@@ -77,7 +77,7 @@ void fill_in(SolidRows rows, std::span<const std::uint32_t> index, std::size_t b
   // The first touch of fresh memory costs as much as this step, so the neighbors reuse the memory of the rows.
   rows.corners.swap(solid.neighbors);
   if (solid.neighbors.capacity() / 5 * 4 > count) solid.neighbors.shrink_to_fit();
-  // In the order of the rows, because the neighbors of consecutive rows are near each other in memory.
+  // Rows are visited in their order, because the neighbors of consecutive rows are near each other in memory.
   for_each_part(threads, count, at_a_time, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (i + 16 < count) __builtin_prefetch(&solid.neighbors[place[i + 16]], 1);

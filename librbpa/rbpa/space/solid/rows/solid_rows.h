@@ -15,18 +15,18 @@
 
 namespace rbpa::space {
 
-/// Tetrahedra with points as a finder numbers them. Row t of `corners` has the corners of tetrahedron t, positively
-/// oriented; row t of `neighbors` has the row across from each corner, or Solid::none.
+/// Tetrahedra with the numbers of points that a search uses. Row t of `corners` has the corners of tetrahedron t,
+/// positively oriented. Row t of `neighbors` has the tetrahedron across from each corner, or Solid::none.
 struct SolidRows {
-  std::vector<Row> corners;             ///< its memory is reused for Solid::neighbors
+  std::vector<Row> corners;             ///< the memory is reused for Solid::neighbors
   meshops::FreshVector<Row> neighbors;  ///< used only if neighbors are wanted
 };
 
-/// Throws InvalidInput for more tetrahedra than have faces that 32 bits can number: 2^30.
+/// Throws InvalidInput for more than 2^30 tetrahedra, whose faces 32 bits could not number.
 void check_number_of(std::size_t tetrahedra);
 
-/// Fills in the simplices of `solid`, and the neighbors if they are wanted. `index` has the input index of each of the
-/// finder's numbers; all are below `bound`. Calls `checkpoint`, if any, between its steps; it may throw.
+/// Fills in the simplices of `solid`, and the neighbors if `neighbors` is true. `index` has the input index of each
+/// number in rows.corners, below `bound`. Calls `checkpoint`, if any, between its steps; `checkpoint` may throw.
 void fill_in(SolidRows rows, std::span<const std::uint32_t> index, std::size_t bound, bool neighbors, Threads& threads,
              const Checkpoint& checkpoint, Solid& solid);
 

@@ -13,7 +13,7 @@ void link_border_faces(std::span<const BorderFace> faces, std::size_t bound, mes
   for (const BorderFace& face : faces) ++end[face.corners[0] + 1];
   for (std::size_t i = 1; i <= bound; ++i) end[i] += end[i - 1];
   meshops::FreshVector<Rest> rest(faces.size());
-  // Before this loop, end[i] is the beginning of the faces of i.
+  // Before this loop, end[i] is the beginning of the faces with first corner i; afterwards, their end.
   for (const BorderFace& face : faces) rest[end[face.corners[0]]++] = {face.corners[1], face.corners[2], face.face};
   std::uint32_t begin = 0;
   for (std::size_t i = 0; i < bound; ++i) {

@@ -1,10 +1,10 @@
-// What: finds candidates for the fourth corner of a tetrahedron at v: points within reach whose stars are unfinished.
-// How:  a block has the points in the cells around a cell, once for all points of the cell. Points of the block in a
-//       ball around v are candidates. Their offsets from v are in double precision to decide and in single precision to
-//       choose. The centers of balls through v, p and q are x/2 + t n; of the points above the plane the one with the
-//       least t is the fourth corner (quotients: docs/explanation/space.md, sections 8 to 10). The choice is certain if
-//       every other candidate is outside of its sphere by more than the error, and the sphere is within the ball of
-//       candidates: if its radius is at most half of the reach.
+// What: finds candidates for the fourth corner of a tetrahedron at v: points with unfinished stars within reach of v.
+// How:  a block has the unfinished points in the cells around a cell, and serves all points v of the cell. The points
+//       of the block in a ball around v are the candidates. Their offsets from v are stored in double precision for
+//       decisions and in single precision for choices. The centers of balls through v, p and q are x/2 + t n; the
+//       fourth corner is the point above the plane with the least t (quotients: docs/explanation/space.md, sections 8
+//       to 10). The choice is certain if every other candidate is outside of the sphere by more than the error, and the
+//       radius of the sphere is at most half of the reach: the sphere is then within the ball of candidates.
 #if defined(RBPA_SPACE_TILES_CANDIDATES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TILES_CANDIDATES_INL_H_
 #undef RBPA_SPACE_TILES_CANDIDATES_INL_H_
@@ -45,13 +45,14 @@ inline constexpr std::size_t single_lanes = hn::MaxLanes(Singles()), double_lane
 
 using Local = Tile::Local;
 
-/// The sphere through (p, q, r, v). Its value at an offset p from v has an error of at most constant + slope · p².
+/// The sphere through (p, q, r, v). The error of V at an offset p from v (predicate/sphere_minors.h) is at most
+/// constant + slope · p².
 struct Sphere {
   SphereMinors minor;
   double constant, slope;
 };
 
-/// The numbers of a sphere, each repeated in all lanes.
+/// The coefficients of a sphere, each repeated in all lanes.
 class SphereLanes {
  public:
   HWY_INLINE explicit SphereLanes(const Sphere& sphere)
@@ -62,8 +63,8 @@ class SphereLanes {
         constant_(hn::Set(Doubles(), sphere.constant)) {}
 
   using Lanes = hn::Vec<Doubles>;
-  /// Returns a bit for each point that is certainly outside. (x, y, z) is the offset of a point from v, `square` its
-  /// square.
+  /// Returns a bit for each lane, set if the point is certainly outside of the sphere. Lanes of x, y and z are offsets
+  /// of points from v; `square` has the squared lengths.
   HWY_INLINE std::uint64_t outside(Lanes x, Lanes y, Lanes z, Lanes square) const {
     const auto most = hn::MulAdd(x, x_, hn::MulAdd(y, y_, hn::MulAdd(z, z_, hn::MulAdd(square, square_, constant_))));
     return bits_of(Doubles(), hn::Lt(most, hn::Zero(Doubles())));
@@ -73,7 +74,7 @@ class SphereLanes {
   Lanes x_, y_, z_, square_, constant_;
 };
 
-/// Returns as many of `bits` as there are lanes of double precision, from bit `first` on.
+/// Returns the elements of the bit array `bits` from number `first` on, one for each lane of double precision.
 HWY_INLINE std::uint64_t lane_bits(const std::uint8_t* bits, std::size_t first) {
   const std::uint32_t two = bits[first / 8] | static_cast<std::uint32_t>(bits[first / 8 + 1]) << 8U;
   return (two >> first % 8) & ((1U << double_lanes) - 1);
@@ -85,8 +86,8 @@ class Block {
   /// The number of cells gathered on each side of a cell.
   static constexpr int cells = 2;
 
-  /// Gathers the unfinished points in the cells around `cell` and around the `more` cells after it in its row. `open`
-  /// has one bit for each point, which is set if the point is unfinished, and one more readable byte at its end.
+  /// Gathers the unfinished points in the cells around `cell` and around the next `more` cells in the row of `cell`.
+  /// `open` has one bit for each point, set if the point is unfinished, and one more readable byte at the end.
   HWY_INLINE void gather(const Tile& tile, const std::array<int, 3>& cell, int more, const std::uint8_t* open) {
     const Doubles d;
     const hn::RebindToSigned<Doubles> numbers;
@@ -132,7 +133,7 @@ class Block {
     }
   }
 
-  /// Calls visit(i) for each point i that is not certainly outside of `sphere`, which is relative to v.
+  /// Calls visit(i) for each point i of the block that is not certainly outside of `sphere`. `sphere` is relative to v.
   template <typename Visit>
   HWY_INLINE void for_each_not_outside(const Sphere& sphere, const Point3& v, Visit visit) const {
     const Doubles d;
@@ -171,8 +172,8 @@ class Candidates {
     if (lane_.size() < points) lane_.resize(2 * points);
   }
 
-  /// Replaces the candidates by the points of `block` within `reach` of v, except v, relative to v. In single
-  /// precision, lengths are multiplied by `inverse`.
+  /// Replaces the candidates by the points of `block`, except v, within `reach` of v. Single-precision offsets are
+  /// multiplied by `inverse`.
   HWY_INLINE void see(const Block& block, const Point3& v, double reach, double inverse) {
     if (block.count_ + 2 * single_lanes > dx_.size()) grow(block.count_);
     const Doubles d;
@@ -215,9 +216,9 @@ class Candidates {
   }
   Local id(std::size_t at) const { return static_cast<Local>(id_[at]); }
 
-  /// Returns the position of a candidate with nearly the least t among the candidates clearly above the plane; `none`
-  /// if there is none. In units of single precision, n is a normal of the plane, `square` is n², and `x` is n² times
-  /// the x at the head of this file.
+  /// Returns the position of a candidate with nearly the least t among the candidates clearly above the plane, or
+  /// `none` if no candidate is. The arguments are in the unit of offsets in single precision: n is a normal of the
+  /// plane, `square` is n², and `x` is n² times the x at the head of this file.
   HWY_INLINE std::size_t least(const Vector3<float>& x, const Vector3<float>& n, float square) const {
     const Singles d;
     const SingleNumbers di;
@@ -225,7 +226,7 @@ class Candidates {
                                          normal = {hn::Set(d, n.x), hn::Set(d, n.y), hn::Set(d, n.z)};
     const auto above = hn::Set(d, 0x1p-17f * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)));
     const auto nn = hn::Set(d, square), beyond = hn::Set(d, 1e30f);
-    // The low bits of t are replaced by the position: a value nearly the least suffices.
+    // The position replaces the low bits of t, as a value that is nearly the least suffices.
     constexpr std::int32_t position_bits = 1023;
     const auto rough = hn::Set(di, ~position_bits), step = hn::Set(di, static_cast<std::int32_t>(single_lanes)),
                count = hn::Set(di, static_cast<std::int32_t>(count_));
@@ -249,7 +250,7 @@ class Candidates {
     return smallest < 1e29f && position < count_ ? position : none;
   }
 
-  /// Returns whether all candidates, except those at the excluded positions, are certainly outside of the sphere.
+  /// Returns whether all candidates except those at the positions `excluded` are certainly outside of `sphere`.
   HWY_INLINE bool are_outside(const Sphere& sphere, const std::array<std::size_t, 3>& excluded) const {
     constexpr std::size_t word = 64;
     std::uint64_t left = 0;
@@ -261,13 +262,13 @@ class Candidates {
   template <typename Visit>
   void for_each_not_outside(const Sphere& sphere, Visit visit) const {
     constexpr std::size_t word = 64;
-    const Sphere of = sphere;  // visit() may change the argument
+    const Sphere of = sphere;  // a copy, as visit() may change `sphere`
     for (std::size_t first = 0; first < count_; first += word)
       for (std::uint64_t left = not_outside(of, {none, none, none}, first); left != 0; left &= left - 1)
         visit(id(first + static_cast<std::size_t>(std::countr_zero(left))));
   }
 
-  /// Returns the offset from v of the candidate at a position; the length in it is 0.
+  /// Returns the offset from v of the candidate at a position. Spoke::length is not computed.
   HWY_INLINE Spoke spoke(std::size_t at) const { return {dx_[at], dy_[at], dz_[at], square_[at], 0}; }
 
   /// Returns the position of point i among the candidates, or `none`.
@@ -277,7 +278,8 @@ class Candidates {
   }
 
  private:
-  /// Returns a bit for each of the 64 candidates from `first` on that is not certainly outside, and not `excluded`.
+  /// Returns a bit for each of the 64 candidates from `first` on, set if the candidate is neither certainly outside of
+  /// `sphere` nor at a position in `excluded`.
   HWY_INLINE std::uint64_t not_outside(const Sphere& sphere, const std::array<std::size_t, 3>& excluded,
                                        std::size_t first) const {
     const Doubles d;
@@ -307,7 +309,7 @@ class Candidates {
   std::vector<double> dx_, dy_, dz_, square_;
   std::vector<float> single_x_, single_y_, single_z_, single_square_;
   std::vector<std::int64_t> id_;
-  std::vector<std::uint16_t> lane_;  // for each point of the tile: its position, if it is a candidate
+  std::vector<std::uint16_t> lane_;  // for each point of the tile: its position among the candidates, if any
 };
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace rbpa::space {
 namespace {
 
-/// The results of the tiles, one after the other.
+/// The results of the tiles, appended one after the other.
 class Collected {
  public:
   Collected(const Leaves& leaves, bool has_radii) : leaves_(leaves), has_radii_(has_radii) {
@@ -48,7 +48,7 @@ class Collected {
     shared_is_within_.insert(shared_is_within_.end(), stars.shared_is_within.begin(), stars.shared_is_within.end());
   }
 
-  /// Appends the tetrahedra of Stars::shared that their leaf contributes. Requires: all leaves are appended.
+  /// Appends the tetrahedra in Stars::shared that their leaf contributes. Requires: all leaves are appended.
   void append_shared() {
     std::vector<std::uint8_t> is_unsettled(leaves_.places(), 0);
     for (const Place i : unsettled) is_unsettled[i] = 1;
@@ -79,7 +79,7 @@ class Collected {
   bool has_radii_;
   meshops::FreshVector<Row> shared_;
   std::vector<std::uint8_t> shared_is_within_;
-  std::vector<std::pair<std::size_t, std::size_t>> shared_end_;  // for each leaf, the end of its tetrahedra in shared_
+  std::vector<std::pair<std::size_t, std::size_t>> shared_end_;  // a leaf, and its end in shared_
 };
 
 /// Removes the tetrahedra whose circumradius is above alpha.

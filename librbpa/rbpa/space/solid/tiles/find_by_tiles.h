@@ -1,7 +1,7 @@
-// What: finds the Delaunay tetrahedra of circumradius at most alpha, tile by tile. Tetrahedra none of whose corners is
-//       settled by a tile (stars.h) come from one triangulation of all unsettled points.
-// Law:  exact and complete; each tetrahedron once (docs/explanation/space.md, sections 11 to 15).
-// Cost: about a microsecond a point, for points that fill a volume.
+// What: finds the Delaunay tetrahedra of circumradius at most alpha, tile by tile. Tetrahedra without a corner that a
+//       tile has settled (stars.h) come from one triangulation of all unsettled points.
+// Law:  exact and complete; each tetrahedron is found once (docs/explanation/space.md, sections 11 to 15).
+// Cost: about a microsecond a point if points fill a volume.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@
 namespace rbpa::space {
 
 struct TiledSolid {
-  SolidRows rows;                             ///< the tetrahedra; corners are places
+  SolidRows rows;                             ///< the tetrahedra; corners are places (leaves.h)
   meshops::FreshVector<std::uint32_t> index;  ///< input index of each place
   std::vector<Duplicate> duplicates;
   std::size_t distinct = 0;
@@ -30,15 +30,15 @@ struct TiledSolid {
 struct TileLimits {
   std::size_t points_in_leaf = 8192;  ///< maximum, roughly
   double most_crowding = 5;           ///< greatest Leaves::crowding(); beyond it, points are spread too unevenly
-  // Greatest fraction of unsettled points among those of the tiles so far; for the first quarter of tiles, which may be
-  // at the hull, the second one.
+  // Greatest fraction of unsettled points among the points of finished tiles: in the first quarter of the tiles, which
+  // may be at the hull, most_unsettled_at_first; then most_unsettled.
   double most_unsettled = 0.25, most_unsettled_at_first = 0.5;
-  double most_exact = 8;  ///< greatest number of exact decisions, divided by the number of points so far
+  double most_exact = 8;  ///< greatest number of exact decisions a point in finished tiles
 };
 
-/// Fills in `solid`. Calls step(done, all), both numbers of points, after each tile, one call at a time, from any
-/// thread; it may throw, or be empty. Returns false, with `solid` unchanged, if points are spread too unevenly, too
-/// many of them are unsettled (at the hull, or at balls larger than tiles), or too many decisions are exact.
+/// Fills in `solid`. Calls step(done, all) with numbers of points after each tile, one call at a time, from any thread;
+/// `step` may throw, or be empty. Returns false, with `solid` unchanged, if points are spread too unevenly, too many
+/// points are unsettled (at the hull, or at balls larger than tiles), or too many decisions are exact.
 /// Requires: `points` and `alpha` are scaled by `spread`; spread.is_exact; alpha may be infinite.
 /// Throws:   InvalidInput for more than 2^30 tetrahedra; what step() throws.
 bool find_by_tiles(std::span<const Point3> points, const Spread& spread, double alpha, Threads& threads,

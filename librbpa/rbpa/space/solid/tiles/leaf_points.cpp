@@ -6,7 +6,7 @@
 namespace rbpa::space {
 namespace {
 
-constexpr std::size_t beyond_end = 16;  // values in a register
+constexpr std::size_t beyond_end = 16;  // values in the longest register
 
 double largest(const Box& box) {
   double size = 0;
@@ -23,7 +23,7 @@ bool Tile::gather(const Leaves& leaves, std::size_t number) {
   size_ = 0;
   grid_ = leaf.grid;
   const double side = grid_.size;
-  // Ensures that rounded coordinates near a point are in the same cells as exact ones.
+  // Rounded coordinates near a point must be in the cells of the exact ones, so cells must not be too small.
   if (!(side > 0x1p-40 * largest(leaf.box)) || grid_.inverse == 0) return false;
   for (std::size_t k = 0; k < 3; ++k) cells_[k] = leaf.cells[k] + 2 * margin;
   const auto cell_at = [&](int along, std::size_t axis) { return std::clamp(along + margin, -1, cells_[axis]); };
@@ -37,7 +37,7 @@ bool Tile::gather(const Leaves& leaves, std::size_t number) {
   const std::size_t cells =
       static_cast<std::size_t>(cells_[0]) * static_cast<std::size_t>(cells_[1]) * static_cast<std::size_t>(cells_[2]);
   start_.assign(cells + 1, 0);
-  // One cell more than needed, because sums are rounded.
+  // The box is one cell larger than needed, because sums are rounded.
   const auto beyond = [&](double from, std::size_t axis) { return from + (leaf.cells[axis] + margin + 1) * side; };
   const double reach = (margin + 1) * side;
   const Point3& low = grid_.low;
@@ -61,7 +61,7 @@ bool Tile::gather(const Leaves& leaves, std::size_t number) {
     const Leaf& other = leaves[i];
     if (i == number) return add(other.first, other.end);
     if (other.first == other.end) return;
-    // Range of the cells of the other leaf that `around` meets.
+    // Find the cells of the other leaf that `around` meets.
     const CellGrid& grid = other.grid;
     const auto part = [](int from, int to, int count) {
       return Range{std::clamp(from, 0, count - 1), std::clamp(to, 0, count - 1)};

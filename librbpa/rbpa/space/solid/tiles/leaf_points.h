@@ -1,8 +1,8 @@
-// What: gathers the points of a leaf and those around it, in the leaf's cells: enough to find the tetrahedra at the
-//       leaf's points, unless their balls are large.
-// Law:  a point is in the tile exactly if its cell is among the tile's cells; a point of the leaf far from most others
-//       may be outside. Points are in the order of cells.
-// Cost: some nanoseconds for each point visited: three times as many as the leaf has, if points are spread evenly.
+// What: gathers the points of a leaf and the points around the leaf in cells of one grid: enough points to find the
+//       tetrahedra at the leaf's points, except tetrahedra with large balls.
+// Law:  a point is in the tile exactly if its cell is among the tile's cells; a point of the leaf that is far from most
+//       others may be outside of the tile. Points are in the order of cells.
+// Cost: some nanoseconds for each point visited, three times as many as the leaf has if points are spread evenly.
 #pragma once
 
 #include <array>
@@ -22,15 +22,15 @@ class Tile {
   /// Number of layers of cells around those of the leaf.
   static constexpr int margin = 3;
 
-  /// Replaces the points by those in and around leaf number `leaf`. Returns false, with no points, if they are more
-  /// than most_points, or the cells are too small for their coordinates.
+  /// Replaces the points of the tile by the points in and around leaf number `leaf`. Returns false, with an empty tile,
+  /// if there are more than most_points, or the cells are too small for the precision of coordinates.
   bool gather(const Leaves& leaves, std::size_t leaf);
 
   std::size_t size() const { return size_; }
   double x(Local i) const { return x_[i]; }
   double y(Local i) const { return y_[i]; }
   double z(Local i) const { return z_[i]; }
-  /// Returns the coordinates of all points, readable up to one register beyond the end.
+  /// Returns the array of a coordinate of all points, readable up to one register beyond its end.
   const double* x() const { return x_.data(); }
   const double* y() const { return y_.data(); }
   const double* z() const { return z_.data(); }
@@ -38,7 +38,7 @@ class Tile {
   bool is_own(Local i) const { return place_[i] - first_own_ < own_; }
   Place first_own() const { return first_own_; }
 
-  /// Returns the number of cells along each axis. Cells are numbered from 0; consecutive numbers are neighbors along z.
+  /// Returns the number of cells along each axis. Cells are numbered from 0; consecutive cells are neighbors along z.
   const std::array<int, 3>& cells() const { return cells_; }
   std::size_t cell(int x, int y, int z) const {
     return (static_cast<std::size_t>(x) * static_cast<std::size_t>(cells_[1]) + static_cast<std::size_t>(y)) *
@@ -51,14 +51,14 @@ class Tile {
   struct Range {
     int low, high;
   };
-  /// Sets `of` to the tile's cells that `box` meets and that may contain points. Returns false if `box` meets cells
-  /// that may contain points outside of the tile.
+  /// Sets `of` to the cells of the tile that `box` meets and that may contain points. Returns false if `box` also meets
+  /// cells outside of the tile that may contain points.
   bool ranges(const Box& box, std::array<Range, 3>& of) const;
 
  private:
   CellGrid grid_;
   std::array<int, 3> cells_{};
-  std::array<Range, 3> filled_{};  // the cells that the box of all points meets
+  std::array<Range, 3> filled_{};  // the cells that the bounding box of all leaves meets
   std::size_t size_ = 0;
   Place first_own_ = 0;
   std::size_t own_ = 0;

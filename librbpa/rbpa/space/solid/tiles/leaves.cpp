@@ -16,8 +16,8 @@ constexpr double points_in_cell = 2.0;
 
 double coordinate(const Point3& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-/// The planes of the tree's inner nodes, 1 to 2^depth − 1. Each halves a sample of its node's points, across the
-/// longest side of the sample's box.
+/// The planes of the tree's inner nodes, numbered 1 to 2^depth − 1. Each plane halves a sample of the node's points
+/// across the longest side of the sample's bounding box.
 struct Planes {
   Planes(std::span<const Point3> points, std::size_t levels)
       : depth(levels), axis(std::size_t{1} << levels), at(std::size_t{1} << levels) {
@@ -56,10 +56,10 @@ struct Planes {
   }
 };
 
-/// Returns a box around most of the points: without the few that are farthest out along an axis.
+/// Returns a box around most of the points. A few that are farthest out along an axis may be outside of the box.
 Box box_of_most(std::span<const Point3> points, const Box& all) {
   constexpr std::size_t most_sampled = 256, left_out = 2;
-  constexpr double more = 0.04;  // so that no points of an even spread are left out
+  constexpr double more = 0.04;  // so that points that are spread evenly are in the box
   const std::size_t step = points.size() / most_sampled + 1;
   std::vector<double> sample;
   const auto range = [&](int axis) {
@@ -78,12 +78,12 @@ Box box_of_most(std::span<const Point3> points, const Box& all) {
   return {{low_x, low_y, low_z}, {high_x, high_y, high_z}};
 }
 
-/// Returns the side of cubic cells that have points_in_cell points each, if `points` points fill `box`.
+/// Returns the side of cubic cells that have points_in_cell points each if the given number of points fills `box`.
 double cell_size(const Box& box, std::size_t points) {
   std::array<double, 3> side = {box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z};
   std::sort(side.begin(), side.end());
   const double cells = std::max(1.0, static_cast<double>(points) / points_in_cell);
-  // The points may fill three dimensions; two, if the shortest side is less than a cell; or one.
+  // The points fill three dimensions; two if the shortest side is at most a cell; one if the second side is, too.
   double size = std::cbrt(side[0]) * std::cbrt(side[1]) * std::cbrt(side[2]) / std::cbrt(cells);
   if (size >= side[0]) size = std::sqrt(side[1]) * std::sqrt(side[2]) / std::sqrt(cells);
   if (size >= side[1]) size = side[2] / cells;
@@ -166,7 +166,7 @@ void Leaves::sort_leaf(std::size_t i, Place first, Place end) {
   std::vector<Indexed> sorted(size);
   for (std::size_t k = size; k-- > 0;) sorted[--start[cell[k]]] = {points_[first + k], index_[first + k]};
   start[cells] = static_cast<Place>(size);
-  // Repeated points are left out, so that the leaf has fewer sites than points.
+  // Keep one site for each distinct point. The repeated points go to repeated_.
   const auto same = [](const Point3& p, const Point3& q) { return p.x == q.x && p.y == q.y && p.z == q.z; };
   Place to = first;
   for (std::size_t c = 0; c < cells; ++c) {
@@ -189,7 +189,7 @@ void Leaves::sort_leaf(std::size_t i, Place first, Place end) {
         points_[to] = p.point;
         index_[to++] = p.index;
       } else {
-        repeated_[i].push_back({p.index, equal});  // equal points are sorted by index
+        repeated_[i].push_back({p.index, equal});  // the first of equal points has the lowest index
       }
     }
   }

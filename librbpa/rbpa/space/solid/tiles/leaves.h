@@ -1,7 +1,7 @@
-// What: sorts points in space into leaves of a k-d tree, each of some thousand points, and within a leaf into cubic
-//       cells that fit its density.
+// What: sorts points in space into leaves of a k-d tree, each of some thousand points, and the points of a leaf into
+//       cubic cells that fit the leaf's density.
 // Law:  equal points are one site, represented by the lowest index. The order of sites may depend on the order of the
-//       points; results computed from them do not.
+//       points; results computed from the sites do not.
 // Cost: a few comparisons a point to build the tree, whose planes come from a sample; a counting sort for the cells.
 #pragma once
 
@@ -19,11 +19,11 @@
 
 namespace rbpa::space {
 
-/// A position among the points in the order of leaves and cells: a site, unless its point repeats an earlier one.
+/// A position in the order of leaves and cells: the position of a site, or an unused one where a point repeats another.
 using Place = std::uint32_t;
 
-/// A map from points to cubic cells. The cell is a monotone function of each coordinate, so that a value between two
-/// coordinates is in the cells between the cells of these two.
+/// A map from points to cubic cells. Along each axis, the cell is a monotone function of the coordinate, so that a
+/// value between two coordinates is in a cell between the cells of these coordinates.
 struct CellGrid {
   Point3 low;
   double size = 1, inverse = 1;
@@ -36,7 +36,7 @@ struct CellGrid {
 
  private:
   static int floor_of(double value) {
-    // Without a function call: conversion rounds toward 0.
+    // Rounds down without a function call; the conversion rounds toward 0.
     constexpr double limit = farthest;
     const double bounded = value < -limit ? -limit : value > limit ? limit : value;
     const int whole = static_cast<int>(bounded);
@@ -46,17 +46,17 @@ struct CellGrid {
 
 struct Leaf {
   Box box;        ///< bounding box of the leaf's points
-  CellGrid grid;  ///< its lower corner is that of a box around most of the points
+  CellGrid grid;  ///< grid of the leaf; `low` is the corner of a box around most points
   /// Number of cells along each axis. Points beyond these cells are in the outermost ones.
   std::array<int, 3> cells{};
   Place first = 0, end = 0;  ///< the leaf's sites are first … end − 1
-  std::size_t start = 0;     ///< start of the leaf's table of cells
-  double pairs = 0;          ///< number of ordered pairs of points in one cell, including each point with itself
+  std::size_t start = 0;     ///< beginning of the leaf's table of cells in Leaves::starts_
+  double pairs = 0;          ///< number of ordered pairs of sites in one cell, each site with itself included
 };
 
 class Leaves {
  public:
-  /// Sorts the points; a leaf has about `points_in_leaf` points at most, unless 2^20 leaves are too few. Requires:
+  /// Sorts the points. A leaf has about `points_in_leaf` points at most, unless 2^20 leaves are too few. Requires:
   /// finite points that fit double (base/exact/magnitude.h), fewer than 2^32 − 1.
   Leaves(std::span<const Point3> points, std::size_t points_in_leaf, Threads& threads);
 
@@ -64,20 +64,20 @@ class Leaves {
   const Leaf& operator[](std::size_t i) const { return leaves_[i]; }
   const Box& box() const { return boxes_[1]; }
 
-  /// Returns the number of places, one for each input point. Where points repeat others, the last ones of a leaf are
+  /// Returns the number of places, one for each input point. If points of a leaf repeat others, its last places are
   /// unused.
   std::size_t places() const { return points_.size(); }
   std::size_t distinct() const { return distinct_; }
-  /// Returns the number of points in a point's cell, on average: three for points spread evenly at random.
+  /// Returns the average number of sites in the cell of a site, about three for points spread evenly at random.
   double crowding() const { return crowding_; }
   const Point3& point(Place place) const { return points_[place]; }
   /// Returns the input index of each place.
   std::span<const std::uint32_t> index() const { return index_; }
-  /// Moves index() out; afterwards it is empty.
+  /// Moves the array of index() to the caller; afterwards index() is empty.
   meshops::FreshVector<std::uint32_t> release_index() { return std::move(index_); }
   std::vector<Duplicate> duplicates() const;
 
-  /// Returns the first site of cell number `cell` of `leaf`; for the number of cells, the end of the last cell.
+  /// Returns the first site of cell number `cell` of `leaf`; the end of the last cell if `cell` is the number of cells.
   Place first_in(const Leaf& leaf, std::size_t cell) const { return starts_[leaf.start + cell]; }
 
   /// Calls visit(i) for each leaf i whose box touches `box`, in ascending order.
@@ -96,14 +96,14 @@ class Leaves {
   }
   void sort_leaf(std::size_t i, Place first, Place end);
 
-  std::vector<Box> boxes_;  // boxes of the nodes: 1 is the root, the children of i are 2 i and 2 i + 1
+  std::vector<Box> boxes_;  // of the nodes: 1 is the root; 2 i and 2 i + 1 are the children of i
   std::vector<Leaf> leaves_;
   meshops::FreshVector<Point3> points_;
   meshops::FreshVector<std::uint32_t> index_;
   meshops::FreshVector<Place> starts_;
   std::size_t distinct_ = 0;
   double crowding_ = 0;
-  std::vector<std::vector<Duplicate>> repeated_;  // for each leaf, its points that repeat others
+  std::vector<std::vector<Duplicate>> repeated_;  // for each leaf, the points that repeat others
 };
 
 }  // namespace rbpa::space

@@ -1,15 +1,13 @@
-// What: keeps faces of a tile's tetrahedra that wait for the tetrahedron on their other side, each at one of its
-//       corners.
-// How:  each corner has room for fifteen faces in a line of keys, which are compared at once; further faces are in one
-//       list for all corners.
+// What: keeps open faces of a tile's tetrahedra, which wait at one of their corners for the one on the other side.
+// How:  each corner has a line with room for fifteen faces, whose keys are compared by one comparison of registers.
+//       Further faces are in one list for all corners.
 //
 //           keys     other corners, the lesser first:  p << 16 | q
 //           faces    4 · (tetrahedron) + (corner across), and whether p comes before q as seen from outside
 //           used     a bit for each waiting face
 //
-// Why:  the keys of the current corner are kept in registers. Those of other corners are written as they are read, a
-//       whole line at once: loading a register from memory that was just written in parts stalls until the processor
-//       has written it to its cache.
+// Why:  the keys of the current corner are kept in registers. Keys of other corners are read and written as whole
+//       lines: a load of a register from memory that was just written in parts stalls until the parts are in the cache.
 // Cost: one comparison of registers to look up a face.
 #if defined(RBPA_SPACE_TILES_OPEN_FACES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TILES_OPEN_FACES_INL_H_
@@ -93,7 +91,7 @@ class OpenFaces {
   };
 
  public:
-  /// Removes all faces, for corners numbered below `corners`.
+  /// Removes all faces, and prepares for corners numbered below `corners`.
   void clear(std::size_t corners) {
     if (lines_.size() < corners) lines_.resize(2 * corners);
     for (std::size_t v = 0; v < corners; ++v) lines_[v].used = 0;
@@ -102,8 +100,8 @@ class OpenFaces {
 
   bool empty(std::uint32_t v) const { return lines_[v].used == 0; }
 
-  /// If the same face waits at v, seen from its other side, removes it and returns its OpenFace::face. Otherwise adds
-  /// `face` and returns `nobody`. Processors could not predict which, so the code does not branch.
+  /// Looks for the other side of `face`, a face with the same corners, at v. Removes that face and returns its
+  /// OpenFace::face if it waits; otherwise adds `face` and returns `nobody`. The code does not branch on the two cases.
   HWY_INLINE std::uint32_t close_or_add(std::uint32_t v, const OpenFace& face, std::uint32_t nobody) {
     const Entry entry(face);
     Line& line = lines_[v];
@@ -121,7 +119,7 @@ class OpenFaces {
     return found != 0 ? other : nobody;
   }
 
-  /// The faces at one corner. While the object exists, no other function may be called for that corner.
+  /// The faces at one corner. While the object exists, no function of OpenFaces may be called for this corner.
   class AtCorner {
    public:
     HWY_INLINE AtCorner(OpenFaces& faces, std::uint32_t v)
@@ -132,7 +130,7 @@ class OpenFaces {
 
     HWY_INLINE bool empty() const { return used_ == 0; }
 
-    /// Does what OpenFaces::close_or_add() does, at this corner.
+    /// Closes or adds a face at this corner, as OpenFaces::close_or_add() does.
     HWY_INLINE std::uint32_t close_or_add(const OpenFace& face, std::uint32_t nobody) {
       const Entry entry(face);
       const std::uint32_t found = keys_.find(entry.key) & used_;
@@ -206,7 +204,7 @@ class OpenFaces {
     line.used |= 1U << at;
   }
 
-  /// Moves a face of v, if any, from the list to the line of v. So a face is in the list only while its line is full.
+  /// Moves a face of v, if any, from the list to the line of v. The list has faces of v only while its line is full.
   void refill(std::uint32_t v) {
     for (Further& other : further_) {
       if (other.v != v) continue;

@@ -1,8 +1,8 @@
-// What: finds the apex, the fourth corner of the tetrahedron outside of a face at a point of a tile, and its sphere.
-// Law:  exact: no other point of the tile is in the sphere. No apex is found if the ball may contain points beyond the
-//       tile, or the face is on the hull.
-// How:  chooses the most probable candidate; if a point may be in its sphere, searches exactly from this candidate on.
-//       docs/explanation/space.md, sections 11 to 15.
+// What: finds the apex of a face at a point of a tile, the fourth corner of the tetrahedron outside of the face.
+// Law:  exact for a Delaunay face: no other point is in the sphere. No apex is found if the sphere may contain points
+//       outside of the tile, or the face is on the hull.
+// How:  chooses the most probable candidate. If a point may be in the sphere of this candidate, an exact search
+//       continues from it. docs/explanation/space.md, sections 11 to 15.
 #if defined(RBPA_SPACE_TILES_APEX_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TILES_APEX_SEARCH_INL_H_
 #undef RBPA_SPACE_TILES_APEX_SEARCH_INL_H_
@@ -31,7 +31,7 @@ class ApexSearch {
  protected:
   ApexSearch(const Spread& spread, double alpha) : beyond_filter_(spread), alpha_(alpha) {}
 
-  /// Prepares for a tile. Requires: tile_ has the points in and around `leaf`.
+  /// Prepares a search in a tile. Requires: tile_ has the points in and around `leaf`.
   void start_tile(const Leaf& leaf) {
     const std::size_t size = tile_.size();
     inverse_ = leaf.grid.inverse;
@@ -43,7 +43,7 @@ class ApexSearch {
     open_bits_.assign(size / 8 + 2, 0xff);
     exact_ = 0;
   }
-  /// Prepares for the faces at point v. Requires: block_ has the unfinished points around v.
+  /// Prepares a search at the faces of point v. Requires: block_ has the unfinished points around v.
   void start_at(Local v) {
     at_ = v;
     v_ = point(v);
@@ -53,10 +53,10 @@ class ApexSearch {
   Point3 point(Local i) const { return {tile_.x(i), tile_.y(i), tile_.z(i)}; }
   HWY_INLINE Spoke spoke(Local i) const {
     const double x = tile_.x(i) - v_.x, y = tile_.y(i) - v_.y, z = tile_.z(i) - v_.z;
-    return {x, y, z, x * x + y * y + z * z, 0};  // the length is not needed
+    return {x, y, z, x * x + y * y + z * z, 0};  // the length is not computed
   }
 
-  /// Calls visit(first, end) for the range of points in each row of `cells`.
+  /// Calls visit(first, end) for the points first … end − 1 in each row of `cells`.
   template <typename Visit>
   HWY_INLINE void for_each_row(const std::array<Tile::Range, 3>& cells, Visit visit) const {
     for (int x = cells[0].low; x <= cells[0].high; ++x)
@@ -75,7 +75,7 @@ class ApexSearch {
     double sum, product;             ///< p² + q², and p² q²
   };
 
-  /// Returns the sphere through a face (v, p, q) and r, as sphere_minors() computes it for (q, p, r).
+  /// Returns the sphere through a face (v, p, q) and r, with the minors that sphere_minors(q, p, r) returns.
   HWY_INLINE static Sphere sphere_of(const Face& face, const Spoke& r) {
     const auto &n = face.normal, &m = face.turned;
     // The error bound of docs/explanation/exact_decisions.md, section 7, for spokes p, q, r of lengths α, β, γ, with
@@ -87,8 +87,7 @@ class ApexSearch {
             1.5 * weight};
   }
 
-  /// Returns whether the computed center is off by less than 1 % of the radius (docs/explanation/space.md, sections 11
-  /// to 15).
+  /// Returns whether the error of the center is below 1 % of the radius (docs/explanation/space.md, sections 11 to 15).
   HWY_INLINE static bool is_certain(const Sphere& sphere) { return -sphere.minor[3] > 0x1p10 * sphere.slope; }
 
   /// Returns a box that contains the ball of `sphere`. Requires: is_certain(sphere).
@@ -106,8 +105,8 @@ class ApexSearch {
     return (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) * (1 + 0x1p-5) < m[3] * m[3] * (reach_ * reach_);
   }
 
-  /// Sets apex_ and sphere_ to the apex of the tetrahedron outside of the face (v, first, second), and its sphere.
-  /// Returns false if it is not found; then apex_ and sphere_ may have any value.
+  /// Sets apex_ and sphere_ to the apex and the sphere of the tetrahedron outside of the face (v, first, second).
+  /// Returns false if no apex is found; apex_ and sphere_ are then unspecified.
   HWY_INLINE bool find_apex(Local first, Local second) {
     const std::size_t first_at = candidates_.position(first), second_at = candidates_.position(second);
     const Face face(first_at != Candidates::none ? candidates_.spoke(first_at) : spoke(first),
@@ -134,9 +133,9 @@ class ApexSearch {
                              single(dot(n, n) * (inverse_2_ * inverse_2_)));
   }
 
-  /// Finds the apex exactly, starting from the candidate apex_. Outside of the face (v, first, second), balls through
-  /// it are ordered by inclusion: a point inside the current ball is the next apex, and a point outside remains
-  /// outside. Points on the near side of the face are in none of these balls.
+  /// Finds the apex exactly, starting from the candidate apex_. Outside of the face (v, first, second), the balls
+  /// through its corners are ordered by inclusion: a point inside the current ball is the next apex, and a point
+  /// outside of the ball remains outside. Points on the inner side of a Delaunay face are in none of these balls.
   HWY_NOINLINE bool find_apex_exactly(Local first, Local second) {
     if (!is_certain(sphere_)) return false;  // the candidate may be on either side of the face
     const Face face(spoke(first), spoke(second));
@@ -195,7 +194,7 @@ class ApexSearch {
     return sphere.minor[0] * s.x + sphere.minor[1] * s.y + sphere.minor[2] * s.z + sphere.minor[3] * s.square;
   }
 
-  /// Returns whether the circumradius of (second, first, apex_, v_) is at most alpha_. Exact.
+  /// Returns whether the circumradius of (second, first, apex_, v_) is at most alpha_, exactly.
   HWY_INLINE bool is_within(Local first, Local second) const {
     if (std::isinf(alpha_)) return true;
     const RadiusSide side = radius_side(sphere_.minor, ErrorBound(sphere_.constant, sphere_.slope), alpha_);
@@ -209,7 +208,7 @@ class ApexSearch {
   Tile tile_;
   Block block_;
   Candidates candidates_;
-  std::vector<std::uint8_t> open_bits_;  // one bit for each point, set while the point is not finished
+  std::vector<std::uint8_t> open_bits_;  // a bit for each point, set until the point is finished
   std::size_t exact_ = 0;
 
   // The current point.

@@ -49,10 +49,10 @@ class StarSearch : public StarFinder, private ApexSearch {
  private:
   using Corners = std::array<std::uint16_t, 4>;
   static constexpr std::uint32_t none = Stars::none;
-  /// The value of across_ for a face without a neighbor. Tetrahedron 0 is not used.
+  /// The value in across_ for a face without a neighbor. Tetrahedron 0 does not exist.
   static constexpr std::uint32_t nobody = 0;
-  /// The rank of points at which no face waits: those outside of the leaf, and those that were given up. The rank of
-  /// other points is their number in the leaf.
+  /// The rank of points at which no face waits: points outside of the leaf, and points that were given up. The rank of
+  /// any other point is its number in the leaf.
   static constexpr std::uint32_t waits_for_nothing = 1U << 16U;
 
   void start(const Leaf& leaf) {
@@ -74,18 +74,19 @@ class StarSearch : public StarFinder, private ApexSearch {
     make_room();
   }
 
-  /// Returns whether the tile is abandoned: after an eighth of its points, but at least 64, more than three quarters of
-  /// these stay unsettled, or they took more than twelve exact decisions each, which take long.
+  /// Returns whether the search in the tile is abandoned. The test begins after an eighth of the leaf's points, at
+  /// least 64. The search is abandoned if more than three quarters of the points visited are unsettled, or if exact
+  /// decisions, which take long, are more than twelve a point.
   bool is_abandoned() const {
     constexpr std::size_t fewest = 64, most_exact = 12;
     return completed_ >= std::max(fewest, of_leaf_ / 8) &&
            (failures_ > completed_ / 4 * 3 || exact_ > most_exact * completed_);
   }
 
-  /// Number of consecutive cells of a row that share a block.
+  /// Maximum number of consecutive cells of a row that share a block.
   static constexpr int at_once = 2;
 
-  /// Returns `cells` without the outer `left_out` cells at each end of each axis.
+  /// Returns the ranges without `left_out` cells at each end of each axis.
   static std::array<Tile::Range, 3> inner(std::array<Tile::Range, 3> cells, int left_out) {
     for (Tile::Range& range : cells) range = {range.low + left_out, range.high - left_out};
     return cells;
@@ -113,7 +114,7 @@ class StarSearch : public StarFinder, private ApexSearch {
     }
   }
 
-  /// Finds all tetrahedra at v and appends them to found_. Returns false if some cannot be found.
+  /// Finds the tetrahedra at v, and appends those found to found_. Returns false if some cannot be found.
   bool complete(Local v) {
     start_at(v);
     const std::uint32_t before = count_;
@@ -169,7 +170,7 @@ class StarSearch : public StarFinder, private ApexSearch {
     is_within_.resize(2 * count_ + 1024);
   }
 
-  /// Adds the tetrahedron (second, first, apex, v), without the neighbor across from the apex.
+  /// Adds the tetrahedron (second, first, apex_, v), and links it except across from the apex. Returns its number.
   HWY_INLINE std::uint32_t add(OpenFaces::AtCorner& open, Local first, Local second) {
     const std::uint32_t t = count_++;
     const Local apex = apex_;
@@ -180,8 +181,7 @@ class StarSearch : public StarFinder, private ApexSearch {
     is_reached_[apex] = 1;
     close_or_add(open, {first, apex, 4 * t});
     close_or_add(open, {apex, second, 4 * t + 1});
-    // The face (second, apex, first), starting at its corner of least rank; without a branch, as none could be
-    // predicted.
+    // The face (second, apex, first) waits at its corner of least rank. The code does not branch on the corner.
     const std::uint32_t r0 = rank_[second], r1 = rank_[apex], r2 = rank_[first], rank = std::min({r0, r1, r2});
     const bool is_second = rank == r0, is_apex = rank == r1;
     if (rank == waits_for_nothing) return t;
@@ -204,7 +204,7 @@ class StarSearch : public StarFinder, private ApexSearch {
     across_[face] = other;
   }
 
-  /// Gives up a point: its faces wait for their other corners.
+  /// Gives up point v: the faces that wait at v move to another of their corners.
   void give_up(Local v) {
     const std::uint32_t at = rank_[v];
     rank_[v] = waits_for_nothing;
@@ -217,7 +217,7 @@ class StarSearch : public StarFinder, private ApexSearch {
     }
   }
 
-  /// Adds a tetrahedron at the current point, which is a corner of none yet. Returns false if none is found.
+  /// Adds a first tetrahedron at the current point, which has none yet. Returns false if none is found.
   bool add_first(OpenFaces::AtCorner& open);
 
   void link();
@@ -229,23 +229,22 @@ class StarSearch : public StarFinder, private ApexSearch {
   std::vector<std::uint32_t> rank_;
   std::vector<std::uint8_t> is_reached_, is_finished_;
   std::vector<std::uint8_t> is_settled_;  // for each point of the leaf: whether it is settled
-  // For the tetrahedra found, from 1 on:
+  // Data of the tetrahedra found, which are numbered from 1:
   std::vector<Corners> corners_;
-  std::vector<std::uint32_t> across_;  // for each face: the same face as its neighbor has it, or nobody
+  std::vector<std::uint32_t> across_;  // for each face: its number as a face of the neighbor, or nobody
   std::uint32_t count_ = 1;
-  std::vector<std::uint32_t> number_;  // number among the leaf's tetrahedra, or none
+  std::vector<std::uint32_t> number_;  // number in Stars::tetrahedra, or none
   std::vector<std::uint8_t> is_within_;
   std::vector<Local> around_;
 
   std::size_t of_leaf_ = 0, completed_ = 0, failures_ = 0;
 };
 
-/// Adds a first tetrahedron of the star: at the edge to the nearest point, from triangles of least circumradius first,
-/// because tetrahedra lie on both sides of a triangle whose least ball is empty. Returns false if none of six triangles
-/// has a tetrahedron whose ball is proven to be empty.
+/// Tries triangles at the edge to the nearest point, the least circumradius first: a triangle whose least ball is empty
+/// belongs to the triangulation. Returns false if no ball of six triangles is proven to be empty.
 bool StarSearch::add_first(OpenFaces::AtCorner& open) {
   around_.clear();
-  // All points around are used, finished or not.
+  // Finished points around v are used, too.
   for_each_row(inner(block_.ranges(), 1), [&](Local from, Local end) {
     for (Local i = from; i < end; ++i)
       if (i != at_) around_.push_back(i);
@@ -258,7 +257,7 @@ bool StarSearch::add_first(OpenFaces::AtCorner& open) {
                                                 [](const Spoke& a, const Spoke& b) { return a.square < b.square; }) -
                                spokes.begin());
   const Spoke p = spokes[nearest];
-  // The squared circumradius of each triangle (v, p, q), up to a common factor, and the number of q; sorted.
+  // For each triangle (v, p, q): its squared circumradius, up to a common factor, and the position of q in around_.
   std::vector<std::pair<double, std::size_t>> triangles;
   for (std::size_t k = 0; k < spokes.size(); ++k) {
     if (k == nearest) continue;
@@ -274,7 +273,7 @@ bool StarSearch::add_first(OpenFaces::AtCorner& open) {
       Local first = around_[nearest], second = around_[triangles[k].second];
       if (is_turned) std::swap(first, second);
       if (!find_apex(first, second)) continue;
-      // The face may not belong to the triangulation: tests the sphere again, against all points on both sides.
+      // The face may not belong to the triangulation, so the sphere is tested against all points on both sides.
       std::array<Tile::Range, 3> ranges;
       if (!tile_.ranges(box_of(sphere_), ranges)) continue;
       bool is_empty = true;
@@ -298,7 +297,7 @@ bool StarSearch::add_first(OpenFaces::AtCorner& open) {
   return false;
 }
 
-/// Fills in neighbors, border and unsettled places of found_. Requires: number_ is set for all tetrahedra.
+/// Fills in Stars::neighbors, border and unsettled. Requires: number_ is set for all tetrahedra.
 void StarSearch::link() {
   found_->neighbors.resize(found_->tetrahedra.size());
   number_[nobody / 4] = none;

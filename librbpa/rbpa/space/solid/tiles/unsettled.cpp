@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::uint32_t none = Solid::none;
 
-/// Faces with one tetrahedron only, in buckets by their first corner. Corners are numbers of unsettled points.
+/// Faces with a tetrahedron on one side only, in buckets by first corner. Corners are positions in `unsettled`.
 class OpenSides {
  public:
-  /// Takes the border faces whose corners are all unsettled. Other border faces are at the hull.
+  /// Collects the border faces that have no neighbor and only unsettled corners.
   OpenSides(const std::vector<Place>& unsettled, std::size_t places, const FoundRows& found)
       : end_(unsettled.size() + 1, 0) {
     std::vector<std::uint32_t> number(places, none);
@@ -32,13 +32,13 @@ class OpenSides {
     for (std::size_t i = 1; i < end_.size(); ++i) end_[i] += end_[i - 1];
     sides_.resize(sides.size());
     for (std::size_t i = 0; i < sides.size(); ++i)
-      sides_[end_[first[i]]++] = sides[i];  // end_ moves from the beginning of the bucket to its end
+      sides_[end_[first[i]]++] = sides[i];  // end_[i] moves from the beginning of bucket i to its end
   }
 
   bool empty() const { return sides_.empty(); }
 
-  /// Returns the border face that is the face across from corner k of the tetrahedron `corners`, and has a tetrahedron
-  /// on its other side; or none.
+  /// Returns the border face that equals the face across from corner k of the tetrahedron `corners`, if the known
+  /// tetrahedron of the border face is on the other side; otherwise none.
   std::uint32_t face_of(const Row& corners, std::size_t k) const {
     const BorderFace face = border_face(corners, 0, k);
     const std::uint32_t first = face.corners[0];
@@ -54,10 +54,10 @@ class OpenSides {
  private:
   struct Side {
     std::uint32_t middle, greatest, face;
-    bool is_ascending;  ///< whether its corners ascend as its tetrahedron sees it
+    bool is_ascending;  ///< is_ascending_outside() of the tetrahedron at the face
   };
   std::vector<Side> sides_;
-  std::vector<std::uint32_t> end_;  // end of the sides of each first corner
+  std::vector<std::uint32_t> end_;  // for each first corner, the end of its bucket in sides_
 };
 
 }  // namespace
@@ -81,7 +81,7 @@ void add_remainder(const Leaves& leaves, const Spread& spread, double alpha, con
     for (std::size_t k = 0; k < 4; ++k) row[k] = triangulation.index()[tetrahedra[t].corner[k]];
     return row;
   };
-  // 1. Add the tetrahedra at open sides; the faces there are not crossed.
+  // 1. Add the tetrahedra at open sides. Step 2 does not cross the faces at open sides.
   const Row nothing = {none, none, none, none};
   std::vector<Row> open_sides(tetrahedra.size(), nothing);
   std::vector<std::uint32_t> number(tetrahedra.size(), none), added;
@@ -98,11 +98,11 @@ void add_remainder(const Leaves& leaves, const Spread& spread, double alpha, con
     for (std::size_t k = 0; k < 4; ++k)
       if ((open_sides[t][k] = open.face_of(corners, k)) != none) add(t);
   }
-  // 2. Continue from these to their neighbors.
+  // 2. Add neighbors of added tetrahedra until there are no more.
   for (std::size_t i = 0; i < added.size(); ++i)
     for (std::size_t k = 0; k < 4; ++k)
       if (open_sides[added[i]][k] == none) add(tetrahedra[added[i]].neighbor[k] / 4);
-  // 3. Append them with their neighbors.
+  // 3. Append the added tetrahedra to `found`, with their neighbors.
   for (const std::uint32_t t : added) {
     Row row = corners_of(t), neighbors = nothing;
     for (std::size_t k = 0; k < 4; ++k) {

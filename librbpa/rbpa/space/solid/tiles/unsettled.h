@@ -1,7 +1,7 @@
-// What: finds the tetrahedra that tiles have not found: those whose corners are all unsettled.
-// How:  each of them is also Delaunay among the unsettled points. To leave out the other tetrahedra of that
-//       triangulation, the search starts across the faces with a known tetrahedron on one side only, continues to
-//       neighbors, and never crosses such a face.
+// What: finds the tetrahedra whose corners are all unsettled: tiles have not found these.
+// How:  each tetrahedron is also in the Delaunay triangulation of the unsettled points. To exclude the other tetrahedra
+//       of this triangulation, the search starts across the faces that have a known tetrahedron on one side only,
+//       continues to neighbors, and never crosses a face of this kind.
 // Cost: that of inserting the unsettled points.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace rbpa::space {
 
-/// Tetrahedra found, with places as corners, each once.
+/// The tetrahedra found, each once. Corners are places.
 struct FoundRows {
   SolidRows rows;
   meshops::FreshVector<std::uint8_t> is_within;  ///< for each tetrahedron, whether its circumradius is at most alpha

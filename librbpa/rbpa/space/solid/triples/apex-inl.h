@@ -1,7 +1,7 @@
 // What: finds the fourth corner of the tetrahedron on a side of a triangle (v, q, r), among the points near v, in
 //       double precision.
-// Law:  a result is certain or `open`. The quotients are derived in clip_triples-inl.h for numbers of any precision;
-//       here each lane is a point, and lengths are in units of the input.
+// Law:  a result is certain or `open`. clip_triples-inl.h derives the quotients for numbers of any precision. In
+//       apex-inl.h each lane is a point, and lengths are in units of the input.
 #if defined(RBPA_SPACE_TRIPLES_APEX_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TRIPLES_APEX_INL_H_
 #undef RBPA_SPACE_TRIPLES_APEX_INL_H_
@@ -28,9 +28,9 @@ namespace {
 using rbpa::HWY_NAMESPACE::bits_of;
 using rbpa::HWY_NAMESPACE::mask_of;
 
-/// The result for a side of a triangle.
+/// The result of the search on one side of a triangle.
 enum class Side {
-  none,   ///< no tetrahedron of circumradius at most alpha has its apex after r
+  none,   ///< no tetrahedron of circumradius at most alpha has an apex after r
   found,  ///< one tetrahedron, whose fourth corner is apex()
   open,   ///< the filter cannot decide
 };
@@ -39,7 +39,7 @@ class ApexSearch {
  public:
   explicit ApexSearch(double alpha) : alpha_(alpha) {}
 
-  /// Computes what look() compares, for the triangle of v with the near points q and r.
+  /// Computes the values that look() compares, for the triangle of v and the near points at positions q and r.
   HWY_INLINE void set_triangle(const NearPoints& near, std::size_t q, std::size_t r) {
     constexpr double roundoff = 0x1p-53;
     const Vector3<double> u = {near.dx[q], near.dy[q], near.dz[q]}, w = {near.dx[r], near.dy[r], near.dz[r]};
@@ -79,7 +79,7 @@ class ApexSearch {
       const auto is_near_plane = hn::And(others, hn::Le(hn::Abs(b), hn::Set(d, least_b_)));
       const auto weak_a = hn::Add(a, e), strong_a = hn::Sub(a, e);
       if (!hn::AllFalse(d, is_near_plane)) {
-        // A point in or near the plane is inside all balls of the triangle, outside of all, or the result is uncertain.
+        // A point in or near the plane is inside all balls through the triangle, outside of all, or uncertain.
         const auto is_inside = hn::And(is_near_plane, hn::Lt(weak_a, hn::Neg(e)));
         const auto is_outside = hn::And(is_near_plane, hn::Gt(strong_a, e));
         if (!hn::AllFalse(d, is_inside)) is_violated_ = true;
@@ -93,7 +93,7 @@ class ApexSearch {
       upper_strong = hn::IfThenElse(is_above, hn::Min(strong, upper_strong), upper_strong);
       lower = hn::IfThenElse(is_below, hn::Max(weak, lower), lower);
       lower_strong = hn::IfThenElse(is_below, hn::Max(strong, lower_strong), lower_strong);
-      // A point on neither side is never the first on a side.
+      // A point in or near the plane is never the first point on a side.
       hn::StoreU(hn::IfThenElse(is_above, strong, infinity), d, &above_[p]);
       hn::StoreU(hn::IfThenElse(is_below, strong, hn::Neg(infinity)), d, &below_[p]);
     }
@@ -104,13 +104,13 @@ class ApexSearch {
     size_ = size;
   }
 
-  /// Returns the result for the side of positive t, or of negative t. After Side::found, apex() is the position of the
-  /// fourth corner among the near points.
+  /// Returns the result for the side of positive t if `is_positive`, else for the side of negative t. After
+  /// Side::found, apex() is the position of the fourth corner among the near points.
   HWY_INLINE Side look(bool is_positive) {
     if (!is_bounded_) return Side::open;
     if (is_violated_) return Side::none;
     if (is_flat_) return Side::open;
-    // A reflection reduces negative t to positive t: the first point above is the one with the least t.
+    // The side of negative t is reflected to that of positive t. The first point on a side is the one with the least t.
     const double first_weak = is_positive ? upper_ : -lower_,
                  first_strong = is_positive ? upper_strong_ : -lower_strong_;
     const double last_weak = is_positive ? lower_ : -upper_, last_strong = is_positive ? lower_strong_ : -upper_strong_;
@@ -131,7 +131,7 @@ class ApexSearch {
   std::size_t apex() const { return apex_; }
 
  private:
-  /// Returns the lanes, of those from position p on, that are near points other than q and r.
+  /// Returns the lanes, from position p on, of near points other than q and r.
   HWY_INLINE hn::Mask<Doubles> others_at(std::size_t p, std::size_t size) const {
     const Doubles d;
     std::uint64_t lanes = size - p < double_lanes ? (std::uint64_t{1} << (size - p)) - 1 : ~std::uint64_t{0};
@@ -143,14 +143,14 @@ class ApexSearch {
   double alpha_;
   std::size_t q_ = 0, r_ = 0, after_ = 0, size_ = 0, apex_ = 0;
   bool is_bounded_ = false;
-  bool is_violated_ = false;  // a point in the plane is inside every ball
-  bool is_flat_ = false;      // a point in the plane may touch every ball
+  bool is_violated_ = false;  // a point in or near the plane is inside every ball
+  bool is_flat_ = false;      // a point in or near the plane may touch every ball
   double least_b_ = 0;
-  double farthest_ = 0, nearest_ = 0;  // upper and lower bound of T, the greatest |t| within alpha
+  double farthest_ = 0, nearest_ = 0;  // bounds of T, the greatest |t| for radius alpha
   // upper_: the least (a + E) / b of points with b > least_b_; lower_: the greatest of points with b < −least_b_;
-  // upper_strong_ and lower_strong_: the same with a − E.
+  // upper_strong_ and lower_strong_: likewise with a − E in place of a + E.
   double upper_ = 0, lower_ = 0, upper_strong_ = 0, lower_strong_ = 0;
-  std::vector<double> above_, below_;  // (a − E) / b for near points with b > 0, and with b < 0; else ±infinity
+  std::vector<double> above_, below_;  // (a − E) / b of near points above and below; else ±infinity
 };
 
 }  // namespace

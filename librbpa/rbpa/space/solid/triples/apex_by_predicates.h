@@ -1,9 +1,10 @@
-// What: finds the fourth corner of the tetrahedron on a side of a triangle of sites, by predicates.
+// What: finds by exact predicates the fourth corner of the tetrahedron on one side of a triangle of sites.
 // Law:  exact, under the symbolic perturbation (predicate/sphere.h).
-// How:  each point on the side that is inside the ball of the apex so far becomes the apex: on that side the balls
-//       through the triangle grow from one apex to the next. In the end, no point at all may be inside.
-// Cost: linear in the number of points; for some of them a predicate of ten nanoseconds, or of microseconds where
-//       points are cospherical.
+// How:  any point on the side is the first apex. Each point on the side that is inside the ball of the current apex
+//       becomes the apex: on this side the balls through the triangle shrink from one apex to the next. There is a
+//       tetrahedron if the last ball is not larger than alpha, and no point on either side is inside.
+// Cost: linear in the number of points, with at most three predicates for each; a predicate takes ten nanoseconds, or
+//       microseconds where points are cospherical.
 #pragma once
 
 #include <optional>
@@ -14,7 +15,7 @@
 namespace rbpa::space {
 
 /// Returns the site p of `around` for which (a, b, c, p) is a Delaunay tetrahedron of circumradius at most alpha, with
-/// p on the side of the plane of a, b and c from which they are counter-clockwise; nothing if there is no such site.
+/// p on the side of the plane from which a, b and c are counter-clockwise. Returns nothing if there is no such site.
 /// Requires: `around` has all sites within 2 alpha of a; a, b and c are not on a line.
 std::optional<Site> exact_apex(std::span<const Point3> sites, std::span<const Site> around, double alpha, Site a,
                                Site b, Site c);

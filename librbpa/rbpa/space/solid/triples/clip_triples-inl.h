@@ -1,11 +1,11 @@
-// What: finds, for a register of triangles (v, q, r), the sides of each on which there may be a tetrahedron whose
-//       fourth corner comes after r.
-// Law:  conservative: a side that is left out has no tetrahedron. Bounds: docs/explanation/space.md, sections 8 to 10.
+// What: finds the sides of triangles (v, q, r) on which there may be a tetrahedron whose fourth corner comes after r,
+//       for a register of triangles together.
+// Law:  conservative: a side that is not found has no tetrahedron. Bounds: docs/explanation/space.md, sections 8 to 10.
 // How:  in units of alpha, with v at the origin: centers of balls through the triangle are x/2 + t n, with n = q × r
 //       and x = (|q|² r − |r|² q) × n / n². Such a ball contains p unless t b ≤ a, for a = p² − p · x and b = 2 p · n.
-//       Where the center is within one alpha, |t| |n| ≤ 1, so that a − t b is off by at most E = 300 u κ, κ = |q| |r| /
-//       |n|; 512 are used. So the values of t that no point excludes are between L and U, which are given by (a + E) /
-//       b; an apex after r has no t before (a − E) / b.
+//       Where the center is within one alpha of v, |t| |n| ≤ 1, so that a − t b is off by at most E = 300 u κ, κ = |q|
+//       |r| / |n|; the code uses 512 in place of 300. Quotients (a + E) / b give bounds L and U of the values of t that
+//       no point excludes; an apex after r has no t before (a − E) / b.
 //
 //            L            A      U     T        t
 //       -----|------------|------|-----|------->    A: least (a − E) / b of a point after r. Tried if A ≤ U and L ≤ U.
@@ -38,10 +38,10 @@ using Single = hn::Vec<Singles>;
 
 using Vector = Vector3Lanes<Single>;
 
-/// The pairs (q, r) of points after v, as positions among the points near v: q << 16 | r.
+/// Pairs (q, r) of points after v, stored as q << 16 | r with positions among the points near v.
 class Pairs {
  public:
-  /// Lists the pairs whose triangle with v may have a circumradius of at most one alpha.
+  /// Lists the pairs (q, r) with q before r for which the triangle (v, q, r) may have a circumradius of at most alpha.
   HWY_INLINE void list(const NearPoints& near) {
     const Singles d;
     const SingleNumbers di;
@@ -57,7 +57,7 @@ class Pairs {
         const Single rr = hn::LoadU(d, &near.square[r]);
         const Vector n = cross(at_q, at_r),
                      side = {hn::Sub(at_r.x, at_q.x), hn::Sub(at_r.y, at_q.y), hn::Sub(at_r.z, at_q.z)};
-        // q² r² (q − r)² ≤ 4 n². The error of n is 6u |q| |r|, so that of n² is less than 2⁻⁷ n² + 2⁻³⁴ q² r².
+        // q² r² (q − r)² ≤ 4 n². The error of n is at most 6u |q| |r|; that of n² is less than 2⁻⁷ n² + 2⁻³⁴ q² r².
         const Single squares = hn::Mul(qq, rr);
         const Single underflow = hn::Set(d, 0x1p-120f);
         const Single most =
@@ -79,12 +79,12 @@ class Pairs {
   std::size_t count_ = 0;
 };
 
-/// Bits of the lanes to be tried, on the side of positive t and on that of negative t.
+/// Bits of the lanes to be tried on the side of positive t, and on the side of negative t.
 struct Sides {
   std::uint64_t positive, negative;
 };
 
-/// A lookup of values in a table: by permutations in a table of one or two registers, by loads in a longer one.
+/// A lookup of values in a table: by permutations if the table fits one or two registers, else by loads.
 template <int kRegisters>
 class Lookup {
  public:
@@ -140,7 +140,7 @@ class Triangles {
     is_bounded = hn::And(hn::Lt(kappa, hn::Set(d, 0x1p13f)), hn::Ge(squares, hn::Set(d, 0x1p-60f)));
   }
 
-  /// The values of a near point: b, and the quotients a / b and E / b, rounded.
+  /// The rounded values of a near point: b, t = a / b, and error = E / b.
   struct Cut {
     Single b, t, error;
   };
@@ -154,9 +154,9 @@ class Triangles {
   }
 
   hn::Vec<SingleNumbers> r_number;  ///< position of r among the near points
-  Single farthest, least_b;         ///< T, the greatest |t|; a bound of the error of b
+  Single farthest, least_b;         ///< T, the greatest |t| for radius alpha; bound of the error of b
   hn::Mask<Singles> is_small;       ///< the circumradius of the triangle may be at most alpha
-  hn::Mask<Singles> is_bounded;     ///< the bounds hold; false also for nearly degenerate triangles and NaN
+  hn::Mask<Singles> is_bounded;     ///< the error bounds hold; false for nearly degenerate triangles and NaN
 
  private:
   const NearPoints& near_;
@@ -164,11 +164,11 @@ class Triangles {
   Single error_;
 };
 
-/// Returns t raised, or lowered, by 2⁻⁶ |t|, for a comparison: by more than the error of an approximate reciprocal.
+/// Returns t + 2⁻⁶ |t|, or t − 2⁻⁶ |t|: the change is more than the error of an approximate reciprocal.
 HWY_INLINE Single raised(Single t) { return hn::MulAdd(hn::Set(Singles(), 0x1p-6f), hn::Abs(t), t); }
 HWY_INLINE Single lowered(Single t) { return hn::NegMulAdd(hn::Set(Singles(), 0x1p-6f), hn::Abs(t), t); }
 
-/// Pairs (q, r) whose line of centers has an interval, from L to U, that no near point excludes.
+/// Pairs (q, r) whose line of centers has an interval from L to U that no near point excludes.
 class OpenTriangles {
  public:
   void clear() { count_ = 0; }
@@ -205,7 +205,7 @@ class OpenTriangles {
     count_ += hn::CountTrue(d, is_open);
   }
 
-  /// Returns the sides to be tried of a register of open triangles, from number i on.
+  /// Returns the sides to be tried of the open triangles in a register, from triangle i on.
   template <int kRegisters>
   HWY_INLINE Sides sides(const NearPoints& near, std::size_t i) {
     const Singles d;

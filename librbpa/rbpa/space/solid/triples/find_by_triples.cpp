@@ -31,7 +31,7 @@ class TripleSearch {
         apex_(alpha),
         found_(found) {}
 
-  /// Maximum number of points around a cell: more would not fit the bits of a pair.
+  /// Maximum number of points in the cells around a cell, so that a pair of positions fits 31 bits.
   static constexpr std::size_t most_around = 1u << 12;
 
   bool run(std::size_t first_cell, std::size_t end_cell) {
@@ -77,7 +77,7 @@ class TripleSearch {
     }
   }
 
-  /// Adds the tetrahedra of an open triangle on the sides that are to be tried.
+  /// Adds the tetrahedra on the sides of an open triangle that are to be tried.
   void look_at(std::size_t triangle, bool positive, bool negative) {
     const std::size_t q = open_.q(triangle), r = open_.r(triangle);
     apex_.set_triangle(near_, q, r);
@@ -121,7 +121,7 @@ class TripleSearch {
   ApexSearch apex_;
   Site v_ = 0;
   bool is_listed_ = false;
-  std::vector<Site> around_;  // the near points, for exact_apex()
+  std::vector<Site> around_;  // the near points of v_, for exact_apex()
   Triples& found_;
 };
 
@@ -149,8 +149,8 @@ bool find_by_triples(const Cells& cells, double alpha, std::size_t first_cell, s
 
 namespace {
 
-/// Returns the fraction of the points in neighboring cells that are within the radius of the cells. The fraction
-/// depends on whether points fill a volume or lie on a surface.
+/// Returns the fraction of the points in the cells around a point that are within cells.radius() of the point, by a
+/// sample of cells. The fraction depends on whether points fill a volume or lie on a surface.
 double share_of_near(const Cells& cells) {
   constexpr std::size_t samples = 512;
   const std::size_t stride = cells.size() / samples + 1;
@@ -173,7 +173,7 @@ double share_of_near(const Cells& cells) {
 }  // namespace
 
 double triples_cost(const Cells& cells) {
-  // Fitted to uniform points: with m near points, about 100 + 4 m + 0.68 m² nanoseconds a point.
+  // Fitted to uniform points: a point with m near points costs about 100 + 4 m + 0.68 m² units.
   const double share = share_of_near(cells);
   Cells::Around around(cells);
   double cost = 0;

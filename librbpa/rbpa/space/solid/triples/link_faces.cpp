@@ -6,7 +6,7 @@
 namespace rbpa::space {
 namespace {
 
-/// A face by its two greater corners, and as 4 · (row) + (number of the corner across).
+/// A face with a known least corner: `corners` has the two others; `at` is 4 · row + the corner across.
 struct Face {
   std::uint64_t corners;
   std::uint32_t at;
@@ -16,7 +16,7 @@ Face face(std::uint32_t p, std::uint32_t q, std::size_t row, std::uint32_t acros
   return {std::uint64_t{std::min(p, q)} << 32U | std::max(p, q), static_cast<std::uint32_t>(4 * row + across)};
 }
 
-/// Links equal faces. Requires: `faces` has all faces with the same lowest corner.
+/// Links the rows of equal faces. Requires: `faces` has all faces of one lowest corner.
 void link(std::vector<Face>& faces, meshops::FreshVector<std::array<std::uint32_t, 4>>& neighbors) {
   const auto join = [&](const Face& one, const Face& other) {
     neighbors[one.at / 4][one.at % 4] = other.at / 4;
@@ -51,7 +51,7 @@ meshops::FreshVector<std::array<std::uint32_t, 4>> link_faces(std::span<const st
     sum += here;
   }
   for (std::size_t i = 0; i < rows.size(); ++i) by_second[first[rows[i][1]]++] = static_cast<std::uint32_t>(i);
-  // first[v] is now the end of v's rows.
+  // first[v] is now the end, in by_second, of the rows with second corner v.
 
   for_each_part(threads, bound, at_a_time, [&](std::size_t begin, std::size_t end) {
     std::vector<Face> faces;

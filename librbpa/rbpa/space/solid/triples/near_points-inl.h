@@ -1,4 +1,4 @@
-// What: gathers the points near a point, those after it in the order of sites first, in single and double precision.
+// What: gathers the points near a point v, those after v in the order of sites first, in single and double precision.
 //       Compiled once for each kind of vector unit: Highway's toggle is the include guard.
 #if defined(RBPA_SPACE_TRIPLES_NEAR_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_TRIPLES_NEAR_POINTS_INL_H_
@@ -28,7 +28,7 @@ using Doubles = hn::CappedTag<double, 8>;
 using DoubleNumbers = hn::RebindToSigned<Doubles>;
 inline constexpr std::size_t single_lanes = hn::MaxLanes(Singles()), double_lanes = hn::MaxLanes(Doubles());
 
-/// The sites in the cells around a cell, in their order. Arrays are readable up to one register beyond their ends.
+/// The sites in the cells around a cell, in ascending order. Arrays are readable up to one register beyond their ends.
 class Block {
  public:
   explicit Block(double alpha) : inverse_(1 / alpha) {}
@@ -45,8 +45,8 @@ class Block {
       float *const to_x = &x[count_], *const to_y = &y[count_], *const to_z = &z[count_];
       Site* const to_site = &sites[count_];
       for (std::size_t i = 0; i < count; ++i) {
-        // In units of alpha, relative to the cell's first point: below 8 for points near one of the cell's, with an
-        // error of at most 2⁻²¹.
+        // Coordinates are in units of alpha, relative to the first point of the cell. They are below 8 for points near
+        // a point of the cell, with an error of at most 2⁻²¹.
         const Point3& p = points[first + i];
         to_x[i] = static_cast<float>((p.x - origin.x) * inverse_);
         to_y[i] = static_cast<float>((p.y - origin.y) * inverse_);
@@ -57,7 +57,7 @@ class Block {
     });
   }
   std::size_t size() const { return count_; }
-  /// Returns the position in the block of the first site of the cell.
+  /// Returns the position in the block of the first site of the central cell.
   std::size_t own() const { return own_; }
 
   std::vector<float> x, y, z;
@@ -75,13 +75,13 @@ class Block {
   std::size_t count_ = 0, own_ = 0;
 };
 
-/// The points within 2 alpha of a point v, and possibly few others, relative to v: first those after v in the order of
-/// sites, in this order, then those before. Arrays are readable up to one register beyond their ends.
+/// The points within 2 alpha of a point v, and possibly a few others, relative to v. Points after v in the order of
+/// sites come first, then those before v, each in this order. Arrays are readable up to one register beyond their ends.
 class NearPoints {
  public:
   explicit NearPoints(double alpha) : inverse_(1 / alpha) {}
 
-  /// Gathers the points near the point at position `at` of the block.
+  /// Gathers the points near v, the point at position `at` of the block.
   HWY_INLINE void gather(const Block& block, std::size_t at, std::span<const Point3> points) {
     reserve(block.size());
     after_ = list(block, at, at + 1, block.size(), 0);
@@ -116,13 +116,13 @@ class NearPoints {
   std::size_t size() const { return count_; }
   std::size_t after() const { return after_; }
 
-  std::vector<double> dx, dy, dz;      ///< offsets from v, each rounded once
-  std::vector<float> x, y, z, square;  ///< the same in units of alpha, and squared lengths
+  std::vector<double> dx, dy, dz;      ///< coordinates of the offsets from v, each rounded once
+  std::vector<float> x, y, z, square;  ///< offsets in units of alpha, and their squared lengths
   std::vector<Site> sites;
 
  private:
-  /// Adds the sites at positions from … to − 1 of the block that are near position `at`, after the first `count` sites.
-  /// Returns the new count.
+  /// Writes the sites at positions from … to − 1 of the block that are near the site at position `at`, after the first
+  /// `count` sites. Returns the new number of sites.
   HWY_INLINE std::size_t list(const Block& block, std::size_t at, std::size_t from, std::size_t to, std::size_t count) {
     const Singles d;
     const hn::RebindToUnsigned<Singles> du;

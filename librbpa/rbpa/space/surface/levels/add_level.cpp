@@ -18,8 +18,8 @@ constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
 
 /// The addition of the triangles of one radius to a surface, whose triangles are sorted before and after:
 ///   1. find the surface of the radius near open points that are not interior;
-///   2. add those of its triangles that touch no interior point or edge, the candidates;
-///   3. glue sides that face each other at the candidates' edges;
+///   2. add those of its triangles that touch no interior point or edge: the candidates;
+///   3. glue the sides that face each other at the edges of candidates;
 ///   4. sort.
 class Level {
  public:
@@ -37,7 +37,7 @@ class Level {
     const NeighborhoodSubset near = neighborhood_subset(points_, normals, surface_.duplicates, open, radius);
     present_ = rbpa::surface(near.points, near.normals, radius, options);
     for (Triangle& triangle : present_.triangles)
-      for (std::uint32_t& corner : triangle) corner = near.input[corner];  // their order does not change
+      for (std::uint32_t& corner : triangle) corner = near.input[corner];  // the order stays
     add_candidates();
     glue();
     sort();
@@ -77,7 +77,7 @@ class Level {
     return sides;
   }
 
-  /// Returns the position of a triangle of the surface among the triangles of this radius, or none.
+  /// Returns the position of triangle t of the surface among the triangles of this radius, or none.
   std::size_t present(std::uint32_t t) const {
     const auto& all = present_.triangles;
     const auto found = std::lower_bound(all.begin(), all.end(), surface_.triangles[t]);
@@ -85,8 +85,8 @@ class Level {
     return static_cast<std::size_t>(found - all.begin());
   }
 
-  /// Returns whether two sides that face each other are glued: if one is a candidate's, and the ball rolls from one
-  /// triangle to the other or no longer rests on one of them.
+  /// Returns whether two sides that face each other are to be glued: one is a candidate's, and the ball of this radius
+  /// rolls from one triangle to the other, or does not rest on one of the triangles.
   bool are_glued(const EdgeSide& s, const EdgeSide& t) const {
     if (s.triangle < old_count_ && t.triangle < old_count_) return false;
     const std::size_t i = present(s.triangle), j = present(t.triangle);
@@ -127,7 +127,7 @@ class Level {
   std::uint32_t number_;
   Surface& surface_;
   std::size_t old_count_;
-  Interior interior_;  // of the surface before this level
+  Interior interior_;  // interior of the surface before this level
   Surface present_;    // the surface of this radius, near points that are not interior
 };
 

@@ -1,6 +1,6 @@
 // What: adds the triangles of one more radius to a surface of smaller radii.
-// Law:  at an open point, the result has the triangles and the gluing of surface() by all these radii.
-// Cost: that of surface() of the points near open points that are not interior; a sort of the triangles.
+// Law:  the result at an open point has the triangles and the gluing of surface() by the smaller radii and this one.
+// Cost: that of surface() for the points near open points that are not interior; a sort of the triangles.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 namespace rbpa::space {
 
 /// Adds the triangles of `radius` with level `number`. Triangles without an open corner may be missing or wrong.
-/// Requires: `surface` has levels below `number`, and is sorted as by surface(); `open` has for each point whether it
-///           is open, and of equal points the first decides.
+/// Requires: `surface` has levels below `number`, and is sorted as surface() sorts it; `open` has for each point
+///           whether the point is open; the first of equal points decides for all.
 void add_level(std::span<const Point3> points, std::span<const Point3> normals, std::uint32_t number, double radius,
                std::vector<std::uint8_t> open, Surface& surface, const SurfaceOptions& options);
 

@@ -6,13 +6,13 @@
 namespace rbpa::space {
 namespace {
 
-/// Returns marks of the corners of all fans that have two ends: element 3t + k is for corner k of triangle t.
+/// Marks the corners of all fans that have two ends: element 3t + k of the result is for corner k of triangle t.
 std::vector<std::uint8_t> corners_of_open_fans(const TriangleArrays& of) {
   std::vector<std::uint8_t> is_open(3 * of.triangles.size(), 0);
   for (std::uint32_t t = 0; t < of.triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       if (of.neighbors[t][k] != TriangleArrays::none) continue;
-      // Walks around the corner after k, from the side across from k to the other end of the fan.
+      // Walks around the corner after corner k, from the side across from corner k to the other end of the fan.
       const std::uint32_t pivot = of.triangles[t][(k + 1) % 3];
       std::uint32_t at = t;
       std::size_t corner = (k + 1) % 3;

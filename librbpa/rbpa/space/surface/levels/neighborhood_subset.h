@@ -18,7 +18,7 @@ class NeighborhoodFinder {
   NeighborhoodFinder(std::span<const Point3> points, double radius);
 
   /// Returns the indices, ascending, of all points that a ball of the radius can touch or contain while it touches a
-  /// wanted point, and possibly of others. Of equal points it returns all or none.
+  /// wanted point, and possibly indices of further points. Of equal points, all or none are included.
   std::vector<std::uint32_t> around(std::span<const std::uint32_t> wanted) const;
 
  private:

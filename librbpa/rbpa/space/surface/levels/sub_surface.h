@@ -1,5 +1,5 @@
 // What: extracts parts of a surface, for example the triangles of its smaller radii.
-// Law:  the triangles of the smaller radii are the surface of those radii alone: a later radius changes no gluing
+// Law:  the triangles of the smaller radii are the surface by these radii alone: a larger radius changes no gluing
 //       between earlier triangles.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace rbpa::space {
 
 inline TriangleArrays arrays_of(const Surface& surface) { return {surface.triangles, surface.neighbors}; }
 
-/// Returns the triangles t for which keep(t) is true, glued among each other. `duplicates` and `distinct` are not set.
+/// Returns the triangles t for which keep(t) is true, glued to each other. `duplicates` and `distinct` are not set.
 template <typename Keep>
 Surface part_of(const Surface& surface, const Keep& keep) {
   Surface part;
@@ -32,7 +32,7 @@ Surface part_of(const Surface& surface, const Keep& keep) {
   return part;
 }
 
-/// Returns the triangles of levels below `level`, as part_of(). Requires: `surface` has levels.
+/// Returns the triangles of levels below `level`, glued as in part_of(). Requires: `surface` has levels.
 inline Surface sub_surface(std::uint32_t level, const Surface& surface) {
   return part_of(surface, [&](std::size_t t) { return surface.levels[t] < level; });
 }

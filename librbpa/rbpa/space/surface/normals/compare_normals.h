@@ -7,13 +7,13 @@
 namespace rbpa::space {
 
 struct NormalComparison {
-  double agreement;  ///< above 0: normals on the same side; below 0: on different sides; ±1: certainly
+  double agreement;  ///< above 0 if normals are on one side, below 0 if on different sides, ±1 if certain
   double tilt;       ///< 0 where the edge lies in both planes, 2 where it is perpendicular to both
 };
 
 /// Returns the comparison of normal m at p with normal n at q, one of them reflected across the plane in the middle
-/// between p and q: at the ends of a circular arc, normals are such reflections. So outward normals agree, both on the
-/// two sides of a thin sheet and around a sharp edge. Requires: unit normals, p != q.
+/// between p and q. The normals at the ends of a circular arc are reflections of each other in that plane. So outward
+/// normals agree both across a thin sheet and around a sharp edge. Requires: unit normals, p != q.
 template <typename Real>
 NormalComparison compare_normals(const Point3& p, const Point3& m, const Point3& q, const Point3& n) {
   const Real x = Real(q.x) - Real(p.x), y = Real(q.y) - Real(p.y), z = Real(q.z) - Real(p.z);

@@ -1,4 +1,4 @@
-// What: finds the distinct points among points in space, and scales points so that their squares fit double.
+// What: finds the distinct points among points in space, and scales points so that squares of coordinates fit double.
 // Cost: a sort.
 #pragma once
 
@@ -20,7 +20,7 @@ struct DistinctPoints {
 DistinctPoints distinct_points(std::span<const Point3> points);
 
 /// Multiplies the points by a power of two such that squares of their coordinates neither overflow nor underflow.
-/// Returns the exponent of the power; nothing if there is no such power, and then the points are unchanged.
+/// Returns the exponent of the power. Returns nothing, and changes no point, if there is no such power.
 std::optional<int> fit_double(std::vector<Point3>& points);
 
 }  // namespace rbpa::space

@@ -14,7 +14,7 @@
 namespace rbpa::space {
 namespace {
 
-/// A long double in memory aligned for double, as nanoflann's memory is.
+/// A long double in memory that is aligned for double, as the memory of nanoflann is.
 class Unaligned {
  public:
   Unaligned(long double value = 0) { std::memcpy(bytes_.data(), &value, sizeof value); }
@@ -52,8 +52,8 @@ template <typename Real>
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<Stored<Real>, Cloud<Real>>, Cloud<Real>,
                                                  3, std::uint32_t>;
 
-/// The nearest points found so far, without the query point. Unlike the set of nanoflann, this one does not prefer the
-/// first found of equal distances.
+/// The nearest points found up to now, without the query point. Unlike in the result set of nanoflann, the order in
+/// which points at equal distances are found does not matter.
 template <typename Real>
 class Nearest {
  public:
@@ -69,8 +69,8 @@ class Nearest {
   std::size_t size() const { return size_; }
 
   bool full() const { return size_ == found_.size(); }
-  /// Returns the distance from which on the tree skips points: slightly more than the farthest, because the tree must
-  /// not skip equal distances and rounds its bounds.
+  /// Returns the distance from which on the tree skips points. It is slightly more than the farthest distance, because
+  /// the tree rounds its bounds and must not skip equal distances.
   DistanceType worstDist() const {
     return full() ? found_.back().distance * (1 + Real(0x1p-40)) : std::numeric_limits<Real>::infinity();
   }
@@ -98,7 +98,7 @@ class Nearest {
   std::vector<Found> found_;
 };
 
-/// Sorts the points by leaves, so that points of a leaf are adjacent. Returns the new position of each.
+/// Sorts the points by the leaves of the tree: points of a leaf become adjacent. Returns each point's new position.
 template <typename Real>
 std::vector<std::uint32_t> follow_leaves(Cloud<Real>& cloud, Tree<Real>& tree) {
   std::vector<Point3> in_order(cloud.points.size());
@@ -118,8 +118,8 @@ Real square_between(const Point3& p, const Point3& q) {
   return x * x + y * y + z * z;
 }
 
-/// Fills `chosen`. First come the two nearest, which keep neighbors on a line connected. Then come points whose
-/// distance from all chosen ones is at least the spacing of as many evenly spread points in the disc; then points at
+/// Fills `chosen`. The two nearest points come first, which keep neighbors on a line connected. Then come points whose
+/// distance from all chosen points is at least the spacing of as many evenly spread points in the disc; then points at
 /// half that spacing, and so on.
 template <typename Real>
 void choose_spread(const std::vector<Point3>& points, const Nearest<Real>& nearest, std::span<std::uint32_t> chosen) {
@@ -130,8 +130,8 @@ void choose_spread(const std::vector<Point3>& points, const Nearest<Real>& neare
     places.push_back(k);
   };
   for (std::size_t k = 0; k < std::min<std::size_t>(2, chosen.size()); ++k) choose(k);
-  // Squared spacing · number of points / squared radius of the disc. Points so far apart leave few gaps in the disc,
-  // and few more than that number find room.
+  // Squared spacing · number of points / squared radius of the disc. Points at this spacing leave few gaps in the disc,
+  // and hardly more than that number of points find room.
   constexpr Real spread = 2.56;
   Real least = spread * nearest.square(nearest.size() - 1) / static_cast<Real>(chosen.size());
   for (; places.size() < chosen.size(); least /= 4)

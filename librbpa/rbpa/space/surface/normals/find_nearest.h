@@ -1,8 +1,8 @@
-// What: finds the nearest others of each point of a set, by the k-d tree of nanoflann. If these are on one line, as on
-//       the lines of a scanner, it chooses points farther from each other.
-// Law:  the order is by rounded squared distance, then lexicographically by point. Points are renumbered in the order
-//       of the tree's leaves, so that near points have near numbers: a function of the set of points.
-// Cost: O(n log n); about 30 times as much at points for which a wider neighborhood is searched.
+// What: finds the nearest others of each point of a set, by the k-d tree of nanoflann. If the nearest others are on one
+//       line, as on the lines of a scanner, chooses points farther from each other.
+// Law:  nearest others are ordered by rounded squared distance, then lexicographically. Points are renumbered in the
+//       order of the tree's leaves, so that near points have near numbers. A function of the set of points.
+// Cost: O(n log n); about 30 times as much at points with a wider search.
 #pragma once
 
 #include <cstddef>
@@ -27,20 +27,20 @@ struct Neighborhoods {
 };
 
 /// A function that returns whether the points around point i span a plane. It is called from any thread, at least once
-/// for each i; the last call for i sees the final neighborhood.
+/// for each i. The last call for i sees the final neighborhood.
 using SpansPlane = std::function<bool(const Neighborhoods&, std::size_t i)>;
 
-/// Returns the `count` nearest others of each point, or all if there are fewer. Differences and squares are of type
-/// Real. If the nearest do not span a plane, the result has `count` of the nearest 8 · count, or else 16 · count: the
-/// two nearest, and others that are far from each other. If none of these choices spans a plane, the result has the
-/// nearest. Calls go_on(), if any, repeatedly, one call at a time.
+/// Returns the `count` nearest others of each point, or all others if there are fewer. Differences and squares are of
+/// type Real. If the nearest others do not span a plane, the result has `count` of the nearest 8 · count, or else of
+/// the nearest 16 · count: the two nearest, and others that are far from each other. If none of these choices spans a
+/// plane, the result has the nearest others. Calls go_on(), if it is set, repeatedly, one call at a time.
 /// Requires: distinct points, ascending, at least one; no square of a difference overflows, or underflows to 0.
 template <typename Real>
 Neighborhoods find_nearest(std::vector<Point3> points, std::size_t count, Threads& threads, const Checkpoint& go_on,
                            const SpansPlane& spans_plane = {});
 
-/// Returns the spacing: the median over the points of the mesh width of a square grid with as many points per area as
-/// there are around the point.
+/// Returns the spacing: the median over all points of the mesh width of a square grid that has as many points per area
+/// as the neighborhood of the point.
 /// Requires: at least one point, with nearest others.
 double spacing_of(const Neighborhoods& near);
 

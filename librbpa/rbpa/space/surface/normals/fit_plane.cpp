@@ -17,11 +17,11 @@ Vector<Real> difference(const Point3& p, const Point3& q) {
   return {Real(q.x) - Real(p.x), Real(q.y) - Real(p.y), Real(q.z) - Real(p.z)};
 }
 
-/// Returns the point, with 0 in place of −0.
+/// Returns the vector as a point, with 0 in place of −0.
 Point3 point(const Eigen::Vector3d& v) { return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0}; }
 
-/// Returns the direction across a line, given by a unit vector, that is nearest to the z axis; to the y axis if the
-/// line is parallel to z.
+/// Returns the direction across a line that is nearest to the z axis, or to the y axis if the line is parallel to z.
+/// Requires: `line` is a unit vector.
 Eigen::Vector3d across(const Eigen::Vector3d& line) {
   constexpr double parallel = 0x1p-20;
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), z = Eigen::Vector3d::UnitZ();
@@ -37,8 +37,8 @@ Plane fit_plane(const Neighborhoods& points, std::size_t i) {
   const Point3& at = points.points[i];
   const auto around = points.around(i);
   if (around.empty()) return {.normal = {0, 0, 1}, .roundness = 0, .flatness = 0};
-  // Offsets are scaled by a power of two, so that squares are about 1 however near the points are. The last point is
-  // the farthest.
+  // Offsets are scaled by a power of two, so that squares are about 1 however near the points are. The last point of
+  // `around` is the farthest.
   const int exponent =
       std::ilogb(difference<Real>(at, points.points[around.back()]).template lpNorm<Eigen::Infinity>());
   const Real scale = std::ldexp(Real(1), -exponent);

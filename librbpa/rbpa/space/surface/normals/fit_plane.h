@@ -23,9 +23,9 @@ struct Plane {
 };
 
 /// Fits a plane to point i and its neighbors: through their centroid, with the least sum of squared distances. The
-/// normal has unit length and points to either side. Where the points are on a line within the precision of double, the
-/// normal is the direction across the line nearest to +z, or to +y if the line is parallel to z; for one point it is
-/// +z. Differences are of type Real.
+/// normal has unit length and points to either side. If the points are on a line within the precision of double, the
+/// normal is the direction across the line nearest to +z, or to +y if the line is parallel to z; for a single point,
+/// the normal is +z. Differences are of type Real.
 template <typename Real>
 Plane fit_plane(const Neighborhoods& points, std::size_t i);
 
@@ -35,9 +35,9 @@ struct PlanesOfPoints {
   std::vector<double> flatness;  ///< Plane::flatness, by position in `near`
 };
 
-/// Fits a plane to each point and its `count` nearest others. If `count` is at least 8 and a point and these others
-/// do not determine a plane (Plane::is_certain()), a wider neighborhood is used (find_nearest()); fewer than 8 others
-/// are nearly on a line too often for that. Calls go_on() as find_nearest() does. Requires: as find_nearest().
+/// Fits a plane to each point and its `count` nearest others. If `count` is at least 8 and these points do not
+/// determine a plane (Plane::is_certain()), uses a wider neighborhood (find_nearest()). Fewer than 8 others are too
+/// often nearly on a line for this test. Calls go_on() as find_nearest() does. Requires: what find_nearest() requires.
 template <typename Real>
 PlanesOfPoints fit_planes(std::vector<Point3> points, std::size_t count, Threads& threads, const Checkpoint& go_on);
 

@@ -23,12 +23,12 @@ using Number = std::uint32_t;
 using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
                                                  boost::no_property, Number, std::size_t>;
 
-/// Returns the weight of an edge in the spanning tree. It prefers edges of little doubt, and edges along the surface,
-/// because across the surface noise decides.
+/// Returns the weight of an edge in the spanning tree. Little weight is given to edges of little doubt, and to edges
+/// along the surface, because noise decides across the surface.
 double weight(const NormalComparison& c) { return std::max(0.0, 1 - std::abs(c.agreement)) + c.tilt; }
 
-/// The points at which the tree begins: those whose sides are known; in a component of the graph without such points, a
-/// point whose normal is turned outward.
+/// Finds the points at which the tree begins: those whose sides are known; and in each component of the graph without
+/// such points, one point, whose normal is turned outward.
 class Seeds {
  public:
   Seeds(const Neighborhoods& points, std::span<Point3> normals, std::span<const std::int8_t> sides)
@@ -71,7 +71,7 @@ class Seeds {
   }
 
  private:
-  using Extremes = std::array<Number, 6>;  // the extreme points in directions +z, −z, +y, −y, +x, −x
+  using Extremes = std::array<Number, 6>;  // extreme points in the directions +z, −z, +y, −y, +x, −x
 
   static double along(const Point3& p, std::size_t direction) {
     const double coordinate = direction < 2 ? p.z : direction < 4 ? p.y : p.x;
@@ -103,8 +103,8 @@ class Seeds {
   std::span<const std::int8_t> sides_;
 };
 
-/// Returns the graph: edges in both directions between each point and its nearest, and edges from one more vertex, the
-/// root, to the points at which the tree begins.
+/// Returns the graph: edges in both directions between each point and its nearest others, and edges from one more
+/// vertex, the root, to the points at which the tree begins.
 Graph graph_of(const Neighborhoods& points, const std::vector<Number>& seeds) {
   const auto root = static_cast<Number>(points.points.size());
   const auto for_each_edge = [&](auto visit) {
@@ -124,7 +124,7 @@ Graph graph_of(const Neighborhoods& points, const std::vector<Number>& seeds) {
   return {boost::edges_are_sorted, edges.begin(), edges.end(), root + Number{1}, edges.size()};
 }
 
-/// A visitor that turns the normal of each vertex that the tree reaches to the side of its parent's normal.
+/// Visitor that turns the normal of each vertex that the tree reaches to the side of the parent's normal.
 template <typename Real>
 class Turn : public boost::default_dijkstra_visitor {
  public:

@@ -24,8 +24,8 @@ struct OrientationTree {
 };
 
 /// Turns the normals, one for each point of the neighborhoods, to one side, as estimate_normals() describes, and
-/// returns the tree. `sides` is empty, or has for each point OuterSides::side: the tree begins at the points whose side
-/// is not 0, and in a component of the graph without such points at an extreme point. Calls go_on(), if any,
+/// returns the tree. `sides` is empty, or has OuterSides::side for each point. The tree begins at the points whose side
+/// is not 0, and at an extreme point in each component of the graph without such points. Calls go_on(), if it is set,
 /// repeatedly.
 template <typename Real>
 OrientationTree orient_normals(const Neighborhoods& points, std::span<Point3> normals, const Checkpoint& go_on,

@@ -17,16 +17,16 @@ namespace {
 
 using Number = std::uint32_t;
 
-// Chosen on some fifty sets of points with known normals, and tried on others (docs/explanation/surfaces.md, section
-// 19).
-// Least ratio of a point's projected sum to its area for which its side is known
+// The numbers were chosen on some fifty sets of points with known normals, and tried on others
+// (docs/explanation/surfaces.md, section 19).
+// Least ratio of a point's projected sum to its area at which the side of the point is known
 constexpr double one_sided = 0.35;
 constexpr double least_one_sided = 0.5;     // least average of the ratio over a component
-constexpr double most_contradicted = 0.05;  // greatest fraction of pairs of neighbors that contradict
+constexpr double most_contradicted = 0.05;  // greatest fraction of pairs of neighbors that contradict each other
 constexpr double nearly_all = 0.7;          // fraction of the points that counts as nearly all
 constexpr double most_opposed = 0.02;       // up to this fraction of opposed points, given normals are kept
 
-/// Returns, for each point, the lowest index of the points connected with it through nearest ones.
+/// Returns, for each point, the lowest index among the points that are connected with it through nearest others.
 std::vector<Number> components_of(const Neighborhoods& near) {
   meshops::DisjointSets sets(near.points.size());
   for (Number i = 0; i < near.points.size(); ++i)
@@ -36,10 +36,10 @@ std::vector<Number> components_of(const Neighborhoods& near) {
   return component;
 }
 
-/// The parts of the triangles at each point that a ball of one radius sees from outside.
+/// The areas of the triangles at each point that a ball of one radius sees from outside.
 struct Seen {
   std::vector<double> along;  ///< twice the sum of the areas of the point's triangles, projected along its normal
-  std::vector<double> area;   ///< the same sum without projection; 0: the point is not seen
+  std::vector<double> area;   ///< that sum without projection; 0 if the point is not seen
 
   int side(std::size_t i) const { return !(std::abs(along[i]) > one_sided * area[i]) ? 0 : along[i] > 0 ? 1 : -1; }
 };
@@ -64,19 +64,19 @@ Seen look(const Neighborhoods& near, std::span<const Point3> normals, double rad
   return seen;
 }
 
-/// The view of a ball on one component.
+/// The view of a ball on one component of the graph of nearest points.
 struct Verdict {
-  // Numbers of points: of all; of those that the ball touches; of the touched ones whose side is known; of the known
-  // ones whose side is not the normal's.
+  // Numbers of points: of all; of points that the ball touches; of touched points whose side is known; of points whose
+  // known side is not that of their normal.
   std::size_t points = 0, seen = 0, known = 0, opposed = 0;
-  double one_sided = 0;                     // sum over the points that the ball touches
-  std::size_t pairs = 0, contradicted = 0;  // neighbors whose sides are known and whose planes are hardly tilted
+  double one_sided = 0;                     // sum of the ratios of the points that the ball touches
+  std::size_t pairs = 0, contradicted = 0;  // pairs of neighbors with known sides and hardly tilted planes
   double apart = 0, apart_squared = 0;      // sums, over the contradicted pairs, of the distance between the sides
 
   /// Returns whether the sides are trusted. The two sides of a sheet as thin as the spacing of points contradict each
-  /// other; but the ball sees nearly all points of such a sheet, and its sides are equally far apart everywhere. On a
-  /// rough sheet, where noise decides from which side a point is seen, they are not. The variation is the standard
-  /// deviation of that distance, divided by its mean.
+  /// other; but the ball sees nearly all points of the sheet, and the sides are equally far apart everywhere. On a
+  /// rough sheet, where noise decides from which side a point is seen, the distance of the sides varies: by more than
+  /// `most_variation`, its standard deviation divided by its mean.
   bool is_trusted(double most_variation) const {
     const auto share_of = [](double share, std::size_t of) { return share * static_cast<double>(of); };
     if (known == 0 || one_sided <= share_of(least_one_sided, seen)) return false;
@@ -89,7 +89,7 @@ struct Verdict {
 
 std::vector<Verdict> judge(const Neighborhoods& near, std::span<const Point3> normals,
                            const std::vector<Number>& component, const Seen& seen) {
-  std::vector<Verdict> verdicts(near.points.size());  // at the lowest index of a component
+  std::vector<Verdict> verdicts(near.points.size());  // each at the lowest index of its component
   for (Number i = 0; i < near.points.size(); ++i) {
     Verdict& verdict = verdicts[component[i]];
     ++verdict.points;
@@ -122,9 +122,9 @@ std::vector<Verdict> judge(const Neighborhoods& near, std::span<const Point3> no
 
 constexpr double first_ball = 8;  // radius of the first ball, in spacings
 
-constexpr double most_variation = 0.33;  // of a sheet's thickness: 0.17 to 0.30 on sheets, at least 0.38 on noise
+constexpr double most_variation = 0.33;  // of the thickness: 0.17 to 0.30 on sheets, at least 0.38 on noise
 
-/// Returns whether a ball on the chosen points alone, with a radius of `factor` spacings, contradicts their normals.
+/// Returns whether a ball with a radius of `factor` spacings, on the chosen points alone, contradicts their normals.
 bool some_contradict(const Neighborhoods& near, std::span<const Point3> normals, std::vector<Number> chosen,
                      double factor, double variation, const SurfaceOptions& options) {
   std::sort(chosen.begin(), chosen.end(), [&](Number i, Number j) { return near.points[i] < near.points[j]; });
@@ -141,9 +141,9 @@ bool some_contradict(const Neighborhoods& near, std::span<const Point3> normals,
 }
 
 /// Returns whether it is worthwhile to compute the sides of all points. A sample over the whole surface finds a wrong
-/// side of solids of any thickness. Open terrain, however, has crests and valleys: the sample sees each from one
-/// side, a smaller ball sees both sides. The sides of a thin sheet contradict each other in any sample, but
-/// they are equally far apart only in pieces that contain all points.
+/// side of solids of any thickness. Open terrain, however, has crests and valleys: the sample sees each from one side,
+/// a smaller ball sees both sides. The sides of a thin sheet contradict each other in any sample, but are equally far
+/// apart only in pieces that contain all points.
 bool is_worth_looking(const Neighborhoods& near, std::span<const Point3> normals, const SurfaceOptions& options) {
   constexpr std::size_t share = 8, least = 500, most = 4000, pieces = 3, piece = 1000;    // points
   constexpr double any = std::numeric_limits<double>::infinity(), none = 0, wide = 0.45;  // variation

@@ -12,7 +12,7 @@ namespace {
 
 using Number = std::uint32_t;
 
-/// The tree cut into paths: each leads from a vertex to the child with the most vertices below, so that few paths
+/// The tree, cut into paths. Each path leads from a vertex to the child with the most vertices below, so that few paths
 /// connect any vertex with the root. Vertices are named by their ranks, in which parents come before children.
 class TreePaths {
  public:
@@ -34,9 +34,9 @@ class TreePaths {
 
   Number rank(Number vertex) const { return rank_[vertex]; }
   Number parent(Number r) const { return parent_[r]; }
-  /// Returns the number of vertices below r, r included; 0 for the root, which stands for no child.
+  /// Returns the number of vertices below r, r included. Returns 0 for the root, whose number stands for no child.
   Number below(Number r) const { return below_[r]; }
-  /// Returns the child with the most vertices below; 0: there is none.
+  /// Returns the child with the most vertices below; 0 if there is none.
   Number heavy(Number r) const { return heavy_[r]; }
 
   /// Returns the lowest vertex above both. Of two different heads, the later one is not above the other vertex.
@@ -53,7 +53,7 @@ class TreePaths {
   std::vector<Number> rank_, parent_, head_, below_, heavy_;
 };
 
-/// Votes as integers, so that a vote that is added and subtracted leaves exactly 0.
+/// Votes as integers, so that adding and subtracting a vote leaves exactly 0.
 struct Votes {
   std::int64_t sum = 0, all = 0;  ///< sums of the votes with signs, and without
   void add(std::int64_t vote, std::int64_t times) {
@@ -73,7 +73,7 @@ std::vector<double> side_confidence(const Neighborhoods& near, std::span<const P
   const auto size = static_cast<Number>(near.points.size());
   const TreePaths paths(tree);
   std::vector<Votes> below(
-      // By rank: votes of edges with an end in the subtree, less twice those with both ends in it
+      // By rank: votes of edges with an end in the subtree, minus twice those of edges with both ends in it
       size + std::size_t{1});
   for (Number i = 0; i < size; ++i) {
     if (go_on && i % points_at_a_time == 0) go_on();

@@ -1,7 +1,7 @@
 // What: computes the confidence in the side of each normal that the spanning tree of orient_normals() has oriented.
-// How:  an edge of the tree cuts the graph of nearest points in two. Each edge of the graph across the cut is a vote:
-//       whether the oriented normals at its ends agree. The confidence at a point is the least of all cuts between it
-//       and the middle of its part of the tree, the vertex at which no cut separates more than half of the part.
+// How:  an edge of the tree cuts the graph of nearest points in two. Each edge of the graph across the cut votes
+//       whether the oriented normals at its ends agree. The confidence at a point is the least agreement of all cuts
+//       between the point and the middle of its part of the tree, a vertex at which no cut separates more than half.
 // Law:  a function of the neighborhoods, the normals and the tree.
 // Cost: O(n log n), in one thread.
 #pragma once
@@ -16,9 +16,9 @@
 
 namespace rbpa::space {
 
-/// Returns the confidence at each point: 1 if all votes agree; 0 if half of their weight or more contradicts, or there
-/// is no vote. In the middle of a part, it is OuterSides::vote of the point at which the part begins, if the side of
-/// this point is known, else 1. Calls go_on(), if any, repeatedly.
+/// Returns the confidence at each point: 1 if all votes agree; 0 if there is no vote, or half of the weight of the
+/// votes or more contradicts. In the middle of a part, the confidence is OuterSides::vote of the point at which the
+/// part begins, if the side of that point is known, else 1. Calls go_on(), if it is set, repeatedly.
 template <typename Real>
 std::vector<double> side_confidence(const Neighborhoods& near, std::span<const Point3> normals,
                                     const OrientationTree& tree, const OuterSides& sides, const Checkpoint& go_on);

@@ -9,9 +9,9 @@ std::size_t EdgeRoll<Real>::holder(const RestingBall<Real>& ball, std::size_t p)
   return none;
 }
 
-// An interval of the circle on which the ball contains a point begins where the ball leaves `start`, and ends where it
-// leaves `end`. It grows to where the ball leaves the next point that it contains, until there is none, or the interval
-// is the whole circle.
+// An interval of the circle, on which the ball contains a point, begins where the ball leaves `start`, and ends where
+// it leaves `end`. The interval is extended to where the ball leaves the next point that it contains, until the ball
+// contains none, or the interval is the whole circle.
 template <typename Real>
 std::size_t EdgeRoll<Real>::first_left_free() const {
   std::size_t start = 0;
@@ -25,17 +25,17 @@ std::size_t EdgeRoll<Real>::first_left_free() const {
 
   std::size_t end = start;
   RestingBall<Real> ball = beginning;
-  std::size_t reach = none;  // of the points so far in the ball at the beginning: the one that it leaves last
+  std::size_t reach = none;  // the point that the ball leaves last among those found in the ball at the beginning
   while (true) {
     const std::size_t q = holder(ball, end);
     if (q == none) return end;
-    // Q is in the ball up to the beginning or beyond: it is in the ball all around
+    // q is in the ball up to the beginning or beyond, so it is in the ball all around
     if (q == start || q == reach) return none;
     const RestingBall<Real> next = leaving(q);
     if (!next.rests()) return none;  // q is in the ball all around
     if (beginning.contains(points_[q])) {
-      // Either q is in the ball from the beginning past the end, farther than `reach`; or from the end past the
-      // beginning, so that the ball contains q, or q and `reach` together, all around.
+      // Either q is in the ball from the beginning past the end, farther than `reach`; or q is in the ball from the end
+      // past the beginning, so that the ball contains q, or one of q and `reach`, all around.
       if (reach != none && next.contains(points_[reach])) return none;
       reach = q;
     }
@@ -67,7 +67,7 @@ std::size_t EdgeRoll<Real>::first_touched(std::size_t left) const {
     if (at_best.contains(points_[p])) {
       at_p = coming_to(p);
     } else {
-      // p is touched earlier only if the ball leaves it before it touches `best`: then the middle of p's arc is in
+      // p is touched earlier only if the ball leaves p before it touches `best`: the middle of p's arc is then in
       // between.
       if (best != left) {
         const int turns =

@@ -17,7 +17,7 @@ struct Corner {
   double x, y;
 };
 
-/// Replaces a convex polygon by its part in which ax + by ≤ c. `kept` is working memory.
+/// Replaces a convex polygon by the part in which ax + by ≤ c. `kept` is working memory.
 void clip(std::vector<Corner>& polygon, double a, double b, double c, std::vector<Corner>& kept) {
   kept.clear();
   const auto beyond = [&](const Corner& p) { return a * p.x + b * p.y - c; };

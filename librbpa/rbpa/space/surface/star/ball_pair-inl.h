@@ -1,7 +1,7 @@
-// What: computes the two balls of the radius that touch v, p and q. On the sphere of centers of balls that touch v, the
-//       circles of p and q cross at the centers of these two. For one pair of points, or for as many pairs as a vector
-//       has lanes.
-// Law:  centers have a bound of their error. docs/explanation/surfaces.md, sections 14 and 15.
+// What: computes the two balls of the radius that touch v, p and q, for one pair (p, q) or for as many pairs as a
+//       vector has lanes. The two centers are where the circles of p and q cross, on the sphere of centers of balls
+//       that touch v.
+// Law:  a bound of the error of the centers is known. docs/explanation/surfaces.md, sections 14 and 15.
 // How:  relative to v, with n = p × q and D = 4r²n² − p²q²(p − q)², the centers are
 //
 //           (p² (q × n) + q² (n × p) ± √D n) / 2n²
@@ -41,7 +41,7 @@ class BallPair {
  public:
   using V = hn::Vec<D>;
   using Vector = Vector3Lanes<V>;
-  /// A point relative to v; the power is half the square of its distance.
+  /// A point relative to v. The power is half the square of its distance from v.
   struct Point {
     Vector at;
     V power;
@@ -99,8 +99,8 @@ class BallPair {
 struct Crossing {
   Vector3<double> left{}, right{};  // centers of the balls on (v, p, q) and (v, q, p)
   double error = 0;                 // BallPair::error()
-  // Whether both balls exist, with accurate centers; whether certainly none exists. Integers instead of bool, so that a
-  // copy is of whole registers: this avoids a store-forwarding stall.
+  // is_certain: both balls exist, with accurate centers; is_impossible: certainly none exists. Both are integers
+  // instead of bool, so that a copy is of whole registers: this avoids a store-forwarding stall.
   std::uint32_t is_certain = 0, is_impossible = 0;
 };
 inline Crossing crossing_of(const Neighbor& p, const Neighbor& q, double radius) {

@@ -1,7 +1,7 @@
 // What: bounds the parts of a free region by cones from v. A point whose cap misses all cones changes nothing.
 // Law:  conservative: a rejected point never changes the region. docs/explanation/surfaces.md, section 13.
 // How:  a part on one side of a plane through v is in the cone of its corners. The corners are lengthened to C until
-//       their hull is outside the sphere. Then p's cap meets the part only if C · p > p²/2 for one of them.
+//       their hull is outside the sphere. Then p's cap meets the part only if C · p > p²/2 for some C.
 //
 //             C ───────── C'        hull of the lengthened corners: outside the sphere
 //              ╲  ╭───╮  ╱
@@ -47,13 +47,14 @@ class BoundingCones {
   struct Cone {
     float x, y, z, margin;
   };
-  /// Coordinates of corners, readable up to whole vectors.
+  /// Coordinates of corners, in arrays that are readable up to whole vectors.
   struct Corners {
     const double *x, *y, *z;
     std::size_t count;
   };
 
-  /// Removes all cones, for a region of `corners` corners: then every point is rejected if `is_bounded`, else none.
+  /// Removes all cones, and sets the number of corners. Without a cone, all points are rejected if `is_bounded`, else
+  /// none.
   void reset(double radius, std::size_t corners, bool is_bounded) {
     const hn::CappedTag<double, 8> d;
     inverse_ = 1 / radius;
@@ -67,7 +68,7 @@ class BoundingCones {
   }
 
   /// Adds a part of the region. Its corners are the set bits of `part`; `sum` is the sum of these corners. If the part
-  /// has no cone, no point is rejected from then on.
+  /// has no cone, no point is rejected any more.
   void add(const Corners& corners, std::uint64_t part, const Vector3<double>& sum) {
     is_bounded_ = is_bounded_ && cone_count_ < most_cones && lengthen(corners, part, sum);
   }
@@ -76,7 +77,7 @@ class BoundingCones {
   bool is_bounded() const { return is_bounded_; }
   std::span<const Cone> cones() const { return {cones_.data(), cone_count_}; }
 
-  /// Returns false where the cap of p certainly misses the region.
+  /// Returns false only if the cap of p certainly misses the region.
   bool may_meet_cap_of(const Neighbor& p) const {
     if (!is_bounded_) return true;
     const hn::CappedTag<double, 8> d;
@@ -91,8 +92,8 @@ class BoundingCones {
   }
 
  private:
-  /// Lengthens the corners of a part, and adds its cone. Returns false where the corners are not on one side of the
-  /// plane perpendicular to their sum.
+  /// Lengthens the corners of a part, and adds its cone. Returns false if the corners are not on one side of the plane
+  /// perpendicular to their sum.
   bool lengthen(const Corners& corners, std::uint64_t part, const Vector3<double>& sum) {
     const hn::CappedTag<double, 8> d;
     using V = hn::Vec<decltype(d)>;

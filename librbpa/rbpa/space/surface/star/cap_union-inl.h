@@ -1,7 +1,7 @@
 // What: keeps the caps that are subtracted from the sphere of a ball's centers, and tests whether their union covers a
 //       point, a circle or a great circle.
-// Law:  "yes" is certain; "no" means that it could not be shown. Compiled once for each kind of vector unit: Highway's
-//       toggle is the include guard.
+// Law:  a "yes" is certain; a "no" means that "yes" could not be shown. Compiled once for each kind of vector unit:
+//       Highway's toggle is the include guard.
 #if defined(RBPA_SPACE_STAR_CAP_UNION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_SPACE_STAR_CAP_UNION_INL_H_
 #undef RBPA_SPACE_STAR_CAP_UNION_INL_H_
@@ -78,8 +78,8 @@ class CapUnion {
     return has_circle(p) && misses(place_on_circle(p), limits::slack * radius_);
   }
 
-  /// Removes the caps that lie within p's cap. Returns false if this is not certain for some cap; then the caps may not
-  /// be used further. Requires: p's circle is free, so that every other cap is disjoint from p's cap.
+  /// Removes the caps that lie within p's cap. Returns false if this is uncertain for some cap; the caps may then not
+  /// be used further. Requires: p's circle is free, so that each other cap lies within p's cap or is disjoint from it.
   bool forget_within(const Neighbor& p) {
     for (std::size_t i = 0; i < count_; ++i) {
       if (points_[i].power == forgotten) continue;
@@ -91,8 +91,8 @@ class CapUnion {
     return true;
   }
 
-  /// Returns whether the caps cover the great circle perpendicular to an axis: each of sixteen samples on it is so deep
-  /// in some cap that the cap covers the part of the circle nearer to this sample than to the next.
+  /// Returns whether the caps cover the great circle perpendicular to an axis. Of sixteen samples on the circle, each
+  /// must be so deep in some cap that the cap covers the part of the circle nearer to this sample than to the next.
   bool covers_great_circle(const Vector& axis) const {
     constexpr std::size_t samples = 16;
     constexpr double gap = 0.1964;  // radii from any point of the circle to a sample: more than 2 sin(π / 32)
@@ -133,7 +133,7 @@ class CapUnion {
     const double square = radius_ * radius_ - p.power / 2;
     return plus(scaled(p.at, 0.5), scaled(across, std::sqrt(square / dot(across, across))));
   }
-  /// Returns the products of w with as many points as there are lanes, from the i-th.
+  /// Returns the scalar products of w with points i, i + 1, …, one in each lane.
   HWY_INLINE hn::Vec<hn::CappedTag<double, 8> > along(std::size_t i, const Vector& w) const {
     const hn::CappedTag<double, 8> d;
     return hn::MulAdd(

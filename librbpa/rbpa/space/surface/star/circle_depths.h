@@ -11,7 +11,8 @@
 
 namespace rbpa::space {
 
-/// The extremes of the depth c · p − p²/2, a cosine, for all c on the circle of q; and a bound of their errors.
+/// The extremes of the depth c · p − p²/2 for c on the circle of q, along which it is a cosine; and a bound of their
+/// errors.
 struct CircleDepths {
   double greatest, least, error;
 };

@@ -17,7 +17,7 @@ namespace {
 
 constexpr Site at_a_time = 64;
 
-/// Returns the wanted sites as half-open ranges of at most at_a_time sites.
+/// Returns the wanted sites as half-open ranges of at most at_a_time sites each.
 std::vector<std::pair<Site, Site>> wanted_runs(const Cells& cells, const std::vector<std::uint8_t>& wanted) {
   std::vector<std::pair<Site, Site>> runs;
   for (Site v = 0; v < cells.sites().size(); ++v) {

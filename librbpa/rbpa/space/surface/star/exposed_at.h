@@ -1,6 +1,6 @@
-// What: finds the exposed triangles at some of many points.
+// What: finds the exposed triangles at wanted points among many.
 // Law:  the triangles, and the rolls between them, are those of exposed_triangles().
-// Cost: that of the rings of these points, and of the cells of all points.
+// Cost: that of the rings of the wanted points, and of the cells of all points.
 #pragma once
 
 #include <compare>
@@ -20,9 +20,9 @@ struct ExposedAt {
   friend auto operator<=>(const ExposedAt&, const ExposedAt&) = default;
 };
 
-/// Returns the exposed triangles at points i with wanted[i] != 0, sorted. Of equal points the lowest index decides, and
-/// stands for them.
-/// Requires: as exposed_triangles(). Throws: Cancelled.
+/// Returns the exposed triangles at points i with wanted[i] != 0, sorted. Of equal points, the one of lowest index
+/// decides, and stands for the others.
+/// Requires: what exposed_triangles() requires. Throws: Cancelled.
 std::vector<ExposedAt> exposed_at(std::span<const Point3> points, double radius,
                                   const std::vector<std::uint8_t>& wanted, const SurfaceOptions& options);
 

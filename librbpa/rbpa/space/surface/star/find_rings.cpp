@@ -23,14 +23,14 @@ HWY_BEFORE_NAMESPACE();
 namespace rbpa::space::HWY_NAMESPACE {
 namespace {
 
-/// A search for the rings of sites, one after the other, by caps.
+/// Searches the rings of sites, one after the other, by caps.
 class RegionSearch {
  public:
   explicit RegionSearch(const Cells& cells) : cells_(cells) {}
 
   /// Appends the rings of v:
   ///   1. gather the nearest points, about as many as bound a region;
-  ///   2. subtract the caps of up to eight of them at once, and of the others one by one, nearest first;
+  ///   2. subtract the caps of up to eight of them together, and the other caps one by one, nearest first;
   ///   3. bound the region by cones, and subtract the caps of farther points that meet a cone, with new cones as it
   ///      shrinks;
   ///   4. retry the caps whose circles were free as a whole;
@@ -87,8 +87,8 @@ class RegionSearch {
     return true;
   }
 
-  /// Does step 3, for points whose squared distance is above `from`: all at once where the region is bounded, otherwise
-  /// shell by shell, each of twice the squared distance. Returns false if the region is lost.
+  /// Does step 3, for points whose squared distance is above `from`: for all such points if the region is bounded,
+  /// otherwise shell by shell, each of twice the squared distance. Returns false if the region is lost.
   template <typename IsInBall>
   bool subtract_far(Surroundings& around, Site v, float from, IsInBall is_in_ball) {
     const std::span<const Point3> sites = cells_.sites();
@@ -100,7 +100,7 @@ class RegionSearch {
         const Neighbor neighbor = Neighbor::seen_from(sites[v], sites[p], p);
         if (region_.is_empty() || !bound_.may_meet_cap_of(neighbor)) return true;
         if (!region_.subtract(neighbor, is_in_ball)) return false;
-        // If there was no bound, there may be none again: then it is not updated after each cap, to save time.
+        // Without a bound, there may be none again: to save time, it is then updated only after every fourth cap.
         if (region_.caps() - caps_in_bound >= (bound_.is_bounded() ? 1 : 4)) {
           region_.update_bound(bound_);
           caps_in_bound = region_.caps();
@@ -141,8 +141,8 @@ void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Ri
       arcs.push_back({b, left, touched});
     });
   }
-  // Sorted by (about, left), so that the next arc can be searched: its `about` is this arc's `touched`, and its `left`
-  // is this arc's `about`.
+  // Arcs are sorted by (about, left) to find the next arc: its `about` is this arc's `touched`, its `left` this arc's
+  // `about`.
   std::sort(arcs.begin(), arcs.end(),
             [](const Arc& p, const Arc& q) { return p.about != q.about ? p.about < q.about : p.left < q.left; });
   std::vector<std::uint8_t> is_done(arcs.size(), 0);
@@ -163,11 +163,11 @@ void roll_about_all(const Cells& cells, Site v, std::span<const Site> others, Ri
   }
 }
 
-/// Appends the rings of v by rolling about each edge. Requires: `around` are the sites around v's cell.
+/// Appends the rings of v by rolling about each edge. Requires: `around` has the sites around v's cell.
 template <typename Real>
 void roll_at(const Cells& cells, Site v, std::span<const Site> around, Rings& found, meshops::Steps& step) {
   const std::span<const Point3> sites = cells.sites();
-  // Rounded outward, by more than the rounding error of a distance.
+  // The limit is rounded outward, by more than the rounding error of a distance.
   const Real radius = cells.radius(), farthest = 4 * radius * radius * (1 + Real(0x1p-40));
   std::vector<std::pair<Real, Site> > order;
   for (const Site p : around) {

@@ -17,8 +17,8 @@
 
 namespace rbpa::space {
 
-/// Cycles of exposed triangles around sites. Around a site v the ball rolls in cycles: from the exposed triangle (v, x,
-/// y) about x to (v, z, x), and so on. Such a cycle is stored as y, x, z, …
+/// Cycles of exposed triangles around sites. Around a site v, the ball rolls in cycles: from the exposed triangle (v,
+/// x, y) about x to (v, z, x), and so on. This cycle is stored as y, x, z, …
 struct Rings {
   static constexpr Site end_of_cycle = 0xffffffff;
 

@@ -1,8 +1,8 @@
 // What: computes the free region: the possible centers of a ball that touches a point v and contains no other point.
 //       The region is the sphere of centers around v less one cap for each other point. Its corners are the exposed
 //       triangles at v.
-// Law:  exact: each sign is certain, or decided by RestingBall::contains(). Where neither is possible, or there is no
-//       room, the region is lost, and false is returned. docs/explanation/surfaces.md, section 13.
+// Law:  exact: each sign is certain, or decided by RestingBall::contains(). If neither is possible, or there is no
+//       room, the region is lost, and the function returns false. docs/explanation/surfaces.md, section 13.
 // How:  caps are subtracted one after the other (cut()) from the cycles of arcs that bound the region. An arc is part
 //       of the circle of a point, on which the ball touches v and that point. Compiled once for each kind of vector
 //       unit: Highway's toggle is the include guard.
@@ -43,15 +43,15 @@ class FreeRegion {
  public:
   using Vector = Vector3<double>;
 
-  /// Starts with the whole sphere.
+  /// Resets the region to the whole sphere.
   void reset(double radius) {
     radius_ = radius;
     waiting_.clear();
     begin();
   }
 
-  /// Subtracts the caps of a few points at once from the whole sphere. Returns false, and leaves the whole sphere,
-  /// where a sign is not certain.
+  /// Subtracts the caps of a few points together from the whole sphere. Returns false, and leaves the whole sphere, if
+  /// a sign is not certain.
   bool start(std::span<const Neighbor> points) {
     if (!initial_.find(points, radius_)) return false;
     for (const Neighbor& p : points) caps_.push(p);
@@ -73,7 +73,7 @@ class FreeRegion {
   /// Returns the number of caps that bound the region or have bounded it. The region changes only if this number does.
   std::size_t caps() const { return caps_.count(); }
 
-  /// Returns whether the region is empty, whatever is subtracted later.
+  /// Returns whether the region is empty. An empty region stays empty.
   bool is_empty() const { return has_begun_ && boundary_.live() == 0; }
 
   /// Subtracts the cap of p. `is_in_ball(x, y, p)` decides exactly whether p is in the ball on (v, x, y), all given by
@@ -85,13 +85,13 @@ class FreeRegion {
     const Outcome outcome = cut(p, is_in_ball);
     if (outcome == Outcome::circle_is_free) return await_crossing(p, is_in_ball);
     if (outcome == Outcome::lost) return false;
-    // A waiting circle that p's circle crosses covers corners that farther points would otherwise add in the meantime.
+    // Waiting circles that p's circle crosses are tried: their caps cover corners that farther points would add.
     return waiting_.count() == 0 || caps_.count() == before ||
            retry_waiting(is_in_ball, [&](const Neighbor& q) { return !crossing_of(p, q, radius_).is_impossible; });
   }
 
-  /// Finishes the region: tries waiting caps again until none changes anything. The circles of the caps that still wait
-  /// cross nothing, so no triangle is on them. Returns false when the region is lost. Requires: all caps subtracted.
+  /// Finishes the region: tries waiting caps again until none changes the region. The circles that still wait cross no
+  /// other, so no triangle is on them. Returns false if the region is lost. Requires: all caps subtracted.
   template <typename IsInBall>
   bool finish(IsInBall is_in_ball) {
     for (std::size_t before = waiting_.count() + 1;
@@ -138,7 +138,7 @@ class FreeRegion {
 
   enum class Outcome {
     done,            // the cap is subtracted
-    circle_is_free,  // nothing is subtracted: the circle crosses no arc and is free as a whole
+    circle_is_free,  // the cap is not subtracted: its circle crosses no arc and is free as a whole
     lost
   };
 
@@ -161,8 +161,8 @@ class FreeRegion {
     bool leaves(std::uint64_t arc) const { return ((bitten | spared | covered) & arc) != 0; }
   };
 
-  /// The corners at which the boundary enters the cap, from which it follows the cap's circle, and those at which it
-  /// leaves the cap.
+  /// The corners at which the boundary enters the cap, and from there follows the cap's circle; and the corners at
+  /// which the boundary leaves the cap.
   struct OwnArcs {
     std::array<int, RegionBoundary::capacity> entries, exits;
     std::size_t entry_count = 0, exit_count = 0;
@@ -170,7 +170,7 @@ class FreeRegion {
 
   /// Subtracts the cap of p from the region, if its circle crosses the boundary or is covered as a whole:
   ///   1. find the corners that the cap covers;
-  ///   2. find the arcs that its circle crosses, by their ends, or where these do not decide, by their extremes;
+  ///   2. find the arcs that its circle crosses, by the arcs' ends or, where these do not decide, by their extremes;
   ///   3. if there are none, the circle is covered or free as a whole;
   ///   4. otherwise cut these arcs, with new corners at the crossings;
   ///   5. close the boundary along p's own circle, from each entry to the next exit.
@@ -193,7 +193,7 @@ class FreeRegion {
     return close(p, own) ? Outcome::done : Outcome::lost;
   }
 
-  /// Step 1: decides which uncertain corners the cap covers. Returns false where such a corner is not a triangle.
+  /// Step 1: decides which uncertain corners the cap covers. Returns false if an uncertain corner is not a triangle.
   template <typename IsInBall>
   bool decide(const Neighbor& p, IsInBall is_in_ball, RegionBoundary::Signs& signs) const {
     for (std::uint64_t left = signs.uncertain; left != 0; left &= left - 1) {
@@ -255,8 +255,8 @@ class FreeRegion {
       return Outcome::done;
     }
     if (cut.covered == 0) return Outcome::circle_is_free;
-    // A free circle with whole cycles in its cap: each earlier cap is in p's cap or disjoint from it. Those within it
-    // are removed, and p waits. This occurs on scan lines, where a far point may come before a near one.
+    // The circle is free, and whole cycles are in its cap: each earlier cap is in p's cap or disjoint from it. The caps
+    // in p's cap are removed, and p waits. This occurs on scan lines, where a far point may come before a near one.
     if (!caps_.misses_circle_of(p) || !caps_.forget_within(p)) return Outcome::lost;
     boundary_.retire(cut.covered);
     boundary_.release();
@@ -292,7 +292,7 @@ class FreeRegion {
   }
 
   /// Cuts the arc from corner a where p's circle crosses it. The remaining part begins at an exit, ends at an entry, or
-  /// both. Returns false where there is no room.
+  /// both. Returns false if there is no room.
   bool cut_arc(int a, int cap, const Crossing& crossing, const Cut& cut, OwnArcs& own) {
     const std::uint64_t arc = std::uint64_t{1} << a;
     const int b = boundary_.next(a);
@@ -315,7 +315,7 @@ class FreeRegion {
     return true;
   }
 
-  /// Step 5: closes the boundary. Returns false where the order along p's circle is not certain, or there is no room.
+  /// Step 5: closes the boundary. Returns false if the order along p's circle is not certain, or there is no room.
   bool close(const Neighbor& p, const OwnArcs& own) {
     if (own.entry_count != 1)
       return boundary_.link_around(p, {own.entries.data(), own.entry_count}, {own.exits.data(), own.exit_count});
@@ -387,7 +387,7 @@ class FreeRegion {
 
   double radius_ = 0;
   bool has_begun_ = false;  // whether the region has had corners
-  bool is_parted_ = false;  // the caps cover a great circle, so that each part is on one side of a plane through v
+  bool is_parted_ = false;  // whether the caps cover a great circle: each part is then on one side of a plane through v
   InitialRegion initial_;
   CapUnion caps_;
   RegionBoundary boundary_;

@@ -1,4 +1,4 @@
-// What: finds the corners and arcs of the free region after the caps of a few points, all subtracted at once.
+// What: finds the corners and arcs of the free region that is left by the caps of a few points, subtracted together.
 // Law:  every sign is certain; otherwise find() returns false. docs/explanation/surfaces.md, section 13.
 // How:  1. cross the circles of each pair of points (ball_pair-inl.h), in vector lanes;
 //       2. drop the crossings that some other cap covers: the rest are the corners;
@@ -124,8 +124,8 @@ class InitialRegion {
     return true;
   }
 
-  /// The greatest c · x − x²/2 at each crossing c, over the points x outside of its own pair. The crossing is in a cap
-  /// where this is above 0.
+  /// The greatest c · x − x²/2 at each crossing c, over the points x that are not of the crossing's own pair. If it is
+  /// above 0, the crossing is in a cap.
   struct Depths {
     V left, right;
   };
@@ -144,7 +144,7 @@ class InitialRegion {
     return deepest;
   }
 
-  /// The wanted lanes that are certainly in no cap, and those that certainly are in one.
+  /// The wanted lanes whose crossings are certainly in no cap, and those whose crossings are certainly in one.
   struct Sides {
     std::uint64_t free, covered;
   };
@@ -174,8 +174,8 @@ class InitialRegion {
     std::size_t from_count = 0, to_count = 0;
   };
 
-  /// Links each corner to the next one on its circle. Returns false where a circle is free as a whole, has more than
-  /// two arcs, or the order of its corners is not certain.
+  /// Links each corner to the next one on its circle. Returns false if a circle is free as a whole or has more than two
+  /// arcs, or if the order of its corners is not certain.
   bool find_arcs(std::span<const Neighbor> points, double radius) {
     std::array<Ends, most> circle{};
     for (std::size_t k = 0; k < corner_count_; ++k) {

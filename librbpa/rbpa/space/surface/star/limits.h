@@ -20,14 +20,13 @@ inline constexpr double flatness = 1e-10;
 static_assert(192 * 2200.0 * 2200.0 * unit_roundoff > error);
 static_assert(flatness > 4 * (16 * 2200 + 32) * unit_roundoff && flatness > 4 * 480 * unit_roundoff);
 
-/// Least sine of an angle between the directions to two corners that counts as above 0. An error of `error` radii of a
-/// corner turns such a direction by about as much, and by three times as much when two corners and a middle are
-/// compared.
+/// Least sine of an angle between the directions to two corners that counts as above 0. If a corner is off by `error`
+/// radii, such a direction turns by about as much, and by three times as much if two corners and a middle are compared.
 inline constexpr double slack = 1e-6;
 static_assert(slack >= 10 * error);
 
-/// Error of a corner that is not a triangle, in radii: the corner is chosen, and only rounded. It only decides whether
-/// a cap covers the corner; a larger value makes this uncertain more often.
+/// Error, in radii, of a corner that is not a triangle. The corner is chosen, so it is only rounded. The error matters
+/// only for the decision whether a cap covers the corner; a larger value makes this decision uncertain more often.
 inline constexpr double placed = 1e-10;
 static_assert(placed > 1000 * unit_roundoff && placed < error);
 

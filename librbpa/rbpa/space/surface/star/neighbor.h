@@ -1,4 +1,4 @@
-// What: a point relative to another point v.
+// What: keeps a point relative to another point v, with its power and distance.
 #pragma once
 
 #include <cmath>

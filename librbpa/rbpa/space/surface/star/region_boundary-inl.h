@@ -83,7 +83,7 @@ class RegionBoundary {
     return arcs;
   }
 
-  /// Adds a corner. Returns its number, or none where there is no room.
+  /// Adds a corner. Returns its number, or none if there is no room.
   int add(std::size_t about, int left, const Vector& at, double error) {
     const std::uint64_t used = live_ | retired_;
     if (~used == 0) return none;
@@ -122,7 +122,7 @@ class RegionBoundary {
   }
 
   /// Divides the arc from a, on the circle of q, by corners that are not triangles, until every part is shorter than
-  /// 120 degrees. Returns false where there is no room.
+  /// 120 degrees. Returns false if there is no room.
   bool subdivide(int a, const Neighbor& q) {
     while (true) {
       const int b = next(a);
@@ -150,8 +150,8 @@ class RegionBoundary {
     }
   }
 
-  /// Makes the arcs on p's own circle, from each entry to the next exit. Returns false where the next exit is not
-  /// certain, or there is no room.
+  /// Makes the arcs on p's own circle, from each entry to the next exit. Returns false if the next exit is not certain,
+  /// or there is no room.
   bool link_around(const Neighbor& p, std::span<const int> entries, std::span<const int> exits) {
     const Vector middle = scaled(p.at, 0.5);
     std::uint64_t used = 0;
@@ -182,7 +182,7 @@ class RegionBoundary {
     std::uint64_t covered, uncertain;        // corners in p's cap, and corners for which that is uncertain
     std::uint64_t direction_on, reverse_on;  // arcs that may contain the direction of p, and the opposite direction
   };
-  // Corner and arc of the same number are in the same lane:
+  // Corner k and arc k are in one lane:
   //
   //   lane          k                k + 1            …
   //   x_ y_ z_    │ corner k        │ corner k + 1   │    depth  = corner · p − p²/2, above 0 in the cap
@@ -233,7 +233,7 @@ class RegionBoundary {
 
   double radius_ = 0, square_ = 0;
   std::uint64_t live_ = 0, retired_ = 0;
-  std::size_t top_ = 0;  // positions from here on have never been used
+  std::size_t top_ = 0;  // positions from top_ on have never been used
   std::array<std::uint16_t, capacity> about_;
   std::array<std::int16_t, capacity> left_;
   std::array<std::uint8_t, capacity> next_;

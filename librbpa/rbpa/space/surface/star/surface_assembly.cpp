@@ -39,7 +39,7 @@ void SurfaceAssembly::finish(std::size_t input_points, Threads& threads, std::ve
       if (owned[i].x == b && owned[i].y == c) return start[index[a]] + static_cast<std::uint32_t>(i);
     return none;
   };
-  // Returns z, which follows x in the cycle: the ball at v rolls about x from (v, x, y) to (v, z, x).
+  // Returns the site z that follows x in the cycle: the ball at v rolls about x from (v, x, y) to (v, z, x).
   const auto after = [&](Site v, Site x, Site y) {
     const Part& part = parts_[v / part_size];
     const Site* at = part.points.data() + part.first[v % part_size];

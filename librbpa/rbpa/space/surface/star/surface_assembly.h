@@ -21,7 +21,7 @@ class SurfaceAssembly {
  public:
   using Triple = std::array<std::uint32_t, 3>;
   static constexpr std::uint32_t none = 0xffffffff;  // the value for no neighbor
-  static constexpr std::size_t part_size = 256;      // number of sites; few, so that a run is cancelled soon
+  static constexpr std::size_t part_size = 256;      // number of sites; few, so that cancelling takes effect soon
 
   /// A triangle (v, x, y) that v owns: the ball rolls about x to (v, after, x), and about y to (v, y, before).
   struct Owned {
@@ -44,8 +44,8 @@ class SurfaceAssembly {
     return static_cast<Site>(std::min((part + 1) * part_size, cells_.sites().size()));
   }
 
-  /// Adds the triangles of a part for which keep(v, x, y) returns true; keep() is called once for each triangle. A
-  /// cycle is stored if is_needed(v, cycle) returns true; it must do so if a triangle of the cycle is kept. Parts may
+  /// Adds the triangles of a part for which keep(v, x, y) returns true; keep() is called once for each triangle. Stores
+  /// the cycles for which is_needed(v, cycle) returns true, which it must if a triangle of the cycle is kept. Parts may
   /// be added in any order, by any thread. `scratch` is overwritten; each thread has its own, so that long-lived memory
   /// is not fragmented. Returns the number of triangles added.
   template <typename Keep, typename IsNeeded>

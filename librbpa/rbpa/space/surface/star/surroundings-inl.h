@@ -55,8 +55,8 @@ class Surroundings {
     std::span<const Site> sites;
     std::size_t all;
   };
-  /// Returns the sites whose squared distance from v is at most `square`, in squared radii. They are valid until the
-  /// next call.
+  /// Returns the sites whose squared distance from v is at most `square`, in squared radii. The result is valid until
+  /// the next call.
   Near within(const Point3& v, float square) {
     set_viewpoint(v);
     near_.resize(count_ + lanes);

@@ -1,4 +1,4 @@
-// What: keeps the points whose circles are free as a whole. Such a circle bounds the free region but has no corner; its
+// What: keeps the points whose circles are free as a whole. A free circle bounds the free region but has no corner; its
 //       cap is not subtracted yet.
 // Law:  no two of the circles cross, and no cap is inside another. The nearest point is first.
 #pragma once
