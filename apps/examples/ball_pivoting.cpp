@@ -1,6 +1,6 @@
 // Ball pivoting on the advancing-front engine. Points on a torus become a closed surface of genus 1, points on a double
-// torus one of genus 2. Other inputs are noise, a grid full of ties, and files of points with normals. A second radius
-// closes the sparse half of a sphere. Each mesh is compared with rbpa::surface(), which has no front.
+// torus a closed surface of genus 2. Other inputs are noise, a grid with many ties, and files of points with normals. A
+// second radius closes the sparse half of a sphere. Each mesh is compared with rbpa::surface(), which has no front.
 //   example_ball_pivoting [FILE.xyz RADIUS[,RADIUS...]]...
 #include "examples/ball_pivoting.h"
 
@@ -42,8 +42,8 @@ class Random {
   std::mt19937 engine_{1999};
 };
 
-/// Returns points at which f is 0, of which no two are nearer than `spacing`: random points that are moved along the
-/// gradient.
+/// Returns points at which f is 0, each at least `spacing` from every other, with the gradient of f as normal. The
+/// points are random points, moved along the gradient.
 template <typename Function>
 Samples on_surface(const std::string& name, double size, double spacing, int trials, Function f) {
   Random random;
@@ -84,7 +84,7 @@ Samples double_torus() {
   });
 }
 
-/// Returns a spiral of points on the sphere, each moved in or out by up to half of their spacing.
+/// Returns a spiral of points on the unit sphere, each moved in or out by up to half of the spacing.
 Samples noisy_sphere() {
   Random random;
   constexpr int count = 2000;
@@ -101,8 +101,8 @@ Samples noisy_sphere() {
   return samples;
 }
 
-/// Returns integer points on the surface of a box, some of them twice, and a radius at which four points or more touch
-/// a ball.
+/// Returns integer points on the surface of a box, some of them twice, and a radius at which balls touch four points or
+/// more.
 Samples grid() {
   Samples samples{"grid", {}, {}, {1}};
   const auto side = [](int i, int last) { return i == 0 ? -1.0 : i == last ? 1.0 : 0.0; };
@@ -119,7 +119,7 @@ Samples grid() {
   return samples;
 }
 
-/// Returns points on a sphere, five times as dense above the equator as below it, and a radius for each half.
+/// Returns points on a sphere, five times as dense above the equator as below the equator, and a radius for each half.
 Samples uneven_sphere() {
   Samples samples{"uneven sphere", {}, {}, {0.1, 0.25}};
   for (const double side : {-1, 1})
@@ -132,7 +132,7 @@ Samples uneven_sphere() {
   return samples;
 }
 
-/// Returns the points and normals of a file, in lines of six numbers.
+/// Reads points and normals from a file: in each line x, y, z, and the three coordinates of the normal.
 Samples of_file(const std::string& path, const std::string& radii) {
   Samples samples{path, {}, {}, {}};
   std::istringstream list(radii);

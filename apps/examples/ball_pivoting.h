@@ -1,6 +1,6 @@
 // Ball pivoting in space, after Bernardini, Mittleman, Rushmeier, Silva and Taubin (1999), as a policy of the advancing
-// front, one radius after another. Every decision is exact, and the mesh is that of rbpa::surface() with the same
-// radii: the same triangles, glued at the same sides, on any input. Copy and change it.
+// front, one radius after another. Every decision is exact: on any input, triangles and glued sides equal those of
+// rbpa::surface() with the same radii. Copy this file and change it.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 #include "rbpa/space/surface/facing_sides.h"
 #include "rbpa/space/surface/rolling_ball.h"
 
-/// Policy of a ball that rolls over points with normals, from edge to edge. Each radius is a level of the front, with a
-/// ball and a policy of its own. Sites are input indices.
+/// Policy of a ball that rolls over points with normals, from edge to edge. Each radius is a level of the front, with
+/// its own ball and its own policy. Sites are input indices.
 class BallPivoting {
  public:
   using Triangle = std::array<meshops::Site, 3>;
@@ -31,8 +31,8 @@ class BallPivoting {
     });
   }
 
-  /// Returns the next candidate, point by point, of all triangles on which the ball rests, so that no component is
-  /// missed; nothing at the end.
+  /// Returns the next candidate; nothing at the end. Tests all triangles on which the ball rests, point by point, so
+  /// that no component is missed.
   std::optional<Triangle> seed(const meshops::Front& front) {
     while (true) {
       for (; !waiting_.empty(); waiting_.pop_back()) {
@@ -88,8 +88,8 @@ class BallPivoting {
     return std::nullopt;
   }
 
-  /// Returns whether the triangle agrees with the normals, is not from an earlier level, and touches no point that was
-  /// interior at the beginning of this level. Points that became interior later do not count.
+  /// Returns whether the triangle agrees with the normals, is not of an earlier level, has no edge that two triangles
+  /// of earlier levels share, and has no corner that was interior at the beginning of this level.
   bool is_candidate(const meshops::Front& front, const Triangle& t) const {
     for (unsigned i = 0; i < 3; ++i) {
       if (!std::binary_search(open_.begin(), open_.end(), t[i])) return false;
@@ -112,6 +112,6 @@ class BallPivoting {
   const rbpa::RollingBall& ball_;
   std::size_t level_;
   std::vector<meshops::Site> open_;  // the carried sites around which no fan closes
-  std::vector<Triangle> waiting_;    // candidates at the point before next_
+  std::vector<Triangle> waiting_;    // triangles at the point before next_ that seed() has yet to test
   std::size_t next_ = 0;
 };

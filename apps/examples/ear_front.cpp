@@ -1,5 +1,5 @@
-// Cuts a polygon into ears, with the shortest cut first: an example of keys that change with the neighbors, and of
-// deferred edges. Copy and change it.
+// Cuts a polygon into ears, the shortest cut first: an example of keys that depend on neighboring edges, and of
+// deferred edges. Copy this file and change it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ class Ears {
  public:
   explicit Ears(const std::vector<Place>& polygon) : at_(polygon) {}
 
-  /// Returns the square of the length of the cut. A cut nearby changes this key, which is then computed again.
+  /// A request that the engine computes key(), the square of the length of a cut, again after a cut nearby.
   static constexpr bool rekeys_neighbors = true;
   std::int64_t key(const Front& front, Halfedge h) const {
     const auto [a, b, c] = ear(front, h);
@@ -66,8 +66,8 @@ class Ears {
   const std::vector<Place>& at_;
 };
 
-/// Returns a corridor that goes up and down: the cut across a bend is the shortest, and the opposite corner of the bend
-/// is in the way.
+/// Returns a corridor that zigzags up and down. The cuts across bends are the shortest, but the opposite corner of a
+/// bend blocks its cut.
 std::vector<Place> zigzag(std::int64_t turns) {
   std::vector<Place> corners;
   for (std::int64_t i = 0; i <= turns; ++i) corners.push_back({4 * i, i % 2 * 10});
@@ -80,7 +80,7 @@ int main() {
   const auto count = static_cast<Site>(polygon.size());
   OpenMesh::TriMesh_ArrayKernelT<> mesh;
   Front front(mesh, count + 1);
-  // Make faces behind the front, which needs them: a cone, whose apex is a site without a place.
+  // Create the faces behind the front that the engine needs: a cone, whose apex is a site without a place.
   for (Site s = 0; s < count; ++s) front.create(count, (s + 1) % count, s);
 
   Ears ears(polygon);

@@ -1,5 +1,5 @@
-// A front that begins on a mesh and processes its edges in its own order: it fills a hole, with the shortest edge
-// first. Copy and change it.
+// A front that begins on a mesh and has its own order of edges: the front fills a hole, the shortest edge first. Copy
+// this file and change it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <iostream>
 #include <optional>
@@ -33,8 +33,8 @@ class ShortestFirst {
   /// Proposes no separate triangle.
   std::optional<std::array<Site, 3>> seed(const Front&) const { return std::nullopt; }
 
-  /// Proposes the nearest point of the rim with which the triangle contains no point of the rim and no edge of the
-  /// front crosses it.
+  /// Proposes the nearest point of the rim whose triangle with `h` contains no other point of the rim and is crossed by
+  /// no edge of the front.
   std::optional<Site> propose(const Front& front, Halfedge h) const {
     const Site a = front.from_site(h), b = front.to_site(h);
     std::optional<Site> best;
@@ -70,7 +70,7 @@ class ShortestFirst {
   std::vector<Site> rim_;
 };
 
-/// Returns a square sheet of triangles with a hole that is not convex: triangles near a slanting line are missing.
+/// Returns a square sheet of triangles with a hole that is not convex: the squares near a slanting line are missing.
 Mesh sheet_with_hole(int side) {
   Mesh mesh;
   for (int y = 0; y <= side; ++y)

@@ -1,9 +1,9 @@
-// What: a grid over the sides of a front in the plane, which tells whether a new side crosses the front. Copy it.
-// Law:  the answer equals that of a test of every side of the front (tested). It is exact for integer coordinates: a
-//       smaller coordinate never has a larger cell number, so that sides that cross have a cell in common, and no
-//       product overflows. For doubles, call exact predicates of your own in turn().
-// Cost: for a side no longer than a few times the mean distance of points, the number of sides near it; for a longer
-//       side, the number of its cells.
+// What: a grid over the sides of a front in the plane, which tests whether a new side crosses the front; for copying.
+// Law:  the result equals that of a test of every side of the front (example grid_front). It is exact for integer
+//       coordinates: cell numbers never decrease with coordinates, so sides that cross have a cell in common, and no
+//       product overflows. For doubles, call your own exact predicates in turn().
+// Cost: for a side that is no longer than a few times the mean distance of points, the number of sides nearby; for a
+//       longer side, the number of cells in its bounding box.
 #pragma once
 
 #include <algorithm>
@@ -19,9 +19,9 @@ struct Place {
   std::int64_t x, y;  ///< from −2³⁰ to 2³⁰
 };
 
-/// A visitor that updates the grid when the front changes: pass it to meshops::advance(). Sites are indices of places.
-/// If a policy adds a place, it must be in the vector, and inside the box of the others, before its triangle is
-/// inserted.
+/// A visitor that updates the grid when the front changes: pass this visitor to meshops::advance(). Sites are indices
+/// of places. A policy that adds a place must append it to the vector, inside the bounding box of the first places,
+/// before the front inserts its triangle.
 class FrontGrid : public meshops::FrontVisitor {
  public:
   explicit FrontGrid(const std::vector<Place>& places) : places_(places) {
@@ -33,8 +33,8 @@ class FrontGrid : public meshops::FrontVisitor {
     cells_.resize(static_cast<std::size_t>(columns_ * rows_));
   }
 
-  /// Returns whether the segment between a and b crosses a side of the front at an inner point of both. Touching, and a
-  /// common end, do not count.
+  /// Returns whether the segment between a and b crosses a side of the front at an inner point of both. A contact at an
+  /// end does not count.
   bool crosses(const meshops::Front& front, meshops::Site a, meshops::Site b) {
     return any_cell(a, b, [&](std::vector<Side>& cell) {
       // Remove sides that are no longer at the front.
@@ -87,8 +87,8 @@ class FrontGrid : public meshops::FrontVisitor {
   static std::int64_t step(std::int64_t from, std::int64_t size, std::int64_t at, std::int64_t steps) {
     return std::clamp<std::int64_t>((at - from) / size, 0, steps - 1);
   }
-  /// Calls visit(cell) for the cells of the box around the places of a and b, until a call returns true; returns
-  /// whether one did.
+  /// Calls visit(cell) for the cells of the bounding box of the places of a and b, until a call returns true. Returns
+  /// whether a call returned true.
   template <typename Visit>
   bool any_cell(meshops::Site a, meshops::Site b, Visit visit) {
     const Place &p = places_[a], &q = places_[b];

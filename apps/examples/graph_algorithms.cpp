@@ -20,7 +20,7 @@ using Mesh = OpenMesh::PolyMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
 
 namespace {
 
-/// Returns three by two unit squares, each cut along its rising diagonal, and a separate triangle.
+/// Returns three by two unit squares, each cut into two triangles along its rising diagonal, and a separate triangle.
 ///
 ///     8--9-10-11
 ///     | /| /| /|

@@ -1,5 +1,5 @@
-// A front that finds by a grid whether a new side would cross it, instead of testing every side. Here each answer is
-// compared with a test of all sides; your own front would omit this test.
+// A front that uses a grid to test whether a new side would cross the front, instead of testing every side. The example
+// compares each result of the grid with a test of all sides; omit this test in your own front.
 #include "examples/front_grid.h"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

@@ -1,5 +1,5 @@
-// An advancing-front method of your own on the engine: every front edge gets the nearest possible point. Copy and
-// change it.
+// An example of a user's own advancing-front method on the engine: every front edge gets the nearest possible point.
+// Copy this file and change it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cstdint>
 #include <iostream>

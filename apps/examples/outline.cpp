@@ -1,4 +1,4 @@
-// What: prints the outline of points, at a radius chosen from the points, as GeoJSON on standard output.
+// What: prints the outline of points, at a radius chosen by a rule, as GeoJSON on standard output.
 #include <cstdio>
 #include <optional>
 #include <vector>

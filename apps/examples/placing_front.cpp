@@ -1,5 +1,5 @@
-// A front that makes its own points, in the manner of Lo (1985): it meshes a round plate with triangles of one size,
-// beginning with a triangle of three new points. Copy and change it.
+// A front that creates its points, in the manner of Lo (1985): the front meshes a round plate with triangles of one
+// size, and begins with a triangle of three new points. Copy this file and change it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cmath>
 #include <iostream>

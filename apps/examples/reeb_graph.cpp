@@ -1,8 +1,9 @@
 // Computes the Reeb graph of a function on the vertices of a closed surface, by a front that passes over the surface
-// from low to high: its boundary curves are the level curves, and where they begin, join, split and close are nodes.
-// The front takes one vertex after another, each with its dual cell: the parts of the triangles around it that are
-// nearest to it. The cells up to a level are a neighborhood of all that is below, so that the graph is exact. Copy it
-// and change main(): the order of the vertices is that of the function.
+// from low to high. The boundary curves of the front are the level curves; the vertices at which curves begin, join,
+// split and close are the nodes of the graph. The front takes one vertex after another, each with its dual cell: the
+// parts of the triangles around the vertex that are nearest to the vertex. The cells up to a level are a neighborhood
+// of all vertices below the level, so the graph is exact. Copy this file and change main(), which orders the vertices
+// by the function.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <algorithm>
 #include <array>
@@ -26,8 +27,8 @@ using meshops::Vertex;
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
 using Triangle = std::array<Site, 3>;
 
-/// Returns the triangles of all dual cells, those of the lowest vertex first. Each begins with its vertex; the others
-/// are sites in the middle of edges and triangles.
+/// Returns the triangles of all dual cells, the cell of the lowest vertex first. The first corner of a triangle is the
+/// vertex; the other corners are sites in the middle of edges and triangles.
 std::vector<Triangle> dual_cells(const Mesh& mesh, const std::vector<Vertex>& from_low_to_high) {
   std::vector<Triangle> all;
   const auto middle = [&](Halfedge h) {
@@ -43,7 +44,7 @@ std::vector<Triangle> dual_cells(const Mesh& mesh, const std::vector<Vertex>& fr
   return all;
 }
 
-/// Policy that inserts triangles in a given order. It proposes nothing: each is a seed, and is glued where it fits.
+/// Policy that inserts triangles in a given order, each as a seed, which the front glues where it fits.
 struct InOrder {
   const std::vector<Triangle>& triangles;
   std::size_t next = 0;
@@ -54,8 +55,8 @@ struct InOrder {
   std::optional<Site> propose(const Front&, Halfedge) const { return std::nullopt; }
 };
 
-/// Visitor that makes an arc of each curve, from the vertex where it begins to the one where it ends. A curve that
-/// begins and ends at one vertex, while its cell is incomplete, makes none.
+/// Visitor that makes an arc of each curve, from the vertex at which the curve begins to the vertex at which it ends. A
+/// curve that begins and ends at one vertex, while the cell of the vertex is incomplete, makes no arc.
 class Arcs : public meshops::CurveVisitor {
  public:
   explicit Arcs(const std::vector<Triangle>& triangles) : triangles_(triangles) {}
@@ -69,7 +70,7 @@ class Arcs : public meshops::CurveVisitor {
         ending_.insert(known->second);
         arc_of_.erase(known);
       }
-    // Without an event, the new sides are on the curve of those that were glued.
+    // If no event follows, the new sides are on the curve of the glued sides.
     for (const Halfedge side : triangle.side)
       if (const Halfedge out = front.mesh().opposite_halfedge_handle(side); !ending_.empty())
         if (front.mesh().is_boundary(out)) arc_of_[out] = *ending_.begin();
@@ -90,7 +91,7 @@ class Arcs : public meshops::CurveVisitor {
     ending_.clear();
   }
 
-  std::vector<std::array<Site, 2>> arcs = {};  ///< the vertices where each begins and ends
+  std::vector<std::array<Site, 2>> arcs = {};  ///< for each arc, the vertices at which it begins and ends
 
  private:
   void begin(const Front& front, Halfedge h) {
@@ -100,17 +101,17 @@ class Arcs : public meshops::CurveVisitor {
   }
 
   const std::vector<Triangle>& triangles_;
-  std::size_t next_ = 0, first_ = 0;  // the next triangle, and the first arc that the last one made
+  std::size_t next_ = 0, first_ = 0;  // the next triangle, and the first arc that the last triangle made
   Site now_ = 0;
-  std::set<std::size_t> ending_;  // arcs whose curves had a side of the last triangle
+  std::set<std::size_t> ending_;  // arcs whose curves had a glued side of the last triangle
   std::map<Halfedge, std::size_t> arc_of_;
-  std::vector<Site> from_;  // for each arc, also one that is none, where it begins
+  std::vector<Site> from_;  // for each curve, even one that makes no arc, the vertex at which it begins
 };
 
 namespace {
 
-/// Returns two sheets of squares with n holes, glued along all their boundaries, as triangles: a surface of genus n,
-/// and its vertices in the order of x.
+/// Returns a surface of genus n = `holes`, and its vertices in the order of x: two sheets of squares with n holes, cut
+/// into triangles and glued along all boundaries.
 std::pair<Mesh, std::vector<Vertex>> pillow(int holes) {
   const auto is_there = [&](int x, int y) {
     return 0 <= x && x < 3 * holes + 2 && 0 <= y && y < 5 && !(y == 2 && x % 3 == 2);
@@ -141,9 +142,9 @@ std::pair<Mesh, std::vector<Vertex>> pillow(int holes) {
   return result;
 }
 
-/// Sweeps over a connected closed surface, and checks the graph by its definition: a vertex whose lower neighbors are k
-/// groups in the circle around it, none if all or none are lower, is a node of 1 + k − 2 h arcs, with h handles in
-/// its level. All other handles are loops.
+/// Sweeps over a connected closed surface, and checks the graph by its definition. Let the lower neighbors of a vertex
+/// form k groups in the circle around the vertex, where k = 0 if all or no neighbors are lower. The vertex is a node of
+/// 1 + k − 2 h arcs, where h is the number of handles in its level. All other handles are loops of the graph.
 void sweep(const char* name, const Mesh& mesh, const std::vector<Vertex>& from_low_to_high) {
   const std::vector<Triangle> triangles = dual_cells(mesh, from_low_to_high);
   Mesh swept;

@@ -1,5 +1,5 @@
-// Cuts a mesh into regions by a front that passes over it: the front attaches the triangles of the mesh, and does not
-// glue across creases. Copy it and change the definition of a crease.
+// Cuts a mesh into regions by a front that passes over the mesh: the front attaches the triangles of the mesh, and does
+// not glue across creases. Copy this file and change the definition of a crease.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <cstdint>
 #include <cstdio>
@@ -21,8 +21,8 @@ using meshops::Site;
 using meshops::Vertex;
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<>;
 
-/// A policy for a mesh of triangles, each of whose edges joins two different vertices. Sites are the vertices of the
-/// mesh. is_crease(edge) is called for inner edges.
+/// A policy for a triangle mesh in which at most one edge joins two vertices. Sites are the vertices of the mesh. Calls
+/// is_crease(edge) for inner edges only.
 template <typename IsCrease>
 class Regions {
  public:
@@ -37,12 +37,12 @@ class Regions {
     }
     return std::nullopt;
   }
-  /// Proposes the triangle beyond the edge, unless the region ends there.
+  /// Proposes the triangle beyond the edge, unless the region ends at the edge.
   std::optional<Site> propose(const Front& front, Halfedge at) const {
     const Halfedge h = beyond(front, at);
     return ends_at(h) ? std::nullopt : std::optional(apex(h));
   }
-  /// Returns whether to glue across the edge: not at a crease, so that regions on both sides have an edge of their own.
+  /// Returns whether to glue across the edge: false at a crease, so that the regions on both sides have separate edges.
   bool glues(const Front& front, Halfedge at, Site) const { return !ends_at(beyond(front, at)); }
 
  private:
@@ -61,7 +61,7 @@ class Regions {
 
 namespace {
 
-/// Returns the surface of a cube of side³ small cubes, with two triangles for each square, and integer coordinates, so
+/// Returns the surface of a cube of side³ small cubes, with two triangles for each square. Coordinates are integers, so
 /// that normals are exact.
 Mesh cube(int side) {
   Mesh mesh;
@@ -121,15 +121,15 @@ std::map<std::uint32_t, std::size_t> flood(const Mesh& mesh, IsCrease is_crease)
   return faces;
 }
 
-/// Cuts the mesh and checks the result: each region is a component, and all its boundary edges are creases or boundary
-/// edges of the mesh.
+/// Cuts the mesh into regions and checks the result: regions are as many components as flood() finds, and exactly the
+/// creases and boundary edges of the mesh are boundary edges of regions.
 template <typename IsCrease>
 void segment(const char* name, const Mesh& mesh, IsCrease is_crease) {
   Mesh regions;
   Front front(regions, mesh.n_vertices());
   Regions<IsCrease> policy(mesh, is_crease);
   meshops::advance(front, policy);
-  const std::vector<Site> vertex = front.finish();  // the vertex in the mesh of each vertex of the regions
+  const std::vector<Site> vertex = front.finish();  // for each vertex of the regions, its vertex in the mesh
 
   std::size_t wrong_edges = 0;
   const auto stands_on = [&](Vertex v) { return Vertex(static_cast<int>(vertex[static_cast<std::size_t>(v.idx())])); };
@@ -153,7 +153,7 @@ void segment(const char* name, const Mesh& mesh, IsCrease is_crease) {
 int main() {
   const Mesh mesh = cube(4);
   segment("sides of a cube", mesh, [&](Edge e) { return is_fold(mesh, e); });
-  // Test a crease that ends inside a region: it separates nothing, and there is one region with a slit.
+  // Test a crease that ends inside a region: the result is one region with a slit.
   segment("a slit", mesh, [&](Edge e) { return e.idx() == 40; });
   segment("every edge", mesh, [](Edge) { return true; });
   segment("none", mesh, [](Edge) { return false; });

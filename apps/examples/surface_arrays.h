@@ -1,4 +1,4 @@
-// Converts the mesh of a front to plain arrays in canonical order, such as rbpa::surface() returns.
+// Converts the mesh of a front to arrays in canonical order, like those of rbpa::surface().
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 #include "meshops/front/front.h"
 #include "rbpa/space/surface/surface.h"
 
-/// Returns a surface as rbpa::surface() does: triangles in canonical order, the triangle opposite to each of their
-/// corners, and levels from 0.
+/// Returns the mesh as an rbpa::Surface: triangles in canonical order, the neighbor opposite to each corner of a
+/// triangle, and levels from 0.
 /// Requires: `site` is the result of finish(), and next_level() was called before each radius.
 inline rbpa::Surface arrays(const meshops::Front& front, const std::vector<meshops::Site>& site) {
   using meshops::Halfedge;

@@ -1,4 +1,5 @@
-// bundle.mjs COMMON SOURCE MODULE OUTPUT: one file of both sources, with the WebAssembly module inside, compressed.
+// bundle.mjs COMMON SOURCE MODULE OUTPUT: writes both sources to one file that contains the compressed WebAssembly
+// module.
 import { readFileSync, writeFileSync } from "node:fs";
 import { constants, deflateRawSync } from "node:zlib";
 

@@ -1,8 +1,9 @@
-/** The common part of both modules. bundle.mjs puts it before each, and the WebAssembly module into it. */
+/** The common part of both modules. bundle.mjs appends this file to the source of each module, and inserts the
+* compressed WebAssembly module. */
 
 const wasm = "BASE64";
 
-let compiled;  // a promise of the module, shared by all instances
+let compiled;  // a promise of the compiled module, which all instances share
 
 /** Returns a new instance of the WebAssembly module. */
 async function instance() {
@@ -37,7 +38,7 @@ export class InvalidInput extends Error {
   name = "InvalidInput";
 }
 
-/** Returns the coordinates of points as flat numbers; a typed array is used unchanged. */
+/** Returns the coordinates of points as a flat array of numbers; returns an array that is already flat unchanged. */
 function flat(points, dimension, name) {
   if (points == null || typeof points.length !== "number")
     throw new InvalidInput(`${name}: found ${points}, expected an array of points or of numbers`);
@@ -72,8 +73,8 @@ class Module {
     return this.#wasm.memory.buffer.byteLength;
   }
 
-  /** Calls a function of the module with arrays of numbers and texts, the number of points in them, and other numbers. Returns
-   * read(this), which copies the results, and frees all memory of the call. */
+  /** Calls a function of the module with arrays of numbers or texts, then the number of points, then other numbers.
+  * Returns read(this), which copies the results. Frees all memory of the call. */
   call(name, arrays, count, numbers, read) {
     const places = [];
     try {
@@ -86,7 +87,7 @@ class Module {
     }
   }
 
-  /** Results of the call, by index, as copies. */
+  /** Return result i of the last call as a copy. */
   doubles = (i) => this.#copyOut(Float64Array, i);
   indices = (i) => this.#copyOut(Uint32Array, i);
   integers = (i) => this.#copyOut(Int32Array, i);
@@ -100,7 +101,7 @@ class Module {
     new Type(this.#wasm.memory.buffer, at, array.length).set(array);
     return at;
   }
-  // A new view each time, as the memory may have grown.
+  // Makes a new view for each copy, as the memory may have grown.
   #copyOut(Type, i) {
     const length = (this.#wasm.rbpa_bytes(i) >>> 0) / Type.BYTES_PER_ELEMENT;
     return new Type(this.#wasm.memory.buffer, this.#wasm.rbpa_result(i) >>> 0, length).slice();

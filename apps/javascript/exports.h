@@ -1,5 +1,5 @@
-// What: the exports that every WebAssembly module has: memory for inputs; arrays and a message as outputs.
-// Law:  one call at a time. The results of a call are valid until the next call, or until they are cleared.
+// What: the exports that every WebAssembly module has: memory for inputs; arrays and an error message as outputs.
+// Law:  one call runs at a time. The results of a call are valid until the next call or rbpa_clear().
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ namespace rbpa::javascript {
 class Results {
  public:
   void clear() { arrays_.clear(); }
-  /// Adds an array. Requires: an Item has no padding, as JavaScript reads all bytes as numbers.
+  /// Appends an array. Requires: Item has no padding, as JavaScript reads all bytes as numbers.
   template <typename Item>
   void add(std::vector<Item> items) {
     const auto kept = std::make_shared<std::vector<Item>>(std::move(items));
@@ -40,7 +40,8 @@ class Results {
 inline Results results;
 inline std::string message;
 
-/// Calls work(). Returns whether it threw no exception; if it threw one, sets `message` to the text of the exception.
+/// Calls work(). Returns true if it throws no exception; otherwise clears the results, sets `message` to the text of
+/// the exception, and returns false.
 template <typename Work>
 bool completes(const Work& work) {
   results.clear();

@@ -11,7 +11,7 @@
 #include <memory>
 #include <type_traits>
 
-/// Writes `value` as text to `at`. Returns the length of the text, or −1 if it is longer than `room` characters.
+/// Writes `value` as text to `at`. Returns the length of the text, or −1 if the text is longer than `room` bytes.
 /// Implemented in common.js.
 extern "C" __attribute__((import_module("rbpa"), import_name("text"))) int rbpa_text(double value, char* at, int room);
 

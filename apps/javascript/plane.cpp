@@ -1,5 +1,5 @@
-// What: the functions of the plane that WebAssembly exports. Points are numbers in the memory of WebAssembly; results
-//       are arrays there.
+// What: the functions of the plane that WebAssembly exports. Points and results are arrays in the memory of
+//       WebAssembly.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -35,10 +35,11 @@ std::span<const Point> points_of(const double* numbers, std::size_t count) {
   static_assert(sizeof(Point) == 2 * sizeof(double));
   return {reinterpret_cast<const Point*>(numbers), count};
 }
-enum class Seen { y_up, y_down };  ///< direction of y in which the corners of triangles are counter-clockwise
+enum class Seen { y_up, y_down };  ///< direction of y for which triangles are counter-clockwise
 
-/// Returns for each side of a triangle, from corner i to the next, the number of the same side in the triangle beyond,
-/// or −1. If y points down, sides are in the opposite order, as the caller swaps corners b and c.
+/// Returns for each side of a triangle, from corner i to the next, the number of its twin, the same side in the
+/// triangle beyond, or −1. If y points down, the sides of a triangle are in the opposite order, as the caller swaps its
+/// second and third corner.
 std::vector<std::int32_t> halfedges_of(const std::vector<Triangle>& triangles, const std::vector<Triangle>& neighbors,
                                        Seen seen) {
   std::vector<std::int32_t> halfedges(3 * triangles.size());
@@ -48,7 +49,7 @@ std::vector<std::int32_t> halfedges_of(const std::vector<Triangle>& triangles, c
       const std::size_t here = side(t, i);
       const std::uint32_t beyond = neighbors[t][(i + 2) % 3];
       if (beyond == AlphaComplex::none) halfedges[here] = -1;
-      if (beyond == AlphaComplex::none || beyond < t) continue;  // the triangle of the lower number sets both
+      if (beyond == AlphaComplex::none || beyond < t) continue;  // the lower-numbered triangle sets both entries
       const Triangle& other = triangles[beyond];
       const std::uint32_t end = triangles[t][(i + 1) % 3];
       const std::size_t there = side(beyond, other[1] == end ? 1U : other[2] == end ? 2U : 0U);
@@ -62,7 +63,7 @@ AlphaComplex triangulated(std::span<const Point> points, double alpha) {
   return rbpa::alpha_complex(points, alpha, {.neighbors = true, .boundary = true});
 }
 
-/// Returns the choice that `rule` names; if it is null, the choice of `radius`.
+/// Returns the choice that `rule` names; if `rule` is null, the choice of the radius `radius`.
 rbpa::AlphaChoice choice_of(const char* rule, double radius) {
   if (!rule) return {.radius = radius};
   if (const std::optional<rbpa::AlphaChoice> choice = rbpa::parse_alpha_rule(rule)) return *choice;
@@ -83,7 +84,8 @@ void add_triangulation(AlphaComplex made) {
   results.add(std::move(made.duplicates));
 }
 
-/// Adds three arrays to the results: the first ring of each polygon, the first point of each ring, and the points.
+/// Adds six arrays to the results: the first ring of each polygon, and the first point of each ring, each with the end;
+/// the points of all rings; the areas and the perimeters of polygons; both totals.
 void add_polygons(const std::vector<rbpa::Polygon>& polygons) {
   std::vector<std::uint32_t> first_ring = {0}, first_point = {0}, points;
   std::vector<double> area, perimeter;
@@ -113,8 +115,8 @@ RBPA_EXPORT bool rbpa_alpha_complex(const double* points, std::size_t count, dou
   return completes([&] { add_triangulation(triangulated(points_of(points, count), alpha)); });
 }
 
-/// Computes the members of Delaunator: triangles that are counter-clockwise if y points down; the twin of each of their
-/// sides; the hull.
+/// Computes the members of Delaunator: triangles that are counter-clockwise if y points down; the twin of each side of
+/// a triangle; the sides of the hull.
 RBPA_EXPORT bool rbpa_delaunator(const double* points, std::size_t count) {
   return completes([&] {
     AlphaComplex made = triangulated(points_of(points, count), infinity);
@@ -126,8 +128,8 @@ RBPA_EXPORT bool rbpa_delaunator(const double* points, std::size_t count) {
   });
 }
 
-/// Computes an alpha shape. `rule` is null if the radius is given. The first result is the radius, 0 if a rule finds
-/// none.
+/// Computes an alpha shape. `rule` is null if `radius` is the given radius. The first result is the radius; 0 if the
+/// rule finds no radius.
 RBPA_EXPORT bool rbpa_alpha_shape(const double* points, const char* rule, std::size_t count, double radius,
                                   double min_hole_area, double min_part_area) {
   return completes([&] {

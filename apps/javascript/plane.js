@@ -1,13 +1,13 @@
 // Alpha shapes, concave hulls and Delaunay triangulations of points in the plane. Types and documentation: index.d.ts.
 
-/** Returns a new instance. Its memory grows as needed, and is freed with it. */
+/** Returns a new instance. Its memory grows as needed, and is freed with the instance. */
 export async function load() {
   return new Rbpa(new Module(await instance()));
 }
 export default load;
 
-/** Returns alpha as a rule, or null, and a radius. The module refuses texts that are not a rule, such as values of
- * other types. */
+/** Returns [rule, radius]: the rule is null if alpha is a number. Values of other types become texts, which the module
+* refuses, as it refuses all texts that are no rule. */
 function ruleAndRadius(alpha) {
   if (typeof alpha === "number") return [null, alpha];
   return [typeof alpha === "string" ? alpha : (JSON.stringify(alpha) ?? String(alpha)), Infinity];
@@ -151,8 +151,8 @@ function plateaus(numbers) {
   });
 }
 
-/** Returns the points of the hull in Delaunator's order: against the direction of its sides; points on one line in
- * their order on it. */
+/** Returns the points of the hull in Delaunator's order: against the direction of the sides. If there are no sides, as
+* all points are on one line, returns the distinct points in their order on the line. */
 function hullOf(sides, coords) {
   if (sides.length === 0) {
     const all = Uint32Array.from({ length: coords.length >> 1 }, (_, i) => i);

@@ -22,7 +22,7 @@ std::span<const Point3> points3_of(const double* numbers, std::size_t count) {
 
 }  // namespace
 
-/// Computes a surface; estimates normals if `normals` is null.
+/// Computes triangles and neighbors of a surface. Estimates normals if `normals` is null.
 RBPA_EXPORT bool rbpa_surface(const double* points, const double* normals, std::size_t count, double radius) {
   return completes([&] {
     const auto input = points3_of(points, count);

@@ -1,6 +1,6 @@
 // Surfaces of points in space. Types and documentation: space.d.ts.
 
-/** Returns a new instance. Its memory grows as needed, and is freed with it. */
+/** Returns a new instance. Its memory grows as needed, and is freed with the instance. */
 export async function load() {
   return new RbpaInSpace(new Module(await instance()));
 }

@@ -1,6 +1,7 @@
 // What: passes NumPy arrays to the library as spans, and vectors of the library to Python as NumPy arrays, without
 //       copies.
-// Law:  an array made here owns the vector that it views. It is writable unless other arrays view the same vector.
+// Law:  an array for Python owns the vector that it views, alone or with other arrays; only an array that owns a vector
+//       alone is writable.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -27,13 +28,13 @@ namespace py = pybind11;
 using Doubles = py::array_t<double, py::array::c_style>;
 using Indices = py::array_t<std::int32_t, py::array::c_style>;
 using Begins = py::array_t<std::int64_t, py::array::c_style>;
-/// Returns the declaration of an argument that is not converted: an array must have the type of the parameter.
+/// Returns the declaration of an argument without conversion: an array must have exactly the type of the parameter.
 inline py::arg as_is(const char* name) { return py::arg(name).noconvert(); }
 
 using Triple = std::array<std::uint32_t, 3>;
 
-/// Throws ValueError that names the shape of `array` and the expected one, unless `is_so`. Calls nothing of Python, so
-/// that threads without its lock may call it.
+/// Throws ValueError that names the shape of `array` and the expected shape, unless `is_so`. Makes no call to Python,
+/// so that threads without Python's lock may call this function.
 inline void require_shape(bool is_so, const py::array& array, const std::string& name, const std::string& expected) {
   if (is_so) return;
   std::string found;
@@ -52,7 +53,8 @@ inline std::span<const Point> points_of(const Doubles& array) {
   return {reinterpret_cast<const Point*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
-/// Views a contiguous float64 array of shape (n, 3) as points or vectors in space; `name` stands for it in messages.
+/// Views a contiguous float64 array of shape (n, 3) as points or vectors in space; messages call the array `name`. The
+/// array must outlive the span.
 inline std::span<const Point3> points3_of(const Doubles& array, const char* name) {
   require_rows(array, name, 3);
   static_assert(sizeof(Point3) == 3 * sizeof(double));
@@ -60,7 +62,7 @@ inline std::span<const Point3> points3_of(const Doubles& array, const char* name
 }
 
 using MaybeDoubles = std::optional<Doubles>;
-/// Views the array as points3_of() above does; returns an empty span if there is no array.
+/// Views an optional array as the other points3_of() does; returns an empty span if there is no array.
 inline std::span<const Point3> points3_of(const MaybeDoubles& array, const char* name) {
   return array ? points3_of(*array, name) : std::span<const Point3>();
 }
@@ -81,14 +83,14 @@ inline std::span<const Quadruple> quadruples_of(const Indices& array, const char
   return {reinterpret_cast<const Quadruple*>(array.data()), static_cast<std::size_t>(array.shape(0))};
 }
 
-/// Views arrays of shape (m, 3) as triangles and neighbors, and must not outlive them. −1, SciPy's sign for no
+/// Views arrays of shape (m, 3) as triangles and neighbors. Both arrays must outlive the view. −1, SciPy's sign for no
 /// neighbor, has the bits of TriangleArrays::none.
 inline TriangleArrays triangle_arrays_of(const Indices& simplices, const Indices& neighbors) {
   static_assert(static_cast<std::uint32_t>(-1) == TriangleArrays::none);
   return {triples_of(simplices, "simplices"), triples_of(neighbors, "neighbors")};
 }
 
-/// A value that arrays view; Python frees it with the last of these arrays.
+/// A value that arrays view. Python frees the value with the last of these arrays.
 template <typename Value>
 class Kept {
  public:
@@ -99,7 +101,7 @@ class Kept {
   const Value* operator->() const { return value_; }
 
   /// Returns an array that views the numbers from `first` on, with shape `shape` and `strides` in bytes. The array is
-  /// read-only unless `is_alone`: other arrays may view the numbers.
+  /// read-only unless `is_alone`: no other array views the numbers.
   template <typename Number>
   py::array view(const void* first, std::vector<py::ssize_t> shape, std::vector<py::ssize_t> strides,
                  bool is_alone = false) const {
@@ -132,14 +134,14 @@ auto rows(std::vector<Item> items) {
   return array_of<Number>(std::move(items), sizeof(Item) / sizeof(Number));
 }
 
-/// Returns `items`, which are numbers, as a one-dimensional array.
+/// Returns a list of numbers as a one-dimensional array.
 template <typename Number, typename Item>
 auto line(std::vector<Item> items) {
   static_assert(sizeof(Number) == sizeof(Item));
   return array_of<Number>(std::move(items), 0);
 }
 
-/// Returns `member`, a member or a function, of each item as an array with a number, or a row, for each item.
+/// Returns an array with a number or a row for each item: the value of `member`, a data member or a function, for it.
 template <typename Number, typename Item, typename Member>
 auto column(const std::vector<Item>& items, Member member) {
   using Value = std::remove_cvref_t<std::invoke_result_t<Member, const Item&>>;
@@ -150,7 +152,7 @@ auto column(const std::vector<Item>& items, Member member) {
   return array_of<Number>(std::move(values), std::is_class_v<Value> ? sizeof(Value) / sizeof(Number) : 0);
 }
 
-/// Returns the array of column() for `member`, as a view of `items`, without a copy.
+/// Returns the array that column() returns for a data member, as a read-only view of `items`, without a copy.
 template <typename Number, typename Item, typename Member>
 py::array view_column(const Kept<std::vector<Item>>& items, Member Item::*member) {
   static_assert(sizeof(Member) % sizeof(Number) == 0);

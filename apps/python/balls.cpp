@@ -13,7 +13,7 @@
 namespace rbpa::python {
 namespace {
 
-/// Returns the member of all frames, one frame after another.
+/// Returns the entries of `member` of all frames, one frame after another.
 template <typename Item>
 std::vector<Item> joined(const std::vector<BallMeasures>& frames, std::vector<Item> BallMeasures::*member) {
   std::vector<Item> all;
@@ -21,8 +21,8 @@ std::vector<Item> joined(const std::vector<BallMeasures>& frames, std::vector<It
   return all;
 }
 
-/// Measures the balls of each frame: `centers` has shape (frames, n, 3), `radii` (frames, n), or (1, n) for all. Arrays
-/// of the result with a row for each ball have those of one frame after another.
+/// Measures the balls of each frame: `centers` has shape (frames, n, 3), and `radii` has shape (frames, n), or (1, n)
+/// for all frames. Arrays of the result that have a row for each ball contain one frame after another.
 py::dict measured(const Doubles& centers, const Doubles& radii, double probe, bool contacts, bool derivatives,
                   unsigned threads, const py::object& progress) {
   require_shape(centers.ndim() == 3 && centers.shape(2) == 3, centers, "centers", "(frames, n, 3)");
@@ -78,7 +78,7 @@ py::tuple tuple_of(BallMouth&& mouth) {
                         mouth.area, mouth.perimeter, mouth.power, tuple_of(mouth.center), mouth.radius);
 }
 
-/// Returns the arguments of rbpa.BallVoid for each void or pocket; mouths as a list of tuples.
+/// Returns the arguments of rbpa.BallVoid for each void or pocket; mouths are a list of tuples.
 py::list voids_of(std::vector<BallVoid>&& voids, const RegularTriangulation& regular) {
   py::list list;
   for (BallVoid& of : voids) {
@@ -94,7 +94,7 @@ py::list voids_of(std::vector<BallVoid>&& voids, const RegularTriangulation& reg
   return list;
 }
 
-/// Returns two lists, of voids and of pockets.
+/// Returns two lists: the voids, and the pockets if `pockets`.
 py::list ball_voids_of(const Doubles& centers, const Doubles& radii, bool pockets, unsigned threads) {
   const auto input = points3_of(centers, "centers");
   RegularTriangulation regular;
@@ -109,7 +109,7 @@ py::list ball_voids_of(const Doubles& centers, const Doubles& radii, bool pocket
   return both;
 }
 
-/// Returns the members of rbpa.BallInterfaces, with the numbers of groups.
+/// Returns the members of rbpa.BallInterfaces, with numbers of groups in place of labels.
 py::dict ball_interfaces_of(const Doubles& centers, const Doubles& radii, const Indices& groups, unsigned threads) {
   const auto input = points3_of(centers, "centers");
   const std::vector<std::uint32_t> numbers(groups.data(), groups.data() + groups.size());

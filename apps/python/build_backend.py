@@ -1,7 +1,8 @@
-"""Builds a wheel from the source tree for pip (PEP 517): CMake builds the package, and the wheel is a zip of it.
+"""Builds a wheel from the source tree for pip (PEP 517): CMake builds the package, and the wheel is a zip of the
+package.
 
 Downloads nothing: the build requirements of the library and pybind11 must be installed (docs/reference/python.md). If
-patchelf is installed, the wheel contains the shared libraries that it needs.
+patchelf is installed, the wheel contains the shared libraries that the package needs.
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ def metadata() -> str:
 
 
 def say(sentence: str) -> None:
-    """Prints a line that `pip install -v` shows at once, and `pip install` only if the build fails."""
+    """Prints a line that `pip install -v` shows immediately, and `pip install` only if the build fails."""
     print(f"rbpa: {sentence}", file=sys.stderr, flush=True)
 
 
@@ -68,7 +69,7 @@ def missing() -> list[str]:
 
 
 def configure(folder: pathlib.Path) -> None:
-    """Checks the requirements within seconds, before the build, which takes minutes."""
+    """Checks the requirements and configures the build, in seconds; the build takes minutes."""
     found = missing()
     if found:
         raise SystemExit("rbpa: cannot be built: there is no " + ", no ".join(found))
@@ -83,7 +84,7 @@ def run(advice: str, *arguments: str) -> None:
 
 
 def build_package(folder: pathlib.Path) -> pathlib.Path:
-    """Builds the package for the running Python."""
+    """Builds the package for the running Python. Returns the folder of the package."""
     configure(folder)
     jobs = str(os.cpu_count() or 1)
     say(f"compiling with {jobs} processes, which takes minutes")
@@ -102,7 +103,7 @@ def prepare_metadata_for_build_wheel(metadata_directory: str, config_settings=No
 
 
 def strip(module: pathlib.Path) -> None:
-    """Strips symbols that only debuggers need."""
+    """Removes symbols that only debuggers need from a module, if the program strip is installed."""
     if shutil.which("strip"):
         subprocess.run(["strip", "--strip-unneeded", str(module)], check=True)
 

@@ -1,5 +1,5 @@
-"""Copies the shared libraries that an extension module needs into its wheel, as auditwheel does: with unique names,
-next to the package, where the module searches first. Needs patchelf and ldd.
+"""Copies the shared libraries that an extension module needs into its wheel, as auditwheel does: with unique names, in
+a folder next to the package, in which the module searches first. Needs patchelf and ldd.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import shutil
 import subprocess
 import uuid
 
-# Libraries of every Linux system, by PEP 600.
+# Libraries that every Linux system has, by PEP 600.
 OF_THE_SYSTEM = re.compile(r"(libc|libm|libdl|librt|libpthread|libstdc\+\+|libgcc_s|ld-linux.*|linux-vdso)\.so")
 
 
@@ -23,7 +23,7 @@ def can_bundle() -> bool:
 
 
 def platform_tag() -> str:
-    """Returns the tag of a self-contained wheel, which needs this system's C library and libstdc++, or newer ones."""
+    """Returns the tag of a self-contained wheel, which needs the C library and libstdc++ of this system, or newer."""
     major, minor = platform.libc_ver()[1].split(".")[:2]
     return f"manylinux_{major}_{minor}_{platform.machine()}"
 
@@ -33,8 +33,8 @@ def output_of(*command: object) -> str:
 
 
 def libraries_of(module: pathlib.Path) -> dict[str, pathlib.Path]:
-    """Returns the files of the libraries that the module needs, directly or not, and that not every system has, by
-    name."""
+    """Returns, by name, the files of the libraries that a module needs, directly or not, except libraries that every
+    Linux system has."""
     found = {}
     for line in output_of("ldd", module).splitlines():
         match = re.match(r"\s*(\S+) => (.*?)(?: \(0x[0-9a-f]+\))?$", line)
@@ -47,7 +47,8 @@ def libraries_of(module: pathlib.Path) -> dict[str, pathlib.Path]:
 
 
 def debian_package(library: pathlib.Path) -> tuple[str, str]:
-    """Returns name and version of the package of a library; without dpkg, the library's name and ""."""
+    """Returns name and version of the package that contains a library; if dpkg does not know, the library's name and
+    ""."""
     try:
         name = output_of("dpkg", "-S", f"*/{library.name}").split(":")[0]
         return name, output_of("dpkg-query", "-W", "-f=${Version}", name)
@@ -56,8 +57,8 @@ def debian_package(library: pathlib.Path) -> tuple[str, str]:
 
 
 def look_in(folder: str, names: dict[str, str], file: pathlib.Path) -> None:
-    """Changes the names and the search path of the libraries that a file needs, one at a time, as patchelf 0.14
-    confuses several."""
+    """Sets the new names of the libraries that a file needs, and the folder in which the file searches. Sets one name
+    at a time, as patchelf 0.14 confuses several."""
     needed = output_of("patchelf", "--print-needed", file).split()
     for old, new in names.items():
         if old in needed:

@@ -1,4 +1,4 @@
-// What: translates errors of reading and writing files into exceptions that Python gets.
+// What: translates errors of reading and writing files into exceptions for Python.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -8,8 +8,8 @@
 
 namespace rbpa::python {
 
-/// Returns work(). If it throws BadInput or WrongUsage, throws InvalidInput with the same text; for Failure raises
-/// OSError.
+/// Returns the result of work(). If work() throws BadInput or WrongUsage, throws InvalidInput with the text of the
+/// exception; if it throws Failure, raises OSError.
 template <typename Work>
 auto with_file_errors(Work work) {
   try {

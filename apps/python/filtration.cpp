@@ -51,8 +51,8 @@ py::list rings_of(Polygon polygon) {
   return rings;
 }
 
-/// Returns the arguments of rbpa.Representative for each pair. With `levels`, which are radii, or `leaf_capacity`,
-/// which stands for the levels of hrbpa(), the pairs are those of level_representatives().
+/// Returns the arguments of rbpa.Representative for each pair. If `levels` (radii) or `leaf_capacity` (for the levels
+/// of hrbpa()) is given, the pairs are those of level_representatives().
 py::list representatives_of(const Doubles& points, bool full, double min_persistence, std::optional<std::size_t> top,
                             std::optional<std::vector<double>> levels, std::optional<std::size_t> leaf_capacity,
                             unsigned threads, const py::object& progress) {
@@ -82,7 +82,7 @@ py::list representatives_of(const Doubles& points, bool full, double min_persist
   return list;
 }
 
-/// Returns the steps of the filtration, as an array for each of their members.
+/// Returns the steps of the filtration, with an array for each member of a step.
 py::dict filtration_steps(const Doubles& points, unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
   Filtration made = watched(input.size(), progress, [&](Watch& watch) {
@@ -104,7 +104,7 @@ py::dict filtration_steps(const Doubles& points, unsigned threads, const py::obj
 
 using Interval = std::array<double, 2>;
 
-/// Returns arrays of (birth, death) of components, and of holes; death is infinity if a pair never ends.
+/// Returns two arrays with rows (birth, death): the components, and the holes. Death is infinity if a pair never dies.
 std::tuple<Doubles, Doubles> persistence_intervals(const Doubles& points, bool full, unsigned threads,
                                                    const py::object& progress) {
   const auto input = points_of(points);

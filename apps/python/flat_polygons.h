@@ -1,6 +1,6 @@
-// What: polygons with holes as flat arrays: the points of one ring after another, with the shell of a polygon before
-//       its holes; the index of the first point of each ring, and of the first ring of each polygon, each list with the
-//       end.
+// What: polygons with holes as flat arrays: the points of one ring after another, the shell of each polygon before its
+//       holes; the index of the first point of each ring, and that of the first ring of each polygon, both with the end
+//       as a last entry.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@
 
 namespace rbpa::python {
 
-/// `Index` is the type of the index of a point: 32 bits, or 64 bits if Python does not have the points, so that their
-/// coordinates are kept here.
+/// Polygons as flat arrays. `Index` is the type of the index of a point: 32 bits, or 64 bits if Python does not have
+/// the points; only then `coordinates` is filled.
 template <typename Index>
 struct FlatPolygons {
   std::vector<Index> indices = {};

@@ -6,7 +6,8 @@
 namespace rbpa::python {
 namespace {
 
-/// Views an array of labels of shape (n,). −1, the label of points in no group, has the bits of no_group.
+/// Views an array of labels of shape (n,), which must outlive the span. −1, Python's label of points in no group, has
+/// the bits of no_group.
 std::span<const std::uint32_t> labels_of(const Indices& array) {
   static_assert(static_cast<std::uint32_t>(-1) == no_group);
   require_shape(array.ndim() == 1, array, "groups", "(n,)");

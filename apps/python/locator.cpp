@@ -23,7 +23,8 @@ class ArrayLocator {
     }));
   }
 
-  /// Returns an array of shape (number of queries, k). `values` has shape (n, k), with a row for each point.
+  /// Returns interpolated values, as an array of shape (number of queries, k). `values` has shape (n, k), with a row
+  /// for each point.
   Doubles interpolate(const Doubles& values, const Doubles& queries, bool by_natural_neighbors) const {
     require_shape(values.ndim() == 2, values, "values", "(n, k)");
     const auto input = points_of(queries);

@@ -25,7 +25,7 @@ import numpy.typing as npt
 from rbpa._input import Indices, Progress
 '''
 
-# Types as pybind11 writes them, and Python's types; replaced in this order.
+# Types as pybind11 writes them, each with Python's type; replaced in this order.
 TYPES = [
     (r"numpy\.ndarray\[(?:bool|numpy\.bool_?)\]", "npt.NDArray[np.bool_]"),
     (r"numpy\.ndarray\[numpy\.(\w+)\]", r"npt.NDArray[np.\1]"),
@@ -34,12 +34,12 @@ TYPES = [
     (r"\bTuple\[", "tuple["),
     (r"\bdict\b(?!\[)", "dict[str, Any]"),
     (r"\blist\b(?!\[)", "list[Any]"),
-    # Arguments whose types are more precise than in C++.
+    # Arguments whose types in the stub are more precise than those in C++.
     (r"\bprogress: object", "progress: Progress"),
     (r"\bweight: (function|Callable)", "weight: Callable[[int, int, int], float]"),
     (r"\bpoint_of_vertex: Optional\[list\[int\]\]", "point_of_vertex: Optional[Sequence[int] | Indices]"),
 ]
-SPECIAL = ("__init__", "__neg__", "__add__")  # every object has the others
+SPECIAL = ("__init__", "__neg__", "__add__")  # special methods to list; every object has the others
 
 
 def typed(signature: str, classes: dict[str, type]) -> str:

@@ -199,8 +199,8 @@ std::unique_ptr<Mesh> mesh_of(const Indices& vertices, const Indices& halfedges,
     m.status(Halfedge(h)).set_deleted(h_at(h, 4) != 0);
     if (in(h_at(h, 1), h_at.shape(0)) >= 0) m.set_next_halfedge_handle(Halfedge(h), Halfedge(h_at(h, 1)));
   }
-  // Set prev links after all next links: setting a next link also sets the prev link of the other halfedge, even from a
-  // deleted halfedge.
+  // Set prev links after all next links: setting the next link of a halfedge, even of a deleted one, also sets the prev
+  // link of the next halfedge.
   for (int h = 0; h < h_at.shape(0); ++h)
     m.set_prev_halfedge_handle(Halfedge(h), Halfedge(in(h_at(h, 2), h_at.shape(0))));
   for (int f = 0; f < f_at.shape(0); ++f) {
@@ -235,8 +235,9 @@ meshops::TopologyReport report(Mesh& mesh, const std::optional<std::vector<std::
                  [&](Watch& watch) { return meshops::report(mesh.seen(), points, watch.until_stopped()); });
 }
 
-/// Calls change(copy, places, go_on) with a copy of the mesh, which then takes its place, so that a run that ends early
-/// changes nothing. Returns the places of the vertices, and what change() returns. `work` is as `points` of watched().
+/// Calls change(copy, places, go_on) with a copy of the mesh, then replaces the mesh by the copy, so that a run that
+/// ends early changes nothing. Returns the places of the vertices, and the result of change(). Passes `work` as
+/// `points` to watched().
 template <typename Change>
 auto change_copy(Mesh& mesh, const Doubles& points, std::size_t work, const py::object& progress,
                  const Change& change) {

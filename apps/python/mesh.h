@@ -1,4 +1,4 @@
-// What: the halfedge mesh of Python. In Python a handle is an int, and an invalid handle None.
+// What: the halfedge mesh of Python. In Python a valid handle is an int, and an invalid handle is None.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -19,8 +19,8 @@ namespace rbpa::python {
 struct MeshKernel : OpenMesh::PolyMesh_ArrayKernelT<> {
   MeshKernel() { meshops::request_status(*this); }
 
-  /// Replaces the elements and links by those of `other`. Adds status to `other` first, since OpenMesh would otherwise
-  /// remove it from this mesh. Requires: no element of `other` is marked as deleted.
+  /// Replaces the elements and links by those of `other`. Adds status properties to `other` first, as OpenMesh would
+  /// otherwise remove those of this mesh. Requires: no element of `other` is marked as deleted.
   void take_links(OpenMesh::PolyConnectivity& other) {
     meshops::request_status(other);
     assign_connectivity(other);
@@ -30,8 +30,8 @@ struct MeshKernel : OpenMesh::PolyMesh_ArrayKernelT<> {
 class Mesh {
  public:
   const meshops::Connectivity& seen() const { return kernel_; }
-  /// Returns the connectivity, for a change. Throws ContractViolation while a Look exists: another thread of Python, or
-  /// a caller of the current function, works on the mesh.
+  /// Returns the connectivity, for a change. Throws ContractViolation while a Look exists, which another thread of
+  /// Python, or a caller of the current function, has made.
   meshops::Connectivity& changed() {
     meshops::require(
         looking_ == 0,
@@ -40,7 +40,7 @@ class Mesh {
   }
   MeshKernel& kernel() { return kernel_; }
 
-  /// While it exists, changed() throws, so that Python's lock may be released.
+  /// A ban on changes: while a Look exists, changed() throws, so that Python's lock may be released.
   class Look {
    public:
     explicit Look(Mesh& mesh) : mesh_(mesh) { ++mesh_.looking_; }
@@ -52,14 +52,14 @@ class Mesh {
     Mesh& mesh_;
   };
 
-  std::vector<std::uint32_t> built_on;  ///< the point, in the given faces, of each vertex with which the mesh was built
+  std::vector<std::uint32_t> built_on;  ///< for each vertex of the first mesh, its point in the given faces
 
  private:
   MeshKernel kernel_;
   int looking_ = 0;
 };
 
-/// Returns the handle; nothing, which is None in Python, if it is invalid.
+/// Returns the handle; nothing, which is None in Python, if the handle is invalid.
 template <typename Handle>
 std::optional<Handle> maybe(Handle handle) {
   return handle.is_valid() ? std::optional<Handle>(handle) : std::nullopt;
@@ -75,7 +75,7 @@ template <typename Handle>
 struct MeshHandleCaster {
   PYBIND11_TYPE_CASTER(Handle, const_name("int"));
 
-  /// Converts an integer of Python or NumPy. Returns false for bool, and for other numbers, which would be rounded.
+  /// Converts an integer of Python or NumPy. Returns false for a bool, and for numbers that are no integers.
   bool load(handle source, bool convert) {
     if (PyBool_Check(source.ptr())) return false;
     const auto whole = reinterpret_steal<object>(PyNumber_Index(source.ptr()));

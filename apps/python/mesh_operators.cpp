@@ -77,8 +77,7 @@ void bind_delta(py::module_& module) {
       .attr("__module__") = "rbpa.meshops";
 }
 
-/// Binds an effect: the record of the change by an operator, with which the change can be undone. Handles are ints, or
-/// None.
+/// Binds an effect: the record by which the change of an operator can be undone. In Python, handles are ints or None.
 template <typename Effect, typename... Base>
 py::class_<Effect, Base...> bind_effect(py::module_& module, const char* name, const char* what) {
   py::class_<Effect, Base...> effect(module, name, what);
@@ -181,8 +180,8 @@ void bind_stellar_effects(py::module_& module) {
       .def_readonly("faces", &meshops::TriangulateFaceEffect::faces);
 }
 
-/// Binds an operator with arguments `Given`, and the blocker of the operator. Both are stateless, and are bound as
-/// function pointers, so that pybind11 compiles each signature only once.
+/// Binds an operator with arguments `Given`, and the blocker of the operator. Both functions are stateless, and are
+/// bound as function pointers, so that pybind11 compiles each signature only once.
 template <typename... Given, typename Operator, typename Blocker, typename... Arguments>
 void bind_operator(py::class_<Mesh>& mesh, const std::string& name, Operator, Blocker, const char* what,
                    const Arguments&... arguments) {
@@ -193,7 +192,7 @@ void bind_operator(py::class_<Mesh>& mesh, const std::string& name, Operator, Bl
            arguments..., ("Returns why " + name + "() would refuse, or None.").c_str());
 }
 
-// Pass operators and blockers as lambdas, as they are overloaded.
+// Operators and blockers are overloaded, so lambdas select the overload.
 #define RBPA_OPERATOR(name) \
 #name, [](auto& on, const auto&... given) { return meshops::name(on, given...); }, \
       [](auto& on, const auto&... given) { return meshops::name##_blocker(on, given...); }

@@ -1,4 +1,4 @@
-// What: the extension module rbpa._core: private functions on arrays.
+// What: the extension module rbpa._core: private functions and classes that work on arrays.
 #include "python/module.h"
 
 #include "meshops/core/contract.h"

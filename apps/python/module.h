@@ -1,4 +1,4 @@
-// What: the parts of the extension module, and the headers that all parts need; bind_NAME() is in NAME.cpp.
+// What: declares the functions that bind the parts of the extension module: bind_NAME() is in NAME.cpp.
 #pragma once
 
 #include <pybind11/pybind11.h>

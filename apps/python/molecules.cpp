@@ -21,11 +21,11 @@ using app::AtomFrame;
 using app::AtomRow;
 using MaybeText = std::optional<std::string>;
 
-/// All frames that were read; the names of atoms are those of the first.
+/// All frames that were read. Names of atoms are those of the first frame.
 struct Frames {
   AtomFrame first = {};
   std::vector<Point3> positions = {};
-  std::vector<double> radii = {};  // empty if the file has none
+  std::vector<double> radii = {};  // empty if the file has no radii
   std::vector<std::size_t> numbers = {};
   std::vector<std::string> warnings = {};
 };
@@ -56,7 +56,7 @@ Frames read_frames(app::AtomFrames& file) {
   return result;
 }
 
-/// Returns a column of texts: for each atom the number of its text, and all texts.
+/// Returns a column of texts as a pair: for each atom the position of its text in a list, and the list.
 py::tuple texts_of(const AtomFrame& frame, std::uint32_t AtomRow::*member) {
   py::list texts;
   for (const std::string& text : frame.texts) texts.append(app::printable(text));
@@ -112,7 +112,7 @@ py::dict read_atoms(const py::bytes& path, const MaybeText& format, const std::s
   });
 }
 
-/// The element, residue and name of atoms, and the index of the first one.
+/// The element, residue and name that several atoms share, and the index of the first of these atoms.
 using AtomKind = std::tuple<std::string, std::string, std::string, std::size_t>;
 
 Doubles atom_radii(const std::vector<AtomKind>& kinds, const std::string& choice, std::optional<double> otherwise,

@@ -26,8 +26,9 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Finds the nearest positions on facets: triangles; segments, as triangles with two equal corners; and points, as
-/// triangles with three. A tree of boxes halves the facets along the longest side of a box.
+/// A search structure for the nearest positions on facets: triangles; segments, as triangles whose last two corners are
+/// equal; and points, as triangles with three equal corners. A tree of boxes halves the facets along the longest side
+/// of each box.
 class NearestPlaces {
  public:
   /// Views `points` and `facets`, and keeps these arrays alive.
@@ -46,8 +47,8 @@ class NearestPlaces {
     if (!order_.empty()) build(0, order_.size());
   }
 
-  /// Returns for each query the nearest facet, of equally near facets the first, and the weights of its corners at the
-  /// nearest position.
+  /// Returns for each query the nearest facet, and the weights of its corners at the nearest position. Of equally near
+  /// facets, returns the first.
   std::pair<Indices, Doubles> find(const Doubles& queries) const {
     const auto input = points3_of(queries, "queries");
     if (facets_.empty()) throw py::value_error("facets: found none, expected at least one");
@@ -71,8 +72,8 @@ class NearestPlaces {
   };
   struct Box {
     Vector low, high;
-    std::size_t begin, end;    // range in the order of the facets
-    std::size_t second_child;  // index; the first child follows the box; 0: there are no children
+    std::size_t begin, end;    // range of facets in order_
+    std::size_t second_child;  // index of the second child, 0 without children; the first child follows the box
   };
 
   std::size_t build(std::size_t begin, std::size_t end) {
@@ -127,7 +128,7 @@ class NearestPlaces {
                                    second = {distance(q, boxes_[box.second_child]), box.second_child};
       if (first.first < second.first) std::swap(first, second);
       open.push_back(first);
-      open.push_back(second);  // the nearer child, which is on top, is next
+      open.push_back(second);  // the nearer child is on top, and thus next
     }
     return {facet, best.weights};
   }

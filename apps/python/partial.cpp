@@ -32,7 +32,7 @@ py::bytes as_bytes(const std::vector<std::uint8_t>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Views `bytes`, which must outlive the span.
+/// Returns a view of `bytes`, which must outlive the span.
 std::span<const std::uint8_t> span_of(const py::bytes& bytes) {
   const auto text = static_cast<std::string_view>(bytes);
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
@@ -51,7 +51,7 @@ py::dict as_arrays(std::span<const CornerPolygon> polygons) {
   return result;
 }
 
-/// The result for some regions: the part that is not finished, as bytes, and the finished polygons.
+/// The result for some regions: the open part, which later merges change, as bytes; and the finished polygons.
 struct Settled {
   std::vector<std::uint8_t> open;
   std::vector<CornerPolygon> polygons;

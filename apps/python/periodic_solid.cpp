@@ -50,7 +50,7 @@ py::dict periodic_solid_of(const Doubles& points, const Box& box, double alpha, 
   }));
 }
 
-/// Returns the radius that `choice` chooses by all tetrahedra. Requires: the rule is auto or min.
+/// Returns the radius that `choice` chooses from all tetrahedra. Requires: the rule is auto or min.
 double periodic_alpha_of(const Doubles& points, const Box& box, const AlphaChoice& choice, unsigned threads,
                          const py::object& progress) {
   const auto input = points3_of(points, "points");
@@ -71,7 +71,7 @@ std::vector<Part> parts_of(std::vector<PeriodicPart> parts) {
   return result;
 }
 
-/// Returns the topology of the complex at `alpha`; triangulates the points itself.
+/// Triangulates the points, and returns the topology of the complex at `alpha`.
 py::dict periodic_topology_of(const Doubles& points, const Box& box, double alpha, bool full) {
   const auto input = points3_of(points, "points");
   PeriodicTopology made = watched(input.size(), py::none(), [&](Watch& watch) {

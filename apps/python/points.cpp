@@ -28,7 +28,7 @@ Format format_of(const std::string& path, const MaybeText& name, app::Use use) {
   app::refuse_input(path, use, "format");
 }
 
-/// The requested fields: the name of each, and the kind: "number", "text", or "" for the kind that its values have.
+/// The requested fields, each with its name and its kind: "number", "text", or "" if the values of the file decide.
 using WantedFields = std::vector<std::pair<std::string, std::string>>;
 
 std::vector<app::WantedColumn> columns_of(const WantedFields& fields, app::Use use, bool texts) {
@@ -70,7 +70,7 @@ app::PointSource source_of(const std::string& path, bool space, const WantedFiel
   return source;
 }
 
-/// Returns the choice by places. Throws WrongUsage.
+/// Returns the window that selects points by box and resolution. Throws WrongUsage for an invalid box or resolution.
 app::PointWindow window_of(const std::optional<std::vector<double>>& bounds, std::optional<double> resolution) {
   app::PointWindow window{.resolution = resolution};
   if (bounds) window.bounds = app::box_of("bounds", *bounds);
@@ -90,7 +90,7 @@ py::list printable_texts(const std::vector<std::string>& texts) {
   return list;
 }
 
-/// Returns the values of a column with their type.
+/// Returns the values of a column as an array with the type of the column.
 py::object values_of(const app::PointColumn& column) {
   return app::with_type(column.type, [&](auto zero) -> py::object {
     using Value = decltype(zero);
@@ -99,14 +99,14 @@ py::object values_of(const app::PointColumn& column) {
   });
 }
 
-/// Returns the data of a file, of points in the plane or in space, as a dict; normals and colors are None.
+/// Returns the data of a file as a dict, for points in the plane or in space, with None as normals and colors.
 py::dict dict_of(Doubles points, app::PointFacts file, const app::PointSource& source) {
   py::dict result;
   result["points"] = std::move(points);
   result["normals"] = py::none();
   result["colors"] = py::none();
   py::list fields;
-  file.fields.resize(source.where ? source.where->columns() : 0);  // a file without points has no fields
+  file.fields.resize(source.where ? source.where->columns() : 0);  // the reader has no fields if the file has no points
   for (std::size_t k = 0; k < file.fields.size(); ++k) {
     const app::WantedColumn& wanted = source.where->column(k);
     const app::PointColumn* kept = app::find_column(file.kept, wanted.name);
@@ -129,7 +129,7 @@ py::dict dict_of(Doubles points, app::PointFacts file, const app::PointSource& s
 
 template <typename Read>
 auto read_watched(Read read) {
-  constexpr std::size_t many = std::numeric_limits<std::size_t>::max();  // as the number of points is unknown
+  constexpr std::size_t many = std::numeric_limits<std::size_t>::max();  // unknown, so the work may be long
   return watched(many, py::none(), [&](Watch& watch) {
     const app::Interruption interruption(watch.until_stopped());
     return read();

@@ -51,8 +51,8 @@ double choose_solid_alpha_of(const Doubles& points, const Indices& simplices, co
   });
 }
 
-/// Returns the tetrahedra with a radius of at most `alpha`, their neighbors, and the corners that are in none of these
-/// tetrahedra.
+/// Returns the tetrahedra with a circumradius of at most `alpha`, their neighbors, and the corners of other tetrahedra
+/// that are in none of the returned ones.
 py::dict within_of(const Indices& simplices, const Indices& neighbors, const Doubles& radii, double alpha) {
   Solid made = watched(static_cast<std::size_t>(radii.size()), py::none(),
                        [&](Watch&) { return within(solid_again(simplices, neighbors), line_of(radii), alpha); });
@@ -71,7 +71,7 @@ std::pair<double, double> balls_of(const Doubles& points, double radius, unsigne
   return {found.volume, found.area};
 }
 
-/// Returns the dangling simplices of the full alpha complex; triangulates the points itself.
+/// Triangulates the points, and returns the dangling simplices of the full alpha complex.
 std::tuple<Indices, Indices, Indices> dangling_of(const Doubles& points, double alpha) {
   const auto input = points3_of(points, "points");
   DanglingFaces found = watched(input.size(), py::none(), [&](Watch& watch) {
@@ -120,7 +120,7 @@ py::dict voids_of(const Doubles& points, const Indices& simplices, const Indices
   return result;
 }
 
-/// Returns the Betti numbers and the voids of the full alpha complex; triangulates the points itself.
+/// Triangulates the points, and returns the Betti numbers and the voids of the full alpha complex.
 py::dict full_of(const Doubles& points, double alpha) {
   const auto input = points3_of(points, "points");
   FullTopology made = watched(input.size(), py::none(), [&](Watch& watch) {

@@ -1,4 +1,4 @@
-// What: rebuilds a solid, and views the radii of its tetrahedra, from arrays of Python.
+// What: rebuilds a solid from arrays of Python.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace rbpa::python {
 
-/// Returns a solid with the tetrahedra `simplices` and `neighbors`; its other members are not filled in.
+/// Returns a solid with copies of `simplices` and `neighbors`; its other members are left at their defaults.
 inline Solid solid_again(const Indices& simplices, const Indices& neighbors) {
   Solid again;
   const auto rows_of = [](std::span<const Quadruple> rows) { return std::vector(rows.begin(), rows.end()); };

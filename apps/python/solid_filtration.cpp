@@ -20,7 +20,7 @@
 namespace rbpa::python {
 namespace {
 
-/// Returns the simplices with their values, and the persistence pairs.
+/// Returns the simplices, each with the value from which on it is in the complex, and the persistence pairs.
 py::dict arrays_of(SolidFiltration&& filtration, const std::vector<SolidPair>& all) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::array<std::vector<std::array<double, 2>>, 3> values;
@@ -51,7 +51,7 @@ py::dict arrays_of(SolidFiltration&& filtration, const std::vector<SolidPair>& a
   return result;
 }
 
-/// Returns arrays_of(), and the radii that the rules min and auto choose.
+/// Returns the result of arrays_of() for points, and the radii that the rules min and auto choose.
 py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
   struct Made {
@@ -76,7 +76,7 @@ py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::
   return result;
 }
 
-/// Returns arrays_of(), and the values of balls.
+/// Returns the result of arrays_of() for balls, and the value of each ball.
 py::dict weighted_filtration_of(const Doubles& centers, const Doubles& radii, bool roots, unsigned threads) {
   const auto input = points3_of(centers, "centers");
   SolidFiltration filtration;
@@ -143,7 +143,7 @@ py::list solid_plateaus_of(const Doubles& points, const Indices& simplices, cons
   return list;
 }
 
-/// Returns the nodes of the tree of voids, as an array for each of their members.
+/// Returns the nodes of the tree of voids, with an array for each member of a node.
 py::dict void_tree_of(const Doubles& points, const Indices& simplices, const Indices& neighbors, const Doubles& radii,
                       bool full, unsigned threads) {
   const auto input = points3_of(points, "points");

@@ -9,7 +9,7 @@
 namespace rbpa::python {
 namespace {
 
-/// Returns the estimated normals, and the confidence in each.
+/// Returns the estimated normals, and the confidence in each normal.
 std::tuple<Doubles, Doubles> estimated(const Doubles& points, std::size_t neighbors, const MaybeDoubles& viewpoints,
                                        unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
@@ -21,7 +21,7 @@ std::tuple<Doubles, Doubles> estimated(const Doubles& points, std::size_t neighb
   return {rows<double>(std::move(made.normals)), line<double>(std::move(made.confidence))};
 }
 
-/// Returns the points that scale-space steps have moved, and the number of steps.
+/// Returns all points as moved by scale-space steps, and the number of steps.
 std::tuple<Doubles, std::size_t> moved(const Doubles& points, std::size_t steps, std::size_t neighbors,
                                        unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
@@ -32,7 +32,7 @@ std::tuple<Doubles, std::size_t> moved(const Doubles& points, std::size_t steps,
   return {rows<double>(std::move(made.points)), made.steps};
 }
 
-/// Returns the input indices of outliers, and the median of the distances of all points.
+/// Returns the input indices of outliers, and the median distance of a point from its last neighbor.
 std::tuple<Indices, double> standing_alone(const Doubles& points, double factor, std::size_t neighbors,
                                            unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");

@@ -29,7 +29,7 @@ namespace {
 
 using Flags = py::array_t<std::uint8_t, py::array::c_style>;
 
-/// Returns the sides without a neighbor, as pairs of corners such that the triangle is on the left.
+/// Returns the sides without a neighbor, as pairs of corners with the triangle on the left.
 std::vector<std::array<std::uint32_t, 2>> boundary_of(const Surface& surface) {
   std::vector<std::array<std::uint32_t, 2>> sides;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -53,16 +53,16 @@ py::dict as_dict(Surface& made) {
   return result;
 }
 
-/// Returns the arrays of a surface with filled holes, and for each triangle whether it is new; moves them out of
-/// `made`.
+/// Returns the arrays of a surface with filled holes, and for each triangle whether it is new. Moves the arrays of the
+/// surface out of `made`.
 py::dict as_dict(FilledSurface& made) {
   py::dict result = as_dict(made.surface);
   result["is_new"] = line<std::uint8_t>(std::vector<std::uint8_t>(made.is_new.begin(), made.is_new.end()));
   return result;
 }
 
-/// Returns the surface of points with `normals`, with estimated normals, or without any; also the radii, and the
-/// normals if they are estimated.
+/// Returns the surface of points and its radii. Uses `normals` if given; otherwise estimates normals and returns them
+/// as well if `estimates`, or uses no normals.
 py::dict reconstructed(const Doubles& points, const MaybeDoubles& normals, bool estimates, const Doubles& radii,
                        double max_radius, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
@@ -79,7 +79,7 @@ py::dict reconstructed(const Doubles& points, const MaybeDoubles& normals, bool 
                                                       .progress = watch.progress()});
   });
   static_assert(static_cast<std::uint32_t>(-1) == Surface::none);
-  made.surface.levels.resize(made.surface.triangles.size());  // empty for one radius: fill with level 0
+  made.surface.levels.resize(made.surface.triangles.size());  // levels are empty for one radius; fills them with 0
   py::dict result = as_dict(made.surface);
   result["levels"] = line<std::int32_t>(std::move(made.surface.levels));
   result["duplicates"] = rows<std::int32_t>(std::move(made.surface.duplicates));
@@ -88,7 +88,7 @@ py::dict reconstructed(const Doubles& points, const MaybeDoubles& normals, bool 
   return result;
 }
 
-/// Returns `triangles` of the user as a surface; the member `given` has the number of each triangle in `triangles`.
+/// Returns the user's triangles as a surface. Entry `given` of the dict has the number of each triangle in `triangles`.
 py::dict surface_of_triangles(const Doubles& points, const Indices& triangles) {
   const auto input = points3_of(points, "points");
   const auto rows_given = triples_of(triangles, "triangles");
@@ -132,8 +132,8 @@ py::dict components_of(const Doubles& points, const Indices& triangles, const In
   return result;
 }
 
-/// Returns for each component whether it is one of the `largest` largest, is not too small, and, if there is a radius,
-/// is an outer shell.
+/// Returns for each component whether it passes all tests: is one of the `largest` largest, has the least number of
+/// triangles and the least area, and, if `radius` is given, is an outer shell.
 std::vector<bool> kept_of(const Doubles& points, const Indices& triangles, const Indices& neighbors,
                           std::optional<double> radius, std::optional<std::size_t> largest, std::size_t min_triangles,
                           double min_area) {
@@ -153,7 +153,8 @@ std::vector<bool> kept_of(const Doubles& points, const Indices& triangles, const
   });
 }
 
-/// Fills the holes of at most `most_edges` edges and of at most length `most_length`; with `rims` also rims.
+/// Fills holes that have at most `most_edges` edges and at most the length `most_length`; if `rims`, fills rims as
+/// well.
 py::dict filled(const Doubles& points, const Indices& triangles, const Indices& neighbors, std::size_t most_edges,
                 double most_length, bool rims, unsigned threads) {
   const auto input = points3_of(points, "points");
@@ -165,7 +166,7 @@ py::dict filled(const Doubles& points, const Indices& triangles, const Indices& 
   return as_dict(made);
 }
 
-/// Refines the new triangles. Returns the surface, the added points, and the normals of these.
+/// Refines the new triangles. Returns the surface, and the added points with their normals and the points around them.
 py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indices& triangles, const Indices& neighbors,
                  const Flags& is_new, unsigned threads, const py::object& progress) {
   const auto input = points3_of(points, "points");
@@ -188,8 +189,8 @@ py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indic
   return result;
 }
 
-/// Makes the surface watertight. Returns it, which triangles are kept, and the numbers of open curves and of crossing
-/// pairs.
+/// Makes the surface watertight. Returns the watertight surface, for each given triangle whether it is kept, and the
+/// numbers of open curves and of crossing pairs.
 py::dict watertight(const Doubles& points, const Indices& triangles, const Indices& neighbors, unsigned threads) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
@@ -203,7 +204,7 @@ py::dict watertight(const Doubles& points, const Indices& triangles, const Indic
   return result;
 }
 
-/// Throws InvalidInput if triangles lose their area or vertices coincide in single precision.
+/// Throws InvalidInput if rounding to single precision makes triangles lose their area or vertices coincide.
 void require_kept(app::Format format, const app::SpaceMesh& mesh, const std::string& path) {
   std::string why = app::why_not_kept(app::single_positions(format, mesh.vertices, mesh.triangles, mesh.shift, path),
                                       format, mesh.vertices, mesh.triangles, path);
@@ -214,8 +215,8 @@ void require_kept(app::Format format, const app::SpaceMesh& mesh, const std::str
   throw InvalidInput("save: " + why);
 }
 
-/// Writes a mesh file in the format of its ending. If `manifold`, there is a vertex for each fan; otherwise the points
-/// are the vertices.
+/// Writes a mesh file in the format of the ending of `name`. If `manifold`, or for .glb, vertices are fans; otherwise,
+/// and for .npy, vertices are the points.
 void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& normals, const Indices& triangles,
            const Indices& neighbors, bool manifold, const std::optional<std::string>& shift) {
   const std::string path = name;
@@ -248,7 +249,7 @@ void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& nor
   });
 }
 
-/// Decimates the surface. Returns its arrays; `given` has the number of each triangle before.
+/// Decimates the surface, and returns its arrays. Entry `given` has the number of each triangle before the decimation.
 py::dict decimated(const Doubles& points, const Indices& triangles, const Indices& neighbors, std::size_t faces,
                    std::optional<double> error, bool no_crossings, const py::object& progress) {
   const auto input = points3_of(points, "points");
@@ -266,7 +267,7 @@ py::dict decimated(const Doubles& points, const Indices& triangles, const Indice
   return result;
 }
 
-/// Fills `mesh`, which is empty: face i is triangle i, and is glued to the neighbors of this triangle.
+/// Builds the halfedge mesh of a surface in `mesh`, which is empty: face i is triangle i, glued to its neighbors.
 void mesh_of(Mesh& mesh, const Doubles& points, const Indices& triangles, const Indices& neighbors) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);

@@ -18,8 +18,8 @@ namespace {
 
 using Causes = py::array_t<std::uint8_t, py::array::c_style>;
 
-/// The input of a surface. A surface without normals consists of the exposed triangles of one radius; a surface without
-/// radii was not made by a ball.
+/// The input of a surface. If there are no normals, the surface consists of the exposed triangles of one radius; if
+/// there are no radii, no ball made the surface.
 struct SurfaceInput {
   std::span<const Point3> points, normals;
   std::span<const double> radii;
@@ -35,7 +35,7 @@ struct SurfaceInput {
   }
 };
 
-/// Returns the surface whose arrays surface_of() has returned.
+/// Returns the surface with copies of the arrays of Python.
 Surface surface_again(const SurfaceInput& input, const Indices& triangles, const Indices& neighbors,
                       const Indices& levels, const Indices& duplicates) {
   Surface made;
@@ -61,8 +61,8 @@ Surface surface_again(const SurfaceInput& input, const Indices& triangles, const
   return made;
 }
 
-/// Returns the sides of all boundary curves, as an array for each of their members, and the index of the first side of
-/// each curve. Without radii the surface was not made by a ball, and sides have no cause.
+/// Returns the sides of all boundary curves, with an array for each member of a side; the index of the first side of
+/// each curve, and the end; and lengths and kinds of curves. If there are no radii, sides have no causes.
 py::dict holes_of(const Doubles& points, const MaybeDoubles& normals, const Doubles& radii, const Indices& triangles,
                   const Indices& neighbors, const Indices& levels, const Indices& duplicates, unsigned threads) {
   const SurfaceInput input(points, normals, radii);
@@ -101,8 +101,8 @@ py::dict holes_of(const Doubles& points, const MaybeDoubles& normals, const Doub
   return result;
 }
 
-/// Returns for each curve of kind hole its number, and the kind, the radius and the points of the suggested repair: all
-/// points in one array, with the index of the first point of each repair.
+/// Returns, for each curve of kind hole, its number, and the kind, the filling's outcome, the radius and the points of
+/// the suggested repair. All points are in one array, with the index of the first point of each repair, and the end.
 py::dict repairs_of(const Doubles& points, const Doubles& normals, const Doubles& radii, const Indices& triangles,
                     const Indices& neighbors, const Indices& levels, const Indices& duplicates, unsigned threads,
                     const py::object& progress) {
@@ -140,7 +140,7 @@ py::dict repairs_of(const Doubles& points, const Doubles& normals, const Doubles
   return result;
 }
 
-/// Returns the points in no triangle, and the number of the cause of each.
+/// Returns the distinct points in no triangle, and for each point the number of the cause.
 std::tuple<Indices, Causes> unused_of(const Doubles& points, const MaybeDoubles& normals, const Doubles& radii,
                                       const Indices& triangles, const Indices& neighbors, const Indices& levels,
                                       const Indices& duplicates, unsigned threads) {

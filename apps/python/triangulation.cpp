@@ -47,7 +47,7 @@ NeighborLists neighbor_lists(std::span<const Triple> triangles, std::size_t poin
     }
   }
   for (std::size_t i = 0; i < points; ++i) next[i + 1] += next[i];
-  std::vector<std::int32_t> twice(next[points]);  // has each inner edge twice, as a side of two triangles
+  std::vector<std::int32_t> twice(next[points]);  // lists each inner edge twice, as a side of two triangles
   const std::vector<std::size_t> first = next;
   for (const Triple& t : triangles) {
     ask();
@@ -73,7 +73,7 @@ std::tuple<Indices, Indices> vertex_neighbors(const Indices& simplices, std::siz
   return {line<std::int32_t>(std::move(lists.begin)), line<std::int32_t>(std::move(lists.neighbors))};
 }
 
-/// Returns a hash of the bits of all coordinates, by which an object detects that its points were changed.
+/// Returns a hash of the bits of all coordinates, by which a result detects changes of its points.
 /// Requires: `points` is contiguous.
 std::uint64_t fingerprint(const Doubles& points) {
   const auto words = static_cast<std::size_t>(points.size());

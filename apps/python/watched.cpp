@@ -11,7 +11,7 @@
 namespace rbpa::python {
 namespace {
 
-/// Runs work in a thread of its own.
+/// A new thread that runs work. The destructor waits for its end.
 class Running {
  public:
   Running(const std::function<void(Watch&)>& work, Watch& watch)
@@ -41,12 +41,12 @@ class Running {
   std::condition_variable done_;
   bool is_done_ = false;
   std::exception_ptr failure_;
-  std::thread thread_;  // the last member, as it uses the others
+  std::thread thread_;  // the last member, as the thread uses the others
 };
 
-/// Checks signals, and calls `progress` if `is_time_to_tell`. Requires: this thread holds Python's lock. Throws the
-/// exceptions that a signal handler or `progress` raises; Cancelled if `progress` returns a false value other than
-/// None.
+/// Checks signals, and calls `progress` if `is_time_to_tell`. Requires: this thread holds Python's lock.
+/// Throws: the exceptions that a signal handler or `progress` raises; Cancelled if `progress` returns a false value
+///         other than None.
 void ask(const Watch& watch, const py::object& progress, bool is_time_to_tell) {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   if (progress.is_none() || !is_time_to_tell) return;

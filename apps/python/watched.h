@@ -1,8 +1,8 @@
 // What: runs a long computation without Python's lock: other Python threads continue, Ctrl-C ends the computation, and
 //       progress is reported.
-// How:  work that may take long gets a thread of its own. The calling thread sleeps, and wakes up every 20 ms to check
-//       signals, which Python allows in its main thread only, and to call the function of the user, which may therefore
-//       use objects that belong to this thread.
+// How:  work that may take long runs in a new thread. The calling thread sleeps, and wakes up every 20 ms to check
+//       signals, which Python allows in its main thread only. It also calls the user's progress function, which may
+//       therefore use objects that belong to the calling thread.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -19,10 +19,11 @@ namespace rbpa::python {
 
 namespace py = pybind11;
 
-/// The data that the work and the waiting thread exchange; either may use it at any time.
+/// The data that the working and the waiting thread exchange. Both threads may use a Watch at any time.
 class Watch {
  public:
-  /// Return functions for the hooks of the library. The functions must not outlive the watch.
+  /// Return callbacks for the library, which store progress and end the run after stop(). They must not outlive the
+  /// Watch.
   OnProgress progress() {
     return [this](const Progress& now) {
       triangles_.store(now.triangles, std::memory_order_relaxed);
@@ -45,16 +46,17 @@ class Watch {
   std::atomic<std::size_t> triangles_ = 0, points_ = 0;
 };
 
-/// Runs work(watch), in a thread of its own unless `is_short`, and releases Python's lock meanwhile. `progress` is
-/// None, or is called as progress(triangles, points) every 0.1 s. The work ends early if `progress` or a signal handler
-/// raises, or if `progress` returns a false value other than None. Requires: the calling thread holds Python's lock.
+/// Runs work(watch), in a new thread unless `is_short`, and releases Python's lock meanwhile. In a new thread, calls
+/// progress(triangles, points) every 0.1 s, unless `progress` is None. The work ends early if `progress` or a signal
+/// handler raises, or if `progress` returns a false value other than None.
+/// Requires: the calling thread holds Python's lock.
 /// Throws: the exceptions of the work, of a signal handler and of `progress`; Cancelled.
 void run_watched(const std::function<void(Watch&)>& work, bool is_short, const py::object& progress);
 
-/// The number of points to pass to watched() for work that may take long also for few points, such as closing holes.
+/// The number of points to pass to watched() for work that may take long even on few points, such as closing holes.
 inline constexpr std::size_t long_work = static_cast<std::size_t>(-1);
 
-/// Runs work(watch) as run_watched(), and returns its result. Work on at most `few` points is short.
+/// Runs work(watch) as run_watched() does, and returns its result. Work on at most 20,000 points counts as short.
 template <typename Work>
 auto watched(std::size_t points, const py::object& progress, Work work) {
   constexpr std::size_t few = 20'000;

@@ -52,7 +52,7 @@ void check_sizes(const FillOptions& options) {
 /// Maximum number of triangles of a mesh.
 constexpr double max_triangles = 500e6;
 
-/// Checks the estimated number of triangles. Throws: InvalidInput when there would be too many.
+/// Estimates the number of triangles and reports it to `said.estimated`. Throws: InvalidInput when there are too many.
 void check_number(const Outline& outline, const SizeField& field, const FillOptions& said, const GoOn& go_on) {
   const double triangles = estimate_triangles(parts_of(outline), field, said.keep_boundary, go_on);
   if (!(triangles <= max_triangles)) {
@@ -64,11 +64,11 @@ void check_number(const Outline& outline, const SizeField& field, const FillOpti
   if (said.estimated) said.estimated(triangles);
 }
 
-/// A temporary scale of coordinates that are too large or too small for squared lengths. The factor is a power of two,
-/// which changes none of their bits.
+/// A temporary scale for coordinates whose squared lengths would overflow or underflow. The factor is a power of two,
+/// so scaling changes only exponents.
 class Scale {
  public:
-  /// Scales the outline. Throws: InvalidInput when this would change bits; Cancelled.
+  /// Scales the outline. Throws: InvalidInput when scaling back would not restore a coordinate; Cancelled.
   Scale(Outline& outline, Steps& step) {
     double largest = 0;
     for (const Point& p : outline.places) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
@@ -112,8 +112,8 @@ SizeField field_of(const Outline& outline, const FillOptions& options) {
   return {options.size, options.grade.value_or(FillOptions::default_grade), std::move(sources)};
 }
 
-/// Returns cones over the rings: behind every edge of the boundary lies a triangle of a cone over its ring. All of the
-/// boundary is thus a front, and nothing is attached to its other side.
+/// Returns cones over the rings: each boundary edge has a triangle to the tip of its ring on its outer side. The whole
+/// boundary is thus a front, and the engine attaches nothing to its outer side.
 meshops::PolygonSoup cones_over(const Outline& outline, Steps& step) {
   meshops::PolygonSoup soup{.points = outline.places.size() + outline.rings.size(), .corners = {}};
   for (std::size_t r = 0; r < outline.rings.size(); ++r) {
@@ -248,8 +248,8 @@ Pieces pieces_of(const Outline& outline, const SizeField* field, const FillOptio
   return pieces;
 }
 
-/// Appends `pieces`, the triangles of a part, to `triangles`, and their new points to `filling`. number[s] is the point
-/// of site s of the whole outline.
+/// Appends the triangles of `pieces`, which fill the part, to `triangles`, and their new points to `filling`. number[s]
+/// is the point of site s of the whole outline.
 void add(const OutlinePart& part, const Pieces& pieces, std::span<const std::uint32_t> number, const Scale& scale,
          std::vector<std::pair<Triangle, std::size_t>>& triangles, Filling& filling) {
   std::vector<std::uint32_t> point;

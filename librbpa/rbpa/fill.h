@@ -20,14 +20,14 @@ namespace rbpa {
 
 /// Fills polygons with triangles of about the size `options.size`. The rings of `polygons` are indices into `points`. A
 /// ring may begin anywhere, have either orientation, and repeat a point in a row; rings may touch at single points, and
-/// polygons may lie in holes of others. A polygon without points has no triangle. Of equal points the first is used. A
-/// point at which a ring touches an edge becomes a vertex of that edge's ring. A point that is added on an edge is
-/// rounded to doubles, so that it may lie beside the edge.
+/// polygons may lie in holes of others. A polygon without points has no triangle. Of equal points the one of lowest
+/// index is used. A point at which a ring touches an edge becomes a vertex of that edge's ring. A point that fill()
+/// adds on an edge is rounded to doubles, and may therefore lie beside the edge.
 /// Requires: each group (FillOptions::groups) is a valid multipolygon.
-/// Throws:   InvalidInput that names the place: coordinates that are not finite; the text of why_invalid() for a group
-///           (validity.h); groups that do not ascend from 0; a size or grade that is not a finite number above 0, but
-///           for an infinite `options.size` without grade and sizes; an estimate above 500 million triangles;
-///           coordinates too far apart in magnitude for one scale. Cancelled; any exception of functions in `options`.
+/// Throws:   InvalidInput for coordinates that are not finite; for a group that is not valid, with the text of
+///           why_invalid() (validity.h); for groups that do not ascend from 0; for a size or grade that is not a finite
+///           number above 0, except an infinite `options.size` without grade and sizes; for an estimate above 500
+///           million triangles; for coordinates too far apart in magnitude. Cancelled; exceptions of the callbacks.
 RBPA_API Filling fill(std::span<const Point> points, std::span<const Polygon> polygons, const FillOptions& options);
 
 }  // namespace rbpa

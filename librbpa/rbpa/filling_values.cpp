@@ -38,13 +38,13 @@ void interpolate_edges(std::span<const Point> points, const Ring& ring, std::siz
   }
 }
 
-/// An edge of triangles, from its lexicographically least end, and the triangle above it.
+/// An edge of a triangulation, from its lexicographically least end, and the triangle above the edge.
 struct SweepEdge {
   Point from, to;
   std::uint32_t above;
 };
 
-/// Orders edges from below to above, at an x that both have; edges meet in their ends only.
+/// Orders edges from below to above at an x that both cover. Requires: edges meet in their ends only.
 struct IsBelow {
   using is_transparent = void;
   bool operator()(const SweepEdge& a, const SweepEdge& b) const {
@@ -62,7 +62,8 @@ struct IsBelow {
   }
 };
 
-/// Returns for each query inside of the triangles one that contains it, by a sweep over points from left to right.
+/// Returns for each query point, given by its index, a triangle that contains the point: `none` outside of all
+/// triangles. Sweeps over the points from left to right.
 std::vector<std::uint32_t> triangles_around(std::span<const Point> points, const TriangleArrays& arrays,
                                             std::span<const std::uint32_t> queries, Steps& step) {
   std::vector<SweepEdge> edges;

@@ -1,8 +1,8 @@
 // What: interpolates values such as heights at all points of a filling from the values at the points given to fill().
-// Law:  a given point keeps its value, to the last bit. A point inserted on an edge gets the value between those at the
-//       ends of the edge, linear in the distance. A point inside gets the value that is linear in the triangle that
-//       contains the point, in the constrained Delaunay triangulation of its group's boundary; an exact test finds that
-//       triangle.
+// Law:  a given point keeps its value, to the last bit. The value of a point inserted on an edge is interpolated
+//       linearly between the given points on both sides along the edge. The value of an inner point is interpolated
+//       linearly in the triangle that contains the point in the constrained Delaunay triangulation of its group's
+//       boundary; an exact test finds this triangle.
 // Cost: n log n in all points.
 #pragma once
 

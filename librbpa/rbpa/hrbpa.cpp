@@ -19,7 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Runs all levels, from the first to the last; `growth` makes the mesh the complex of one after another.
+/// Runs all levels, from the first to the last: on each, `growth` makes the mesh the complex of the level's radius.
 void run_levels(const Ladder& ladder, GrowthByTiles& growth, meshops::Front& front, LevelRecord& record) {
   Level level{.transferred = front.sites()};
   for (;;) {
@@ -28,8 +28,8 @@ void run_levels(const Ladder& ladder, GrowthByTiles& growth, meshops::Front& fro
     record.end(level, ladder.radius(level.number), is_last, front);
     if (is_last) return;
 
-    // Front::next_level() counts the same on a front to whose halfedges triangles are attached. Here triangles are put
-    // at frozen halfedges, and the cost of a level is linear in its triangles.
+    // On a front that grows by attached triangles, Front::next_level() counts these halfedges. `growth` puts
+    // triangles at frozen halfedges instead, and the cost of a level is linear in its triangles.
     level = {.number = std::clamp(growth.next(level.number), level.number + 1, ladder.end()),
              .transferred = growth.open_sites(),
              .advancing = 2 * front.edges() - 3 * front.faces()};

@@ -26,7 +26,7 @@ struct MeshSink {
   Monitor& monitor;
 };
 
-/// Returns the assembled complex: tiles find the triangles that they can decide, the remainder the others.
+/// Returns the assembled complex. Tiles find the triangles that they can decide; a last step finds the others.
 meshops::AssembledPatches by_tiles(const Sites& sites, const Radius& radius, meshops::PatchAssembler assembler,
                                    Threads& threads, Monitor& monitor) {
   assembler.reserve(3 * sites.size(), 2 * sites.size());

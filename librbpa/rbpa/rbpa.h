@@ -16,25 +16,26 @@
 
 namespace rbpa {
 
-/// Options of rbpa(): how it runs, not what it computes.
+/// Options of a run of rbpa(), which do not change its result.
 struct Options {
-  MaxThreads threads = 0;  ///< maximum number; 0: all processors
-  /// Callback for progress and cancellation. It is called every few milliseconds, but at intervals of up to 0.1 s per
-  /// million points while points are sorted, triangles that tiles leave over are inserted, or the mesh is finished; up
-  /// to 0.5 s per million points on sets where tiles find no triangle.
+  MaxThreads threads = 0;  ///< maximum number of threads; 0: one for each processor
+  /// Callback for progress and cancellation, called every few milliseconds. Intervals are up to 0.1 s per million
+  /// points while points are sorted, triangles that no tile finds are inserted, or the mesh is finished; up to 0.5 s
+  /// per million points on sets in which tiles find no triangle.
   OnProgress progress = {};
 };
 
 /// Computes the solid alpha complex of `points`: their Delaunay triangles of circumradius ≤ `alpha`. Cocircular points
-/// are triangulated by the symbolic perturbation that docs/explanation/exact_decisions.md defines. Points on one line,
-/// or fewer than three, have no triangle.
+/// are triangulated by the symbolic perturbation that docs/explanation/exact_decisions.md defines. The complex of fewer
+/// than three points, or of points on one line, has no triangle.
 /// Requires: 0 < alpha ≤ infinity; the points are finite, at most 357,913,941 (OpenMesh numbers halfedges in int).
-/// Throws:   InvalidInput that names alpha, the number of points or the first point that is not as required, before
-///           anything is computed; Cancelled; any exception of `options.progress`.
+/// Throws:   before anything is computed, InvalidInput that names a wrong alpha, a too large number of points or the
+///           first point that is not finite. Cancelled; any exception of `options.progress`.
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
 
-/// Returns the number of threads that rbpa() and hrbpa() use on `points` points with the option `threads` = `wanted`:
-/// at most the number of processors, which 0 stands for; one for fewer than 10,000 points.
+/// Returns the number of threads that rbpa() and hrbpa() use for a number of points when the option `threads` is
+/// `wanted`: 1 for fewer than 10,000 points; otherwise `wanted`, but at most the number of processors, which is also
+/// the result for 0.
 RBPA_API unsigned threads_used(std::size_t points, unsigned wanted);
 
 }  // namespace rbpa

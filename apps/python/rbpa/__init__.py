@@ -24,7 +24,7 @@ Contents:
     periodic_solid(points, box, alpha=inf)   tetrahedra in a periodic box                       -> PeriodicSolid
     solid_filtration(points)             persistence of components, tunnels, voids in space     -> SolidFiltration
     union_of_balls(points, radius)       volume and area, in space                              -> BallUnion
-    balls(centers, radii, probe=0)       the same with a radius each, ball by ball, contacts    -> Balls
+    balls(centers, radii, probe=0)       balls of several radii: volumes, areas, contacts       -> Balls
     follow_voids(frames)                 voids of balls, followed from frame to frame           -> VoidTracks
     rbpa.molecules                       atoms of files with names and frames, and their radii
     estimate_normals(points)             normals of points in space

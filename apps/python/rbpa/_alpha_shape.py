@@ -37,16 +37,16 @@ def alpha_shape(
         A radius above 0 in the units of the points; infinity gives the Delaunay triangulation. "plateau" is a radius
         around which parts and holes hardly change, the best of `Filtration.plateaus`, and "plateau:2" the second. "min" is
         the least radius at which every point is in a triangle. "auto" is the least radius at which, moreover, the
-        triangles form at most `components` pieces. Both are exact, and one outlier decides them unless `cover` is less
-        than 1. The default is "plateau", or "auto" if `cover` or `components` is given. `AlphaShape.alpha` is the
-        chosen radius.
+        triangles form at most `components` pieces. "min" and "auto" are exact, so a single outlier decides the radius
+        unless `cover` is less than 1. The default is "plateau", or "auto" if `cover` or `components` is not 1.
+        `AlphaShape.alpha` is the chosen radius.
     cover : float
         For "auto" and "min": the share of the points that must be in triangles, for "auto" in those of the `components`
         largest pieces. With 0.99, one of a hundred points may be left out.
     components : int
         For "auto": the greatest number of pieces connected through edges.
     threads : int, optional
-        The greatest number of threads; all processors by default. The result does not depend on it.
+        The greatest number of threads; by default the number of processors. The result does not depend on threads.
     progress : callable, optional
         Called as progress(triangles, points) every 0.1 s, in the calling thread. Returning False ends the run with
         `Cancelled`; an exception ends it, too.
@@ -73,7 +73,7 @@ def alpha_shape(
     share, pieces = as_share(cover, "cover"), as_count(components, "components", 1)
     choice = as_choice(or_auto(alpha, share, pieces), share, pieces)
     radius = choice.radius if choice.is_given else _core.choose_alpha(array, choice, workers, progress)
-    # If no radius covers the points, they are on a line, and there is no triangle at any radius.
+    # If no radius covers the points, all points are on a line, and no radius gives a triangle.
     made = _core.triangulate(array, math.inf if radius is None else radius, workers, progress)
     return AlphaShape(array, radius, {"fields": fields_of(points), **made})
 
@@ -102,7 +102,7 @@ def concave_hull(
     -------
     Polygons
         One polygon if alpha is "auto" and all points are covered; none if the points are on one line or fewer than
-        three. Otherwise one polygon for each piece at that radius; points in no piece are outside.
+        three. Otherwise one polygon for each piece at the radius; points in no piece are outside.
 
     Raises
     ------
@@ -127,9 +127,10 @@ class AlphaShape(Outlined, Simplices):
     Attributes
     ----------
     points : float64 array of shape (n, 2)
-        The given points, the same array if nothing had to be converted. All indices refer to it.
+        The given points: the given array itself if no conversion was needed. All indices refer to this array.
     alpha : float or None
-        The radius, given or chosen; None if none could be chosen, as the points are on one line or fewer than three.
+        The radius, given or chosen; None if no radius could be chosen, as the points are on one line or fewer than
+        three.
     simplices : int32 array of shape (m, 3)
         The corners of each triangle, counter-clockwise, the smallest index first; triangles are in lexicographic order.
     neighbors : int32 array of shape (m, 3)
@@ -139,7 +140,7 @@ class AlphaShape(Outlined, Simplices):
     isolated : int32 array of shape (i,)
         Distinct points in no triangle, ascending.
     duplicates : int32 array of shape (d, 2)
-        Points that are equal to an earlier one, and that earlier one, which represents them everywhere.
+        Points that are equal to an earlier point, each with this earlier point, which represents all equal points.
     fields : dict of arrays of shape (n,)
         The fields of the points, with their types, if `read_points` returned the points; else empty.
     """
@@ -177,15 +178,15 @@ class AlphaShape(Outlined, Simplices):
         ax : matplotlib axes, optional
             The axes to draw into; the current axes by default.
         triangles : bool
-            Draw the sides of the triangles, too: paler if they are short on the page, and none if they are too short to
-            be distinguished. To zoom, set the limits of `ax` before.
+            Draw the sides of the triangles, too: paler if sides are short on the page, and not at all if they are too
+            short to be distinguished. To zoom, set the limits of `ax` before the call.
         points : bool
-            Draw the points, isolated ones in red; smaller and paler if they are dense.
+            Draw the points, isolated points in red; smaller and paler if points are dense.
         style
             Arguments of matplotlib.patches.PathPatch for the polygons.
         """
         ax = self.polygons.plot(ax, **style)
-        if points:  # the view must include all of them
+        if points:  # the view must include all points
             ax.update_datalim(self.points)
             ax.autoscale_view()
         scale = page_scale(ax)

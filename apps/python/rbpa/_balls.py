@@ -24,8 +24,8 @@ def balls(
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Balls:
-    """Measures the union of balls: volume and area, the share of each ball, contacts. Which balls meet is decided
-    exactly; sizes are rounded.
+    """Measures the union of balls: volume and area, the share of each ball, contacts. Decides exactly which balls meet;
+    sizes are rounded.
 
     Parameters
     ----------
@@ -34,14 +34,15 @@ def balls(
         among the threads. Atoms are those of `molecules.read`, or an object of MDAnalysis, ASE or mdtraj
         (`molecules.positions_of`).
     radii : array_like of shape (n,) or (frames, n), a number, "bondi" or "protor", optional
-        The radius of each ball, at least 0. Atoms have radii by element and name; by default those of their file, if it
-        has some, else Bondi's (`molecules.radii`).
+        The radius of each ball, at least 0. By default atoms have the radii of their file, if the file has radii, and
+        otherwise Bondi's; "bondi" and "protor" choose radii by element and name (`molecules.radii`).
     probe : float
-        Added to each radius: 1.4 for water, in angstroms.
+        The length that is added to each radius: 1.4 for water, in angstroms.
     threads
         As for `solid`.
     progress : callable, optional
-        Called with the numbers of finished frames and of all frames, of a single frame with 0 and the number of balls.
+        Called with the numbers of finished frames and of all frames; for a single frame, with 0 and the number of
+        balls.
 
     Raises
     ------
@@ -79,8 +80,8 @@ class BallContacts(NamedTuple):
     """The contacts of balls, `Balls.contacts`: pairs that share a part of the disc within their common circle. Arrays
     are read-only, with a row for each pair in ascending order.
 
-    `balls` has shape (m, 2); `areas` are those of the discs' parts, `arcs` the lengths of arcs of their circles on the
-    surface of the union, 0 where there are none, `distances` those of the centers.
+    `balls` has shape (m, 2). `areas` are the areas of the shared parts of discs, `arcs` the total lengths of the arcs
+    of the common circles on the surface of the union, or 0, and `distances` the distances of the two centers.
     """
 
     balls: Indices
@@ -100,12 +101,13 @@ class BallMouth(NamedTuple):
     balls: Indices
     """The balls around the mouth."""
     area: float
-    """The area of the triangles outside of the balls, and the length of its border with them."""
+    """The area of the triangles outside of the balls; `perimeter` is the length of the border of this area with the
+    balls."""
     perimeter: float
     power: float
-    """The balls with the squared radii R² + power close the mouth."""
+    """The power at which balls with the squared radii R² + power close the mouth."""
     center: tuple[float, float, float]
-    """The center of the largest ball that passes, and its radius."""
+    """The center of the largest ball that passes through the mouth; `radius` is the radius of this ball."""
     radius: float
 
     def __repr__(self) -> str:
@@ -116,19 +118,19 @@ class BallVoid(NamedTuple):
     """A void or pocket of a union of balls, `Balls.voids` and `Balls.pockets`. Arrays are read-only."""
 
     volume: float
-    """Volume outside of the balls, and area of their spheres there."""
+    """The volume outside of the balls; `area` is the area of the spheres of the balls that faces this volume."""
     area: float
     volume_of_tetrahedra: float
     simplices: Indices
     """Shape (k, 4): the tetrahedra, as corners."""
     balls: Indices
-    """The balls that line it, ascending, and the area of each that faces it."""
+    """The balls that line the void or pocket, ascending; `areas` has the area of each ball's sphere that faces it."""
     areas: Floats
     center: tuple[float, float, float]
-    """The center of the largest ball that fits in, and its radius."""
+    """The center of the largest ball that fits into the void or pocket; `radius` is the radius of this ball."""
     radius: float
     power: float
-    """The balls with the squared radii R² + power fill it."""
+    """The power at which balls with the squared radii R² + power fill the void or pocket."""
     mouths: list[BallMouth]
     """The mouths of a pocket, the widest first; none for a void."""
 
@@ -139,9 +141,9 @@ class BallVoid(NamedTuple):
 class BallInterfaces(NamedTuple):
     """Interfaces of groups of balls, `Balls.interfaces`, with a row for each two groups that meet. Arrays are read-only.
 
-    `groups` has shape (m, 2): the labels; `areas` has shape (m, 2): of each group, the area of its surface that the
-    other one covers; `contact_areas` are the areas of the contacts between their balls. `areas_alone` has shape (n,):
-    the area of each ball on the surface of its own group.
+    `groups` has shape (m, 2): the labels of both groups. `areas` has shape (m, 2): for each of both groups, the area of
+    its surface that the other group covers. `contact_areas` are the areas of the contacts between balls of both groups.
+    `areas_alone` has shape (n,): the area of each ball on the surface of its own group.
     """
 
     groups: npt.NDArray[Any]
@@ -155,7 +157,7 @@ class BallInterfaces(NamedTuple):
 
 class Balls(Result):
     """A union of balls, as returned by `balls`. Arrays are read-only. For frames of balls, `volume` and `area` are
-    arrays of shape (frames,), arrays have a first axis for frames, and what has another size in each frame is a list.
+    arrays of shape (frames,), other arrays have a first axis for frames, and attributes whose size varies are lists.
 
     Attributes
     ----------
@@ -166,8 +168,8 @@ class Balls(Result):
     volume, area : float
         Sizes of the union of the balls with the probe, in cubed and squared units of the centers.
     volumes, areas : float64 array of shape (n,)
-        The volume of each ball's part of the union, within its power cell, and the area of its sphere on the surface of
-        the union, exactly 0 if it is buried. Their sums are `volume` and `area`.
+        The volume of each ball's part of the union, within the ball's power cell, and the area of its sphere on the
+        surface of the union, exactly 0 for a buried ball. The sums over all balls are `volume` and `area`.
     arcs : int32 array of shape (n,)
         The number of arcs of circles that bound the area of each ball, whole circles included.
     hidden : int32 array of shape (h,)
@@ -190,7 +192,7 @@ class Balls(Result):
         self.__dict__.update({name: made[name] for name in ("volume", "area", "volumes", "areas", "arcs", "hidden")})
 
     def _measured(self, further: bool, threads: Optional[int] = None, progress: Progress = None) -> dict[str, Any]:
-        """Measures the balls, contacts and gradients too if `further`. Returns the attributes."""
+        """Measures the balls, and also contacts and gradients if `further`. Returns the attributes."""
         self._require_unchanged()
         shape = self.centers.shape
         centers = self.centers if self.centers.ndim == 3 else self.centers[None]
@@ -222,7 +224,8 @@ class Balls(Result):
 
     @cached_property
     def without_probe(self) -> Balls:
-        """The union of the balls without the probe: of atoms the volume and area of van der Waals. Measures again."""
+        """The union of the balls without the probe: for atoms, with the van der Waals volume and area. Measures
+        again."""
         return self if self.probe == 0 else Balls(self.centers, self.radii, 0.0)
 
     @cached_property
@@ -244,7 +247,7 @@ class Balls(Result):
         return np.ascontiguousarray(self.radii + self.probe)
 
     def _found(self, pockets: bool) -> Any:
-        """Returns the pockets, or the voids; of several frames, a list for each."""
+        """Returns the pockets if `pockets`, otherwise the voids; for several frames, a list for each frame."""
         self._require_unchanged()
         frames = self.centers if self.centers.ndim == 3 else self.centers[None]
         radii = np.broadcast_to(self.radii + self.probe, frames.shape[:2])
@@ -259,13 +262,14 @@ class Balls(Result):
 
     @cached_property
     def voids(self) -> Any:
-        """The voids that the balls with the probe enclose, a list of `BallVoid`, the largest first; of frames a list of
-        lists. The first access computes them."""
+        """The voids that the balls with the probe enclose, a list of `BallVoid`, the largest first; for frames, a list
+        of lists. Computed at the first access."""
         return self._found(False)
 
     @cached_property
     def pockets(self) -> Any:
-        """The pockets of the balls with the probe, with their mouths, as `voids`. The first access computes them."""
+        """The pockets of the balls with the probe, with their mouths, in the form of `voids`. Computed at the first
+        access."""
         return self._found(True)
 
     def filtration(self, *, roots: bool = False, threads: Optional[int] = None) -> BallFiltration:

@@ -36,10 +36,10 @@ class Delaunay(Simplices):
     convex_hull : int32 array of shape (k, 2)
         The edges of the convex hull, each counter-clockwise around it.
     duplicates : int32 array of shape (d, 2)
-        Points that are equal to an earlier one, and that earlier one, which represents them everywhere.
+        Points that are equal to an earlier point, each with this earlier point, which represents all equal points.
     npoints, nsimplex, ndim : int
     min_bound, max_bound : float64 array of shape (2,)
-        The corners of the points' bounding box.
+        The lower and the upper corner of the points' bounding box.
 
     Raises
     ------
@@ -69,7 +69,7 @@ class Delaunay(Simplices):
         array = as_points(points)
         made = _core.triangulate(array, math.inf, as_threads(threads), progress)
         made["convex_hull"], made["_index"] = made.pop("boundary"), index_of(points)
-        del made["isolated"]  # there are none
+        del made["isolated"]  # not an attribute of SciPy's class
         super().__init__(made, points=array)
 
     def find_simplex(self, xi: npt.ArrayLike, bruteforce: bool = False, tol: Optional[float] = None) -> Any:
@@ -84,8 +84,8 @@ class Delaunay(Simplices):
         Returns
         -------
         int32 array of shape (...)
-            The triangle of each point; triangles include their sides and corners, and the first of several counts. -1
-            outside of the convex hull, and if a coordinate is not finite.
+            The triangle that contains each point, sides and corners included; the first if several do. -1 if the point
+            is outside of the convex hull, or if a coordinate is not finite.
         """
         self._require_unchanged()
         queries = as_array(xi, "xi")
@@ -107,8 +107,8 @@ class Delaunay(Simplices):
         method: Literal["linear", "natural"] = "linear",
         outside: Literal["nan", "nearest"] = "nan",
     ) -> Any:
-        """Interpolates values: linearly in each triangle, as scipy.interpolate.LinearNDInterpolator; or by Sibson's
-        method, with the areas that natural neighbors lose to a point as weights.
+        """Interpolates values: linearly in each triangle, as scipy.interpolate.LinearNDInterpolator does; or by
+        Sibson's method, whose weights are the areas that natural neighbors lose to a point.
 
         Parameters
         ----------
@@ -116,7 +116,7 @@ class Delaunay(Simplices):
             One or several numbers for each of the points, real or complex. The value of the first of equal points
             counts. Values and points of pandas are aligned by index.
         xi : array_like of shape (..., 2)
-            Where values are wanted.
+            The points at which to interpolate.
         fill_value : float
             The value outside of the convex hull, unless `outside` is "nearest", and for coordinates that are not
             finite.
@@ -131,8 +131,8 @@ class Delaunay(Simplices):
         Returns
         -------
         array of the shape of `xi` without its last dimension, followed by that of `values` without its first
-            At a point of the triangulation its own value, to the last bit, even if there is no triangle, as points are
-            on a line. Every point is located exactly.
+            The interpolated values. A point of the triangulation has its given value, to the last bit, even if there is
+            no triangle because all points are on a line. Every point is located exactly.
 
         Raises
         ------
@@ -180,8 +180,8 @@ class Delaunay(Simplices):
     def _interpolate_beside(
         self, rows: Floats, at: Floats, outside: npt.NDArray[np.intp], found: Floats, all_of_them: bool
     ) -> npt.NDArray[np.intp]:
-        """Sets the values of queries outside, of all or only of those at points. Returns the queries that have no
-        value."""
+        """Sets in `found` the values of queries outside of the hull: of all, or only of queries at points. Returns the
+        queries that have no value."""
         finite = outside[np.isfinite(at[outside]).all(axis=1)] if self.npoints else outside[:0]
         corners, weights = self._nearest(at[finite])
         if not all_of_them:
@@ -193,7 +193,8 @@ class Delaunay(Simplices):
         return left
 
     def _nearest(self, at: Floats) -> tuple[Indices, Floats]:
-        """Returns the nearest points of the convex hull, as corners of their facet and the weights of these."""
+        """Returns the nearest position on the convex hull for each query: the corners of its facet, and their
+        weights."""
         if len(at) == 0:
             return np.empty((0, 3), np.int32), np.empty((0, 3))
         facets, places = self._rim
@@ -222,8 +223,8 @@ class Delaunay(Simplices):
         """Returns a scipy.spatial.Delaunay of these triangles, for functions that require one, such as
         scipy.interpolate.LinearNDInterpolator and CloughTocher2DInterpolator. Needs the package scipy.
 
-        Nothing is triangulated again. The object has all members of SciPy's except `add_points`. Its `find_simplex` is
-        SciPy's, which is not exact.
+        Does not triangulate again. The returned object has all members of SciPy's class except `add_points`. Its
+        `find_simplex` is SciPy's, which is not exact.
 
         Raises
         ------
@@ -244,7 +245,7 @@ class Delaunay(Simplices):
         made.simplices, made.neighbors, made.coplanar = self.simplices.copy(), self.neighbors.copy(), self.coplanar.copy()
         made.paraboloid_scale, made.paraboloid_shift, made.equations = scale, shift, equations
         made.good = np.ones(self.nsimplex, np.intc)
-        if hasattr(made, "_vertices"):  # in versions in which simplices have a second name
+        if hasattr(made, "_vertices"):  # some versions of SciPy have a second name for simplices
             made._vertices = made.simplices
         made._transform = made._vertex_to_simplex = made._vertex_neighbor_vertices = None
         return made
@@ -290,8 +291,8 @@ class Delaunay(Simplices):
 
     @cached_property
     def coplanar(self) -> Indices:
-        """Points that are not vertices, here the duplicates: int32 array of shape (d, 3), with rows of the point, a
-        triangle that contains it, and the equal vertex."""
+        """The points that are not vertices, which are the duplicates: int32 array of shape (d, 3). Each row has the
+        point, a simplex that contains the point, and the vertex equal to the point."""
         point, vertex = self.duplicates.T
         of: Indices = np.column_stack((point, self.vertex_to_simplex[vertex], vertex)).astype(np.int32)
         freeze(of)
@@ -324,8 +325,8 @@ class Delaunay(Simplices):
 
 
 class DelaunayInSpace(Delaunay):
-    """The Delaunay triangulation of points in space, which `Delaunay` returns for points of shape (n, 3). As in the
-    plane, except:
+    """The Delaunay triangulation of points in space, which `Delaunay` returns for points of shape (n, 3). Attributes
+    are those of `Delaunay`, except:
 
     Attributes
     ----------
@@ -412,6 +413,6 @@ def _weighted(weights: Floats, values: Floats) -> Floats:
 def _are_in_space(points: npt.ArrayLike) -> bool:
     try:
         shape = np.shape(points)
-    except ValueError:  # ragged: as_points() refuses it
+    except ValueError:  # rows of different lengths, which as_points() refuses
         return False
     return len(shape) == 2 and shape[1] == 3

@@ -21,7 +21,7 @@ class Plateau(NamedTuple):
     end: Optional[float]
     """None for the last plateau, which has no end."""
     alpha: float
-    """The radius to choose in it. The attributes below describe the shape at this radius."""
+    """The radius to choose in the plateau. The attributes below describe the shape at this radius."""
     ratio: float
     """end / start, its persistence; for the last plateau end is half the diagonal of the points' box. At least 1."""
     triangles: int
@@ -34,11 +34,11 @@ class Plateau(NamedTuple):
     """The number of parts, weighted by their points: 2 for two halves, little more than 1 for one part and
     dust."""
     hole_share: float
-    """The area of the holes divided by that of triangles and holes."""
+    """The area of the holes divided by the area of triangles and holes."""
     kind: str
     """"structured", with several large parts or holes, or "one piece"."""
     is_long: bool
-    """Whether its ratio exceeds what points without any structure reach by chance."""
+    """Whether `ratio` exceeds the ratios that points without structure reach by chance."""
 
 
 class Representative(NamedTuple):
@@ -47,12 +47,12 @@ class Representative(NamedTuple):
     dimension: int
     birth: float
     death: float
-    """Infinity if it never dies."""
+    """The radius at which the hole or component dies; infinity if it never dies."""
     joined_at: Optional[tuple[int, int]]
-    """Dimension 0: the two points of the edge at which it meets an older component; None if it never dies."""
+    """Dimension 0: the two points of the edge at which the component meets an older one; None if it never dies."""
     at_birth: list[Indices]
-    """Dimension 1: rings of points around the hole at its birth, the outer one first, then those around islands in
-    it."""
+    """Dimension 1: rings of points around the hole at its birth, the outer ring first, then the rings around islands in
+    the hole."""
     before_death: list[Indices]
     """Rings of the remaining hole just before its death: a triangle, or several with one circumcircle."""
     area: float
@@ -91,7 +91,7 @@ class Filtration(Result):
     """The solid alpha complex for every radius, as returned by `filtration`. Arrays are read-only.
 
     All arrays have an entry for each critical radius, a radius at which the complex changes; entry i holds for
-    alpha[i] <= radius < alpha[i + 1]. Below the first there is no triangle.
+    alpha[i] <= radius < alpha[i + 1]. Below the first critical radius there is no triangle.
 
     Attributes
     ----------
@@ -146,8 +146,8 @@ class Filtration(Result):
     def plateaus(self) -> list[Plateau]:
         """Returns ranges of radii over which parts and holes of the shape hardly change, the best first, at most eight.
 
-        Long and structured ones come first; each has the radius to choose in it. Every call computes them again, in
-        about twice the time of `filtration`.
+        Long and structured plateaus come first; each has the radius to choose. Every call computes all plateaus again,
+        in about twice the time of `filtration`.
         """
         self._require_unchanged()
         return [Plateau(*found) for found in _core.plateaus(self.points, as_threads(None), None)]
@@ -182,8 +182,8 @@ class Filtration(Result):
         Returns
         -------
         float64 array of shape (k, 2)
-            Birth and death of each, sorted; infinity means that it never dies. When two components meet, the younger
-            one dies.
+            Rows of birth and death, sorted; a death of infinity means never. When two components meet, the younger
+            dies.
 
         Notes
         -----
@@ -205,9 +205,9 @@ class Filtration(Result):
     ) -> list[Representative]:
         """Returns the locations of the pairs of `persistence`, in its order.
 
-        Includes pairs with death - birth at least `min_persistence`, and of each dimension at most the `top` that last
-        longest. Of all sets of triangles that enclose a hole at its birth, the rings are around the one of least area.
-        Every call computes them again.
+        Includes pairs with death - birth of at least `min_persistence`, and in each dimension only the `top`
+        longest-lived pairs. Of all sets of triangles that enclose a hole at its birth, the rings are around the set of
+        least area. Every call computes all locations again.
 
         `levels` are ascending radii, or an integer for the radii of the hierarchical algorithm with leaves of that many
         points. With them, only pairs that exist at some level are returned: births and deaths are levels, and a hole is

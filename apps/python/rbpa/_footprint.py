@@ -26,7 +26,7 @@ class Footprint(Outlined):
         A polygon with holes for each piece connected through edges. Indices are int64 and number the points of all
         sources one after the other.
     points, duplicates, isolated : int
-        The number of points, of those equal to an earlier one, and of distinct points in no triangle.
+        The numbers of all points, of points equal to an earlier point, and of distinct points in no triangle.
     vertices, edges, triangles : int
         The numbers of simplices of the complex.
     solid_components, components, holes, boundary_curves : int
@@ -71,8 +71,8 @@ class _Places:
 
 
 def gathered(files: Sequence[str], rest: Flat) -> Polygons:
-    """Returns the polygons of files and the rest, ordered by the first points of their shells, then by the second
-    ones."""
+    """Returns the polygons of files and of `rest`, sorted by the first points of their shells, then by the second
+    points."""
     flats = [rest]
     for path in files:
         with np.load(path) as file:
@@ -83,7 +83,7 @@ def gathered(files: Sequence[str], rest: Flat) -> Polygons:
 
 
 def _sum(values: Floats) -> float:
-    """Returns the exact sum, rounded once; infinity beyond the range of float64."""
+    """Returns the exact sum of values, rounded once; infinity beyond the range of float64."""
     try:
         return math.fsum(values)
     except OverflowError:
@@ -121,7 +121,8 @@ def _sorted(flat: Flat) -> Flat:
 
 
 def _ranges(begin: Integers, order: Integers) -> tuple[Integers, Integers]:
-    """Returns the items of ranges in the given order, and the new begins of the ranges, with the end."""
+    """Returns the indices of the items of all ranges, with ranges in the given order, and the new begins of the ranges,
+    with the end as a last entry."""
     sizes = np.diff(begin)[order]
     new_begin = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
     return np.arange(new_begin[-1]) + np.repeat(begin[:-1][order] - new_begin[:-1], sizes), new_begin

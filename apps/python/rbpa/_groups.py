@@ -36,15 +36,15 @@ def alpha_shapes(
     Parameters
     ----------
     points : array_like of shape (n, 2)
-        As for `alpha_shape`, which computes the same for one group.
+        As for `alpha_shape`, which computes the complex of one group.
     groups : array_like of shape (n,), or str
         The group of each point: numbers, texts, dates, or any values that can be compared for equality. Points with
         None or NaN are in no group. A str is the name of a column of `points`, a GeoDataFrame. Points and groups of
         pandas are aligned by index.
     alpha : as for `alpha_shape`, or array_like of a radius for each group, or a mapping from groups to radii
-        A rule chooses a radius for each group. "plateau:K" chooses the last plateau of a group that has fewer. An array
-        is in the order of `AlphaShapes.names`, which is that of numpy.unique; a pandas Series has the groups as its
-        index.
+        A rule chooses a radius for each group. "plateau:K" chooses the last plateau of a group with fewer than K. An
+        array is in the order of `AlphaShapes.names`, which is that of numpy.unique; a pandas Series has the groups as
+        its index.
     cover, components, threads
         As for `alpha_shape`.
     progress : callable, optional
@@ -105,7 +105,7 @@ def _shapes(
 
 
 def _labels(points: Any, groups: Any, count: int) -> tuple[list[Any], npt.NDArray[Any], Indices]:
-    """Returns the groups as given, and as an array, and the number of each point's group, -1 for none."""
+    """Returns the groups as given, the groups as an array, and the number of each point's group, or -1."""
     if isinstance(groups, str):
         try:
             groups = points[groups]
@@ -145,8 +145,8 @@ def _as_values(groups: Any) -> npt.NDArray[Any]:
 
 
 def _as_given(names: npt.NDArray[Any], groups: Any, first: npt.NDArray[np.intp]) -> list[Any]:
-    """Returns names as Python objects. Times stay as given, as NumPy makes numbers of those that datetime cannot
-    represent."""
+    """Returns names as Python objects. Times stay as given if NumPy would convert them to numbers, because datetime
+    cannot represent them."""
     values: list[Any] = names.tolist()
     if names.dtype.kind not in "mM":
         return values
@@ -176,7 +176,7 @@ def _as_time(value: Any, names: npt.NDArray[Any]) -> Any:
 
 
 def _radii(alpha: Any, keys: list[Any], names: npt.NDArray[Any]) -> Floats:
-    """Returns one radius for all groups, or one for each."""
+    """Returns an array of one radius for all groups, or of a radius for each group."""
     index = index_of(alpha)
     if index is not None:
         if not index.is_unique:
@@ -207,16 +207,16 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
     Attributes
     ----------
     points : float64 array of shape (n, 2)
-        The given points. All indices refer to it.
+        The given points. All indices refer to this array.
     labels : int32 array of shape (n,)
-        The number of each point's group in `names`, or -1.
+        The position of each point's group in `names`, or -1 for a point in no group.
     names : array of shape (g,)
         The groups, ascending if they can be compared; the arrays below are in their order. The keys of the mapping are
         the groups as given, including timestamps of pandas.
     counts : int64 array of shape (g,)
         The number of points in each group.
     alphas : float64 array of shape (g,)
-        The radius, given or chosen; NaN if none could be chosen.
+        The radius, given or chosen; NaN if no radius could be chosen.
     areas, perimeters : float64 arrays of shape (g,)
         The sums over all polygons of the group: exact, rounded once.
     problems : dict

@@ -20,12 +20,12 @@ Integers = npt.NDArray[np.int64]
 Progress = Optional[Callable[[int, int], Optional[bool]]]
 Alpha = Union[float, str]
 
-_EXACT = 2**53  # float64 represents every integer up to it
+_EXACT = 2**53  # float64 represents every integer of at most this size
 _LONG = 80  # greatest length of a value in a message
 
 
 def as_points(points: npt.ArrayLike, name: str = "points", columns: int = 2) -> Floats:
-    """Returns a float64 array of shape (n, columns) in C order: the same object if it is one already."""
+    """Returns points as a float64 array of shape (n, columns) in C order: the given object if it is such an array."""
     if isinstance(points, np.ma.MaskedArray) and points.mask.any():
         raise InvalidInput(f"{name}: found masked values, expected points without (leave their rows out)")
     array = as_array(points, name, columns)
@@ -44,7 +44,7 @@ def as_points(points: npt.ArrayLike, name: str = "points", columns: int = 2) -> 
 
 
 def as_array(points: npt.ArrayLike, name: str, columns: int = 2) -> npt.NDArray[Any]:
-    """Converts points to an array by NumPy; takes the coordinates of points of GeoPandas and Shapely."""
+    """Converts points to an array as NumPy does; points of GeoPandas and Shapely become rows of coordinates."""
     geometry: Any = getattr(points, "geometry", points)  # of a GeoDataFrame
     if hasattr(geometry, "geom_type") and hasattr(geometry, "to_numpy"):
         try:
@@ -75,7 +75,7 @@ def _coordinates(items: Any, name: str, columns: int) -> npt.NDArray[Any]:
 
 
 def shown(value: Any) -> str:
-    """Returns a value as text for messages: in short, and arrays by their shape."""
+    """Returns a short text of a value for messages; the text of an array has its shape only."""
     value = as_scalar(value)
     if hasattr(value, "shape") and not isinstance(value, np.generic):
         kind = "a table" if hasattr(value, "columns") else "an array"
@@ -93,8 +93,8 @@ def index_of(points: Any) -> Any:
 
 
 def aligned(values: Any, index: Any, name: str) -> Any:
-    """Returns values in the order of the points, whose pandas index is `index`: a pandas object is aligned by its own
-    index, anything else by position."""
+    """Returns values in the order of points whose pandas index is `index`: reorders a pandas object by its index, and
+    returns anything else unchanged."""
     of_values = index_of(values)
     if index is None or of_values is None or of_values.equals(index):
         return values
@@ -139,13 +139,13 @@ def as_scalar(value: Any) -> Any:
 
 
 def is_number(value: Any) -> bool:
-    """Returns whether a value is a real number, also Fraction, Decimal or NumPy's, but not bool or str."""
+    """Returns whether a value is a real number; Fraction, Decimal and numbers of NumPy are, bool and str are not."""
     kinds = (numbers.Real, decimal.Decimal, np.floating, np.integer)
     return isinstance(value, kinds) and not isinstance(value, (bool, np.bool_))
 
 
 def as_number(value: Any, name: str, expected: str) -> float:
-    """Converts a number to float, perhaps infinite or NaN."""
+    """Converts a number to float; the result may be infinite or NaN."""
     number = as_scalar(value)
     if not is_number(number):
         raise InvalidInput(f"{name}: found {shown(number)}, expected {expected}")
@@ -156,7 +156,7 @@ def as_number(value: Any, name: str, expected: str) -> float:
 
 
 def as_limits(faces: Optional[int], error: Optional[float]) -> tuple[int, Optional[float]]:
-    """Converts the limits of a decimation: a number of triangles, 0 if there is none, and a distance, perhaps None."""
+    """Converts the limits of a decimation: a number of triangles, 0 if it is not given, and a distance or None."""
     if faces is None and error is None:
         raise InvalidInput("faces: found None, and no error, expected a number of triangles, or a distance as error")
     if error is not None and not (error := as_number(error, "error", "a distance, at least 0")) >= 0:
@@ -180,7 +180,7 @@ def as_numbers(values: Any, name: str, expected: str) -> Floats:
 
 
 def as_radius(alpha: float, expected: str = _core.EXPECTED_ALPHA) -> float:
-    """Converts a number; the library checks whether it is a radius."""
+    """Converts a number to float; the library checks whether the number is a radius."""
     return as_number(alpha, "alpha", expected)
 
 
@@ -192,7 +192,7 @@ PLATEAU = _NotGiven("plateau")
 
 
 def or_auto(alpha: Any, cover: float, components: int) -> Any:
-    """Returns alpha; "auto" if alpha is not given, but `cover` or `components` is."""
+    """Returns alpha; "auto" if alpha is not given, but `cover` or `components` is not 1."""
     return "auto" if alpha is PLATEAU and (cover != 1 or components != 1) else alpha
 
 
@@ -222,13 +222,13 @@ def as_share(value: float, name: str) -> float:
 
 
 def require_one_of(value: Any, name: str, words: Sequence[str]) -> None:
-    """Raises InvalidInput unless a value is one of two words."""
+    """Raises InvalidInput unless a value is one of `words`."""
     if not isinstance(value, str) or value not in words:
         raise InvalidInput(f"{name}: found {shown(value)}, expected {' or '.join(map(repr, words))}")
 
 
 def as_radii(alpha: Any) -> Floats:
-    """Converts radii at which something is looked up: any numbers but NaN."""
+    """Converts radii at which a filtration is queried: any numbers but NaN."""
     radii = as_numbers(alpha, "alpha", "radii")
     if np.isnan(radii).any():
         raise InvalidInput("alpha: found nan, expected radii")
@@ -247,7 +247,7 @@ def as_threads(threads: int | None) -> int:
     return _default_threads if threads is None else as_count(threads, "threads", 1)
 
 
-# A forked child does not have its parent's worker threads, and must not wait for them.
+# A forked child process does not have its parent's worker threads, and must not wait for these threads.
 _default_threads = 0
 
 

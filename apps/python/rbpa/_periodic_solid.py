@@ -84,7 +84,7 @@ class PeriodicPart(NamedTuple):
     tetrahedra : int
         The number of its tetrahedra; in a void, tetrahedra with a circumradius above alpha.
     points : int32 array of shape (p,)
-        Corners of the triangles that bound it, ascending.
+        The corners of the triangles that bound the part, ascending.
     volume, area : float
         Volume and area of the boundary in one box. The volume of a void is that of its tetrahedra.
     dimension : int
@@ -133,7 +133,7 @@ class PeriodicSolid(Result):
     boundary : int32 array of shape (b, 3)
         The triangles with a tetrahedron on one side only, as vertices, counter-clockwise seen from outside.
     duplicates : int32 array of shape (d, 2)
-        Points that are equal to an earlier one modulo the box, and that earlier one, which represents them everywhere.
+        Points that are equal to an earlier point modulo the box, each with this earlier point, which represents both.
     isolated : int32 array of shape (i,)
         Distinct points in no tetrahedron.
     """
@@ -167,7 +167,7 @@ class PeriodicSolid(Result):
     betti: tuple[int, int, int, int] = entry(
         "_topology",
         "betti",
-        """Betti numbers of the complex in the torus of the box: (1, 3, 3, 1) if it fills the box.
+        """The Betti numbers of the complex in the torus of the box: (1, 3, 3, 1) if the complex fills the box.
 
         The first access to this or one of the attributes below computes all of them, with another triangulation.
 

@@ -1,4 +1,4 @@
-"""Drawing with matplotlib: width and opacity of strokes and dots, so that many remain distinct; triangles in space.
+"""Drawing with matplotlib: width and opacity of strokes and dots, by which many remain distinct; triangles in space.
 
 Lengths are in typographic points, 1/72 inch. Strokes and dots that are too dense for the page become thinner, then
 paler; sides of triangles are finally left out.
@@ -69,7 +69,7 @@ def page_scale(ax: Any) -> float:
 
 
 def median_side(points: Floats, simplices: Indices) -> float:
-    """Returns the median length of the triangles' sides, which few far points do not change."""
+    """Returns the median length of the triangles' sides, which few distant points hardly change."""
     corners = points[simplices]
     sides = corners - np.roll(corners, 1, axis=1)
     return float(np.median(np.hypot(sides[..., 0], sides[..., 1])))
@@ -83,7 +83,7 @@ def spacing_on_page(points: Floats, scale: float) -> float:
 
 
 def side_style(length: float) -> dict[str, float] | None:
-    """Returns the style of triangles' sides by their length on the page; None if they would be a blot."""
+    """Returns the style of triangles' sides by their length on the page; None if sides are too short to draw."""
     if length < _LEAST_SIDE:
         return None
     covered = 2 * math.sqrt(3) * _LINE / length  # of a page of equilateral triangles
@@ -108,7 +108,7 @@ def outline_width(length: float, page: float) -> float:
 
 
 def draw_triangles(ax: Any, points: Floats, triangles: Indices, style: dict[str, Any]) -> Any:
-    """Draws triangles in space, lit from above, in axes of equal scale; without `ax`, in those of a new figure."""
+    """Draws triangles in space, lit from above, in axes of equal scale; if `ax` is None, in axes of a new figure."""
     import matplotlib.pyplot as plt
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection  # type: ignore[import]
 

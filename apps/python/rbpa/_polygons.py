@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class Geometry(Dict[str, Any]):
-    """A GeoJSON geometry that also works as a feature with properties: geopandas.GeoDataFrame.from_features() needs
+    """A GeoJSON geometry that also works as a feature with properties, as geopandas.GeoDataFrame.from_features() needs
     both."""
 
     def __init__(self, kind: str, coordinates: list[Any], properties: dict[str, Any]) -> None:
@@ -39,7 +39,7 @@ class Geometry(Dict[str, Any]):
 
 
 def number_or_none(value: float) -> Optional[float]:
-    """Returns a number for JSON, which has no infinity; None if it is not finite."""
+    """Returns a number for JSON; None for infinity and NaN, which JSON does not have."""
     return float(value) if np.isfinite(value) else None
 
 
@@ -50,11 +50,11 @@ class Polygon:
     Attributes
     ----------
     shell : int32 array of shape (k,)
-        Indices of the points along the outer ring, counter-clockwise; the first is not repeated.
+        Indices of the points along the outer ring, counter-clockwise; the first index is not repeated at the end.
     holes : list of int32 arrays
         Indices of the points along the ring of each hole, clockwise.
     area : float
-        Area of the shell without the holes, in squared units of the points: the exact number, rounded once.
+        Area of the shell without the holes, in squared units of the points: the exact area, rounded once.
     perimeter : float
         Length of all rings, in units of the points.
     """

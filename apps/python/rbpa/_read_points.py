@@ -36,27 +36,27 @@ def read_points(
         Read points in space with their normals and colors, for `surface`; otherwise points in the plane.
     fields : sequence of str, or mapping of str to float or str
         Names of fields to read with the points: "intensity" and others of LAS, properties of PLY, fields of PCD,
-        columns of a table with a header; of molecules serial, chain, resseq, icode, resname, name, element, altloc,
-        occupancy and bfactor. A column of a table is one of texts if its first value is not a number, or if the mapping
-        has str: ``{"plot": str}``. With float numbers become float64.
+        columns of a table with a header; for molecules serial, chain, resseq, icode, resname, name, element, altloc,
+        occupancy and bfactor. A column of a table has texts if its first value is not a number, or if a mapping
+        requests str: ``{"plot": str}``. If a mapping requests float, numbers become float64.
     where : str, optional
-        A condition on such fields that selects points: "classification == 2 and not overlap", as in ``--where`` of the
-        program.
+        A condition on fields of the file that selects points: "classification == 2 and not overlap", as in ``--where``
+        of the program.
     columns : str or sequence of str and int, optional
         Columns of a table: "X,Y" or ["X", "Y"], in space "X,Y,Z" or "X,Y,Z,NX,NY,NZ", each a name or a number from 1.
-        By default those that the header names, or the first ones.
+        By default the columns that the header names, or the first columns.
     format : str, optional
         "las", "text", ...; by default according to the ending of the path.
     skip_invalid : bool
         Leave out lines of text, and records of LAS, that are not points; `PointFile.warnings` counts them.
     vertices : bool
-        Take the vertices of lines and polygons as points.
+        Read the vertices of lines and polygons as points.
     bounds : sequence of 4 or 6 numbers, optional
-        Take the points in the box x0, y0, x1, y1 or x0, y0, x1, y1, z0, z1, its boundary included. Of COPC only the nodes
-        that meet the box are read.
+        Read only the points in the box x0, y0, x1, y1 or x0, y0, x1, y1, z0, z1, its boundary included. Of a COPC file,
+        only the nodes that meet the box are read.
     resolution : float, optional
-        Take fewer points: of COPC the levels down to the first whose spacing is at most this length, of other files the
-        first point in each cell with this side.
+        Read fewer points: of a COPC file, the levels down to the first whose spacing is at most this length; of any
+        other file, the first point in each cell with this side.
 
     Raises
     ------
@@ -119,7 +119,8 @@ def _joined(columns: Any) -> str:
 
 
 def _field(values: Any) -> Any:
-    """Returns numbers unchanged, and texts by their numbers."""
+    """Returns the values of a field: an array of numbers unchanged, or an array of texts from a pair (numbers,
+    texts)."""
     if not isinstance(values, tuple):
         return values
     numbers, texts = values
@@ -127,9 +128,9 @@ def _field(values: Any) -> Any:
 
 
 class PointFile:
-    """The content of a file, as returned by `read_points`. Arrays are writable. A function that takes points also takes
-    the PointFile for its `points`, and `alpha_shape` and `surface` keep its `fields`; normals and colors are passed by
-    themselves.
+    """The content of a file, as returned by `read_points`. Arrays are writable. Functions that take points accept a
+    PointFile as well, and use its `points`; `alpha_shape` and `surface` also keep its `fields`. Normals and colors are
+    separate arguments.
 
     Attributes
     ----------

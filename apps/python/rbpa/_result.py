@@ -18,7 +18,7 @@ def freeze(*arrays: npt.NDArray[Any]) -> None:
 
 
 def fields_of(points: Any) -> dict[str, npt.NDArray[Any]]:
-    """Returns the fields of points that `read_points` returned; none of anything else."""
+    """Returns the fields of points that `read_points` returned; an empty dict for any other points."""
     fields = getattr(points, "fields", None)
     return dict(fields) if isinstance(fields, dict) else {}
 
@@ -36,12 +36,12 @@ def short_repr(row: Any) -> str:
 
 
 def entry(source: str, key: str, doc: str) -> Any:
-    """Makes a property: an entry of a dict, the attribute `source` of the result."""
+    """Returns a property whose value is entry `key` of the dict that attribute `source` of the result is."""
     return property(lambda result: getattr(result, source)[key], doc=doc)
 
 
 class Result:
-    """A result computed from arrays. Pickles leave out attributes that are computed at the first access."""
+    """A result computed from given arrays. Pickles leave out attributes that are computed at the first access."""
 
     def __init__(self, made: dict[str, Any], **given: Optional[Floats]) -> None:
         self.__dict__.update(given)
@@ -50,7 +50,7 @@ class Result:
         self._freeze()
 
     def _freeze(self) -> None:
-        """Makes all arrays read-only, except the given ones."""
+        """Makes all arrays read-only, except the given arrays."""
         freeze(*(value for name, value in vars(self).items() if isinstance(value, np.ndarray) and name not in self._before))
 
     def _require_unchanged(self) -> None:

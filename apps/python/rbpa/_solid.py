@@ -111,7 +111,7 @@ def union_of_balls(
 
 
 class DanglingFaces(NamedTuple):
-    """Simplices of the full alpha complex in no larger simplex: `Solid.dangling`.
+    """The simplices of a full alpha complex that are in no larger simplex: `Solid.dangling`.
 
     Arrays are read-only, with ascending rows in lexicographic order.
     """
@@ -131,14 +131,14 @@ class SolidVoid:
     Attributes
     ----------
     volume, area : float
-        The volume between the points, without islands, and the area of the whole boundary.
+        The volume of the void, without islands, and the area of its whole boundary.
     outside_balls : float or None
         For a void of the full complex, the volume within it that is at least alpha from every point, where the center
         of a ball may be.
     box : float64 array of shape (2, 3)
         The least and the greatest coordinates.
     islands : int
-        The number of pieces of the solid that are inside.
+        The number of pieces of the solid that are inside of the void.
     triangles : int32 array of shape (k,)
         The triangles of its boundary, by their numbers in `Solid.boundary`.
     points : int32 array of shape (p,)
@@ -171,8 +171,8 @@ class FullComplex(NamedTuple):
         The bounded components of the complement of tetrahedra and triangles, the largest volume first. Their triangles
         are numbers in `triangles`; an island is a connected set of triangles.
     triangles : int32 array of shape (k, 3)
-        The boundary triangles of the voids, counter-clockwise seen from within; one with a void on both sides comes
-        twice.
+        The boundary triangles of the voids, counter-clockwise seen from within the void; a triangle with voids on both
+        sides is listed twice.
     """
 
     betti: tuple[int, int, int]
@@ -189,7 +189,7 @@ class Solid(Simplices):
     Attributes
     ----------
     points : float64 array of shape (n, 3)
-        The given points, the same array if nothing had to be converted. All indices refer to it.
+        The given points: the given array itself if no conversion was needed. All indices refer to this array.
     alpha : float
         The radius, given or chosen.
     simplices : int32 array of shape (m, 4)
@@ -198,7 +198,7 @@ class Solid(Simplices):
     neighbors : int32 array of shape (m, 4)
         Column k is the tetrahedron opposite to corner k, or -1.
     duplicates : int32 array of shape (d, 2)
-        Points that are equal to an earlier one, and that earlier one, which represents them everywhere.
+        Points that are equal to an earlier point, each with this earlier point, which represents all equal points.
     isolated : int32 array of shape (i,)
         Distinct points in no tetrahedron.
     """

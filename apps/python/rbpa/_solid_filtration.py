@@ -50,19 +50,19 @@ class SolidRepresentative(NamedTuple):
     dimension: int
     birth: float
     death: float
-    """Infinity if it never dies."""
+    """The radius at which the component, tunnel or void dies; infinity if it never dies."""
     edges: Indices
     """Dimension 1: the edges of the cycle in their order, as rows of two points. Dimension 0: the edge, if any."""
     triangles: Indices
     """Dimension 2: the triangles around the void, as rows of three points, counter-clockwise seen from outside the
     void."""
     simplices: Indices
-    """Dimension 2: the numbers of the tetrahedra in it."""
+    """Dimension 2: the numbers of the tetrahedra in the void."""
     length: float
     """The length of the edges."""
     area: float
     volume: float
-    """The area of the triangles, and the volume of the void at its birth."""
+    """The volume of the void at its birth; `area` is the area of the triangles."""
     is_shortest: bool
     """Dimension 1: whether no shorter cycle exists at its birth and becomes a boundary exactly at its death."""
 
@@ -77,7 +77,7 @@ class SolidPlateau(NamedTuple):
     end: Optional[float]
     """None for the last plateau, which has no end."""
     alpha: float
-    """The radius to choose in it. The attributes below describe the solid at this radius."""
+    """The radius to choose in the plateau. The attributes below describe the solid at this radius."""
     ratio: float
     """end / start, its persistence; for the last plateau end is half the diagonal of the points' box. At least 1."""
     tetrahedra: int
@@ -88,11 +88,11 @@ class SolidPlateau(NamedTuple):
     effective_parts: float
     """The number of parts, weighted by their points."""
     void_share: float
-    """The volume of the voids divided by that of tetrahedra and voids."""
+    """The volume of the voids divided by the volume of tetrahedra and voids."""
     kind: str
     """"structured", with several large parts or voids, or "one piece"."""
     is_long: bool
-    """Whether its ratio exceeds what points without any structure reach by chance."""
+    """Whether `ratio` exceeds the ratios that points without structure reach by chance."""
 
 
 class VoidTree(NamedTuple):
@@ -102,15 +102,15 @@ class VoidTree(NamedTuple):
     Attributes
     ----------
     closes : float64 array of shape (k,)
-        The radius from which on it is a void; below, it is a pocket.
+        The radius from which on the void is closed; below this radius, it is a pocket.
     filled : float64 array of shape (k,)
-        The radius from which on it is completely filled.
+        The radius from which on the void is completely filled.
     volume : float64 array of shape (k,)
-        Its volume when it closes.
+        The volume of the void when it closes.
     parent : int32 array of shape (k,)
-        The number of the void from which it separates when it closes; -1 for the outside.
+        The number of the void from which the void separates when it closes; -1 for the outside.
     mouth : int32 array of shape (k, 3)
-        The points of the triangle that closes it.
+        The points of the triangle that closes the void.
     """
 
     closes: Floats
@@ -124,7 +124,8 @@ class VoidTree(NamedTuple):
 
 
 class SpaceFiltration(Result):
-    """What filtrations in space share: simplices, each with the value from which on it is in the complex, and pairs."""
+    """The base of filtrations in space: simplices, each with the value from which on it is in the complex, and
+    pairs."""
 
     edges: Indices
     edge_alpha: Floats
@@ -149,8 +150,8 @@ class SpaceFiltration(Result):
         Returns
         -------
         float64 array of shape (k, 2)
-            Birth and death of each, sorted; infinity means that it never dies. Of points the values are the square
-            roots of those of GUDHI's AlphaComplex; of balls, powers are those of its weighted complex.
+            Rows of birth and death, sorted; a death of infinity means never. For points, values are the square roots of
+            the values of GUDHI's AlphaComplex; for balls, powers equal the values of GUDHI's weighted complex.
         """
         return self._persistence[_checked(dimension)]
 

@@ -20,7 +20,7 @@ from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRepair
 
 Radius = Union[float, Sequence[float], npt.NDArray[Any], str]
 
-# In the order of the library's numbers.
+# The names of causes, in the order of the library's numbers.
 _UNUSED_CAUSES = ("no ball rests", "hidden", "normals disagree", "blocked")
 
 
@@ -46,11 +46,11 @@ def surface(
         surface.
     radius : float, several, or "auto"
         The radius of the ball, in the units of the points: about one to four times the distance between neighbors.
-        Several, ascending: each closes gaps that the smaller ones left, whose triangles stay. "auto" chooses up to four
-        from the gaps between neighbors, or with normals="none" the largest of these. `Surface.radii` has the chosen
-        radii.
+        Several radii ascend: each closes gaps that smaller radii left, and keeps their triangles. "auto" chooses up to
+        four radii from the gaps between neighbors, or with normals="none" the largest of these four. `Surface.radii`
+        has the chosen radii.
     max_radius : float
-        The greatest radius of "auto": larger ones become this one.
+        The upper limit on the radii that "auto" chooses: larger radii are reduced to it.
     threads, progress
         As for `alpha_shape`.
 
@@ -150,8 +150,8 @@ def surface_of(
 
 
 def _not_empty(radii: Floats) -> Floats:
-    """Returns radii, or any radius if none could be chosen, as the points are on a line or fewer than three: no radius
-    gives a triangle then."""
+    """Returns radii; [1] if there are none, because the points are on a line or fewer than three. No radius gives a
+    triangle then."""
     return radii if len(radii) else np.ones(1)
 
 
@@ -174,7 +174,7 @@ class Surface(Result):
     Attributes
     ----------
     points : float64 array of shape (n, 3)
-        The given points, the same array if nothing had to be converted. All indices refer to it.
+        The given points: the given array itself if no conversion was needed. All indices refer to this array.
     normals : float64 array of shape (n, 3), or None
         The given or estimated normals; None for "none".
     radii : float64 array of shape (k,)
@@ -193,7 +193,7 @@ class Surface(Result):
     boundary : int32 array of shape (b, 2)
         The sides without a neighbor, with the triangle on the left.
     duplicates : int32 array of shape (d, 2)
-        Points that are equal to an earlier one, and that earlier one, which represents them everywhere.
+        Points that are equal to an earlier point, each with this earlier point, which represents all equal points.
     fields : dict of arrays of shape (n,)
         The fields of the points, with their types, if `read_points` returned the points; else empty.
     """

@@ -78,15 +78,15 @@ class SurfaceComponent:
     Attributes
     ----------
     triangles : int32 array of shape (k,)
-        Its triangles, by their numbers in the surface.
+        The triangles of the component, by their numbers in the surface.
     area : float
         The area, in squared units of the points.
     volume : float, or None
-        The enclosed volume, negative if its triangles face inward; None if it is not closed.
+        The enclosed volume, negative if the triangles face inward; None if the component is not closed.
     box : float64 array of shape (2, 3)
         The least and the greatest coordinates.
     boundary_curves : int
-        The number of boundary curves; 0 if it is closed.
+        The number of boundary curves; 0 if the component is closed.
     """
 
     triangles: Indices

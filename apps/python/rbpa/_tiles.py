@@ -14,14 +14,14 @@ Bounds = Tuple[float, float, float, float]
 
 _FAR = float("inf")
 _PLANE: Bounds = (-_FAR, -_FAR, _FAR, _FAR)
-_MAX_CELLS = 1 << 20  # of all points together, which the client holds in memory
+_MAX_CELLS = 1 << 20  # maximum number of cells for all points together, which the client holds in memory
 _INDEX_BITS = 30  # bits of a cell's index along an axis
 _LEAST = -1074  # the exponent of the last bit of a double
 
 
 @dataclass
 class Cells:
-    """Counts of points in squares with sides of length 2**exponent and corners at multiples of that."""
+    """Counts of points in squares with sides of length 2**exponent and corners at multiples of this length."""
 
     exponent: int
     at: Integers  # (m, 2)
@@ -61,7 +61,8 @@ def _counted(points: Floats, exponent: int) -> Cells:
 
 
 def united(parts: Sequence[Cells]) -> Cells:
-    """Adds up counts, in cells of the size of the largest, or larger ones if there would be too many."""
+    """Adds up counts, in cells of the size of the largest cells of all parts; in larger cells if there were too
+    many."""
     filled = [part for part in parts if len(part.counts)]
     if not filled:
         return Cells(0, np.empty((0, 2), np.int64), np.empty(0, np.int64))
@@ -76,7 +77,7 @@ def united(parts: Sequence[Cells]) -> Cells:
 
 @dataclass
 class Tile:
-    """A part of the plane, a half-open box, and the box of all within 2 alpha of it; undivided, or in two halves."""
+    """A part of the plane, as a half-open box, and the box of all points within 2 alpha; may be divided into halves."""
 
     number: int
     region: Bounds
@@ -84,8 +85,8 @@ class Tile:
     halves: Optional[Tuple[Tile, Tile]] = None
 
     def split(self, points: Floats, some: Optional[Integers] = None) -> Iterator[Tuple[int, Integers]]:
-        """Yields for each undivided tile with points in it or in its halo its number and these points, of all points or
-        of some."""
+        """Yields the number of each undivided tile that has points in the tile or its halo, with the indices of these
+        points. Considers the points with the indices `some`, or all points."""
         some = np.arange(len(points)) if some is None else some
         x, y = points[some].T
         x0, y0, x1, y1 = self.around

@@ -14,14 +14,14 @@ from rbpa._result import freeze, short_repr
 
 
 class VoidEvent(NamedTuple):
-    """What happens to a track: it is "born", "splits" from another, "joins" another, or "dies"."""
+    """A change of a track, which is "born", "splits" from another track, "joins" another track, or "dies"."""
 
     frame: int
-    """The first frame with the track, or the first without it."""
+    """The first frame with the track if `kind` is "born" or "splits"; otherwise the first frame without the track."""
     kind: str
     track: int
     other: int
-    """The track from which it splits, or which it joins; -1 otherwise."""
+    """The track from which this track splits, or which it joins; -1 otherwise."""
 
 
 class VoidTracks(NamedTuple):
@@ -37,7 +37,8 @@ class VoidTracks(NamedTuple):
 
 
 def _shared(a: BallVoid, b: BallVoid) -> tuple[float, float]:
-    """Returns the area of lining balls that both have, divided by that of either, and by that of the one with less."""
+    """Returns two ratios of the lining area that two voids share: to the area of their union, and to the lesser
+    area."""
     of_a, of_b = dict(zip(a.balls.tolist(), np.maximum(a.areas, 0).tolist())), dict(zip(b.balls.tolist(), np.maximum(b.areas, 0).tolist()))
     both = sum(min(area, of_b[ball]) for ball, area in of_a.items() if ball in of_b)
     sums = sum(of_a.values()), sum(of_b.values())

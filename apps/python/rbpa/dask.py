@@ -139,7 +139,7 @@ class _Run:
 
 @dataclass
 class _File:
-    """A range of the points of a file."""
+    """A range of points of a file, with the function that reads the file."""
 
     path: str
     reader: Optional[Reader]
@@ -190,7 +190,7 @@ def _kind(value: Any) -> str:
 
 
 def _files(path: str, reader: Optional[Reader]) -> Sequence[str]:
-    """Returns the files of a pattern; a name that only the reader understands stands for itself."""
+    """Returns the files that match a pattern; if there are none, the pattern itself, which `reader` may understand."""
     found = [path] if os.path.exists(path) else sorted(glob.glob(path))
     if not found and reader is None:
         raise InvalidInput(f"{path}: found no such file, expected points")
@@ -299,7 +299,7 @@ def _keep(polygons: dict[str, Any], folder: str, name: str) -> list[str]:
 
 
 def _write(path: pathlib.Path, write: Callable[[Any], None]) -> str:
-    """Writes a file whole or not at all, so that a task may run again, or twice at once."""
+    """Writes a file whole or not at all, so that a task may run again, even while its first run continues."""
     with open(f"{path}.{uuid.uuid4().hex}", "wb") as file:
         write(file)
     os.replace(file.name, path)

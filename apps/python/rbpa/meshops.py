@@ -141,7 +141,7 @@ class Mesh(_core.Mesh):
         length : float
             The length of edges: above 0, and at most the diagonal of the box around the mesh.
         rounds : int
-            How often edges are split, collapsed and flipped, and vertices moved.
+            The number of rounds, each of which splits, collapses and flips edges, and moves vertices.
         sharp_angle : float
             Edges at which normals differ by more degrees stay, as boundary curves do; 180: none.
         keep_boundary : bool
@@ -205,12 +205,11 @@ class Repair(NamedTuple):
     """The result of `repair`."""
 
     faces: Any
-    """The remaining faces, in the form of the given ones; their corners may be new points where faces were
-    separated."""
+    """The remaining faces, in the form of the given faces. Corners may be new points where faces were separated."""
     stands_on: Indices
-    """For each point, the given point at its position: new points follow the given ones."""
+    """For each point, the given point at its position; new points follow the given points."""
     face_was: Integers
-    """For each face, its number among the given ones."""
+    """For each face, its number among the given faces."""
     steps: list[RepairStep]
     """The changes, each with a `kind`, `points` and `faces`; str() describes them."""
 

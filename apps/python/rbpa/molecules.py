@@ -29,7 +29,7 @@ __all__ = ["Atoms", "positions_of", "radii", "read"]
 
 Texts = npt.NDArray[np.str_]
 
-# Ways out in messages of the program, and the arguments here.
+# Options that messages of the program suggest, each with the argument that replaces the option in Python.
 _WAYS = {
     "--radii FILE names its radius, --radius-default R gives one to all": "overrides={symbol: R} sets its radius, default=R that of all",
     "--radii column:NAME, or --radius-default R": "default=R",
@@ -159,7 +159,8 @@ class Atoms:
 
 
 def _member(atoms: Any, *names: str) -> Any:
-    """Returns the first of the members that the object has, the result of the call if it is a method; else None."""
+    """Returns the first named member that the object has, or its result if it is a method; None if there is no
+    member."""
     found = next((getattr(atoms, name) for name in names if hasattr(atoms, name)), None)
     return found() if callable(found) else found
 

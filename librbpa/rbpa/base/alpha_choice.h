@@ -1,5 +1,6 @@
-// What: a radius alpha, or the rule by which the points choose one, and how a user spells a rule.
-// Law:  parse_alpha_rule(name_of(choice)) has the rule and, for `plateau`, the rank of the choice; nothing for `given`.
+// What: a radius alpha or a rule that derives alpha from the points, and the spelling of rules.
+// Law:  parse_alpha_rule(name_of(choice)) has the rule of `choice` and, for `plateau`, its rank; with rule `given` or
+//       rank 0, it is nothing.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,7 @@
 
 namespace rbpa {
 
-/// Rule by which a radius is chosen.
+/// A rule by which a radius is chosen.
 enum class AlphaRule {
   given,      ///< the radius AlphaChoice::radius
   automatic,  ///< "auto": the least radius at which max_components solid components hold a share `cover` of the points
@@ -21,7 +22,7 @@ enum class AlphaRule {
   plateau     ///< "plateau", "plateau:K": a radius around which the shape hardly changes
 };
 
-/// A radius, or a rule with its parameters. Nothing is checked here.
+/// A radius, or a rule with its parameters. The struct checks no value.
 struct AlphaChoice {
   AlphaRule rule = AlphaRule::given;
   double radius = std::numeric_limits<double>::infinity();  ///< for `given`
@@ -39,21 +40,20 @@ constexpr bool takes_cover(AlphaRule rule) { return rule == AlphaRule::automatic
 /// The list of all spellings of a radius or a rule, for error messages.
 inline constexpr std::string_view expected_alpha = "a radius (a number > 0, or inf), auto, min, plateau or plateau:K";
 
-/// Parses "auto", "min", "plateau" or "plateau:K", where K is a whole number from 1. Returns nothing for any other
-/// text, also for a radius.
+/// Parses "auto", "min", "plateau" or "plateau:K", where K is an integer from 1. Returns nothing for any other text,
+/// and thus for a radius.
 RBPA_API std::optional<AlphaChoice> parse_alpha_rule(std::string_view text);
 
 /// Returns the spelling of the rule: "given", "auto", "min", "plateau", or with another rank than 1 "plateau:2".
 RBPA_API std::string name_of(const AlphaChoice& choice);
 
-/// Checks that one of `plateaus` plateaus has the rank of the choice.
-/// Throws: InvalidInput when the rank is 0, or when it is above the number of plateaus ("alpha plateau:4: there are
-///         only 3 plateaus").
+/// Checks that the rank of the choice is from 1 to the number of plateaus.
+/// Throws: InvalidInput when the rank is 0 or too large ("alpha plateau:4: there are only 3 plateaus").
 RBPA_API void require_rank(const AlphaChoice& choice, std::size_t plateaus);
 
-/// Returns the alpha of the plateau that has the rank of the choice; nothing if there is no plateau. `plateaus` is
-/// sorted, the best first.
-/// Throws: InvalidInput as require_rank(), unless `plateaus` is empty.
+/// Returns the alpha of the plateau that has the rank of the choice; nothing if there is no plateau.
+/// Requires: `plateaus` is sorted, the best first.
+/// Throws:   InvalidInput as require_rank(), unless `plateaus` is empty.
 template <typename Plateau>
 std::optional<double> alpha_of_rank(const AlphaChoice& choice, const std::vector<Plateau>& plateaus) {
   if (plateaus.empty()) return std::nullopt;

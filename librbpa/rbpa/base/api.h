@@ -1,4 +1,4 @@
-// What: marks the symbols that a shared librbpa exports; all others are hidden.
+// What: marks the symbols that a shared librbpa exports; all other symbols are hidden.
 #pragma once
 
 #define RBPA_API __attribute__((visibility("default")))

@@ -3,12 +3,12 @@
 
 namespace rbpa {
 
-/// The simplices that belong to an alpha complex of radius alpha.
+/// The kind of an alpha complex of radius alpha, which decides about the simplices in it.
 enum class ComplexKind {
   /// Delaunay triangles of circumradius ≤ alpha (in space: tetrahedra), with their edges and corners.
   solid,
-  /// The solid complex, and the dangling simplices: edges and points in no triangle of it (in space: also triangles in
-  /// no tetrahedron) whose corners lie on the boundary of a ball of radius alpha with no point inside.
+  /// The solid complex, and the dangling simplices: edges and points in no triangle of the solid complex (in space: and
+  /// triangles in no tetrahedron) whose corners lie on the boundary of a ball of radius alpha with no point inside.
   full
 };
 

@@ -5,10 +5,10 @@
 
 namespace rbpa {
 
-/// An input point that equals an earlier one.
+/// An input point whose coordinates equal those of an earlier input point.
 struct Duplicate {
   std::uint32_t index;       ///< the input index of the repetition
-  std::uint32_t stands_for;  ///< the lowest input index with the same coordinates
+  std::uint32_t stands_for;  ///< the lowest input index of a point with these coordinates
   friend bool operator==(const Duplicate&, const Duplicate&) = default;
 };
 

@@ -8,7 +8,7 @@
 
 namespace rbpa {
 
-/// Exception for data or parameters that violate the requirements of a function; there is no result.
+/// Exception for data or parameters that violate the requirements of a function.
 class RBPA_API InvalidInput : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

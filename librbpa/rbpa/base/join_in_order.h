@@ -1,7 +1,7 @@
 // What: processes numbered items that take long, in threads of the standard library, and joins the results in order.
 // Law:  join(i, result) is called once for each i, ascending, one call at a time, in any of the threads. The joined
 //       result therefore does not depend on the threads.
-// Cost: a few locks of one mutex for each item. At most two items for each thread are in work or wait for their turn.
+// Cost: a few locks of one mutex for each item. About two items for each thread are processed or wait for their turn.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class SharedWork {
  public:
   explicit SharedWork(std::size_t count) : count_(count) {}
 
-  /// Returns the next number, or `count` when there is none or a thread has failed.
+  /// Returns the number of the next item, or `count` when no item is left or a thread has failed.
   std::size_t take() {
     const std::lock_guard lock(mutex_);
     return failure_ ? count_ : next_ < count_ ? next_++ : count_;
@@ -40,9 +40,9 @@ class SharedWork {
     ++turn_;
     turned_.notify_all();
   }
-  /// Stores the result of item i in `waiting`; blocks first while `most` or more results wait there, unless item i has
-  /// its turn. If no other thread is joining, calls join(number, result) for the results whose turn it is, ascending.
-  /// Returns false when a thread has failed.
+  /// Stores the result of item i in `waiting`. Before that, blocks while `most` or more results wait there and item i
+  /// does not have its turn. If no other thread is joining, then calls join(number, result) for each result whose turn
+  /// it is, ascending. Returns false when a thread has failed.
   template <typename Result, typename Join>
   bool hand_in(std::size_t i, Result made, std::map<std::size_t, Result>& waiting, std::size_t most, Join& join) {
     std::unique_lock lock(mutex_);
@@ -63,7 +63,8 @@ class SharedWork {
     return !failure_;
   }
 
-  /// Runs loop() in `threads` threads, the calling one included, and waits for all. Rethrows the first exception.
+  /// Runs loop() in `threads` threads, the calling one included, and waits for their ends. Rethrows the first
+  /// exception.
   template <typename Loop>
   void run(std::size_t threads, Loop loop) {
     const auto guarded = [&] {
@@ -93,7 +94,8 @@ class SharedWork {
 
 /// Calls work(i) for each i below `count` in one of `threads` threads (0 counts as 1), the calling one included, and
 /// join(i, result) in ascending order of i, in any of these threads. After work(i), a thread waits for the turn of item
-/// i; if is_small(i) returns true, only until fewer than `threads` results wait. With RBPA_SERIAL there is one thread.
+/// i; if is_small(i) returns true, it waits only while `threads` or more results wait. With RBPA_SERIAL there is one
+/// thread.
 /// Throws: the first exception of any call; then some calls are never made. std::system_error if a thread cannot start.
 template <typename Work, typename IsSmall, typename Join>
 void join_in_order(std::size_t threads, std::size_t count, Work work, IsSmall is_small, Join join) {

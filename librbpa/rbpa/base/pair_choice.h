@@ -1,4 +1,4 @@
-// What: chooses the most persistent among many persistence pairs.
+// What: chooses the most persistent of many persistence pairs.
 // Cost: linear, and a sort of the chosen pairs.
 #pragma once
 
@@ -10,10 +10,10 @@
 
 namespace rbpa {
 
-/// Bounds by which chosen() selects pairs.
+/// Limits by which chosen() selects pairs.
 struct PairChoice {
-  double min_persistence = 0;  ///< least death − birth, in units of the points
-  /// Maximum number of pairs of each dimension; the most persistent are kept.
+  double min_persistence = 0;  ///< least value of death − birth, in units of the points
+  /// Maximum number of pairs of each dimension; the most persistent pairs are kept.
   std::size_t top = std::numeric_limits<std::size_t>::max();
 };
 

@@ -1,6 +1,6 @@
-// What: a queue of items that a thread of its own produces while the caller processes the items before.
-// Law:  the items come in the order in which they are produced; an exception of the producer comes after them.
-// Cost: one thread, and the memory of the items that wait. With RBPA_SERIAL there is no thread, and no item waits.
+// What: a queue of items that a separate thread produces while the caller processes earlier items.
+// Law:  the items come in the order in which they are produced; an exception of the producer comes after all items.
+// Cost: one thread, and the memory of the waiting items. With RBPA_SERIAL there is no thread: next() produces the item.
 #pragma once
 
 #include <condition_variable>
@@ -20,7 +20,7 @@ class ReadAhead {
  public:
   /// Starts a thread that calls make(item) for one item after another until make() returns false or throws. The thread
   /// pauses while `most` items wait.
-  /// Requires: most ≥ 1; not checked. Throws std::system_error if the thread cannot start.
+  /// Requires: most ≥ 1; not checked. Throws: std::system_error if the thread cannot start.
   ReadAhead(std::size_t most, std::function<bool(Item&)> make) : most_(most), make_(std::move(make)) {
 #ifndef RBPA_SERIAL
     thread_ = std::jthread([this] { run(); });
@@ -35,8 +35,8 @@ class ReadAhead {
   ReadAhead(const ReadAhead&) = delete;
   ReadAhead& operator=(const ReadAhead&) = delete;
 
-  /// Moves the next item to `item`; blocks until there is one. Returns false at the end; `item` is then unspecified.
-  /// Throws: the exception of make(), once all items before have been returned.
+  /// Waits for the next item and moves it to `item`. Returns false after the last item; `item` is then unspecified.
+  /// Throws: the exception of make(), after all earlier items have been returned.
   bool next(Item& item) {
 #ifdef RBPA_SERIAL
     return make_(item = Item());
@@ -64,7 +64,7 @@ class ReadAhead {
     ended_ = true;
     changed_.notify_all();
   }
-  /// Stores an item. Returns false when no more items are wanted.
+  /// Appends an item to the queue once there is room. Returns false when the queue is being destroyed.
   bool put(Item item) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return waiting_.size() < most_ || unwanted_; });

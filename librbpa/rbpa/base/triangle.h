@@ -6,10 +6,10 @@
 
 namespace rbpa {
 
-/// Three corners, or three numbers of neighbors, one across from each corner.
+/// The three corners of a triangle, or its three neighbors, each across from the corner of the same position.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Returns the triangle with its lowest corner first, in the same orientation. Requires: distinct corners.
+/// Returns the triangle rotated so that its lowest corner is first; the orientation stays. Requires: distinct corners.
 inline Triangle from_least(const Triangle& t) {
   if (t[0] < t[1] && t[0] < t[2]) return t;
   return t[1] < t[2] ? Triangle{t[1], t[2], t[0]} : Triangle{t[2], t[0], t[1]};

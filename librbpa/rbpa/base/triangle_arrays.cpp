@@ -8,8 +8,8 @@
 namespace rbpa {
 namespace {
 
-/// Returns whether the neighbor across from corner k of triangle t has the same side and names t across it; true if
-/// there is no neighbor.
+/// Returns whether the neighbor of triangle t across from corner k has that side of t in the opposite direction, and
+/// names t as its own neighbor there; true if there is no neighbor.
 bool is_linked(const TriangleArrays& arrays, std::size_t t, std::size_t k) {
   const std::uint32_t other = arrays.neighbors[t][k];
   if (other == TriangleArrays::none) return true;

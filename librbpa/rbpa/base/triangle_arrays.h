@@ -1,4 +1,4 @@
-// What: a view of triangles and their neighbors as two arrays, and the check that both agree.
+// What: a view of triangles and their neighbors as two arrays, and a check that both arrays agree.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,17 @@
 
 namespace rbpa {
 
-/// A view of triangles and neighbors, to which an AlphaComplex converts.
+/// A view of triangles and their neighbors. An AlphaComplex converts to this type.
 struct TriangleArrays {
-  /// The value for no neighbor in `neighbors`.
+  /// The value in `neighbors` that stands for no neighbor.
   static constexpr std::uint32_t none = no_index;
 
   std::span<const Triangle> triangles;  ///< corners as indices of points, counter-clockwise
-  /// For each triangle, entry k is the triangle across the side opposite its corner k, or none.
+  /// For each triangle, entry k is the index of the triangle across the side opposite corner k, or `none`.
   std::span<const Triangle> neighbors;
 };
 
-/// Triangles and their neighbors. The view to which they convert is valid as long as this object is unchanged.
+/// Triangles and their neighbors, as an owner. Converts to a view, which is valid as long as this object is unchanged.
 struct OwnedTriangles {
   std::vector<Triangle> triangles, neighbors;
   operator TriangleArrays() const { return {triangles, neighbors}; }

@@ -16,12 +16,12 @@ using Corners = std::vector<std::uint32_t>;
 
 int side_of(const Point& p, double x) { return p.x < x ? -1 : p.x > x ? 1 : 0; }
 
-/// A set of directed edges, with the inside on their left, that are joined into rings.
+/// A set of directed edges with the inside on their left. Joins the edges into rings.
 class Boundary {
  public:
   explicit Boundary(std::span<const Point> points) : points_(points) {}
 
-  /// Adds a closed curve; of consecutive corners at one place, one is kept.
+  /// Adds a closed curve; keeps one of consecutive corners with equal coordinates.
   void add(const Corners& closed) {
     Corners corners;
     for (const std::uint32_t i : closed) {
@@ -37,8 +37,8 @@ class Boundary {
     }
   }
 
-  /// Returns the rings. Each walk leads around one piece of the inside; where a walk returns to a place, the part since
-  /// the first visit is a ring of its own.
+  /// Returns the rings. Each walk along edges leads around one piece of the inside. If a walk returns to a corner, the
+  /// part since the first visit becomes a separate ring.
   std::vector<Ring> rings() {
     Corners next(edges_.size());
     for (auto& [corner, ends] : at_) pair(corner, ends, next);
@@ -58,14 +58,14 @@ class Boundary {
   struct DirectedEdge {
     std::uint32_t from, to;
   };
-  /// An edge at a corner: the corner at its other end, its number, and whether it leaves the corner.
+  /// An edge at a corner: the other end of the edge, its number, and whether the edge leaves the corner.
   struct End {
     std::uint32_t other, edge;
     bool leaves;
   };
 
-  /// Stores in `next`, for each edge that ends at `corner`, the edge that follows on the ring: the inside lies
-  /// counter-clockwise from the leaving edge to the coming one.
+  /// Stores in `next`, for each edge that arrives at `corner`, the leaving edge that follows on the ring. The inside
+  /// lies counter-clockwise from the leaving edge to the arriving edge.
   void pair(std::uint32_t corner, std::vector<End>& ends, Corners& next) const {
     const Point& p = points_[corner];
     const auto is_below = [&](const End& end) {
@@ -122,8 +122,8 @@ class LeftRings {
   /// Messages call the line x = `line`.
   std::vector<Ring> find(const std::vector<Corners>& rings, double line) {
     for (const Corners& ring : rings) take(ring);
-    // Upward along the line, each stretch in the polygon begins at the last end of a chain and ends at the first of
-    // another.
+    // Upward along the line, each stretch in the polygon begins at the last end of a chain and ends at the first end of
+    // a chain.
     std::sort(ends_.begin(), ends_.end(), [this](const End& a, const End& b) { return is_below(a, b); });
     Corners next(chains_.size());
     for (std::size_t i = 0; i < ends_.size(); i += 2) {
@@ -146,8 +146,8 @@ class LeftRings {
   }
 
  private:
-  /// An end of a chain, at which the chain leaves the line or returns to it, on the edge from `inner`, left of the
-  /// line, to `outer`, on the line or right of it.
+  /// An end of a chain, at which the chain leaves the line or returns to the line. The end is on the edge from `inner`,
+  /// left of the line, to `outer`, on the line or right of it.
   struct End {
     std::uint32_t chain, inner, outer;
     bool is_last;
@@ -155,8 +155,8 @@ class LeftRings {
 
   int side(std::uint32_t i) const { return side_of(points_[i], x_); }
 
-  /// Adds the parts of a ring left of the line as chains, each from a point on the line to the next such point; a ring
-  /// that lies left of the line without meeting it is added whole.
+  /// Adds the parts of a ring left of the line as chains, each from a point on the line to the next point on the line.
+  /// Adds the whole ring if it lies left of the line without a point on the line.
   void take(const Corners& ring) {
     const auto is_on = [this](std::uint32_t i) { return side(i) == 0; };
     const auto first = std::find_if(ring.begin(), ring.end(), is_on);
@@ -184,7 +184,7 @@ class LeftRings {
     chains_.push_back(std::move(chain));
   }
 
-  /// Returns whether `a` is below `b` just left of the line; the segments meet in their ends only.
+  /// Returns whether `a` is below `b` just left of the line. Requires: the edges of both meet in their ends only.
   bool is_below(const End& a, const End& b) const {
     const Point &p = points_[a.inner], &q = points_[b.inner];
     if (p.x < q.x) {
@@ -204,7 +204,7 @@ class LeftRings {
   Boundary boundary_;
 };
 
-/// Returns the polygons of rings, each ring from its lexicographically least point on.
+/// Returns the polygons of rings; each ring begins at its lexicographically least point.
 std::vector<Polygon> polygons_on(std::span<const Point> points, const std::vector<Ring>& rings) {
   std::vector<Polygon> polygons = polygons_of_rings(points, rings);
   const auto begin_at_least = [&](Ring& ring) {
@@ -246,7 +246,7 @@ PolygonCut cut_at(std::span<const Point> points, const Polygon& polygon, double 
 
   const auto given = static_cast<std::uint32_t>(points.size());
   cut.left = polygons_on(cut.points, LeftRings(cut.points, x, given, right_end).find(rings, x));
-  // The part right of the line is left of it in a mirror, where rings have the opposite orientation.
+  // Mirrored points have the right part of the polygon left of the line, and rings of the opposite orientation.
   std::vector<Point> mirrored = cut.points;
   for (Point& p : mirrored) p.x = -p.x;
   for (Corners& ring : rings) std::reverse(ring.begin(), ring.end());

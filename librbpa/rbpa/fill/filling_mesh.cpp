@@ -13,7 +13,7 @@ FillingMesh filling_mesh(const Filling& filling) {
   const GoOn never;
   Steps step(never);
   meshops::DisjointSets fans = fans_of(filling, step);
-  // Each fan gets a point of its own, so that the builder glues no triangles of different fans along a common edge.
+  // Each fan gets its own point, so that the builder does not glue triangles of different fans along a common edge.
   std::vector<std::uint32_t> point(filling.points.size()), own(fans.size());
   std::iota(point.begin(), point.end(), 0U);
   std::vector<bool> is_taken(point.size(), false);
@@ -31,7 +31,7 @@ FillingMesh filling_mesh(const Filling& filling) {
   soup.points = point.size();
 
   FillingMesh result;
-  result.point_of_vertex = meshops::build_mesh(result.mesh, soup);  // as points of the soup
+  result.point_of_vertex = meshops::build_mesh(result.mesh, soup);  // indices into the points of the soup
   for (std::uint32_t& p : result.point_of_vertex) p = point[p];
   for (std::size_t v = 0; v < result.point_of_vertex.size(); ++v) {
     const Point& p = filling.points[result.point_of_vertex[v]];

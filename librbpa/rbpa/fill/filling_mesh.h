@@ -1,7 +1,8 @@
 // What: makes a halfedge mesh of the triangles that fill() returned.
-// Law:  the mesh is an oriented 2-manifold with boundary, glued as the filling is. Face f is triangle f. Vertex v
-//       stands on point v of the filling; unused points are isolated vertices. If several fans of triangles meet at a
-//       point, because rings touch or groups overlap, the fans after the first have vertices with numbers after these.
+// Law:  the mesh is an oriented 2-manifold with boundary, glued along the neighbors of the filling. Face f is triangle
+//       f. Vertex v stands on point v of the filling; unused points are isolated vertices. If several fans of triangles
+//       meet at a point, because rings touch or groups overlap, each fan but the first has an additional vertex there;
+//       additional vertices are numbered after all points.
 // Cost: linear.
 #pragma once
 
@@ -21,7 +22,7 @@ struct FillingMesh {
 };
 
 /// Builds the halfedge mesh of a filling.
-/// Requires: points, triangles and neighbors as fill() returns them.
+/// Requires: points, triangles and neighbors of a result of fill().
 /// Throws:   ContractViolation as require_linked().
 RBPA_API FillingMesh filling_mesh(const Filling& filling);
 

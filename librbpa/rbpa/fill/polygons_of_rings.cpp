@@ -31,17 +31,19 @@ class ApartRings {
 
   std::vector<Polygon> outline_polygons() const {
     std::vector<Polygon> polygons = regions(false);
-    // Rings that touch each other in turn may split the interior.
+    // Rings that touch each other in a cycle split the interior.
     if (const auto why = why_invalid(points_, polygons, go_on_)) throw InvalidInput(*why);
     for (Polygon& polygon : polygons) measure(polygon, points_);
     return polygons;
   }
 
-  /// Returns the regions directly within holes as polygons: each hole becomes a shell, and shells in it become holes.
+  /// Returns the regions directly within holes as polygons: each hole becomes a shell, and the shells directly in the
+  /// hole become its holes.
   std::vector<Polygon> holes() const { return regions(true); }
 
  private:
-  /// Returns the regions directly within holes, or within shells, as polygons with counter-clockwise shells.
+  /// Returns the regions directly within holes if `within_holes`, otherwise within shells, as polygons with
+  /// counter-clockwise shells and clockwise holes.
   std::vector<Polygon> regions(bool within_holes) const {
     std::vector<Polygon> regions;
     std::vector<std::size_t> region_of(rings_.size());

@@ -1,8 +1,8 @@
-// What:   tests whether polygons are valid under OGC Simple Features, and says where and why they are not.
-// Law:    decided exactly. A polygon is valid if its rings are simple, do not cross, have at most single points in
-//         common, holes lie in the shell and not in each other, and the interior is connected. A polygon without points
-//         is valid. Polygons form a valid multipolygon if also they have no area and no edge in common. Consecutive
-//         vertices at one place count as one.
+// What:   tests whether polygons are valid under OGC Simple Features, and reports where and why they are not.
+// Law:    all decisions are exact. A polygon is valid if its rings are simple, do not cross, and have at most single
+//         points in common, its holes lie in the shell and not in each other, and its interior is connected. A polygon
+//         without points is valid. Valid polygons form a valid multipolygon if they have no area and no edge in common.
+//         Consecutive vertices with equal coordinates count as one.
 // Cost:   n log n in the vertices.
 // Source: OGC 06-103r4, Simple feature access, 6.1.11 and 6.1.14.
 #pragma once
@@ -18,8 +18,8 @@
 namespace rbpa {
 
 /// Returns the reason why the polygons do not form a valid multipolygon; nothing if they do. Indices that do not exist
-/// and coordinates that are not finite are reasons, too. A reason is one line: the place, what was found, what was
-/// expected; all numbers are from 0. Rings may begin anywhere and have either orientation.
+/// and coordinates that are not finite are reasons, too. A reason is one line: the place, the violation, and the
+/// expected state; numbers count from 0. Rings may begin anywhere and have either orientation.
 /// Throws: Cancelled.
 RBPA_API std::optional<std::string> why_invalid(std::span<const Point> points, std::span<const Polygon> polygons,
                                                 const GoOn& go_on = {});

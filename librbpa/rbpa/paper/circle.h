@@ -1,6 +1,6 @@
-// What:   the ball of radius α among points of the plane: it pivots on an edge, and it rolls around a point.
-// Law:    exact; pivot() and roll() are functions of the set of points alone, not of the order of points or of a mesh;
-//         nearest() is too, except among points at equal distance.
+// What:   the ball of radius α among points of the plane, which pivots on an edge and rolls around a point.
+// Law:    all decisions are exact. The results depend on the set of points alone, not on the order of points or on a
+//         mesh; but of several nearest points, nearest() returns any.
 // Cost:   each call reads V_p, the points in nine cells of side 2α.
 // Source: Restricted BPA, sections 3.1, "Geometric step", and 3.2; rolling: docs/explanation/paper.md, section 3.
 #pragma once
@@ -14,24 +14,26 @@ namespace rbpa::paper {
 
 class Ball {
  public:
-  /// Makes a ball among `sites` alone, which are indices of points. Keeps the span `points`, in which all are distinct.
+  /// Makes a ball that touches only `sites`, which are indices into `points`. Keeps the span `points`. Requires: the
+  /// points are distinct.
   Ball(std::span<const Point> points, std::span<const Site> sites, Radius alpha)
       : points_(points), alpha_(alpha), grid_(points, sites, alpha) {}
 
   const Radius& alpha() const { return alpha_; }
 
   /// Returns the point that the ball touches first when it pivots on the Delaunay edge a→b, to the left of the edge:
-  /// the point that sees the edge under the largest angle (figure 3), ties perturbed. Returns nothing if no point is
-  /// left of the edge, or the circumradius of the triangle is above α.
+  /// the point that sees the edge under the largest angle (figure 3); symbolic perturbation decides ties. Returns
+  /// nothing if no point is left of the edge, or if the circumradius of the triangle is above α.
   /// Requires: a→b is a Delaunay edge of the sites; |ab| ≤ 2α.
   std::optional<Site> pivot(Site a, Site b) const;
 
-  /// Returns the point nearest to v other than v, any of several; nothing if the distance is above 2α, so that the ball
-  /// cannot touch both.
+  /// Returns a nearest point to v, other than v; nothing if its distance is above 2α, so that the ball cannot touch
+  /// both points.
   std::optional<Site> nearest(Site v) const;
 
-  /// Returns the point on which the ball rests next when it rolls counter-clockwise around v off the point `from`:
-  /// `from` after a full turn. Of several points that it touches at once, returns the first counter-clockwise around v.
+  /// Returns the point on which the ball rests next when it rolls counter-clockwise around v off the point `from`. If
+  /// the ball meets no other point in a full turn, returns `from`. Of several points that the ball touches
+  /// simultaneously, returns the first counter-clockwise around v.
   /// Requires: α is finite; the ball that rests on v and `from` with its center left of v→from contains no point and
   ///           touches no other.
   Site roll(Site v, Site from) const;

@@ -1,7 +1,7 @@
-// What:   the uniform grid of the method: cells of side 2α, and the sites in the nine cells around a place.
-// Law:    every site within 2α of a site is in the nine cells around it; every site that the ball can touch together
-//         with both ends of an edge is in the nine cells around the middle of the edge. For any exponents:
-//         docs/explanation/paper.md, section 2.
+// What:   the uniform grid of the method: cells of side 2α, and the sites in the nine cells around a point.
+// Law:    all sites within 2α of a site s are in the nine cells around s. All sites that the ball can touch together
+//         with both ends of an edge are in the nine cells around the middle of the edge. Both hold for coordinates of
+//         any magnitude: docs/explanation/paper.md, section 2.
 // Cost:   linear to build, without sorting; a query costs the number of sites in the nine cells, #V_p, which grows with
 //         α².
 // Source: Restricted BPA, section 3.1, "Data structure", and section 3.2: 9 pixels instead of 27 voxels.
@@ -22,11 +22,11 @@
 namespace rbpa::paper {
 
 using meshops::Site;
-using Real = long double;  ///< one arithmetic for the whole method: its exponents fit any input
+using Real = long double;  ///< the number type of the whole method, whose exponents fit any input
 
 class Grid {
  public:
-  /// Builds the grid of `sites`, which are indices of points. Keeps the span `points`.
+  /// Builds the grid of `sites`, which are indices into `points`. Keeps the span `points`.
   Grid(std::span<const Point> points, std::span<const Site> sites, Radius alpha)
       : points_(points), side_(alpha.is_infinite() ? infinity : 2 * Real(alpha.value()) * widened) {
     for (const Site s : sites) cells_[cell_at(Real(points[s].x), Real(points[s].y))].push_back(s);
@@ -47,9 +47,9 @@ class Grid {
 
  private:
   static constexpr Real infinity = std::numeric_limits<Real>::infinity();
-  static constexpr Real widened = 1 + 0x1p-6L;  // more than the error of cell numbers
+  static constexpr Real widened = 1 + 0x1p-6L;  // exceeds the rounding error of cell numbers
 
-  /// A cell, numbered from the origin, in whole numbers of any size.
+  /// The column and row of a cell: integers of any magnitude, from 0 at the origin.
   struct Cell {
     Real column, row;
     friend bool operator==(const Cell&, const Cell&) = default;
@@ -63,8 +63,8 @@ class Grid {
 
   Cell cell_at(Real x, Real y) const { return {std::floor(x / side_), std::floor(y / side_)}; }
 
-  /// Returns how many neighbors on each side of a cell are searched: 1, but 0 from 2⁶² on. Already from 2⁵⁴ on, a cell
-  /// number stands for a single coordinate, and no other double is within 2α of it.
+  /// Returns the number of neighbors to search on each side of a cell: 1 for a cell number below 2⁶², otherwise 0. From
+  /// 2⁵⁴ on, a cell number stands for a single coordinate, and no other double is within 2α of this coordinate.
   static int neighbors(Real number) { return std::abs(number) < 0x1p62L ? 1 : 0; }
 
   template <typename Visit>

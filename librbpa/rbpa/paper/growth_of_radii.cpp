@@ -12,10 +12,10 @@
 namespace rbpa::paper {
 namespace {
 
-/// The radii α₀, 2α₀, 4α₀ …, with α in the place of the first that is not below it.
+/// The radii α₀, 2α₀, 4α₀ … below α, followed by α.
 class Radii {
  public:
-  /// Computes the radii. If α = ∞, α replaces the first radius that is not below `largest`.
+  /// Computes the radii. If α = ∞, only the radii below `largest` precede α.
   Radii(double minimal, Radius alpha, Real largest) : minimal_(minimal), alpha_(alpha) {
     const Real end =
         alpha.is_infinite() ? std::min(largest, Real(std::numeric_limits<double>::max())) : Real(alpha.value());
@@ -30,7 +30,7 @@ class Radii {
   int last_ = 0;
 };
 
-/// A policy that sets `found` if `rbpa` has a triangle to insert, and inserts none.
+/// A policy that sets `found` if `rbpa` has a triangle to insert, but inserts no triangle.
 struct Look {
   RestrictedBallPivoting& rbpa;
   bool found = false;
@@ -56,7 +56,7 @@ class Run {
     for (int i = 0;;) {
       // 2. Transfer boundary and isolated points as input.
       RestrictedBallPivoting rbpa = input_of(i);
-      // 3. Apply RBPA with radius αᵢ; or with radius α if that is not larger, and stop.
+      // 3. Apply RBPA with radius αᵢ. If αᵢ ≥ α, apply RBPA with radius α instead, and stop.
       const std::size_t before = front_.faces();
       meshops::advance(front_, rbpa, monitor_);
       level_ended_(level_);
@@ -67,15 +67,16 @@ class Run {
   }
 
  private:
-  /// Moves the front to level i and returns RBPA on the points transferred to it. At level 0, all are isolated.
+  /// Moves the front to level i and returns RBPA on the points transferred to this level. At level 0, all points are
+  /// isolated.
   RestrictedBallPivoting input_of(int i) {
     meshops::LevelTransfer transfer = front_.next_level();
     level_ = {i, radii_[i], i == radii_.last(), transfer.carried.size(), transfer.reactivated};
     return {points_, std::move(transfer.carried), level_.radius, [&](const Front& seen) { monitor_.searched(seen); }};
   }
 
-  /// Returns the first level above `none` with a triangle to insert, or the last level, by steps that double until they
-  /// are too long, and then halve. Requires: no level up to `none` has a triangle to insert.
+  /// Returns the first level above `none` with a triangle to insert; the last level if no level before has one. Tests
+  /// levels at distances that first double, then halve. Requires: no level up to `none` has a triangle to insert.
   int next_with_a_triangle(int none) {
     int some = radii_.last();
     for (int step = 1; none + step < some; step *= 2) {

@@ -3,7 +3,8 @@
 namespace rbpa::paper {
 
 std::optional<Site> Ball::pivot(Site a, Site b) const {
-  // If one of two points left of the edge is inside the other's circle with a and b, it subtends the larger angle.
+  // If one of two points left of the edge is inside the circle through a, b and the other point, the inner point sees
+  // the edge under the larger angle.
   std::optional<Site> best;
   grid_.for_each_near(a, b, [&](Site p) {
     if (P::orientation(at(a), at(b), at(p)) <= 0) return;

@@ -9,8 +9,8 @@ std::optional<Site> RestrictedBallPivoting::propose(const Front& front, Halfedge
   return ball_.pivot(front.from_site(h), front.to_site(h));
 }
 
-// Runs section 3.1, "Algorithm outline". meshops::advance() provides seed after seed, and a pivot on each edge of the
-// front; Front::attach() joins and splits boundary curves by gluing.
+// Runs the "Algorithm outline" of section 3.1. meshops::advance() calls seed() again and again, and propose() for each
+// edge of the front; Front::attach() joins and splits boundary curves by gluing.
 void rbpa(std::span<const Point> points, Radius alpha, Front& front, Monitor& monitor) {
   RestrictedBallPivoting policy(points, front.next_level().carried, alpha,
                                 [&](const Front& seen) { monitor.searched(seen); });

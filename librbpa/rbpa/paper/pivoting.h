@@ -1,6 +1,6 @@
 // What:   RBPA: restricted ball pivoting as a policy of the advancing-front engine.
 // Law:    Theorem 1: an empty front becomes the solid alpha complex. A front that is the complex of a smaller radius
-//         becomes the complex of this radius, although only its boundary and isolated points are read.
+//         becomes the complex of radius α, although the policy reads only boundary and isolated points.
 // Cost:   a pivot for each triangle and each boundary edge, a roll or two for each boundary or isolated point: linear
 //         if #V_p is bounded (section 5).
 // Source: Restricted BPA, sections 3 and 4.
@@ -26,9 +26,9 @@ using Triangle = std::array<Site, 3>;  ///< counter-clockwise
 
 class RestrictedBallPivoting {
  public:
-  /// Takes `sites`, which are the sites of the front that are isolated or on the boundary. Keeps the span `points`,
-  /// which are distinct and not all on a line. Calls observe(front) at each call of a member; an exception that it
-  /// throws ends the run.
+  /// Takes `sites`, the sites of the front that are isolated or on the boundary. Keeps the span `points`. Calls
+  /// observe(front), unless it is empty, for each proposal and for each site at which seed() searches; an exception of
+  /// observe() ends the run. Requires: the points are distinct and not all on a line.
   RestrictedBallPivoting(std::span<const Point> points, std::vector<Site> sites, Radius alpha,
                          std::function<void(const Front&)> observe = {})
       : sites_(std::move(sites)), ball_(points, sites_, alpha), observe_(std::move(observe)) {}
@@ -36,11 +36,11 @@ class RestrictedBallPivoting {
   RestrictedBallPivoting& operator=(const RestrictedBallPivoting&) = delete;
 
   /// Returns the point that the ball touches first when it pivots on the boundary edge of `h` (the geometric step,
-  /// section 3.1); nothing when it touches none.
+  /// section 3.1); nothing if the ball touches no point.
   std::optional<Site> propose(const Front& front, Halfedge h);
 
-  /// Returns an ideal seed (section 4): a triangle of the complex with no edge in the mesh; nothing if and only if
-  /// there is none.
+  /// Returns an ideal seed (section 4): a triangle of the complex with no edge in the mesh; nothing if and only if no
+  /// ideal seed exists.
   /// Requires: no halfedge of the front is active.
   std::optional<Triangle> seed(const Front& front);
 
@@ -53,7 +53,7 @@ class RestrictedBallPivoting {
   std::vector<Site> sites_;
   Ball ball_;
   std::function<void(const Front&)> observe_;
-  std::size_t next_ = 0;  // no triangle is missing at the sites before it
+  std::size_t next_ = 0;  // position in sites_; no triangle is missing at the sites before
 };
 
 /// Computes the solid alpha complex of the points, by RBPA with one radius.

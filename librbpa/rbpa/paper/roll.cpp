@@ -1,6 +1,6 @@
-// The ball turns counter-clockwise around v. It arrives at a point p with its center right of v→p, and leaves it with
-// its center left. Signs decide at which of two points it arrives first, without any angle or root
-// (docs/explanation/paper.md, section 5); the next point is the first of all within 2α of v.
+// The ball turns counter-clockwise around v. It arrives at a point p with its center right of v→p, and leaves p with
+// its center left of v→p. Signs decide at which of two points the ball arrives first, without any angle or root
+// (docs/explanation/paper.md, section 5). The result is the first of all points within 2α of v.
 #include "rbpa/paper/circle.h"
 
 namespace rbpa::paper {
@@ -9,7 +9,7 @@ Site Ball::roll(Site v, Site from) const {
   Site next = from;
   grid_.for_each_near(v, [&](Site q) {
     if (q == v || q == from || !alpha_.spans<Real>(at(v), at(q))) return;
-    if (in_arriving_ball(v, q, from)) return;  // hidden behind `from`, to which the ball returns earlier
+    if (in_arriving_ball(v, q, from)) return;  // hidden behind `from`: the ball returns to `from` earlier
     if (next == from || met_before(v, from, q, next)) next = q;
   });
   return next;
@@ -17,16 +17,17 @@ Site Ball::roll(Site v, Site from) const {
 
 /// Returns whether the ball arrives at q before p. Requires: neither is hidden behind `from`.
 bool Ball::met_before(Site v, Site from, Site q, Site p) const {
-  // A point inside the ball that arrives at the other is met before it.
+  // The ball that arrives at one point has met every point inside before.
   if (in_arriving_ball(v, p, q)) return true;
   if (in_arriving_ball(v, q, p)) return false;
-  // Otherwise the ball meets both at once, or in their counter-clockwise order around v, counted from v→from.
+  // Otherwise the ball meets both points simultaneously, or in their counter-clockwise order around v from v→from on.
   const int side_of_q = P::orientation(at(v), at(from), at(q)), side_of_p = P::orientation(at(v), at(from), at(p));
   if (side_of_q != side_of_p) return side_of_q > side_of_p;
   return P::orientation(at(v), at(q), at(p)) > 0;
 }
 
-/// Returns whether q is inside the ball that arrives at p, by the angle at q (docs/explanation/paper.md, section 6).
+/// Returns whether q is inside the ball that arrives at p. The angle at q decides (docs/explanation/paper.md, section
+/// 6).
 bool Ball::in_arriving_ball(Site v, Site p, Site q) const {
   const int side = P::orientation(at(v), at(p), at(q));
   const int cosine = P::dot_sign(at(q), at(v), at(p));

@@ -1,17 +1,17 @@
 // Ideal seeds, which Theorem 1 requires. A triangle that the front does not reach has no edge in the mesh, and its
 // corners are isolated or on the boundary. At such a corner v:
-//   1. The ball rests on v and a point beside which no triangle is missing: at the last edge of a fan, or at the
-//      nearest point.
-//   2. It rolls around v until it touches a point q. The edge vq has no triangle on its right; a pivot finds out
-//      whether it has one on its left. That is a seed.
-//   3. If not, the ball rolls on, until it is back or at the first edge of a fan.
-// docs/explanation/paper.md, section 7 proves that this finds every triangle.
+//   1. The ball rests on v and a point `from`: the end of the last edge of a fan, or, at an isolated v, the nearest
+//      point. The complex has no further triangle beside the edge from v to `from`.
+//   2. The ball rolls around v until it touches a point q. The edge vq has no triangle on its right. A pivot tests
+//      whether the complex has a triangle on its left, which is then a seed.
+//   3. Otherwise the ball rolls on, until it is back at `from` or at the first edge of a fan.
+// docs/explanation/paper.md, section 7, proves that this search finds every triangle.
 #include "rbpa/paper/pivoting.h"
 
 namespace rbpa::paper {
 
 std::optional<Triangle> RestrictedBallPivoting::seed(const Front& front) {
-  // Without a finite radius, the complex is connected through edges: one seed is enough.
+  // With an infinite radius, the complex is connected through edges, so one seed is enough.
   if (ball_.alpha().is_infinite() && front.faces() > 0) return std::nullopt;
   for (; next_ < sites_.size(); ++next_) {
     if (observe_) observe_(front);

@@ -19,7 +19,7 @@ struct BoundarySide {
 
 class BoundaryWalk {
  public:
-  /// Keeps the spans. Requires: `of` is as require_linked() demands; not checked.
+  /// Keeps the spans of `of`. Requires: require_linked() accepts `of`; not checked.
   explicit BoundaryWalk(const TriangleArrays& of) : of_(of), seen_(of.triangles.size(), 0) {}
 
   /// Returns whether the side is a boundary side that no curve has passed yet.
@@ -28,14 +28,14 @@ class BoundaryWalk {
            (static_cast<unsigned>(seen_[side.triangle]) >> side.across & 1U) == 0;
   }
 
-  /// Returns the points of the whole curve through a new side, in order, with the triangles on the right. Afterwards no
-  /// side of the curve is new.
+  /// Returns the points of the whole boundary curve through a new side, in the order that has the triangles on the
+  /// right. Afterwards no side of the curve is new.
   std::vector<std::uint32_t> curve_from(const BoundarySide& side) {
     std::vector<std::uint32_t> points;
     walk_from(side, [&](const BoundarySide& at) { points.push_back(of_.triangles[at.triangle][(at.across + 2) % 3]); });
     return points;
   }
-  /// Walks along the whole curve of a new side and calls visit(side) for each side in the order of curve_from().
+  /// Walks along the whole boundary curve of a new side. Calls visit(side) for each side, in the order of curve_from().
   template <typename Visit>
   void walk_from(BoundarySide side, Visit visit) {
     for (; is_new(side); side = side_before(side)) {
@@ -45,7 +45,7 @@ class BoundaryWalk {
   }
 
  private:
-  /// Returns the boundary side that ends where `side` begins, at the other end of the same fan of triangles.
+  /// Returns the boundary side that ends where `side` begins, at the other end of the fan of triangles at that point.
   BoundarySide side_before(const BoundarySide& side) const {
     const std::uint32_t pivot = of_.triangles[side.triangle][(side.across + 1) % 3];
     BoundarySide at{side.triangle, (side.across + 2) % 3};

@@ -9,8 +9,8 @@
 
 namespace rbpa {
 
-/// Returns the components as sets of triangles.
-/// Throws: Cancelled; every triangle is a step.
+/// Returns the solid components of a complex as sets of triangles.
+/// Requires: `complex` has neighbors. Throws: Cancelled.
 inline meshops::DisjointSets components_of(const TriangleArrays& complex, Steps& step) {
   const auto triangles = static_cast<std::uint32_t>(complex.triangles.size());
   meshops::DisjointSets components(triangles);

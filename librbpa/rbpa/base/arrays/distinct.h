@@ -11,8 +11,8 @@
 
 namespace rbpa {
 
-/// Requires that `duplicates` strictly ascends by index, that all indices are below `points`, and that each duplicate
-/// repeats a point of lower index. Throws ContractViolation that names `function`. Cost: linear.
+/// Checks that `duplicates` strictly ascends by index, that all indices are below `points`, and that each duplicate
+/// stands for a point of lower index. Throws: ContractViolation that names `function`. Cost: linear.
 inline void require_duplicates(const char* function, std::span<const Duplicate> duplicates, std::size_t points) {
   for (std::size_t i = 0; i < duplicates.size(); ++i) {
     const auto [index, stands_for] = duplicates[i];
@@ -23,8 +23,8 @@ inline void require_duplicates(const char* function, std::span<const Duplicate> 
   }
 }
 
-/// Calls visit(index), with a std::uint32_t, for each of the indices below `points` that is not a duplicate, ascending.
-/// Requires: fewer than 2^32 points, and what require_duplicates() requires; not checked.
+/// Calls visit(index), with a std::uint32_t, for each index below `points` that is not of a duplicate, ascending.
+/// Requires: fewer than 2^32 points; require_duplicates() accepts `duplicates`. Not checked.
 /// Cost:     linear.
 template <typename Visit>
 void for_each_distinct(std::size_t points, std::span<const Duplicate> duplicates, Visit visit) {

@@ -11,7 +11,7 @@
 namespace rbpa {
 
 /// Returns the fans as sets of corners; corner k of triangle t is 3t + k.
-/// Requires: `arrays` is as require_linked() demands; not checked.
+/// Requires: require_linked() accepts `arrays`; not checked.
 /// Throws:   Cancelled.
 /// Cost:     linear.
 inline meshops::DisjointSets fans_of(const TriangleArrays& arrays, Steps& step) {

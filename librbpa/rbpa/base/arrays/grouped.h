@@ -14,7 +14,7 @@ class Grouped {
  public:
   static constexpr std::uint32_t none = 0xffffffff;
 
-  /// Groups the items 0 … items − 1: items with the same key_of(item), a number below `keys`, form a group; an item
+  /// Groups the items 0 … items − 1: items for which key_of(item) returns one number below `keys` form a group; an item
   /// with the key `none` is in no group. Groups are numbered in the order of their first items.
   template <typename KeyOf>
   Grouped(std::size_t items, std::size_t keys, const KeyOf& key_of) : group_(items, none) {

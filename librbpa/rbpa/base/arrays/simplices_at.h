@@ -12,7 +12,7 @@
 
 namespace rbpa {
 
-/// Returns one more than the greatest corner; 0 without simplices.
+/// Returns the greatest corner plus one; 0 if there is no simplex.
 template <std::size_t corners>
 std::size_t corner_bound(std::span<const std::array<std::uint32_t, corners>> simplices) {
   std::size_t bound = 0;
@@ -28,8 +28,8 @@ class SimplicesAt {
   /// Sorts the simplices by corner. Requires: every corner is below `points`; not checked.
   SimplicesAt(std::span<const std::array<std::uint32_t, corners>> simplices, std::size_t points)
       : begin_(points + 2, 0) {
-    // While simplices are put in place, begin_[p + 1] is the place of the next one at point p: first where those at p
-    // begin, in the end where they end.
+    // While simplices are put in place, begin_[p + 1] is the position of the next simplex at point p. It advances from
+    // the begin to the end of the range of p, and thus becomes the begin of the range of p + 1.
     for (const auto& simplex : simplices)
       for (const std::uint32_t corner : simplex) ++begin_[corner + std::size_t{2}];
     std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
@@ -38,14 +38,14 @@ class SimplicesAt {
       for (const std::uint32_t corner : simplices[t]) simplices_[begin_[corner + std::size_t{1}]++] = t;
   }
 
-  /// Returns the indices of the simplices that have a corner at `point`, ascending. Requires: `point` is below
-  /// `points` of the constructor.
+  /// Returns the indices of the simplices that have a corner at `point`, ascending. Requires: `point` is less than the
+  /// number of points given to the constructor.
   std::span<const std::uint32_t> operator[](std::size_t point) const {
     return std::span(simplices_).subspan(begin_[point], begin_[point + 1] - begin_[point]);
   }
 
  private:
-  std::vector<std::size_t> begin_;  // for each point, where its simplices begin; and the end
+  std::vector<std::size_t> begin_;  // for each point, the begin of its range in simplices_
   std::vector<std::uint32_t> simplices_;
 };
 

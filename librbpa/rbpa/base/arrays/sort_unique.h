@@ -1,4 +1,4 @@
-// What: sorts values and removes repetitions.
+// What: sorts a list of values and removes repeated values.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
-// What:   double-double: numbers of twice the precision of double, as an unevaluated sum of two.
-// Law:    let u = 2⁻⁵³. A difference of doubles is exact. A product has an error of at most 9u² times its size, a sum
-//         or difference of two numbers at most 4u² times the sum of their sizes: docs/explanation/exact_decisions.md.
-//         No bound is proved for a quotient. Requires: no product overflows or underflows (fits_double(), magnitude.h).
+// What:   double-double: numbers of twice the precision of double, each the unevaluated sum of two doubles.
+// Law:    let u = 2⁻⁵³. A difference of doubles is exact. The error of a product is at most 9u² times its size, that of
+//         a sum or difference at most 4u² times the sum of both sizes: docs/explanation/exact_decisions.md. No bound is
+//         proved for a quotient. Requires: no product overflows or underflows (fits_double(), magnitude.h).
 // Cost:   24 operations a product.
 // Source: Dekker, A floating-point technique for extending the available precision (1971).
 #pragma once

@@ -7,8 +7,8 @@
 namespace rbpa {
 namespace {
 
-// Position of the bit that weighs 1. The last bit of a product weighs 2^−2148 or more, so it is at position 188 or
-// higher: digits below are left for rounded(), which reads two digits after the first.
+// Position of the bit of weight 1. The last bit of a product has a weight of 2^−2148 or more, and thus position 188 or
+// higher. The digits below are for rounded(), which reads two digits after the first.
 constexpr int offset = 2336;
 constexpr std::int64_t digit_mask = 0xFFFFFFFF;
 
@@ -22,7 +22,7 @@ Scaled scaled(double value) {
   const auto bits = std::bit_cast<std::uint64_t>(value);
   const auto field = static_cast<int>((bits >> 52U) & 0x7FFU);
   const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52U) - 1);
-  // the implicit bit; subnormal numbers have none
+  // The implicit bit of the significand, which subnormal numbers do not have.
   const std::uint64_t first = field == 0 ? 0 : std::uint64_t{1} << 52U;
   return {first | fraction, std::max(field, 1) - 1075, (bits >> 63U) != 0};
 }
@@ -38,7 +38,7 @@ void ExactSum::add_bits(std::uint64_t bits, unsigned position, bool negative) {
   for (std::size_t i = 0; i < 3; ++i) digits_[digit + i] += negative ? -parts[i] : parts[i];
 }
 
-/// Records that bits are added at positions from `first_position` to `last_position`.
+/// Extends [begin_, end_) to the digits that change when bits are added at `first_position` to `last_position`.
 void ExactSum::touch(unsigned first_position, unsigned last_position) {
   begin_ = std::min<std::size_t>(begin_, first_position / 32);
   end_ = std::max<std::size_t>(end_, last_position / 32 + 3);
@@ -67,7 +67,7 @@ void ExactSum::add_product(double a, double b) {
 }
 
 void ExactSum::added() {
-  // A product adds less than 2^34 to a digit, and a digit holds up to 2^63: carries can wait for 2^28 products.
+  // A product adds less than 2^34 to a digit, and a digit can hold almost 2^63: carries can wait for 2^28 products.
   if (++additions_ < (1U << 28U)) return;
   carry(digits_);
   additions_ = 0;
@@ -89,7 +89,7 @@ ExactSum& ExactSum::operator+=(const ExactSum& other) {
   const Digits added = other.digits();
   carry(digits_);
   for (std::size_t i = 0; i < added.size(); ++i) digits_[i] += added[i];
-  additions_ = 1;  // after a carry, the sum of two digits is less than what one product adds
+  additions_ = 1;  // two digits after carries add up to less than one product adds
   begin_ = 0;
   end_ = digits_.size();
   return *this;
@@ -114,8 +114,8 @@ double ExactSum::rounded(int exponent) const {
   if (begin_ >= end_) return 0;
   // The digits of the absolute value, without leading zeros.
   Digits size;
-  // Fills `size` from digits and returns the carry out of the last one. A sum never exceeds all digits, so there is no
-  // carry out of `size`.
+  // Fills `size` from digits and returns the carry out of the last of them. The type has more digits than any sum
+  // needs, so no carry leaves `size`.
   const auto carried_from = [&](const Digits& digits, bool negative) {
     std::int64_t carried = 0;
     for (std::size_t i = begin_; i < end_; ++i) {
@@ -140,7 +140,7 @@ double ExactSum::rounded(int exponent) const {
     return top < begin_ + below ? std::uint64_t{0} : static_cast<std::uint64_t>(size[top - below]);
   };
 
-  // The first 64 bits. The last of them is set if any lower bit is: then the conversion rounds correctly.
+  // The first 64 bits. The last of the 64 is set if any lower bit is set, so that the conversion rounds correctly.
   const auto width = static_cast<unsigned>(std::bit_width(at(0)));
   std::uint64_t bits = (((at(0) << 32U) | at(1)) << (32 - width)) | (at(2) >> width);
   const bool more = (at(2) & ((std::uint64_t{1} << width) - 1)) != 0 ||

@@ -8,7 +8,7 @@
 
 namespace rbpa {
 
-/// A sum of `size` components, smallest first, none zero; no component overlaps another. Zero has no component.
+/// A sum of `size` nonzero doubles, the smallest first, whose bits do not overlap. The sum zero has no component.
 template <int Capacity>
 struct Expansion {
   std::array<double, static_cast<unsigned>(Capacity)> component;
@@ -67,7 +67,7 @@ Expansion<N> operator-(const Expansion<N>& e) {
   return result;
 }
 
-/// Returns e + f, exactly (Shewchuk, fast expansion sum with zero elimination): adds the components by size.
+/// Returns e + f, exactly (Shewchuk, fast expansion sum with zero elimination). Adds the components in order of size.
 template <int N, int M>
 Expansion<N + M> operator+(const Expansion<N>& e, const Expansion<M>& f) {
   Expansion<N + M> result;
@@ -114,8 +114,8 @@ Expansion<2 * N> operator*(const Expansion<N>& e, double b) {
 
 template <int N, int M>
 Expansion<2 * N * M> operator*(const Expansion<N>& e, const Expansion<M>& f) {
-  // One scaled copy of e is added for each component of f. The copies are few: differences of nearby coordinates mostly
-  // have one component.
+  // The sum has one scaled copy of e for each component of f. Differences of nearby coordinates mostly have one
+  // component, so the copies are few.
   Expansion<2 * N * M> result;
   for (int j = 0; j < f.size; ++j) {
     const auto sum = result + e * f.component[static_cast<unsigned>(j)];

@@ -1,5 +1,5 @@
-// What: √(x² + y²) by operations that IEEE 754 rounds, as C libraries round std::hypot() differently.
-// Law:  the bits are a function of the numbers alone. Error of a normal result: at most 0.51 units in the last place.
+// What: √(x² + y²) by operations whose rounding IEEE 754 defines; std::hypot() depends on the C library.
+// Law:  the bits depend on the numbers alone. The error of a normal result is at most 0.51 units in the last place.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace rbpa {
 
-/// Returns √(x² + y²); infinity where the root is beyond the range of double. Requires: `x` and `y` are no NaN.
+/// Returns √(x² + y²); infinity if the root is beyond the range of double. Requires: neither `x` nor `y` is NaN.
 inline double hypotenuse(double x, double y) {
   const double larger = std::max(std::abs(x), std::abs(y));
   if (larger == 0 || std::isinf(larger)) return larger;

@@ -1,4 +1,4 @@
-// What: names for the integer types of 128 bits that the compiler has.
+// What: names of the compiler's integer types of 128 bits.
 #pragma once
 
 namespace rbpa {

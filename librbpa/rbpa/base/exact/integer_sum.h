@@ -1,4 +1,4 @@
-// What: sums products of whole numbers without any error, in three words.
+// What: sums products of integers without any error, in three words.
 // Cost: two multiplications and a few additions a term.
 #pragma once
 
@@ -22,7 +22,7 @@ class IntegerSum {
     high_ += static_cast<std::int64_t>(middle >> 64);
   }
 
-  /// Adds the sum times 2^exponent to `sum`. Requires: |exponent| < 1700.
+  /// Adds this sum times 2^exponent to `sum`. Requires: |exponent| < 1700.
   void add_to(ExactSum& sum, int exponent) const {
     add_digits(sum, low_, exponent, 1);
     add_digits(sum, middle_, exponent + 64, 1);
@@ -30,7 +30,7 @@ class IntegerSum {
   }
 
  private:
-  /// Adds a number digit by digit, in digits of 32 bits.
+  /// Adds sign · rest · 2^exponent to `sum`, in digits of 32 bits. Requires: rest ≥ 0.
   static void add_digits(ExactSum& sum, Integer128 rest, int exponent, int sign) {
     for (; rest != 0; rest >>= 32, exponent += 32) {
       const auto digit = sign * static_cast<std::int64_t>(rest & 0xffffffff);

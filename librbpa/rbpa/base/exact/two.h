@@ -1,6 +1,6 @@
-// What: a pair of numbers with element-wise arithmetic, in one register if they are double.
-// Why:  one instruction does the work of two. Left to itself, a compiler packs scalars into a register so late that
-//       instructions wait for it.
+// What: a pair of numbers with element-wise arithmetic; a pair of doubles takes one register.
+// Why:  one instruction does the work of two. Compilers that pack scalars on their own do it so late that instructions
+//       wait for the packed register.
 #pragma once
 
 #include <cmath>

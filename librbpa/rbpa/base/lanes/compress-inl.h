@@ -1,7 +1,6 @@
 // What: moves chosen lanes of several vectors to the front. Compiled once for each kind of
 //       vector unit; HWY_TARGET_TOGGLE is the include guard.
-// Why:  some compilers translate Highway's Compress of 64-bit lanes so that it copies a table to the stack at each
-//       call.
+// Why:  with some compilers, Highway's Compress of 64-bit lanes copies a table to the stack at each call.
 #if defined(RBPA_BASE_LANES_COMPRESS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_BASE_LANES_COMPRESS_INL_H_
 #undef RBPA_BASE_LANES_COMPRESS_INL_H_
@@ -20,8 +19,8 @@ HWY_BEFORE_NAMESPACE();
 namespace rbpa::HWY_NAMESPACE {
 namespace {
 
-/// A permutation of at most eight 64-bit lanes that moves the lanes with set bits to the front, in their order; the
-/// other lanes are unspecified.
+/// A permutation of at most eight 64-bit lanes: moves the lanes whose bits are set to the front, in their order. The
+/// other lanes of the result are unspecified.
 template <typename D>
 class LanesToFront {
  public:

@@ -1,5 +1,6 @@
-// What:   double-double in the lanes of registers: base/exact/double_double.h for several numbers at a time, with its
-//         bounds. Compiled once for each kind of vector unit; HWY_TARGET_TOGGLE is the include guard.
+// What:   double-double in the lanes of registers: the arithmetic of base/exact/double_double.h, with its error bounds,
+//         on several numbers at a time. Compiled once for each kind of vector unit; HWY_TARGET_TOGGLE is the include
+//         guard.
 // Source: Dekker, A floating-point technique for extending the available precision (1971).
 #if defined(RBPA_BASE_LANES_DOUBLE_DOUBLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_BASE_LANES_DOUBLE_DOUBLE_INL_H_
@@ -29,7 +30,7 @@ struct DoubleDoubleLanes {
   static HWY_INLINE DoubleDoubleLanes product_of(V a, V b) {
     namespace hn = hwy::HWY_NAMESPACE;
     const V product = hn::Mul(a, b);
-    // Without fused multiply-add, factors are split into halves.
+    // Without fused multiply-add, each factor is split into a high and a low half.
     constexpr bool is_fused = (HWY_TARGET & (HWY_AVX2 | HWY_AVX3 | HWY_AVX3_DL | HWY_NEON)) != 0;
     if constexpr (is_fused) return {product, hn::MulSub(a, b, product)};
     const auto half = [](V x) HWY_ATTR {

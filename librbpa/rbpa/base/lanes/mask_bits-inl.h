@@ -19,24 +19,24 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The integer type to which a mask is stored; reading with the width of the store avoids a store-forwarding stall.
+/// The integer type that holds a stored mask. A read as wide as the store avoids a store-forwarding stall.
 template <typename D>
 using MaskBits = std::conditional_t<hn::MaxLanes(D()) == 16, std::uint16_t, std::uint8_t>;
 
-/// Returns the mask as bits: bit i is set if lane i is. Requires: at most 16 lanes.
+/// Returns the mask as bits: bit i is set if lane i is set. Requires: at most 16 lanes.
 template <typename D>
 HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
-  std::uint8_t bytes[8];  // StoreMaskBits may write all of them
+  std::uint8_t bytes[8];  // StoreMaskBits may write all eight
   hn::StoreMaskBits(d, mask, bytes);
   MaskBits<D> bits;
   std::memcpy(&bits, bytes, sizeof bits);
   return bits;
 }
 
-/// Returns the mask whose lane i is bit i; further bits are ignored. Requires: at most 16 lanes.
+/// Returns the mask in which lane i is set if bit i is set; further bits are ignored. Requires: at most 16 lanes.
 template <typename D>
 HWY_INLINE hn::Mask<D> mask_of(D d, std::uint64_t all) {
-  std::uint8_t bytes[8];  // LoadMaskBits may read all of them
+  std::uint8_t bytes[8];  // LoadMaskBits may read all eight
   std::memcpy(bytes, &all, sizeof bytes);
   return hn::LoadMaskBits(d, bytes);
 }

@@ -6,7 +6,7 @@
 
 namespace rbpa {
 
-/// For each byte, the positions of its set bits, followed by zeros.
+/// For each byte, the positions of its set bits, ascending, followed by zeros.
 inline constexpr std::array<std::array<std::uint8_t, 8>, 256> set_bits = [] {
   std::array<std::array<std::uint8_t, 8>, 256> all{};
   for (unsigned byte = 0; byte < 256; ++byte) {

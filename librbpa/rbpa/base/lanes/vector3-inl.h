@@ -1,4 +1,4 @@
-// What: vectors of space in the lanes of registers, and their products. Compiled once for each kind of
+// What: vectors of space in the lanes of registers, with dot and cross product. Compiled once for each kind of
 //       vector unit; HWY_TARGET_TOGGLE is the include guard.
 #if defined(RBPA_BASE_LANES_VECTOR3_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef RBPA_BASE_LANES_VECTOR3_INL_H_

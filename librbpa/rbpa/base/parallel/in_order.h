@@ -1,6 +1,7 @@
-// What: work on many items whose results are joined in their order.
-// Law:  join(i) is called once for each i, ascending, one at a time; so its result does not depend on the threads.
-// Cost: a few microseconds an item in addition to the work; as many workspaces as items are in progress.
+// What: processes many items in several threads, and joins their results in the order of the items.
+// Law:  join(i) is called once for each i, ascending, one call at a time, so the joined result does not depend on the
+//       threads.
+// Cost: a few microseconds an item in addition to the work; one workspace for each item in progress.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +12,8 @@
 namespace rbpa {
 
 /// Calls, for each i below `count`, work(i, workspace) in any thread, then join(i, workspace) in the order of i, then
-/// finish(i, workspace) in any thread. A workspace belongs to one item at a time; the next item gets the workspace
-/// released last, which is still in a cache. Rethrows an exception of a call; then some of the calls are never made.
+/// finish(i, workspace) in any thread. A workspace belongs to one item at a time, and is reused while it is still in a
+/// cache. Rethrows an exception of a call; then some of the calls are never made.
 template <typename Workspace, typename Work, typename Join, typename Finish>
 void in_order(Threads& threads, std::size_t count, Work work, Join join, Finish finish) {
   if (threads.count() > 1 && count > 1) {

@@ -1,7 +1,7 @@
 #include "rbpa/base/parallel/threads.h"
 
-// Under the thread sanitizer, threads of the standard library share the work: oneTBB is not instrumented, so the
-// sanitizer does not see how it orders pieces of work, and would report races that are none.
+// Under the thread sanitizer, threads of the standard library share the work. oneTBB is not instrumented: the sanitizer
+// does not see how oneTBB orders pieces of work, and would report false races.
 #if defined(__SANITIZE_THREAD__)
 #define RBPA_PLAIN_THREADS 1
 #elif defined(__has_feature)

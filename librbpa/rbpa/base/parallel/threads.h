@@ -1,7 +1,7 @@
 // What: runs work in several threads.
-// Law:  the result depends on how work is divided, never on the number of threads or on which of them is first.
-// Note: with RBPA_SERIAL there is one thread, and no oneTBB.
-// Why:  oneTBB is included by threads.cpp alone, as its headers take longer to compile than most of their callers.
+// Law:  the result depends on how work is divided, never on the number or the speed of threads.
+// Note: with RBPA_SERIAL there is one thread, and oneTBB is not needed.
+// Why:  only threads.cpp includes oneTBB, whose headers take longer to compile than most callers of this class.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,10 @@
 
 namespace rbpa {
 
-/// A group of threads that share work, the calling one included.
+/// A group of threads that share work, the calling thread included.
 class Threads {
  public:
-  /// Allows at most `count` threads, capped by the number of processors; 0: one for each processor.
+  /// Allows `count` threads, but not more than there are processors; with 0, one for each processor.
   explicit Threads(unsigned count = 1);
   Threads(Threads&&) noexcept;
   ~Threads();
@@ -43,7 +43,8 @@ class Threads {
 
   /// Calls visit(i) for each i below `number`, in any order and thread. Rethrows an exception of a call.
   void share(std::size_t number, Call<void(std::size_t)> visit);
-  /// Does the work of in_order() (in_order.h) on workspaces that make() returns.
+  /// Calls work(i, workspace), join(i, workspace) and finish(i, workspace) as in_order() does (in_order.h), on
+  /// workspaces that make() returns.
   void share_in_order(std::size_t number, Call<std::shared_ptr<void>()> make, Call<void(std::size_t, void*)> work,
                       Call<void(std::size_t, void*)> join, Call<void(std::size_t, void*)> finish);
 
@@ -60,8 +61,8 @@ void for_each_index(Threads& threads, std::size_t count, Visit visit) {
   for (std::size_t i = 0; i < count; ++i) visit(i);
 }
 
-/// Calls visit(first, last) for ranges from `first` to `last`, excluded, of at most `part` ≥ 1 numbers, which together
-/// cover 0 … size − 1, in any order and thread. Rethrows an exception of a call.
+/// Splits 0 … size − 1 into ranges of `part` ≥ 1 numbers (the last may be shorter). Calls visit(first, last) for each,
+/// `last` excluded, in any order and thread. Rethrows an exception of a call.
 template <typename Visit>
 void for_each_part(Threads& threads, std::size_t size, std::size_t part, Visit visit) {
   for_each_index(threads, (size + part - 1) / part,

@@ -1,5 +1,5 @@
-// What: cube roots by operations that IEEE 754 rounds, as C libraries round std::cbrt() and std::pow() differently.
-// Law:  the bits are a function of the number alone. The error is at most 1.2 units in the last place.
+// What: cube roots by operations whose rounding IEEE 754 defines; std::cbrt() and std::pow() depend on the C library.
+// Law:  the bits depend on the number alone. The error is at most 1.2 units in the last place.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ Real cube_root(Real x) {
   const Real mantissa = std::frexp(x, &exponent);
   const int third = (exponent > 0 ? exponent + 2 : exponent) / 3;
   const Real scaled = std::ldexp(mantissa, exponent - 3 * third);  // 1/8 to 1
-  // Newton's steps descend from a line above the curve until rounding stops them.
+  // Newton's method begins on a line above the curve and descends until rounding stops it.
   Real root = Real(0.5) + Real(0.625) * scaled;
   while (true) {
     const Real next = root - (root - scaled / (root * root)) / 3;

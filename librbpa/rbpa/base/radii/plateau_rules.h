@@ -1,4 +1,4 @@
-// What:   the rules that plateaus of the plane and of space share: the least length, the meaning of structure, and the
+// What:   the common rules for plateaus of the plane and of space: the least length, the test for structure, and the
 //         ranking.
 // Source: docs/explanation/filtration_and_persistence.md, sections 6 and 7.
 #pragma once
@@ -11,11 +11,12 @@
 
 namespace rbpa::plateau_rules {
 
-inline constexpr double least_ratio = 1.25;      // least to / from of all plateaus but the longest
+inline constexpr double least_ratio = 1.25;      // least ratio to / from of a plateau, except the longest one
 inline constexpr std::size_t most_plateaus = 8;  // maximum number of plateaus
-inline constexpr double least_share = 0.5;       // share of the points that must be covered where a plateau begins
+inline constexpr double least_share = 0.5;       // least share of covered points at the begin of a plateau
 
-/// Returns whether there are several parts of significant size, or holes of significant size.
+/// Returns whether a shape has several parts, or holes, of significant size. `hole_share` is the share of the holes in
+/// the size of the shape.
 inline bool is_structured(double effective_parts, double hole_share) {
   constexpr double one_part = 1.1;  // a part with 95 of 100 points has 1.1 effective parts
   constexpr double small_holes = 0.05;
@@ -27,10 +28,10 @@ struct Weight {
   double covered;  ///< share of the points that are covered
 };
 
-/// Sorts plateaus, the best first. Let F be the long plateau without structure with the least `from`, where the points
-/// form one piece. First come the long structured plateaus below F, then F and the long structured ones above it, then
-/// all others, of which those that are neither long nor cover nine tenths of the points are last. Each group is sorted
-/// by (ratio − 1) · covered, descending.
+/// Sorts plateaus, the best first. Let F be the long unstructured plateau with the least `from`, at which the points
+/// form one piece. The groups are, in order: the long structured plateaus below F; F and the long structured plateaus
+/// above F; the other long plateaus, and short ones that cover nine tenths of the points; all others. Each group is
+/// sorted by (ratio − 1) · covered, descending.
 /// Requires: weight_of(plateau) returns a Weight; Plateau has `from`, `ratio` and `is_long`.
 template <typename Plateau, typename WeightOf>
 void rank(std::vector<Plateau>& plateaus, const WeightOf& weight_of) {

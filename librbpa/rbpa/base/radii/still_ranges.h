@@ -1,6 +1,6 @@
-// What:   finds ranges of radii, long as a ratio of their ends, over which a measure of change hardly grows.
-// Law:    a function of the arguments alone; scaled radii have the same ranges.
-// Cost:   linear in the radii, for each range that is sought.
+// What:   finds ranges of radii with a large ratio of their ends, over which a measure of change hardly grows.
+// Law:    the ranges depend on the arguments alone; they stay when all radii are multiplied by one factor.
+// Cost:   linear in the number of radii, for each range that is wanted.
 // Source: docs/explanation/filtration_and_persistence.md, sections 6 and 7.
 #pragma once
 
@@ -12,15 +12,15 @@
 
 namespace rbpa {
 
-/// The steps from `first` to `last`, which is excluded.
+/// The steps from `first` to `last`, the last excluded.
 struct StepRange {
   std::size_t first, last;
 };
 
 class StillRanges {
  public:
-  /// Takes for each step its radius, ascending, and the measure of change up to this radius, which never decreases. In
-  /// the length of a range, radii beyond `reach` count as `reach`. Keeps the span.
+  /// Takes for each step its radius, ascending, and the measure of change up to this radius, which never decreases. For
+  /// the ratio of a range, an end beyond `reach` counts as `reach`. Keeps the span.
   StillRanges(std::span<const double> alpha, std::vector<long double> change, double reach)
       : alpha_(alpha), change_(std::move(change)), reach_(reach) {}
 
@@ -30,8 +30,8 @@ class StillRanges {
     return std::max(1.0, to / alpha_[range.first]);
   }
 
-  /// Returns at most `most` disjoint ranges of the steps in `all`, the longest first: each is the longest one that
-  /// overlaps none before it. Ranges with a ratio below `least_ratio` are left out, except the first.
+  /// Returns at most `most` disjoint ranges of the steps in `all`, the longest first: each is the longest range that
+  /// overlaps no earlier one. Leaves out ranges with a ratio below `least_ratio`, except the first.
   std::vector<StepRange> longest(const StepRange& all, std::size_t most, double least_ratio) const {
     struct Left {
       StepRange range, longest;

@@ -7,7 +7,7 @@
 
 namespace rbpa {
 
-/// A checkpoint for several threads: calls go_on(), one call at a time, and throws Cancelled when it returns false.
+/// A checkpoint for several threads: calls go_on(), one call at a time, and throws Cancelled after a result of false.
 class CheckpointOfThreads {
  public:
   /// Keeps a reference to `go_on`. An empty function is never called.

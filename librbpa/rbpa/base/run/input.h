@@ -25,8 +25,8 @@ void check_number(std::size_t points);
 /// Throws: InvalidInput that names the violated requirement.
 void check(std::span<const Point> points, double alpha);
 
-/// Returns the threads for a run on `points` points: one for fewer than 10,000 points, as the run ends before a second
-/// thread has started.
+/// Returns the threads for a run on a number of points: one for fewer than 10,000 points, as such a run ends before a
+/// second thread has started; otherwise `wanted`.
 inline Threads threads_for(std::size_t points, unsigned wanted) { return Threads(points < 10'000 ? 1 : wanted); }
 
 }  // namespace rbpa

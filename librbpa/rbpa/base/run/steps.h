@@ -9,7 +9,7 @@ namespace rbpa {
 
 using meshops::Steps;
 
-/// Sorts like std::sort(), each comparison being a step.
+/// Sorts values like std::sort(), and counts each comparison as a step.
 /// Throws: Cancelled; the values are then in any order.
 template <typename Values, typename Less>
 void sort(Values& values, Steps& step, const Less& less) {

@@ -15,21 +15,21 @@
 namespace rbpa {
 namespace {
 
-// With up to six triangles for each smallest corner, a bucket fits a cache of half a megabyte.
+// With up to six triangles for each smallest corner, a bucket of this size fits a cache of half a megabyte.
 constexpr std::size_t corners_per_bucket = 1u << 11;
-// Memory is requested in parts small enough for the allocator to reuse freed parts, which need not be cleared again.
+// Slabs are so small that the allocator can reuse freed ones, which the system need not clear again.
 constexpr std::size_t max_blocks_in_slab = 1u << 12;  // 12 megabytes; 16 with numbers
-constexpr std::size_t max_buckets = 1u << 11;         // so that the ends of all buckets fit the nearest cache
+constexpr std::size_t max_buckets = 1u << 11;         // so that the write positions of all buckets fit the L1 cache
 
-/// Returns the number of bits by which a smallest corner is shifted to become its bucket number. Buckets are limited in
-/// number, so that few blocks stay nearly empty.
+/// Returns the number of bits by which a smallest corner is shifted to give its bucket number. The number of buckets is
+/// limited, so that few blocks stay nearly empty.
 int bucket_shift(std::size_t bound, std::size_t most_open_blocks) {
   int shift = std::countr_zero(corners_per_bucket);
   while ((bound >> shift) >= std::min(max_buckets, most_open_blocks + 1)) ++shift;
   return shift;
 }
 
-/// An item without its smallest corner: the second and third corner, to be compared at once.
+/// An item without its smallest corner: the second and third corner as one key, which one comparison orders.
 struct Rest {
   std::uint64_t key;
 };
@@ -44,8 +44,8 @@ Triangle corners_of(std::size_t first, std::uint64_t key) {
   return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key)};
 }
 
-/// Returns all bits if b comes before a, otherwise none. The comparison is unpredictable, so nothing may branch. (The
-/// compiler makes a branch of a choice between two values if the next choice depends on it.)
+/// Returns all bits set if b comes before a, otherwise 0. A mask avoids a branch, which would be mispredicted.
+/// (Compilers turn a choice between two values into a branch if the next choice depends on the result.)
 template <typename R>
 std::uint64_t all_if_behind(const R& a, const R& b) {
   return -std::uint64_t{b.key < a.key};
@@ -62,7 +62,7 @@ void put_in_order(NumberedRest& a, NumberedRest& b) {
   b = {b.key ^ change, b.number ^ change_number};
 }
 
-/// A sorting network: pairs of places to be put in order, one after the other.
+/// A sorting network: the pairs of positions whose entries are put in order, one pair after the other.
 template <std::size_t size>
 struct Network;
 template <>
@@ -77,9 +77,9 @@ struct Network<8> {
 };
 constexpr std::size_t max_network = 8;
 
-/// Sorts `count` ≤ size rests, and calls put(place, rest) for places 0 … size − 1. `count` changes from corner to
-/// corner, and a branch on it would be mispredicted: entries from `count` on are therefore sorted and put as well, as
-/// the greatest keys.
+/// Sorts `count` ≤ size rests, and calls put(place, rest) for places 0 … size − 1. Entries from `count` on get the
+/// greatest key, and are sorted and put as well: `count` changes from corner to corner, so a branch on `count` would
+/// be mispredicted.
 template <std::size_t size, typename R, typename Put>
 void put_few(const R* few, std::size_t count, Put put) {
   std::array<R, size> r;
@@ -95,9 +95,9 @@ void put_few(const R* few, std::size_t count, Put put) {
   for (std::size_t i = 0; i < size; ++i) put(i, r[i]);
 }
 
-/// Sorts the triangles with one smallest corner, two on average, seldom a dozen, and calls put(place, rest) for each.
-/// After the last triangle, places up to the fourth or eighth are put as well; these have no meaning.
-/// Requires: max_network entries can be read after `star`.
+/// Sorts the triangles with one smallest corner (two on average, seldom a dozen), and calls put(place, rest) for each.
+/// For up to four or eight triangles, calls put() for all four or eight places; those after the last triangle get
+/// meaningless rests. Requires: at least max_network entries can be read from `star` on.
 template <typename R, typename Put>
 void put_star(R* star, std::size_t count, Put put) {
   if (count <= 4) return put_few<4>(star, count, put);
@@ -112,8 +112,8 @@ void put_star(R* star, std::size_t count, Put put) {
 template <typename Item>
 struct CanonicalOrder<Item>::Workspace {
   using Rests = std::vector<decltype(rest_of(Item()))>;
-  Rests rests;                      // by smallest corner; max_network additional ones at the end, for put_star()
-  std::vector<std::uint32_t> next;  // for each smallest corner, where its next triangle goes
+  Rests rests;                      // by smallest corner; then max_network unused entries, which put_star() reads
+  std::vector<std::uint32_t> next;  // for each smallest corner, the position of its next triangle
   meshops::FreshVector<Triangle> triples;
   meshops::FreshVector<std::uint32_t> numbers;
   std::size_t count = 0;
@@ -202,7 +202,7 @@ void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t firs
 
   std::size_t first = 0;
   for (std::size_t c = 0; c < corners; ++c) {
-    const std::size_t last = next[c];  // all triangles of c are put, so this is where those of c + 1 begin
+    const std::size_t last = next[c];  // the end of the triangles of c, as all are in place
     put_star(rests.data() + first, last - first, [&](std::size_t i, const auto& rest) {
       triples[first + i] = corners_of(first_corner + c, rest.key);
       if constexpr (std::is_same_v<Item, NumberedTriangle>) numbers[first + i] = rest.number;
@@ -212,7 +212,8 @@ void CanonicalOrder<Item>::sort(const std::vector<Run>& bucket, std::size_t firs
 }
 
 /// Sorts all buckets and returns the triangles in order. For each bucket, calls put_numbers(place, numbers) in any
-/// thread: `numbers` are the numbers of the bucket's triangles in order, `place` is the place of the first of these.
+/// thread: `numbers` are the numbers of the bucket's triangles in order, `place` is the position of the first in the
+/// result.
 template <typename Item>
 template <typename PutNumbers>
 std::vector<Triangle> CanonicalOrder<Item>::sort_all(Threads& threads, PutNumbers put_numbers,

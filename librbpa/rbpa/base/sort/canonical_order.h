@@ -1,12 +1,12 @@
-// What: brings triangles into canonical order: lexicographic, each from its smallest corner on.
+// What: brings triangles into canonical order: lexicographic, each triangle from its smallest corner on.
 // Law:  the order depends on the triangles only, not on the order in which they come or on threads.
-// How:  a triangle is put into a bucket as soon as it comes. A bucket covers a range of smallest corners, and is a list
-//       of blocks of common memory: its size need not be known in advance, and nothing is moved:
+// How:  a triangle is put into a bucket as soon as it is added. A bucket covers a range of smallest corners. It is a
+//       list of blocks of memory that all buckets share, so its size need not be known in advance, and no item moves:
 //
-//           slab   | 0 | 1 | 2 | 0 | 0 | 1 | 0 | 2 | ...     a block has the number of its bucket here
+//           slab   | 0 | 1 | 2 | 0 | 0 | 1 | 0 | 2 | ...     each block of a slab, shown as its bucket's number
 //
-//       In the end each bucket, which fits a cache, is sorted there and appended to the one before.
-// Cost: linear; as much memory as the triangles take, in addition to the result.
+//       In the end each bucket is sorted, in general within a cache, and appended to the bucket before.
+// Cost: linear; about as much memory as the triangles take, in addition to the result.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,7 @@ namespace rbpa {
 template <typename Item>
 class CanonicalOrder {
  public:
-  /// Prepares for at most `most` triangles, with all corners below `bound`, written by at most `threads` threads at a
-  /// time.
+  /// Prepares for at most `most` triangles with corners below `bound`, from at most `threads` writers at a time.
   CanonicalOrder(std::size_t bound, std::size_t most, std::size_t threads);
 
   /// A writer of items, for one thread at a time. Requires: each item has its smallest corner first; not checked.
@@ -46,7 +45,7 @@ class CanonicalOrder {
     explicit Writer(CanonicalOrder& order);
     void begin_block(std::size_t bucket);
 
-    /// A block that is not full: the place of the next item, and the end.
+    /// A block that is not full: the place of the next item, and the end of the block.
     struct Open {
       Item *next, *end;
     };
@@ -60,8 +59,8 @@ class CanonicalOrder {
     std::vector<Block> blocks_;  // all blocks that were begun
   };
 
-  /// Calls write(Writer&) with a writer that no other thread uses meanwhile. Requires: at most `threads` calls at a
-  /// time (see the constructor).
+  /// Calls write(Writer&) with a writer that no other thread uses meanwhile. Requires: at most as many calls at a time
+  /// as the constructor was given threads.
   template <typename Write>
   void with_writer(Write write) {
     Writer* const writer = take();
@@ -70,17 +69,17 @@ class CanonicalOrder {
     idle_.push_back(writer);
   }
 
-  /// Returns all triangles in order. Nothing may be added afterwards. Calls `checkpoint`, if any, after each bucket,
-  /// one call at a time; it may throw.
+  /// Returns all triangles in order. No triangle may be added afterwards. Calls `checkpoint`, unless it is empty, after
+  /// each bucket, one call at a time; `checkpoint` may throw.
   std::vector<Triangle> sorted(Threads& threads, const Checkpoint& checkpoint = {});
-  /// Returns all triangles in order, as sorted(). rank[n] becomes the place of the triangle with number n.
-  /// Requires: NumberedTriangle, with the numbers from 0 on, each once; `rank` has a place for each.
+  /// Returns all triangles as sorted() does. Sets rank[n] to the position of triangle number n in the result.
+  /// Requires: Item is NumberedTriangle; the numbers are 0, 1, 2 …, each once; `rank` has an entry for each number.
   std::vector<Triangle> sorted_with_ranks(Threads& threads, std::uint32_t* rank, const Checkpoint& checkpoint = {});
-  /// Returns all triangles in order, as sorted(). numbers[i] becomes the number of triangle i of the result.
-  /// Requires: NumberedTriangle; `numbers` has a place for each triangle. Several triangles may have the same number.
+  /// Returns all triangles as sorted() does. Sets numbers[i] to the number of triangle i of the result; several
+  /// triangles may have one number. Requires: Item is NumberedTriangle; `numbers` has an entry for each triangle.
   std::vector<Triangle> sorted_with_numbers(Threads& threads, std::uint32_t* numbers,
                                             const Checkpoint& checkpoint = {});
-  /// Frees the memory.
+  /// Frees the memory of the added triangles.
   void end() { slabs_ = std::vector<meshops::FreshVector<Item>>(); }
 
  private:

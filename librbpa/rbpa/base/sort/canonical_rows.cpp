@@ -33,7 +33,7 @@ meshops::FreshVector<std::uint32_t> sort_rows(std::span<const Row> rows, std::si
   meshops::prefer_large_pages(sorted.data(), rows.size() * sizeof(Row));
   sorted.resize(rows.size());
   meshops::FreshVector<std::uint32_t> end(bound + 1), order(rows.size()), place(rows.size());
-  // each thread sorts the rows with a range of this many first numbers
+  // Each thread sorts the rows of one range of first numbers; `range` is the length of the range.
   const std::size_t range = bound / threads.count() + 1;
   for_each_part(threads, bound, range, [&](std::size_t low, std::size_t high) {
     std::fill(end.begin() + static_cast<std::ptrdiff_t>(low), end.begin() + static_cast<std::ptrdiff_t>(high), 0);
@@ -57,7 +57,7 @@ meshops::FreshVector<std::uint32_t> sort_rows(std::span<const Row> rows, std::si
     const std::uint32_t last = high == 0 ? 0 : end[high - 1];
     for (std::size_t first = low; first < high; ++first) {
       group.clear();
-      // Rows with the next first numbers are scattered in memory: prefetching lets their cache misses overlap.
+      // Rows of the next first numbers are scattered in memory: prefetching lets their cache misses overlap.
       for (const std::uint32_t ahead = std::min(end[first] + 48, last); fetched < ahead; ++fetched) {
         __builtin_prefetch(&rows[order[fetched]]);
         __builtin_prefetch(&place[order[fetched]], 1);

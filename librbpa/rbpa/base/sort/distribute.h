@@ -1,4 +1,4 @@
-// What: distributes items over buckets: a bucket sort's first pass.
+// What: distributes items over buckets: the first pass of a bucket sort.
 // Law:  items of one bucket keep their order, so the result does not depend on the number of threads.
 // Cost: linear in the items, and in the buckets of each part.
 #pragma once
@@ -11,15 +11,15 @@
 
 namespace rbpa {
 
-/// Calls put(i, place) for each of the items 0 … `items` − 1, `part` of them at a time in one thread. `place` is the
-/// number of items in lower buckets plus the number of earlier items in the same bucket. bucket_of(i) is below
-/// `buckets`; it is called twice for each item, as storing its result would take longer.
+/// Calls put(i, place) for each of the items 0 … `items` − 1; a thread processes `part` items at a time. `place` is the
+/// number of items in lower buckets plus the number of earlier items in the bucket of item i. Calls bucket_of(i) twice
+/// for each item, as storing the result would take longer. Requires: bucket_of(i) < `buckets`.
 /// Returns: the first place of each bucket, and the end.
 template <typename BucketOf, typename Put>
 std::vector<std::uint32_t> distribute(std::size_t items, std::size_t buckets, std::size_t part, Threads& threads,
                                       const BucketOf& bucket_of, const Put& put) {
   const std::size_t parts = (items + part - 1) / part;
-  // For each part, the place of its next item of each bucket.
+  // For each part, the place of the part's next item in each bucket.
   std::vector<std::uint32_t> place(parts * buckets, 0);
   for_each_part(threads, items, part, [&](std::size_t first, std::size_t last) {
     std::uint32_t* const count = &place[first / part * buckets];

@@ -1,4 +1,4 @@
-// What: points, each with a number by which the caller names it.
+// What: points, each with a number that the caller chose as its name.
 #pragma once
 
 #include <cstddef>

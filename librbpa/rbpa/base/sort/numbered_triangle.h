@@ -1,4 +1,4 @@
-// What: a triangle as three point numbers, the smallest first, with its position in a list.
+// What: a triangle as three point numbers, the smallest first, with the position of the triangle in a list.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@ struct NumberedTriangle {
   std::uint32_t number;
 };
 
-/// Returns the names of a triangle's corners, rotated so that the least comes first. Which one is the least cannot be
-/// predicted, so nothing branches.
+/// Returns the names of a triangle's corners, rotated so that the least comes first. The code has no branch, as the
+/// position of the least name cannot be predicted.
 inline Triangle from_least(std::span<const std::uint32_t> names, const std::array<meshops::Site, 3>& corner) {
   const std::uint32_t a = names[corner[0]], b = names[corner[1]], c = names[corner[2]];
   const std::uint32_t b_first = (b < a) & (b < c), c_first = (c < a) & (c < b);
@@ -29,7 +29,7 @@ inline Triangle from_least(std::span<const std::uint32_t> names, const std::arra
   return {first, second, a ^ b ^ c ^ first ^ second};
 }
 
-/// Calls visit(Triangle) for each triangle of a patch, in order, with the names of its corners, the least first.
+/// Calls visit(Triangle) for each triangle of a patch, in order, with the names of the corners, the least first.
 template <typename Visit>
 void for_each_triangle(const meshops::Patch& patch, std::span<const std::uint32_t> names, Visit visit) {
   constexpr std::size_t ahead = 32;  // names are prefetched this many triangles before

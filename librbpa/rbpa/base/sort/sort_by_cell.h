@@ -1,7 +1,7 @@
 // What: brings points into the order of the cells of a grid.
 // Law:  points of one cell keep their order. The result does not depend on the number of threads.
-// Cost: linear. Many points are first distributed over bands of rows, each into the part of the output that its band
-//       fills; then one thread sorts each band within a cache, with 24 bytes for each point of a band in progress.
+// Cost: linear. From 65,536 points on, each point is first moved to the part of the output that its band of rows fills;
+//       then one thread sorts each band within a cache, with a copy of the band's points (24 bytes a point).
 #pragma once
 
 #include <algorithm>
@@ -17,9 +17,10 @@
 
 namespace rbpa {
 
-/// Sorts points, all in the cells `first_cell` … `last_cell` − 1 of a level, by cell. Writes them to `sorted` and their
-/// names to `names`, which are as long as the input and do not overlap it. Sets level.start of each of these cells to
-/// `first` plus the position of its first point in `sorted`.
+/// Sorts points by cell. Writes the points to `sorted` and their names to `names`. Sets level.start of each cell to
+/// `first` plus the position of the cell's first point in `sorted`.
+/// Requires: all points lie in the cells `first_cell` … `last_cell` − 1; `sorted` and `names` have a place for each
+///           point, and do not overlap the input.
 template <typename Level>
 void sort_by_cell(const NamedPoints& input, Level& level, std::size_t first_cell, std::size_t last_cell,
                   std::uint32_t first, Point* sorted, std::uint32_t* names) {
@@ -42,8 +43,8 @@ void sort_by_cell(const NamedPoints& input, Level& level, std::size_t first_cell
   for (std::size_t c = 0; c < cells; ++c) start[c] += first;
 }
 
-/// Sorts points by cell over all cells of a level, and sets the whole of level.start, with the end. Uses several
-/// threads from 65,536 points on.
+/// Sorts points by cell over all cells of a level. Sets level.start for every cell, and the end as a last entry. Uses
+/// `threads` from 65,536 points on.
 template <typename Level>
 void sort_by_cell(const NamedPoints& input, Level& level, std::uint32_t first, Point* sorted, std::uint32_t* names,
                   Threads& threads) {

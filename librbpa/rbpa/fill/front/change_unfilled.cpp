@@ -10,9 +10,10 @@
 namespace rbpa {
 namespace {
 
-/// Returns how far p, lifted to the paraboloid, is below the plane through a, b and c, lifted too; infinity if the
-/// result is not finite. While the lifted p rises, the triangles of the triangulation without p replace those around p
-/// in ascending order of this height. Rounding costs flips at most.
+/// Returns the height of the plane through the lifted points a, b and c above the lifted point p; infinity if the
+/// result is not finite. Points are lifted to the paraboloid. While the lifted p rises, the triangles of the
+/// triangulation without p replace those around p in ascending order of this height. Rounding can only cause additional
+/// flips.
 double rise(const Point& a, const Point& b, const Point& c, const Point& p) {
   const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y, cx = c.x - p.x, cy = c.y - p.y;
   const double bc = bx * cy - by * cx, ca = cx * ay - cy * ax, ab = ax * by - ay * bx;
@@ -55,7 +56,7 @@ void Unfilled::remove(std::uint32_t triangle) {
   unused_.push_back(triangle);
 }
 
-/// Removes the sides of removed triangles from the queue, before the numbers of these triangles are reused.
+/// Removes the sides of removed triangles from queue_. Must run before the numbers of these triangles are reused.
 void Unfilled::forget_removed() {
   std::erase_if(queue_, [&](Side side) { return corner_[side - side % 3] == none; });
 }
@@ -78,8 +79,8 @@ void Unfilled::fill(const FrontEdge& edge, Site apex) {
   flip_all();
 }
 
-/// Updates an edge of a filled triangle, which runs from `from` to `to` in that triangle: the edge becomes one of the
-/// front for the triangle of side `beyond`, or, if `beyond` is none, is removed from the front.
+/// Updates the side of a filled triangle from `from` to `to`. If `beyond` is none, the side was at the front, and is
+/// removed from the front; otherwise side `beyond` becomes an edge of the front.
 void Unfilled::bound(Side beyond, Site from, Site to) {
   if (beyond == none)
     border_.erase(key_of(from, to));
@@ -87,8 +88,8 @@ void Unfilled::bound(Side beyond, Site from, Site to) {
     link(beyond, none);
 }
 
-/// Inserts `site`, which forms an empty triangle with `edge`, into the triangle around the site, or into both triangles
-/// at the side on which the site lies.
+/// Inserts `site`, which forms an empty triangle with `edge`, as a corner: splits the triangle that contains the site,
+/// or both triangles at the side on which the site lies.
 void Unfilled::split(const FrontEdge& edge, Site site) {
   const std::optional<Side> around = this->around(edge, places_[site], unlimited);
   meshops::require(around.has_value(), "fill: a new point lies in no empty triangle");
@@ -119,8 +120,8 @@ void Unfilled::split(const FrontEdge& edge, Site site) {
   }
 }
 
-/// Gathers in crossed_ the triangles that the triangle of `side` and `apex` crosses, and in left_ and right_ the rims
-/// of that triangle's cavity.
+/// Gathers in crossed_ the triangles that the triangle of `side` and `apex` crosses, and in left_ and right_ the two
+/// rims of these crossed triangles, from the ends of `side` to `apex`.
 void Unfilled::cross(Side side, Site apex) {
   const Site a = from(side), b = to(side);
   crossed_.clear();
@@ -141,7 +142,8 @@ void Unfilled::cross(Side side, Site apex) {
 }
 
 /// Cuts off a triangle wherever a rim turns towards its base, from one end to the other as in a scan for the convex
-/// hull. Every corner of the rim sees the base, so nothing else is left. Returns the side beyond the base.
+/// hull. Every corner of the rim sees the base, so that the triangles fill the whole region between rim and base.
+/// Returns the side of the new triangle at the base.
 Unfilled::Side Unfilled::cut_ears(std::vector<Rim>& rim, bool is_right) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -164,7 +166,8 @@ Unfilled::Side Unfilled::cut_ears(std::vector<Rim>& rim, bool is_right) {
 }
 
 /// Joins side `inner` of a new triangle to the side beyond the edge of the rim from `from` to `to`. If the triangle
-/// beyond was crossed as well, the rim passes the edge in both directions, and both triangles at it are new.
+/// beyond was crossed as well, the rim passes the edge in both directions, and the edge gets two new triangles; the
+/// first waits in waiting_ for the second.
 void Unfilled::close(Site from, const Rim& to, Side inner, bool is_right) {
   if (to.is_new || to.beyond == none || stamp_[to.beyond / 3] != looks_) return link(inner, to.beyond);
   const Site begin = is_right ? from : to.site, end = is_right ? to.site : from;
@@ -175,8 +178,8 @@ void Unfilled::close(Site from, const Rim& to, Side inner, bool is_right) {
   waiting_.erase(other);
 }
 
-/// Flips queued sides until no apex lies in the circle of the triangle across its side. Each flip lowers the surface of
-/// the points lifted to the paraboloid.
+/// Flips queued sides until no apex beyond a side lies in the circumcircle of the triangle before the side. Each flip
+/// lowers the surface of the points lifted to the paraboloid, so flips end.
 void Unfilled::flip_all() {
   while (!queue_.empty()) {
     const Side side = queue_.back();
@@ -222,14 +225,16 @@ void Unfilled::empty(const std::array<Site, 3>& corners, const std::array<bool, 
   for (Side i = 0; i < 3; ++i) queue_.push_back(t + i);
   for (Side i = 0; i < 3; ++i) {
     if (is_front[i] || is_front[(i + 2) % 3]) continue;
-    // If another corner was removed before, corner i is across from a side of a triangle that replaced it.
+    // queue_ has all sides of new triangles. If an earlier corner was removed, one of its replacing triangles has
+    // corner i.
     const auto at = std::find_if(queue_.begin(), queue_.end(), [&](Side side) { return corner_[side] == corners[i]; });
     if (is_inner(*at)) take_out(*at);
   }
   flip_all();
 }
 
-/// Returns whether no edge of the front ends in the corner across from side `at`: a walk around the corner meets none.
+/// Returns whether the corner across from side `at` is not on the front: a walk around the corner meets no edge of the
+/// front.
 bool Unfilled::is_inner(Side at) const {
   Side side = after(at);
   do side = across_[side] == none ? none : before(across_[side]);
@@ -237,7 +242,8 @@ bool Unfilled::is_inner(Side at) const {
   return side != none;
 }
 
-/// Removes the inner corner across from a side: its star is triangulated by cutting ears, the flattest first.
+/// Removes the inner corner across from side `at`, and triangulates the star of this corner by cutting ears in
+/// ascending order of rise().
 void Unfilled::take_out(Side at) {
   const Site inner = corner_[at];
   star_.clear();
@@ -246,7 +252,7 @@ void Unfilled::take_out(Side at) {
     const auto i = static_cast<std::uint32_t>(star_.size());
     star_.push_back({.rim = {to(side), across_[side]}, .last = i - 1, .next = i + 1});
     remove(side / 3);
-    side = after(across_[after(side)]);  // the edge from the corner to the end of this one, seen from the next triangle
+    side = after(across_[after(side)]);  // across from the inner corner in the next triangle around it
   } while (side != at);
   forget_removed();
   star_.front().last = static_cast<std::uint32_t>(star_.size() - 1);
@@ -265,10 +271,10 @@ void Unfilled::take_out(Side at) {
   link(rest + 1, star_[star_[i].last].rim.beyond);
 }
 
-/// Offers corner i of a star as an ear if the rim turns left there and the inner corner does not lie within the ear.
-/// The rest of the star then still lies around the inner corner or beside it. There is always an ear: in any
-/// triangulation of a star of four corners or more, at least two triangles have two sides of its rim, and the inner
-/// corner lies in one of them at most.
+/// Offers corner i of a star as an ear if the rim turns left at the corner and the inner corner does not lie within the
+/// ear. The rest of the star then is still a star around the inner corner, which may lie on its rim. An ear always
+/// exists: in any triangulation of a star of four corners or more, at least two triangles have two sides of the rim,
+/// and at most one of these triangles contains the inner corner.
 void Unfilled::offer_ear(std::uint32_t i, Site inner) {
   const Site a = star_[star_[i].last].rim.site, b = star_[i].rim.site, c = star_[star_[i].next].rim.site;
   ++star_[i].offers;

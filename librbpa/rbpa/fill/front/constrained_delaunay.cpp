@@ -29,7 +29,7 @@ struct Directed {
   friend auto operator<=>(const Directed&, const Directed&) = default;
 };
 
-/// A side of a triangle, across from its corner k.
+/// A side of a triangle, across from corner k; without a triangle, no side.
 struct Side {
   std::uint32_t triangle = no_index, k = 0;
 };
@@ -75,11 +75,11 @@ class Constrained {
     const Triangle& corner = corners_[side.triangle];
     return {corner[after(side.k)], corner[before(side.k)]};
   }
-  /// Returns `side` as a side of the triangle across it.
+  /// Returns the side of the neighboring triangle that is the same edge as `side`; no side if there is no neighbor.
   Side beyond(const Side& side) const {
     const std::uint32_t other = across_[side.triangle][side.k];
     if (other == no_index) return {};
-    // this corner comes before the apex of the triangle beyond
+    // The corner before the apex in the triangle beyond.
     const Site apex_before = corners_[side.triangle][after(side.k)];
     for (std::uint32_t k = 0; k < 3; ++k)
       if (corners_[other][before(k)] == apex_before && across_[other][k] == side.triangle) return {other, k};
@@ -87,7 +87,7 @@ class Constrained {
     return {};
   }
 
-  /// Returns the edges of rings that no triangle has, each once, in a random order that is always the same.
+  /// Returns the edges of rings that no triangle has, each once, in a random order that never varies.
   std::vector<Directed> missing() {
     std::vector<Directed> present;
     for (std::uint32_t t = 0; t < corners_.size(); ++t)
@@ -100,7 +100,7 @@ class Constrained {
     std::vector<Directed> missing;
     for (const auto& [from, to] : edges_) {
       const Directed edge{std::min(from, to), std::max(from, to)};
-      if (from > to && is_edge(to, from)) continue;  // an edge of two polygons
+      if (from > to && is_edge(to, from)) continue;  // an edge of two rings, listed once
       if (!std::binary_search(present.begin(), present.end(), edge)) missing.push_back(edge);
     }
     std::minstd_rand random(1);
@@ -108,7 +108,8 @@ class Constrained {
     return missing;
   }
 
-  /// Returns the side that the segment from a to b crosses first, across from a; no side if a triangle has the edge ab.
+  /// Returns the side across from corner a that the segment from a to b crosses first; no side if a triangle has the
+  /// edge ab.
   Side first_crossed(Site a, Site b) {
     for (const bool clockwise : {false, true}) {
       std::uint32_t t = star_[a];
@@ -131,7 +132,7 @@ class Constrained {
     Side side = first_crossed(a, b);
     if (side.triangle == no_index) return;
     slots_ = {side.triangle};
-    Directed crossed = ends(side);  // from its right end to its left one
+    Directed crossed = ends(side);  // from its right end to its left end
     left_ = {{a, {}}, {crossed.to, out_of({side.triangle, after(side.k)})}};
     right_ = {{a, {}}, {crossed.from, out_of({side.triangle, before(side.k)})}};
     for (;;) {
@@ -140,7 +141,7 @@ class Constrained {
       meshops::require(side.triangle != no_index, leads_out);
       slots_.push_back(side.triangle);
       const Site apex = corners_[side.triangle][side.k];
-      // In the triangle beyond, the edge runs from its left end to its right one.
+      // In the triangle beyond, the crossed edge runs from its left end to its right end.
       const Side of_left{side.triangle, before(side.k)}, of_right{side.triangle, after(side.k)};
       const int turn = apex == b ? 0 : orientation(a, b, apex);
       if (apex == b) {
@@ -160,15 +161,15 @@ class Constrained {
     fill_cavities(a, b);
   }
 
-  /// A corner of the rim of a cavity, and the side outside, beyond the edge that leads to the corner. If the triangle
-  /// of that side was removed as well, close() finds the new triangle there by the edge.
+  /// A corner of the rim of a cavity, and the side outside of the cavity, beyond the rim's edge that leads to the
+  /// corner. If the triangle of the side outside was removed as well, close() finds the new triangle by the edge.
   struct Rim {
     Site site;
     Side outside;
-    bool is_new = false;  // whether the triangle outside was made for this cavity
+    bool is_new = false;  // whether the triangle of `outside` was made for this cavity
   };
 
-  /// Returns `side` as a side of the triangle across it, which lies outside of the cavity.
+  /// Returns beyond(side), where `side` is on the rim of the cavity: a side outside of the cavity.
   Side out_of(const Side& side) const { return beyond(side); }
 
   void join(const Side& one, const Side& other) {
@@ -182,7 +183,7 @@ class Constrained {
     taken_ = std::move(taken);
     waiting_.clear();
     free_ = 0;
-    // The left rim runs from b to a, the right one from a to b, so that the cavity lies on the left of its base.
+    // Both rims run from a to b. `is_right` makes new triangles counter-clockwise.
     std::vector<Rim> rim = left_;
     const Side left = fill_cavity(rim, false);
     rim = right_;
@@ -193,16 +194,16 @@ class Constrained {
     flip_all();
   }
 
-  /// A part of a rim, from corner `first` to corner `last`. Its base joins these corners; the triangle to be made on
-  /// the base is the neighbor of side `beyond`.
+  /// A part of a rim, from corner `first` to corner `last`. Its base joins both corners. The triangle that
+  /// fill_cavity() makes on the base becomes the neighbor of side `beyond`.
   struct Part {
     std::size_t first, last;
     Side beyond;
   };
 
   /// Cuts off a triangle wherever the rim turns towards its base, from one end to the other as in a scan for the convex
-  /// hull. Every corner of the rim sees the inserted edge, so only that edge is left. Correctness does not depend on
-  /// this: triangles that turn left, and whose sides add up to the rim, cover the cavity.
+  /// hull. Every corner of the rim sees the inserted edge, so only this edge is left of the rim. If a longer rim were
+  /// left, fill_cavity() would fill the rest.
   void cut_ears(std::vector<Rim>& rim, bool is_right) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < rim.size(); ++i) {
@@ -226,7 +227,8 @@ class Constrained {
     rim.resize(kept);
   }
 
-  /// Flips edges of the new triangles, except ring edges, until no apex beyond is in the circle of the triangle before.
+  /// Flips edges of the new triangles, except edges of rings, until no apex beyond an edge is in the circumcircle of
+  /// the triangle before the edge.
   void flip_all() {
     for (const std::uint32_t t : slots_)
       for (std::uint32_t k = 0; k < 3; ++k) queue_.push_back({t, k});
@@ -266,7 +268,7 @@ class Constrained {
     }
   }
 
-  /// Fills the cavity behind a rim, which runs from one end of the inserted edge to the other. Returns the side of the
+  /// Fills the cavity between the inserted edge and a rim, which joins the ends of the edge. Returns the side of the
   /// new triangle that lies on the inserted edge.
   Side fill_cavity(std::vector<Rim>& rim, bool is_right) {
     cut_ears(rim, is_right);
@@ -281,7 +283,7 @@ class Constrained {
         close(rim[part.first].site, rim[part.last], part.beyond, is_right);
         continue;
       }
-      // The base is directed so that the rim lies on its left.
+      // The base runs from p to q, so that the rim lies on its left.
       const Site p = rim[is_right ? part.last : part.first].site, q = rim[is_right ? part.first : part.last].site;
       std::size_t apex = part.first + 1;
       for (std::size_t i = apex + 1; i < part.last; ++i) {
@@ -311,7 +313,7 @@ class Constrained {
       join(inner, to.outside);
       return;
     }
-    // The rim passes this edge twice, in both directions: both of its triangles are new.
+    // The rim passes this edge twice, in both directions. Both triangles at the edge are new; the first waits.
     Directed edge = is_right ? Directed{from, to.site} : Directed{to.site, from};
     if (const auto other = waiting_.find({edge.to, edge.from}); other != waiting_.end()) {
       join(inner, other->second);
@@ -321,7 +323,8 @@ class Constrained {
     }
   }
 
-  /// Returns the triangles on the left of rings, and all that can be reached from these without crossing a ring.
+  /// Returns the triangles on the left of edges of rings, and all triangles that a walk from these reaches without
+  /// crossing a ring.
   std::vector<Triangle> inside() {
     std::vector<bool> seen(corners_.size(), false);
     std::vector<std::uint32_t> found;
@@ -351,13 +354,13 @@ class Constrained {
   std::span<const Point> places_;
   Steps step_;
   std::vector<Directed> edges_;             // edges of rings, ascending
-  std::vector<std::ptrdiff_t> first_edge_;  // for each place, its first edge among them; and the end
+  std::vector<std::ptrdiff_t> first_edge_;  // for each place, the position of its first edge in edges_; and the end
   std::vector<Triangle> corners_, across_;
-  std::vector<std::uint32_t> star_;  // for each place, a triangle at it
-  // state of the insertion of an edge:
+  std::vector<std::uint32_t> star_;  // for each place, a triangle with this corner
+  // State of the insertion of an edge:
   std::vector<Rim> left_, right_;
-  std::vector<std::uint32_t> slots_, taken_;  // removed triangles: in the order of their removal; ascending
-  std::size_t free_ = 0;                      // the first of these slots that is not used again
+  std::vector<std::uint32_t> slots_, taken_;  // removed triangles, in the order of removal; the same, ascending
+  std::size_t free_ = 0;                      // the first entry of slots_ that no new triangle uses
   std::map<Directed, Side> waiting_;
   std::vector<Side> queue_;
 };

@@ -11,15 +11,15 @@
 namespace rbpa {
 namespace {
 
-constexpr int rounds = 6;            // rounds of flips, with moves between them
-constexpr int moves_in_a_round = 2;  // moves of each point between rounds of flips
+constexpr int rounds = 6;            // rounds, each of moves and then flips
+constexpr int moves_in_a_round = 2;  // moves of each point in a round
 
 Point at(const Mesh& mesh, meshops::Vertex v) {
   const auto& p = mesh.point(v);
   return {p[0], p[1]};
 }
 
-/// A queue of edges to be tested, each of which is in it at most once.
+/// A stack of edges to be tested, which contains each edge at most once.
 class EdgeQueue {
  public:
   explicit EdgeQueue(const Mesh& mesh) : queued_(mesh.n_edges(), false) {}
@@ -41,8 +41,8 @@ class EdgeQueue {
   std::vector<meshops::Edge> edges_;
 };
 
-/// Returns whether an apex of the edge is inside the circle of the other triangle; both then form a convex
-/// quadrilateral.
+/// Returns whether an apex beside the edge is inside the circumcircle of the other triangle. The two triangles then
+/// form a convex quadrilateral.
 bool is_illegal(const Mesh& mesh, meshops::Edge e) {
   if (mesh.is_boundary(e)) return false;
   const meshops::Halfedge h = mesh.halfedge_handle(e, 0), other = mesh.halfedge_handle(e, 1);
@@ -51,8 +51,8 @@ bool is_illegal(const Mesh& mesh, meshops::Edge e) {
                          at(mesh, mesh.to_vertex_handle(mesh.next_halfedge_handle(other)))) > 0;
 }
 
-/// Flips until no edge is illegal. Each flip lowers the surface of the points lifted to the paraboloid over the plane,
-/// so no triangulation recurs.
+/// Flips until no edge is illegal. Each flip lowers the surface of the triangles lifted to the paraboloid, so no
+/// triangulation recurs.
 void flip_all(Mesh& mesh, const Checkpoint& checkpoint) {
   EdgeQueue queue(mesh);
   for (std::size_t e = mesh.n_edges(); e-- > 0;) queue.push(meshops::Edge(static_cast<int>(e)));
@@ -75,7 +75,7 @@ void ring_of(const Mesh& mesh, meshops::Vertex v, std::vector<Point>& ring) {
   for (const auto neighbor : mesh.vv_ccw_range(v)) ring.push_back(at(mesh, neighbor));
 }
 
-/// Returns the least quality of the triangles around p; negative if one of them is not counter-clockwise.
+/// Returns the least quality of the triangles between p and the sides of the ring; negative if a triangle turns right.
 double least_quality(const Point& p, const std::vector<Point>& ring) {
   double least = 1;
   for (std::size_t i = 0; i < ring.size(); ++i)
@@ -112,7 +112,7 @@ void move_all(Mesh& mesh, std::size_t fixed, const SizeField& field, const Check
   for (std::size_t i = fixed; i < mesh.n_vertices(); ++i) {
     if (i % 1024 == 0) checkpoint();
     const meshops::Vertex v(static_cast<int>(i));
-    if (mesh.is_boundary(v)) continue;  // one more fan at a point where the boundary touches itself
+    if (mesh.is_boundary(v)) continue;  // an additional vertex at a point where the boundary touches itself
     ring_of(mesh, v, ring);
     const Point p = at(mesh, v), goal = wanted(p, ring, field);
     const double before = least_quality(p, ring);

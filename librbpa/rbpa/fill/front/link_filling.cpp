@@ -11,10 +11,10 @@ namespace {
 
 /// A side of a triangle, with its edge and its group.
 struct GroupSide {
-  std::uint64_t edge;  // the lesser end, then the greater one
+  std::uint64_t edge;  // the lesser end in the high 32 bits, the greater end in the low
   std::size_t group;
   std::uint32_t triangle;
-  std::uint8_t across;  // the corner across
+  std::uint8_t across;  // the number of the corner across, 0 to 2
   bool ascends;
   friend bool operator<(const GroupSide& a, const GroupSide& b) {
     return a.edge != b.edge ? a.edge < b.edge : a.group < b.group;
@@ -34,7 +34,7 @@ std::vector<GroupSide> sorted_sides(const Filling& filling, Steps& step) {
   return sides;
 }
 
-/// Calls visit(first, last) for each edge, with the range of its sides.
+/// Calls visit(first, last) for each edge, with the range of its sides in `sides`.
 template <typename Visit>
 void for_each_shared_edge(const std::vector<GroupSide>& sides, Visit visit) {
   for (auto first = sides.begin(); first != sides.end();) {
@@ -45,8 +45,8 @@ void for_each_shared_edge(const std::vector<GroupSide>& sides, Visit visit) {
   }
 }
 
-/// Returns for each group whether it overlaps another, as both have one edge on their left. Triangles of such a group
-/// have neighbors in that group only.
+/// Returns for each group whether it overlaps another group at an edge: both have triangles on one side of the edge.
+/// The triangles of an overlapping group get neighbors in their own group only.
 std::vector<bool> are_apart(const std::vector<GroupSide>& sides, Steps& step) {
   std::size_t groups = 0;
   for (const GroupSide& side : sides) groups = std::max(groups, side.group + 1);
@@ -76,7 +76,7 @@ void link(Filling& filling, Steps& step) {
   };
   for_each_shared_edge(sides, [&](auto first, auto last) {
     step();
-    auto shared = last;  // a side of a group that is not apart: there are at most two
+    auto shared = last;  // the first side of the edge of a group that is not apart; the edge has at most two
     for (auto side = first; side != last; ++side) {
       if (apart[side->group]) {
         if (side != first && (side - 1)->group == side->group) join(*(side - 1), *side);

@@ -6,7 +6,7 @@
 
 namespace rbpa {
 
-/// Replaces `filling.neighbors` by the neighbors of the triangles.
+/// Computes `filling.neighbors`, and replaces previous entries.
 /// Requires: `triangles` and `groups` are filled in; the triangles of one group meet in whole edges.
 /// Throws:   Cancelled.
 /// Cost:     n log n.

@@ -18,17 +18,17 @@ constexpr double clearance = 0.5, tight_clearance = 0.35;
 constexpr double good = 0.6;
 /// The quality below which a triangle makes the front retreat.
 constexpr double bad = 0.25;
-/// The number of searches whose radius doubles. Farther corners are seen past long edges, along which a front advances
-/// to the far ends of the two edges beside the current one: these ends are tried next. Then each search is `far_step`
-/// times as wide as the last.
+/// The number of searches whose radius doubles. If they find no apex, the next candidates are the far ends of the two
+/// edges beside the current edge, as along long edges a front advances to these ends. Then the radius of each search is
+/// `far_step` times that of the search before.
 constexpr int near_looks = 8;
 constexpr double far_step = 16;
 /// Maximum number of triangles of the unfilled region that the front may cross or create, for each boundary edge and
-/// each triangle so far: an ordinary front needs thirty. Beyond that, a search crosses at most `few_passed` triangles,
-/// and the front does not retreat.
+/// each attached triangle; an ordinary front needs thirty. Beyond this limit, a search crosses at most `few_passed`
+/// triangles, and the front does not retreat.
 constexpr std::size_t most_work = 200, few_passed = 64;
 
-/// Returns the key of a pair of sites.
+/// Returns a key of a pair of sites, which does not depend on their order.
 std::uint64_t key_of(Site a, Site b) { return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b); }
 
 }  // namespace
@@ -58,7 +58,7 @@ double LoFront::key(const Front& front, Halfedge h) const {
 LoFront::Task LoFront::task_of(Site from, Site to) const {
   Task task{.a = places_[from], .b = places_[to], .from = from, .to = to, .length = 0, .side = 0, .ideal = {}};
   task.length = distance(task.a, task.b);
-  // The size is taken at the apex, approximately.
+  // The target size is that of the field near the apex: the second turn uses the apex of the first.
   for (int turn = 0; turn < 2; ++turn) {
     const Point& at = turn == 0 ? places_[from] : task.ideal;
     task.side = std::clamp(field_.at(at), 0.6 * task.length, 1.6 * task.length);
@@ -75,8 +75,8 @@ Point LoFront::apex_at(const Task& task, double share) const {
   return {task.a.x + dx / 2 - rise * dy, task.a.y + dy / 2 + rise * dx};
 }
 
-/// Replaces task.candidates by the points of the front that make empty triangles and are in the bounding box of edge
-/// and ideal apex, widened by `reach`; without those that an earlier search for this edge found.
+/// Replaces task.candidates by the points of the front that form empty triangles with the edge and lie in the bounding
+/// box of edge and ideal apex, widened by `reach`; leaves out points that an earlier search for this edge found.
 void LoFront::look_around(Task& task, double reach) const {
   Box box = common_box(common_box({task.a, task.a}, {task.b, task.b}), {task.ideal, task.ideal});
   box = {{box.low.x - reach, box.low.y - reach}, {box.high.x + reach, box.high.y + reach}};
@@ -86,7 +86,7 @@ void LoFront::look_around(Task& task, double reach) const {
                 box.high.y >= bounds_.high.y;
 }
 
-/// Returns the candidate nearest to the ideal apex, or nothing if none is within `reach` of it.
+/// Returns the candidate nearest to the ideal apex; nothing if the distance of every candidate is above `reach`.
 std::optional<Site> LoFront::near_ideal(const Task& task, double reach) const {
   std::optional<std::pair<double, Site>> nearest;
   for (const Site s : task.candidates)
@@ -95,8 +95,8 @@ std::optional<Site> LoFront::near_ideal(const Task& task, double reach) const {
   return nearest ? std::optional(nearest->second) : std::nullopt;
 }
 
-/// Returns the candidate that makes the best-shaped triangle, on a tie the least site number; nothing without
-/// candidates.
+/// Returns the candidate whose triangle has the best shape, on a tie the candidate with the least site number; nothing
+/// if there is no candidate.
 std::optional<LoFront::Choice> LoFront::best_of(const Task& task) const {
   std::optional<Choice> best;
   for (const Site s : task.candidates) {
@@ -106,8 +106,8 @@ std::optional<LoFront::Choice> LoFront::best_of(const Task& task) const {
   return best;
 }
 
-/// Replaces task.candidates by the far ends of the two edges beside `h` on the front, as far as their triangles are
-/// empty. Returns best_of() them.
+/// Replaces task.candidates by the far ends of the two edges beside `h` on the front, if their triangles with `h` are
+/// empty. Returns the best candidate.
 std::optional<LoFront::Choice> LoFront::corner_of(const Front& front, Halfedge h, Task& task) const {
   task.candidates.clear();
   const meshops::Connectivity& mesh = front.mesh();
@@ -116,8 +116,8 @@ std::optional<LoFront::Choice> LoFront::corner_of(const Front& front, Halfedge h
   return best_of(task);
 }
 
-/// Returns the apex at `share` of the height if its triangle is empty and its distance from the front is at least
-/// `wanted` times task.side; otherwise nothing.
+/// Returns the point apex_at(task, share) if its triangle is empty and its distance from the front is at least `wanted`
+/// times task.side; otherwise nothing.
 std::optional<Point> LoFront::placed(const Task& task, double share, double wanted) const {
   const Point apex = apex_at(task, share);
   if (!is_finite(apex)) return std::nullopt;
@@ -135,8 +135,8 @@ meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
   const bool again = retreated_from_.contains(key_of(task.from, task.to));
   unfilled_.look_from({task.from, task.to}, most_passed());
   look_around(task, task.side);
-  // If the front has retreated from this edge before, it takes a farther front point instead of a new point, so that it
-  // does not retreat again and again.
+  // A front that has retreated from this edge accepts a farther front point in place of a new point, so that retreats
+  // do not repeat.
   if (const auto site = near_ideal(task, (again ? 1.2 : near_enough) * task.side)) return *site;
   std::optional<Point> apex = placed(task, 1, clearance);
   std::optional<Choice> best;
@@ -155,10 +155,10 @@ meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
     if (best) break;
     look_around(task, reach);
     best = best_of(task);
-    if (!best && task.is_all) return std::nullopt;  // cannot happen
+    if (!best && task.is_all) return std::nullopt;  // impossible: some site always forms an empty triangle
     ++looks;
   }
-  // A corner that is so far from the edge would be no nearer to the edge behind it: a retreat would not help.
+  // A far apex would also be far from the edges behind: a retreat would not help.
   const bool is_far = looks >= near_looks;
   if (!is_far && best->quality < bad && !again && retreats_left_ > 0 && !is_late()) {
     if (const auto face = behind(front, h)) {
@@ -171,8 +171,8 @@ meshops::Proposal LoFront::propose(const Front& front, Halfedge h) {
   return best->apex;
 }
 
-/// Returns a triangle that can be removed, behind `h` or one of the two edges beside it on the front; nothing if all
-/// three have a face that was there at the beginning.
+/// Returns an attached triangle behind `h` or behind one of the two edges beside `h` on the front; nothing if behind
+/// all three edges lie initial faces.
 std::optional<meshops::Face> LoFront::behind(const Front& front, Halfedge h) const {
   const meshops::Connectivity& mesh = front.mesh();
   for (const Halfedge at : {h, mesh.next_halfedge_handle(h), mesh.prev_halfedge_handle(h)}) {
@@ -186,7 +186,7 @@ void LoFront::attached(const Front& front, const meshops::InsertedTriangle& tria
   places_.resize(front.sites());
   const meshops::Connectivity& mesh = front.mesh();
   ++kept_;
-  // There is a triangle beyond at least one side, which was on the front.
+  // At least one side was on the front: a triangle lies beyond this side.
   const auto base = std::find_if(triangle.side.begin(), triangle.side.end(),
                                  [&](Halfedge side) { return !mesh.is_boundary(mesh.opposite_halfedge_handle(side)); });
   unfilled_.fill({front.from_site(*base), front.to_site(*base)}, front.to_site(mesh.next_halfedge_handle(*base)));

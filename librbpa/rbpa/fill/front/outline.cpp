@@ -17,17 +17,18 @@ namespace {
 
 using meshops::Site;
 
-/// Returns the positions at which to cut the edge from a to b, as fractions of its length, ascending; none if the
-/// pieces would be too short for doubles.
+/// Returns the positions at which to cut the edge from a to b, as fractions of its length, ascending; an empty list if
+/// the edge stays whole, or if the pieces would be too short for doubles.
 std::vector<double> cuts(const Point& a, const Point& b, const SizeField& field, Steps& step) {
   const double dx = b.x - a.x, dy = b.y - a.y, length = std::sqrt(dx * dx + dy * dy);
-  // Entries of a walk in steps of an eighth of the size: fraction of the edge so far, integral of 1 / size up to there.
+  // A walk along the edge in steps of an eighth of the size. Each entry is a position on the edge, as a fraction of its
+  // length, and the integral of 1 / size from a to the position.
   std::vector<std::pair<double, double>> counted = {{0, 0}};
   for (double share = 0, count = 0; share < 1;) {
     step();
     const double size = field.at({a.x + share * dx, a.y + share * dy});
     const double next = std::min(share + size / 8 / length, 1.0);
-    if (!(next > share)) return {};  // the pieces are too fine for doubles
+    if (!(next > share)) return {};  // the pieces are too short for doubles
     count += (next - share) * length / size;
     share = next;
     counted.emplace_back(share, count);
@@ -45,7 +46,8 @@ std::vector<double> cuts(const Point& a, const Point& b, const SizeField& field,
   return shares;
 }
 
-/// The edges of all rings, each once for both directions, with the points to be added on each from its lower end up.
+/// The edges of all rings, each once for both directions. Each edge has its added points, in the direction from the
+/// lower to the higher site.
 class CutEdges {
  public:
   CutEdges(const Outline& outline, const SizeField& field, Steps& step) {
@@ -56,7 +58,7 @@ class CutEdges {
     for (const Use& use : uses_) {
       if (!ends_.empty() && ends_.back() == use.ends) continue;
       ends_.push_back(use.ends);
-      // Points are computed from the lower end, so nothing depends on the direction.
+      // Added points are computed from the lower site, so they do not depend on the direction of the ring.
       const Point &a = outline.places[use.ends.first], &b = outline.places[use.ends.second];
       std::vector<Point>& points = points_.emplace_back();
       for (const double share : cuts(a, b, field, step))
@@ -77,7 +79,7 @@ class CutEdges {
   std::size_t number(std::size_t ring, std::size_t i) const { return of_ring_[ring][i]; }
   const std::vector<Point>& points(std::size_t edge) const { return points_[edge]; }
 
-  /// Removes the points to be added on an edge, and calls visit(group) for each group that has the edge.
+  /// Removes all added points of an edge, and calls visit(group) for each group that has the edge.
   template <typename Visit>
   void keep_whole(std::size_t edge, Visit visit) {
     points_[edge].clear();
@@ -100,25 +102,25 @@ class CutEdges {
   std::vector<Use> uses_;
   std::vector<Ends> ends_;                           // ascending
   std::vector<std::vector<Point>> points_;           // for each edge
-  std::vector<std::vector<std::size_t>> of_ring_{};  // for each edge of each ring, its number
+  std::vector<std::vector<std::size_t>> of_ring_{};  // for each edge of each ring, the number of the edge
 };
 
 /// Rings that include the points added on their edges.
 struct CutRings {
   std::vector<Point> places = {};
   std::vector<Ring> rings = {};
-  // for each edge of each ring, the edge of CutEdges to which it belongs
+  // for each piece of each ring, the number of the edge in CutEdges that contains the piece
   std::vector<std::vector<std::size_t>> edge_of = {};
 };
 
-/// A builder of CutRings from the rings of an outline and the points to be added on their edges.
+/// A builder of CutRings from the rings of an outline and the added points of their edges.
 class Assembly {
  public:
   Assembly(const Outline& outline, const CutEdges& edges)
       : outline_(outline), edges_(edges), number_(outline.places.size(), no_index), first_(edges.size()) {}
 
-  /// Returns all rings. Their places are first all places of the outline, with unchanged numbers, then the points on
-  /// edges, in the order in which the rings pass them first.
+  /// Returns all rings. The places are those of the outline, with unchanged numbers, then the added points, in the
+  /// order in which rings first pass them.
   CutRings all() {
     std::iota(number_.begin(), number_.end(), Site{0});
     CutRings result{.places = outline_.places};
@@ -152,7 +154,7 @@ class Assembly {
       const std::size_t edge = edges_.number(r, i);
       const auto n = static_cast<Site>(edges_.points(edge).size());
       const bool runs_up = sites[i] < sites[(i + 1) % sites.size()];
-      // The ring that passes an edge first numbers its points, in its own direction.
+      // The first ring that passes an edge numbers the added points of the edge, in the direction of the ring.
       const bool is_new = first_[edge].site == no_index;
       if (is_new) first_[edge] = {static_cast<Site>(result.places.size()), runs_up};
       const auto [begin, began_up] = first_[edge];
@@ -171,10 +173,10 @@ class Assembly {
     bool runs_up = true;
   };
   std::vector<Site> number_;  // for each site of the outline, its new number
-  std::vector<First> first_;  // the first added point on each edge, and whether numbers ascend from its lower end
+  std::vector<First> first_;  // for each edge, its first added point, and whether numbers ascend from the lower site
 };
 
-/// Returns the rings of each group; groups are in the order of their first rings.
+/// Returns the numbers of the rings of each group; groups are in the order of their first rings.
 std::vector<std::vector<std::size_t>> groups_of(const Outline& outline) {
   std::vector<std::vector<std::size_t>> groups;
   std::map<std::size_t, std::size_t> place;
@@ -237,7 +239,7 @@ void cut(Outline& outline, const SizeField& field, const GoOn& go_on) {
       for (const RingsMeet::Side& side : {meet->first, meet->second}) {
         const std::vector<std::size_t>& edge_of = all.edge_of[side.ring];
         keep_whole(edge_of[side.edge]);
-        // If a corner meets something, both of its edges do.
+        // `side` may stand for a corner, which the edge before meets, too.
         keep_whole(edge_of[(side.edge + edge_of.size() - 1) % edge_of.size()]);
       }
     }

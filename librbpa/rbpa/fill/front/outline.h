@@ -1,5 +1,5 @@
-// What: the boundary of the polygons to be filled, in an order that does not depend on how the input is written.
-// Law:  a function of the polygons as a set of the plane, except for the numbers of input points.
+// What: the boundary of the polygons to be filled, in an order that does not depend on the representation of the input.
+// Law:  the outline depends on the polygons as point sets alone, except for the numbers of input points and rings.
 #pragma once
 
 #include <cstddef>
@@ -15,29 +15,29 @@
 namespace rbpa {
 
 struct OutlineRing {
-  std::vector<meshops::Site> sites;  ///< the polygon is on the left; the least of the corners first
+  std::vector<meshops::Site> sites;  ///< corners with the polygon on the left, the least site first
   std::size_t input = 0;             ///< number of the input ring
-  bool is_reversed = false;          ///< whether the direction is opposite to the input's
-  std::size_t group = 0;             ///< group of polygons that form a valid multipolygon (fill.h)
+  bool is_reversed = false;          ///< whether the input ring has the opposite direction
+  std::size_t group = 0;             ///< number of the group of polygons (FillOptions::groups)
 };
 
 struct Outline {
-  /// The place of each site: corners in lexicographic order, then points that were added on edges.
+  /// The place of each site: corners in lexicographic order, then points that cut() added on edges.
   std::vector<Point> places;
   std::vector<std::uint32_t> input;  ///< for each corner, the index of its input point
-  std::vector<OutlineRing> rings;    ///< sorted by their first sites
+  std::vector<OutlineRing> rings;    ///< sorted lexicographically by their sites
 };
 
-/// Returns the outline of rings. `places` are the positions of the rings among each other, `groups` their groups.
-/// Requires: noded rings; rings of one group meet in single points at most; places[r] is the place of ring r that
-///           nest_rings() finds among the rings of its group.
+/// Returns the outline of rings. `groups` has the group of each ring.
+/// Requires: noded rings; rings of one group meet in single points at most; places[r] is the result of nest_rings() for
+///           ring r among the rings of its group.
 Outline outline_of(std::span<const Point> points, std::span<const Ring> rings, std::span<const RingPlace> places,
                    std::span<const std::size_t> groups);
 
-/// Cuts edges into pieces that are not much longer than the size field allows: an edge is cut into as many pieces as
-/// the integral of 1 / size along the edge, rounded to a whole number. Added points are rounded to doubles. An edge
-/// stays whole if its pieces would be too short for doubles, or would meet other edges of the same group. An edge that
-/// several rings have, in either direction, is cut once for all of them.
+/// Cuts edges into pieces that are not much longer than the size field allows: the number of pieces of an edge is the
+/// integral of 1 / size along the edge, rounded to an integer. Added points are rounded to doubles. An edge stays whole
+/// if its pieces would be too short for doubles, or would meet other edges of its group. All rings that share an edge,
+/// in either direction, get the added points of the edge.
 /// Throws: Cancelled.
 /// Cost:   n log n in the pieces.
 void cut(Outline& outline, const SizeField& field, const GoOn& go_on);
@@ -45,7 +45,7 @@ void cut(Outline& outline, const SizeField& field, const GoOn& go_on);
 /// The part of an outline that belongs to one group, as an outline of its own.
 struct OutlinePart {
   Outline outline;
-  std::vector<meshops::Site> site;  ///< for each site of the part, its site in the whole outline; ascending
+  std::vector<meshops::Site> site;  ///< for each site of the part, the site in the whole outline; ascending
   std::size_t group;
 };
 

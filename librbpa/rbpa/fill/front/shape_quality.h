@@ -5,8 +5,8 @@
 
 namespace rbpa {
 
-/// Returns 1 for an equilateral triangle, 0 for a flat one, a negative number for one that turns right; rounded.
-/// Source: Lo (1985): the area over the sum of the squared sides.
+/// Returns the area over the sum of the squared sides (Lo, 1985), scaled and rounded: 1 for an equilateral triangle, 0
+/// for a flat one, a negative number for a clockwise one.
 inline double shape_quality(const Point& a, const Point& b, const Point& c) {
   const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y, wx = c.x - b.x, wy = c.y - b.y;
   const double squares = ux * ux + uy * uy + vx * vx + vy * vy + wx * wx + wy * wy;

@@ -14,12 +14,12 @@ namespace rbpa {
 namespace {
 
 constexpr std::size_t pieces_of_all = std::size_t{1} << 17U, pieces_of_each = 64;  // maximum numbers of pieces
-constexpr int most_rounds = 400;  // rounds of halving: doubles have no finer pieces
+constexpr int most_rounds = 400;  // maximum number of rounds of halving: doubles have no finer pieces
 constexpr double tolerance = 0.1;
 
 Point between(const Point& a, const Point& b) { return {a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2}; }
 
-/// A part of a polygon.
+/// A triangular part of a polygon.
 struct Area {
   static constexpr double per_measure = 2.3094010767585034;  // 4 / √3: a triangle of sides 1 has the area √3 / 4
   static double density(double size) { return 1 / size / size; }
@@ -38,7 +38,7 @@ struct Area {
     const Point at = middle();
     return std::max({distance(at, corner[0]), distance(at, corner[1]), distance(at, corner[2])});
   }
-  /// Returns the halves, cut at the middle of the longest side.
+  /// Returns the halves of the triangle, which a cut through the middle of the longest side makes.
   std::array<Area, 2> halves() const {
     std::size_t k = 0;
     for (const std::size_t other : {1U, 2U})
@@ -61,7 +61,7 @@ struct Stretch {
   std::array<Stretch, 2> halves() const { return {Stretch{a, middle()}, Stretch{middle(), b}}; }
 };
 
-/// The integral over one part: an estimate `value`, a lower bound `least`, and an upper bound `least` + `doubt`.
+/// The integral over one piece: an estimate `value`, a lower bound `least`, and an upper bound `least` + `doubt`.
 template <typename Part>
 struct Piece {
   Piece(const Part& of, std::size_t piece_of, const SizeField& field) : part(of), whole(piece_of) {
@@ -73,11 +73,11 @@ struct Piece {
   }
 
   Part part;
-  std::size_t whole;  // number of the original part
+  std::size_t whole;  // number of the part that contains the piece
   double value, least, doubt;
 };
 
-/// Returns the integral over each part; lower bounds if the tolerance would need too many pieces.
+/// Returns the integral over each part; a lower bound if the tolerance would need too many pieces.
 template <typename Part>
 std::vector<double> integrate(const std::vector<Part>& parts, const SizeField& field, Steps& step) {
   std::vector<Piece<Part>> pieces;
@@ -95,7 +95,7 @@ std::vector<double> integrate(const std::vector<Part>& parts, const SizeField& f
     }
     is_known = !(doubt > tolerance * value);
     if (is_known) break;
-    // Half of the tolerance may remain in pieces that are not halved.
+    // Pieces that are not halved have at most half of the tolerance together.
     const double tolerated = tolerance / 2 * value / static_cast<double>(pieces.size());
     for (std::size_t i = pieces.size(); i-- > 0 && pieces.size() < most;) {
       step();
@@ -116,7 +116,7 @@ std::vector<double> integrate(const std::vector<Part>& parts, const SizeField& f
 double estimate_triangles(std::span<const OutlinePart> groups, const SizeField& field, bool keep_boundary,
                           const GoOn& go_on) {
   Steps step(go_on);
-  // All groups are integrated together, so that they share the pieces.
+  // All groups are integrated together, so that the limit on pieces applies to their total.
   std::vector<Stretch> stretches;
   std::vector<Area> areas;
   std::vector<std::size_t> group_of_stretch, group_of_area;

@@ -27,7 +27,7 @@ void SizeField::build(std::size_t node, std::size_t first, std::size_t last) {
   const bool by_x = box.right - box.left > box.top - box.bottom;
   const std::size_t middle = first + (last - first) / 2;
   const auto begin = sources_.begin();
-  // The order is total: the place of a source in the tree must not depend on the order of the input.
+  // The order is total, so that the position of a source in the tree does not depend on the order of the input.
   std::nth_element(begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(middle),
                    begin + static_cast<std::ptrdiff_t>(last), [&](const SizeAt& a, const SizeAt& b) {
                      return by_x ? std::tie(a.at.x, a.at.y, a.size) < std::tie(b.at.x, b.at.y, b.size)
@@ -56,7 +56,7 @@ void SizeField::search(std::size_t node, std::size_t first, std::size_t last, co
     return;
   }
   const std::size_t middle = first + (last - first) / 2;
-  // The half that contains p is searched first: it is likely to exclude the other.
+  // The half on the side of p is searched first, as its result often excludes the other half.
   const Node& low = nodes_[2 * node + 1];
   const bool by_x = box.right - box.left > box.top - box.bottom;
   if (by_x ? p.x <= low.right : p.y <= low.top) {

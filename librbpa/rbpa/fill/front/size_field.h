@@ -1,7 +1,7 @@
-// What: the target size of edges, anywhere in the plane.
-// Law:  the greatest function that is at most `most` everywhere and at most sources[i].size at sources[i].at, with a
-//       slope of at most `grade`.
-// Cost: n log n to build; a query costs about the logarithm, and the sources whose value is close to the least.
+// What: the target length of edges at each point of the plane.
+// Law:  the field is the greatest function of slope at most `grade` that is at most `most` everywhere and at most
+//       sources[i].size at sources[i].at.
+// Cost: n log n to build; a query takes about log n, plus the sources whose value at the point is close to the least.
 #pragma once
 
 #include <cstddef>
@@ -17,9 +17,9 @@ class SizeField {
 
   double at(const Point& p) const;
 
-  /// Returns a lower bound of all values.
+  /// Returns a lower bound of all values: the least of `most` and the sizes of the sources.
   double least() const { return least_; }
-  /// Returns an upper bound: most() of all values, grade() of the slope.
+  /// Returns an upper bound of all values; grade() returns an upper bound of the slope.
   double most() const { return most_; }
   double grade() const { return grade_; }
 

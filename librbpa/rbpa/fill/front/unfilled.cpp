@@ -43,7 +43,7 @@ Unfilled::Unfilled(const std::vector<Point>& places, std::span<const std::vector
     }
   }
   for (const auto& [a, b, c] : constrained_delaunay(outline, go_on)) add(sites[a], sites[b], sites[c]);
-  // Sides without a partner stay on the border.
+  // Link each side to its partner, the side in the opposite direction. Sides without a partner stay in border_.
   border_.reserve(corner_.size());
   for (Side side = 0; side < corner_.size(); ++side) {
     step();
@@ -72,12 +72,12 @@ void Unfilled::look_from(const FrontEdge& edge, std::size_t most) const {
   most_ = most;
   of_look_ = 0;
   seen_ = {apex};
-  // The apex is one bound of the view through either of these two sides. An end of the edge stands for no other bound,
-  // as nothing lies right of the edge.
+  // The apex is one bound of the view through each of the two other sides. An end of the edge as the other bound means
+  // no bound, as nothing lies right of the edge.
   closed_ = {{after(first), apex, edge.from}, {before(first), edge.to, apex}};
 }
 
-/// Looks through every gate that meets the box, and keeps the other gates for the next call.
+/// Looks through every gate whose bounding box meets `box`, and keeps the other gates for the next call.
 std::span<const Unfilled::Site> Unfilled::free_sites(const Box& box) const {
   const auto [a, b] = eye_;
   const Point at_a = places_[a], at_b = places_[b];
@@ -93,13 +93,13 @@ std::span<const Unfilled::Site> Unfilled::free_sites(const Box& box) const {
     }
     ++passed_;
     ++of_look_;
-    // The gate runs from its right end to its left one, and in the opposite direction in the triangle beyond.
+    // The gate runs from its right end to its left end; in the triangle beyond, the side runs from left to right.
     const Site d = corner_[beyond];
     const Point& p = places_[d];
     const bool is_right = left == b || quick_orientation(at_a, places_[left], p) < 0;
     const bool is_left = right == a || quick_orientation(at_b, places_[right], p) > 0;
     if (is_right && is_left && quick_orientation(at_a, at_b, p) > 0) seen_.push_back(d);
-    // A corner out of sight bounds nothing, so one of its two sides continues with the bounds before.
+    // If the corner d is out of sight, one of its two sides inherits both bounds of the gate.
     if (is_right && (!is_left || quick_orientation(at_b, p, places_[from(beyond)]) > 0))
       gates_.push_back({before(beyond), left, is_left ? d : right});
     if (is_left && (!is_right || quick_orientation(at_a, p, places_[to(beyond)]) < 0))
@@ -117,9 +117,9 @@ std::span<const Unfilled::Site> Unfilled::free_sites(const Box& box) const {
   return found_;
 }
 
-/// Walks from the edge (a, b) toward the site. A corner in the triangle of edge and site ends the walk: the triangle is
-/// not empty. Any other corner lies left of the line from a to the site or right of the line from b to the site, which
-/// decides through which side the walk continues.
+/// Walks from the edge (a, b) toward the site. If a corner lies in the triangle of edge and site, this triangle is not
+/// empty, and the walk ends. Any other corner lies left of the line from a to the site or right of the line from b to
+/// the site, which decides through which side the walk continues.
 bool Unfilled::is_free(const FrontEdge& edge, Site site) const {
   const Point &a = places_[edge.from], &b = places_[edge.to], &p = places_[site];
   if (quick_orientation(a, b, p) <= 0) return false;
@@ -133,8 +133,9 @@ bool Unfilled::is_free(const FrontEdge& edge, Site site) const {
   return false;
 }
 
-/// Returns the triangle that contains `p`, as its side towards `edge`; nothing if p and the edge form no empty
-/// triangle, p lies on the front, or the way to p passes more than `most` triangles.
+/// Returns the triangle that contains `p`, as the side through which a walk from `edge` enters the triangle. Returns
+/// nothing if `p` and the edge form no empty triangle, `p` lies on the front, or the walk passes more than `most`
+/// triangles.
 std::optional<Unfilled::Side> Unfilled::around(const FrontEdge& edge, const Point& p, std::size_t most) const {
   const Point &a = places_[edge.from], &b = places_[edge.to];
   if (quick_orientation(a, b, p) <= 0) return std::nullopt;
@@ -158,9 +159,10 @@ bool Unfilled::is_free(const FrontEdge& edge, const Point& apex, double clearanc
 }
 
 /// Returns whether every edge of the front is at least `clearance` from `p`, which lies in the triangle of side
-/// `around`. The nearest point of the front is visible from p, so a search through sides that are as near finds it.
+/// `around`. The nearest point of the front is visible from `p`, so a search through sides that are nearer than
+/// `clearance` finds this point.
 bool Unfilled::is_clear(Side around, const Point& p, double clearance) const {
-  const double reach = (1 + 0x1p-40) * clearance;  // distances are rounded
+  const double reach = (1 + 0x1p-40) * clearance;  // the margin covers the rounding of distances
   stack_ = {around - around % 3};
   stamp_[around / 3] = ++looks_;
   while (!stack_.empty()) {

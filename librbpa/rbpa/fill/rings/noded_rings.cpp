@@ -9,16 +9,17 @@
 namespace rbpa {
 namespace {
 
-/// A tree of boxes of points, whose node k has the children 2 k + 1 and 2 k + 2.
+/// A tree of bounding boxes of points; node k has the children 2 k + 1 and 2 k + 2.
 class PointTree {
  public:
-  /// Throws: Cancelled.
+  /// Builds the tree of the points with the indices `used`. Throws: Cancelled.
   PointTree(std::span<const Point> points, std::vector<std::uint32_t> used, Steps& step)
       : points_(points), used_(std::move(used)) {
     if (!used_.empty()) build(0, 0, used_.size(), step);
   }
 
-  /// Appends the points that lie on the segment, without its ends, in lexicographic order. Requires: low < high.
+  /// Appends the indices of the points on the segment from `low` to `high`, its ends excluded, in lexicographic order
+  /// of the points. Requires: low < high; `found` is empty.
   void find_between(const Point& low, const Point& high, std::vector<std::uint32_t>& found) const {
     if (!used_.empty()) look(0, 0, used_.size(), low, high, found);
     std::sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) { return points_[a] < points_[b]; });
@@ -57,7 +58,7 @@ class PointTree {
           found.push_back(used_[i]);
       return;
     }
-    // A box on one side of the line has nothing on it.
+    // A box on one side of the line through the segment contains no point of the segment.
     const int sides[] = {plane_orientation(low, high, box.low), plane_orientation(low, high, box.high),
                          plane_orientation(low, high, {box.low.x, box.high.y}),
                          plane_orientation(low, high, {box.high.x, box.low.y})};

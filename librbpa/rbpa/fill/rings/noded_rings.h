@@ -1,8 +1,8 @@
-// What: makes rings noded: a place is one point, and a vertex of any ring that lies on an edge is a vertex of that
-//       edge's ring.
-// Law:  the rings stay the same sets of the plane. Afterwards two edges that have more than an end in common cross in
-//       their inner parts, or are the same edge.
-// Cost: n log n in the vertices, and a visit of each box of a tree of points that a long slanted edge crosses.
+// What: makes rings noded: equal points become one index, and a vertex of any ring that lies on an edge becomes a
+//       vertex of that edge's ring.
+// Law:  the rings remain the same point sets of the plane. Two edges of noded rings are disjoint, have one end in
+//       common, cross in their inner parts, or are the same edge.
+// Cost: n log n in the vertices; for each edge, the boxes of a tree of the vertices that the edge crosses.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,13 @@
 namespace rbpa {
 
 struct NodedRings {
-  std::vector<Ring> rings;  ///< of the points at one place, only the least index is used
-  /// For each edge of each ring, the edge of the input ring from which it comes.
+  std::vector<Ring> rings;  ///< equal points are represented by the least index
+  /// For each edge of each ring, the number of the edge of the input ring that contains the edge.
   std::vector<std::vector<std::size_t>> edge_of;
 };
 
-/// Returns the noded rings. Of consecutive vertices at one place, one is kept.
-/// Requires: rings that check_points() accepts.
+/// Returns the noded rings. Keeps one of consecutive vertices with equal coordinates.
+/// Requires: check_points() accepts the rings.
 /// Throws:   Cancelled.
 NodedRings node(std::span<const Point> points, std::span<const Ring> rings, Steps& step);
 

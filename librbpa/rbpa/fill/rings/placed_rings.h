@@ -1,5 +1,4 @@
-// What: finds which of the given rings, after noding, lies in which; or reports why and where they cannot be the rings
-//       of polygons.
+// What: finds the nesting of rings after noding, or reports why and where the rings cannot be those of polygons.
 #pragma once
 
 #include <span>
@@ -12,13 +11,13 @@
 
 namespace rbpa {
 
-/// Returns the text of an error about two rings that meet. `meet` is in terms of `noded`; the text numbers vertices as
-/// `rings` does, and calls ring r name(r).
+/// Returns the text of an error about two rings that meet. `meet` refers to edges of `noded`; the text numbers vertices
+/// as in `rings`, and calls ring r name(r).
 std::string text_of(const RingsMeet& meet, std::span<const Point> points, std::span<const Ring> rings,
                     const NodedRings& noded, const RingName& name);
 
 /// Returns for each ring its position among the others.
-/// Throws: InvalidInput when rings cross, overlap, or one passes a place twice; Cancelled.
+/// Throws: InvalidInput when rings cross or overlap, or when a ring contains a point twice; Cancelled.
 std::vector<RingPlace> place_rings(std::span<const Point> points, std::span<const Ring> rings, const NodedRings& noded,
                                    const RingName& name, const GoOn& go_on);
 

@@ -1,4 +1,4 @@
-// What: the rounded distance of a point from a segment, and a quick test whether it is large.
+// What: the rounded distance of a point from a segment, and a quick test that finds most large distances.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,8 @@ inline double distance(const Point& p, const Point& a, const Point& b) {
   return distance(p, {a.x + share * dx, a.y + share * dy});
 }
 
-/// Returns whether `p` is farther than `reach` from the bounding box of the segment ab, in x or in y.
+/// Returns whether `p` is beyond the bounding box of the segment ab by more than `reach`, in x or in y. The distance
+/// from the segment is then above `reach`.
 inline bool is_surely_clear(const Point& p, const Point& a, const Point& b, double reach) {
   return p.x - std::max(a.x, b.x) > reach || std::min(a.x, b.x) - p.x > reach || p.y - std::max(a.y, b.y) > reach ||
          std::min(a.y, b.y) - p.y > reach;

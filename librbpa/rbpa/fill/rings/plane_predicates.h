@@ -1,7 +1,6 @@
-// What: the exact predicates of the plane on any finite coordinates, in double wherever the three or four points allow
-//       it.
-// Why:  in double, expansions decide what the filter leaves; in long double, integers of any length do, which are ten
-//       times as slow. Points of fillings are often nearly on a line, such as those on one edge.
+// What: the exact predicates of the plane on any finite coordinates, in double if all three or four points allow it.
+// Why:  cases that a filter leaves open are decided by expansions in double, but by integers of any length in long
+//       double, which takes ten times as long. In fillings such cases are frequent, as many points lie on one edge.
 #pragma once
 
 #include <cmath>
@@ -13,8 +12,8 @@
 
 namespace rbpa {
 
-/// Returns whether a coordinate is 0, or its absolute value is at least 2^−97 and below 2^150. Then it fits double
-/// (base/exact/magnitude.h), whatever its 53 bits are.
+/// Returns whether a coordinate is 0, or its absolute value is at least 2^−97 and below 2^150. All 53 bits of such a
+/// coordinate are within the bounds of base/exact/magnitude.h.
 inline bool fits_double(double x) {
   constexpr double least = 0x1p-97, most = 0x1p150;
   static_assert(least_in_double <= -97 - 52 && largest_in_double >= 150);
@@ -27,10 +26,10 @@ inline int plane_orientation(const Point& a, const Point& b, const Point& c) {
                                                             : Predicates<long double>::orientation(a, b, c);
 }
 
-/// Returns plane_orientation(a, b, c), faster where rounded numbers decide.
+/// Returns plane_orientation(a, b, c), faster if a rounded result is certain.
 inline int quick_orientation(const Point& a, const Point& b, const Point& c) {
   const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
-  // A bound above the errors of differences, products and their difference; the last term is for underflow.
+  // An upper bound of the rounding error of left − right; the last term covers underflow.
   constexpr double epsilon = std::numeric_limits<double>::epsilon(), least = std::numeric_limits<double>::min();
   const double doubt = 8 * epsilon * (std::abs(left) + std::abs(right)) + least;
   if (left - right > doubt) return 1;
@@ -42,7 +41,7 @@ inline bool holds(const Point& a, const Point& b, const Point& c, const Point& p
   return quick_orientation(a, b, p) >= 0 && quick_orientation(b, c, p) >= 0 && quick_orientation(c, a, p) >= 0;
 }
 
-/// Returns in_circle() on any finite coordinates. Requires: (a, b, p) turns left.
+/// Returns Predicates::in_circle(a, b, p, q), for any finite coordinates. Requires: (a, b, p) turns left.
 inline int plane_in_circle(const Point& a, const Point& b, const Point& p, const Point& q) {
   return fits_double(a) && fits_double(b) && fits_double(p) && fits_double(q)
              ? Predicates<double>::in_circle(a, b, p, q)

@@ -17,7 +17,7 @@ std::string name_of(const RingRole& role) {
   return role.hole ? "hole " + std::to_string(*role.hole) + " of " + polygon : "the shell of " + polygon;
 }
 
-/// Returns the noded rings of polygons. A polygon without points is empty, and valid.
+/// Returns the noded rings of polygons. Leaves out polygons without points, which are valid.
 PolygonRings noded_rings(std::span<const Point> points, std::span<const Polygon> polygons, const GoOn& go_on) {
   PolygonRings rings;
   for (std::size_t p = 0; p < polygons.size(); ++p) {
@@ -42,7 +42,7 @@ struct Range {
   std::size_t first, last;
 };
 
-/// Fills in rings.places for a range of rings, and checks that each ring lies where its role requires.
+/// Sets rings.places for a range of rings, and checks that each shell and hole lies in the ring that its role requires.
 void place(PolygonRings& rings, const Range& range, std::span<const Point> points, const GoOn& go_on) {
   const auto some = [&](auto& of) {
     return std::vector(of.begin() + static_cast<std::ptrdiff_t>(range.first),
@@ -65,10 +65,10 @@ void place(PolygonRings& rings, const Range& range, std::span<const Point> point
   }
 }
 
-/// Checks that the interior of a polygon is connected: a walk from ring to ring by the points at which they touch must
-/// never lead back.
+/// Checks that the interior of a polygon is connected: the graph of its rings and of the points at which rings touch
+/// must not have a cycle.
 void check_in_one_piece(const PolygonRings& rings, const Range& range, std::span<const Point> points) {
-  std::vector<std::pair<std::uint32_t, std::size_t>> vertices;  // points, and rings through them
+  std::vector<std::pair<std::uint32_t, std::size_t>> vertices;  // points, each with a ring through the point
   for (std::size_t r = range.first; r < range.last; ++r)
     for (const std::uint32_t point : rings.noded.rings[r].points) vertices.emplace_back(point, r - range.first);
   std::sort(vertices.begin(), vertices.end());

@@ -13,13 +13,13 @@
 
 namespace rbpa {
 
-/// The role of an input ring: the shell of a polygon, where `hole` is absent, or a hole of a polygon, by its number.
+/// The role of an input ring: the shell of a polygon if `hole` is absent, otherwise hole number `hole` of the polygon.
 struct RingRole {
   std::size_t polygon;
   std::optional<std::size_t> hole;
 };
 
-/// The rings of all polygons, one polygon after the other, the shell first.
+/// The rings of all polygons, one polygon after another, the shell of each first.
 struct PolygonRings {
   std::vector<Ring> input = {};
   std::vector<RingRole> roles = {};
@@ -28,9 +28,9 @@ struct PolygonRings {
   std::vector<RingPlace> places = {};
 };
 
-/// Returns the rings after checking that the polygons of each group are a valid multipolygon. `groups` has the number
-/// of the first polygon of each group, as FillOptions::groups. Different groups may meet, which is not checked;
-/// vertices of one group on an edge of another become vertices of that edge's ring.
+/// Checks that the polygons of each group are a valid multipolygon, and returns their rings. `groups` has the number
+/// of the first polygon of each group, as FillOptions::groups has. Rings of different groups may cross and overlap; a
+/// vertex of one group on an edge of another becomes a vertex of that edge's ring.
 /// Throws: InvalidInput that names the invalid ring or group, and the place; Cancelled.
 PolygonRings valid_polygons(std::span<const Point> points, std::span<const Polygon> polygons,
                             std::span<const std::size_t> groups, const GoOn& go_on);

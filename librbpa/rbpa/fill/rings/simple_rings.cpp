@@ -18,10 +18,10 @@ namespace {
 struct Edge : SweptEdge {
   RingsMeet::Side side;
   std::uint32_t from, to;  // in the direction of the ring
-  bool runs_up;            // whether it runs from the lower end to the higher
+  bool runs_up;            // whether that direction is from `low` to `high`
 };
 
-/// Returns whether two edges meet elsewhere than in a common end.
+/// Returns whether two edges have a point in common that is not an end of both, or are the same edge.
 bool meet(const Edge& a, const Edge& b) {
   const int b_low = plane_orientation(a.low, a.high, b.low), b_high = plane_orientation(a.low, a.high, b.high);
   const int a_low = plane_orientation(b.low, b.high, a.low), a_high = plane_orientation(b.low, b.high, a.high);
@@ -63,8 +63,8 @@ class RingSweep {
 
   std::uint32_t point_at(const RingsMeet::Side& v) const { return rings_[v.ring].points[v.edge]; }
 
-  /// Returns whether a place occurs twice in one ring, or as two points, and reports the first such place. Until then,
-  /// lists in shared_ the points that several rings share.
+  /// Returns whether a ring contains a point twice, or two indices have equal coordinates, and reports the first such
+  /// point. Lists in shared_ the points before, in lexicographic order, that several rings share.
   bool find_repeated() {
     std::vector<RingsMeet::Side> vertices;
     for (const Edge& edge : edges_) vertices.push_back(edge.side);
@@ -91,8 +91,8 @@ class RingSweep {
     RingsMeet::Side vertex;
   };
 
-  /// Finds rings that cross at a shared point. Two rings do not cross at the point if their pairs of edges, in the
-  /// order around the point, are nested.
+  /// Finds rings that cross at a shared point. Rings do not cross at a point if and only if their pairs of edges, in
+  /// the order around the point, are nested or disjoint.
   void find_crossing_at_a_point() {
     for (auto first = shared_.begin(); first != shared_.end();) {
       step_();
@@ -166,7 +166,7 @@ class RingSweep {
       const auto first = start;
       for (; start != starts.end() && (*start)->low == at; ++start)
         if (insert(*start)) return;
-      // The order is from below: if several rings begin here, the one below is nested first.
+      // The edges are sorted from below: if several rings begin at this point, the lowest is nested first.
       std::sort(first, start, Below());
       for (auto edge = first; edge != start; ++edge)
         if (const std::size_t ring = (*edge)->side.ring; !seen[ring]) {
@@ -220,7 +220,7 @@ class RingSweep {
   std::vector<Edge> edges_;
   Status crossed_;
   std::vector<Status::const_iterator> place_;
-  std::vector<RingsMeet::Side> shared_;  // vertices at points that several rings share, by place
+  std::vector<RingsMeet::Side> shared_;  // vertices at points that several rings share, sorted by point
   NestedRings nested_;
 };
 
