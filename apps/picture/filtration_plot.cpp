@@ -160,14 +160,14 @@ void draw_diagram(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
   }
 }
 
-constexpr const char *dark_blue = "#10335c", *orange = "#d9730d", *green = "#2f8f5b", *grey = "#7d8b98",
+constexpr const char *dark_blue = "#10335c", *orange = "#d9730d", *green = "#2f8f5b", *gray = "#7d8b98",
                      *light_blue = "#7cb7e8";
 
 }  // namespace
 
 FiltrationPlot plot_of(std::span<const FiltrationStep> steps, std::vector<PersistencePair> pairs) {
   FiltrationPlot plot{.alpha = {},
-                      .curves = {{"covered points", grey},
+                      .curves = {{"covered points", gray},
                                  {"holes", orange},
                                  {"solid components", light_blue},
                                  {"components", dark_blue}},

@@ -53,6 +53,7 @@ void run_space_report(const ReportArguments& arguments) {
       write_space_report(page, {.source = name_of_source(run.input(), arguments.points),
                                 .points = run.file.points,
                                 .filtration = run.filtration,
+                                .cover = run.cover,
                                 .least_covering = run.least,
                                 .least_connected = run.automatic,
                                 .plateau = plateaus.empty() ? std::nullopt : std::optional(plateaus.front().alpha),

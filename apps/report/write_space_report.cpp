@@ -166,6 +166,7 @@ void write_space_report(OutputFile& file, const SpaceReport& report) {
                 {"steps", steps.size()},
                 {"pairs", report.pairs.size()},
                 {"dots", in_diagram.size()},
+                {"cover", report.cover},
                 {"min", radius(report.least_covering)},
                 {"auto", radius(report.least_connected)},
                 {"plateau", report.plateau ? radius(*report.plateau) : Json()},

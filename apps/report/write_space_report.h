@@ -21,6 +21,7 @@ struct SpaceReport {
   std::string source;  ///< name of the input for people
   std::span<const Point3> points;
   const SolidFiltration& filtration;
+  double cover;                            ///< share of the points that "min" and "auto" cover
   double least_covering, least_connected;  ///< the radii "min" and "auto"
   std::optional<double> plateau;           ///< radius of the best plateau; nullopt if there is no plateau
   std::span<const SolidPair> pairs;        ///< all pairs

@@ -134,6 +134,8 @@ TEST_SUITE("space alpha") {
     const Outcome text = folder.rbpa("alpha coplanar.xyz --dimension 3 -q");
     CHECK(text.out.find("min inf, auto inf: there is no tetrahedron, as all points are in a plane\n1 tunnel;") !=
           std::string::npos);
+    CHECK(folder.rbpa("alpha two.xyz --dimension 3 -q").out.find("as there are fewer than four distinct points") !=
+          std::string::npos);
     REQUIRE(folder.rbpa("alpha coplanar.xyz --dimension 3 --representatives r.json -o p.svg -q").code == 0);
     const json all = json::parse(folder.content("r.json"));
     REQUIRE(all.size() == 5);

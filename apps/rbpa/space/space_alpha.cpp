@@ -98,8 +98,10 @@ void write_for_people(OutputFile& file, const SpacePersistence& report, const st
   constexpr std::size_t shown = 5;
   file.write(text_of_points(report.file.points.size(), report.filtration.delaunay.duplicates.size()) + "\nmin " +
              text_of(report.least) + ", auto " + text_of(report.automatic) +
-             (report.filtration.delaunay.simplices.empty() ? ": there is no tetrahedron, as all points are in a plane\n"
-                                                           : "\n"));
+             (!report.filtration.delaunay.simplices.empty() ? "\n"
+              : report.filtration.delaunay.distinct < 4
+                  ? ": there is no tetrahedron, as there are fewer than four distinct points\n"
+                  : ": there is no tetrahedron, as all points are in a plane\n"));
   constexpr std::size_t plateaus_shown = 4;
   for (std::size_t i = 0; i < std::min(plateaus.size(), plateaus_shown); ++i)
     file.write(line_of(plateaus[i], i + 1, report.filtration.delaunay.distinct));

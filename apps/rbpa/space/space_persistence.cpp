@@ -44,7 +44,7 @@ SpacePointSource parse_space_points(const RadiiArguments& arguments) {
 SpacePersistence::SpacePersistence(const SpacePointSource& source, const std::vector<std::string>& outputs,
                                    const RadiiArguments& arguments)
     : Run(source.path, outputs, parse_run(arguments.run)) {
-  const double cover = arguments.cover ? parse_cover(*arguments.cover) : 1;
+  if (arguments.cover) cover = parse_cover(*arguments.cover);
   file = read_points(source);
   read_seconds_ = lap();
   try {

@@ -35,6 +35,7 @@ struct SpacePersistence : Run {
   SpacePoints file;
   SolidFiltration filtration;
   std::vector<SolidPair> pairs;
+  double cover = 1;                 ///< share of the points that these radii cover
   double least = 0, automatic = 0;  ///< the radii "min" and "auto"
 
  private:

@@ -9,12 +9,12 @@ class View {
     this.v = new Float64Array(this.count);
     this.x = new Float64Array(this.count);
     this.y = new Float64Array(this.count);
-    this.normalise(points);
+    this.normalize(points);
     Object.assign(this, { width: 1, height: 1 });
     this.fit();
   }
 
-  normalise(points) {
+  normalize(points) {
     let size = 0;
     for (const value of points) size = Math.max(size, Math.abs(value));
     const power = size > 2 ** 500 ? 2 ** -600 : 1; // no difference overflows

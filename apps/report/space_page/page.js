@@ -48,10 +48,12 @@ class SpacePage {
   }
 
   listChoices() {
+    const { cover } = this.data.facts;
+    const share = cover === 1 ? "every point" : `a share of ${cover} of the points`;
     const choices = [
       ["plateau", this.data.facts.plateau, "parts and voids hardly change around it"],
-      ["min", this.data.facts.min, "the least alpha that covers every point"],
-      ["auto", this.data.facts.auto, "the least alpha that has every point in one piece"],
+      ["min", this.data.facts.min, `the least alpha that covers ${share}`],
+      ["auto", this.data.facts.auto, `the least alpha that has ${share} in one piece`],
     ];
     this.choiceButtons = [];
     for (const [name, value, meaning] of choices) {
@@ -200,7 +202,7 @@ class SpacePage {
       link.href = URL.createObjectURL(blob);
       link.download = `${this.data.facts.source.replace(/\.[^.]*$/, "")}.png`;
       link.click();
-      URL.revokeObjectURL(link.href);
+      setTimeout(() => URL.revokeObjectURL(link.href), 60000);  // the browser reads it later
     });
   }
 
