@@ -1,5 +1,5 @@
-// What: includes all public headers of libmeshops. To save compile time, include only what you use: each header stands
-//       alone.
+// What: includes all public headers of libmeshops.
+// How:  to save compile time, include only the headers that you use: each compiles alone.
 #pragma once
 
 #include "meshops/core/api.h"

@@ -1,5 +1,5 @@
 // What: adds vertices, edges and faces to a mesh in one step.
-// Why:  for every single new element, OpenMesh visits all properties of its kind, which is most of the cost of a split.
+// Why:  for each single new element, OpenMesh visits all properties of its kind, which is most of the cost of a split.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,9 @@
 
 namespace meshops::detail {
 
-/// Elements that the constructor adds to a mesh at once. The members return their handles one by one, ascending within
-/// each kind. Requires: no more handles of a kind are taken than elements were added; not checked.
+/// Elements that the constructor adds to a mesh together. vertex(), edge() and face() each return the next added handle
+/// of their kind, in ascending order.
+/// Requires: no member is called more often than elements of its kind were added; not checked.
 class AddedElements {
  public:
   AddedElements(Connectivity& mesh, std::size_t vertices, std::size_t edges, std::size_t faces)
@@ -21,7 +22,7 @@ class AddedElements {
   }
 
   Vertex vertex() { return Vertex(vertex_++); }
-  /// Returns the halfedge `from` → `to` of the next new edge.
+  /// Returns the halfedge `from` → `to` of the next added edge.
   Halfedge edge(Vertex from, Vertex to) {
     const Halfedge h(2 * edge_++);
     mesh_.set_vertex_handle(h, to);

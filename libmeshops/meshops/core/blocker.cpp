@@ -5,7 +5,7 @@
 namespace meshops {
 namespace {
 
-/// Name of a kind, and what describe() says after the element.
+/// Texts on a kind: its name, and the predicate that describe() puts after the element; # stands for the count.
 struct Text {
   std::string_view name, predicate;
 };

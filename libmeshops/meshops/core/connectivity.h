@@ -7,7 +7,7 @@
 
 namespace meshops {
 
-/// The base class of every OpenMesh mesh type, whatever the traits of the type.
+/// Base class of every OpenMesh mesh type; it does not depend on the traits of the type.
 using Connectivity = OpenMesh::PolyConnectivity;
 
 using Vertex = OpenMesh::VertexHandle;
@@ -15,15 +15,15 @@ using Halfedge = OpenMesh::HalfedgeHandle;
 using Edge = OpenMesh::EdgeHandle;
 using Face = OpenMesh::FaceHandle;
 
-/// Kind of the elements of a mesh.
+/// Kind of an element of a mesh.
 enum class ElementKind : std::uint8_t { vertex, halfedge, edge, face };
 
-/// Returns "vertex", "halfedge", "edge" or "face".
+/// Returns the name of a kind: "vertex", "halfedge", "edge" or "face".
 constexpr std::string_view name(ElementKind kind) {
   constexpr std::string_view names[] = {"vertex", "halfedge", "edge", "face"};
   return names[static_cast<int>(kind)];
 }
-/// Returns the kind of the elements that handles of the argument's type name.
+/// Returns the kind of element that a handle of this type names.
 inline ElementKind kind_of(Vertex) { return ElementKind::vertex; }
 inline ElementKind kind_of(Halfedge) { return ElementKind::halfedge; }
 inline ElementKind kind_of(Edge) { return ElementKind::edge; }

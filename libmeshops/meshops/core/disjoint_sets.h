@@ -1,5 +1,5 @@
-// What: union–find over the numbers from 0, with the parity of each number relative to the least of its set.
-// Cost: amortized logarithmic, in practice constant; four bytes a number.
+// What: union–find over the numbers from 0, with the parity of each number relative to the least number of its set.
+// Cost: amortized logarithmic time for each call, in practice constant; four bytes for each number.
 #pragma once
 
 #include <algorithm>
@@ -10,17 +10,17 @@
 
 namespace meshops {
 
-/// Disjoint sets of at most 2³¹ numbers. In a set, each number is on one of two sides, even or odd; the least number is
-/// on the even side. Requires: arguments are below size(); not checked.
+/// Disjoint sets of at most 2³¹ numbers. Each number of a set is on one of two sides, even or odd; the least number of
+/// the set is on the even side. Requires: arguments are below size(); not checked.
 class DisjointSets {
  public:
-  /// Makes `size` numbers, each in a set of its own.
+  /// Makes `size` numbers, each in its own set.
   explicit DisjointSets(std::size_t size = 0) : link_(size) {
     for (std::size_t i = 0; i < size; ++i) link_[i] = static_cast<std::uint32_t>(2 * i);
   }
 
   std::size_t size() const { return link_.size(); }
-  /// Adds one number, in a set of its own. Returns: the number.
+  /// Adds one number, in its own set. Returns: the number.
   std::uint32_t add() {
     const auto i = static_cast<std::uint32_t>(link_.size());
     link_.push_back(2 * i);
@@ -29,23 +29,23 @@ class DisjointSets {
   /// Returns the least number of the set of `i`.
   std::uint32_t find(std::uint32_t i) {
     const std::uint32_t parent = link_[i] >> 1U;
-    return is_least(parent) ? parent : compress(i);  // the parent nearly always is the least number
+    return is_least(parent) ? parent : compress(i);  // the parent is nearly always the least number
   }
   /// Returns whether `i` is the least number of its set. Cost: constant.
   bool is_least(std::uint32_t i) const { return link_[i] >> 1U == i; }
   /// Returns whether `i` and the least number of its set are on different sides.
-  /// Requires: find(i) was called after the last change.
+  /// Requires: find(i) was called after the last change of the sets; not checked.
   bool is_odd(std::uint32_t i) const { return (link_[i] & 1U) != 0; }
 
-  /// Merges the sets whose least numbers are `a` and `b`; both are then on the same side. Returns: the lesser number.
+  /// Merges the sets whose least numbers are `a` and `b`, on the same side. Returns: the lesser.
   /// Requires: `a` and `b` are the least numbers of their sets; not checked.
   std::uint32_t link(std::uint32_t a, std::uint32_t b) {
     const auto [low, high] = std::minmax(a, b);
     link_[high] = 2 * low;
     return low;
   }
-  /// Merges the sets of `a` and `b`, so that the least numbers of the two sets are on the same side. Returns:
-  /// whether the sets were different.
+  /// Merges the sets of `a` and `b`, so that the least numbers of the two sets are on the same side. Returns: whether
+  /// the sets were different before.
   bool join(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
@@ -53,8 +53,8 @@ class DisjointSets {
     link(a, b);
     return true;
   }
-  /// Merges the sets of `a` and `b`, so that `a` and `b` are on different sides exactly when `differ` is true.
-  /// Returns: false if that is impossible, because both were in one set already, with other sides; otherwise true.
+  /// Merges the sets of `a` and `b`, so that `a` and `b` are on different sides exactly if `differ` is true. Returns:
+  /// false if `a` and `b` were in one set already and their sides contradict `differ`; otherwise true.
   bool unite(std::uint32_t a, std::uint32_t b, bool differ = false) {
     const std::uint32_t root_a = find(a), root_b = find(b);
     const bool differ_now = is_odd(a) != is_odd(b);
@@ -65,8 +65,8 @@ class DisjointSets {
   }
 
  private:
-  /// Follows links to the root, adding up parities, and then makes every element on the way a child of the root.
-  /// Returns: the root.
+  /// Follows the links from `i` to the least number of its set and adds up the parities. Then links every number on the
+  /// way directly to the least number. Returns: the least number.
   [[gnu::noinline]] std::uint32_t compress(std::uint32_t i) {
     std::uint32_t root = i, parity = 0;
     for (std::uint32_t link = link_[root]; link >> 1U != root; link = link_[root]) {
@@ -81,7 +81,7 @@ class DisjointSets {
     return root;
   }
 
-  // link_[i] is twice the parent of i, plus 1 when i and its parent are on different sides: one read gives both.
+  // link_[i] is twice the parent of i, plus 1 if i and its parent are on different sides, so that one read gives both.
   FreshVector<std::uint32_t> link_;
 };
 

@@ -1,6 +1,6 @@
-// What: the numbers of elements of a mesh, including those marked deleted.
+// What: the numbers of elements of a mesh, including elements marked deleted.
 // Why:  code that keeps handles of a mesh detects with three comparisons that other code added elements or collected
-//       garbage. Elements that were only marked deleted are not detected.
+//       garbage; the comparisons do not detect elements that were only marked deleted.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct ElementCounts {
   friend bool operator==(const ElementCounts&, const ElementCounts&) = default;
 };
 
-/// Returns a text for people: "3 vertices, 3 edges, 1 faces".
+/// Returns a text for people, for example "3 vertices, 3 edges, 1 faces".
 inline std::string describe(const ElementCounts& counts) {
   return std::to_string(counts.vertices) + " vertices, " + std::to_string(counts.edges) + " edges, " +
          std::to_string(counts.faces) + " faces";

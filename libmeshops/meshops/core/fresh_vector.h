@@ -1,7 +1,6 @@
 // What: a vector for large arrays of trivially copyable elements that are written before they are read.
 // Law:  elements that resize(n) or the constructor from a size adds have no value until one is written: no time is
-//       spent on zeros, and threads can share the first touch of the memory. Arrays of 2 MiB or more request large
-//       pages.
+//       spent on zeros, and threads can share the first touch of the memory. Arrays of 2 MiB or more use large pages.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +15,7 @@
 
 namespace meshops {
 
-/// The allocator of FreshVector. Memory of 2 MiB or more is aligned to large pages.
+/// Allocator of FreshVector. Memory of 2 MiB or more is aligned to large pages.
 template <typename T>
 struct FreshAllocator {
   static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -26,8 +25,8 @@ struct FreshAllocator {
   template <typename U>
   FreshAllocator(const FreshAllocator<U>&) {}
 
-  /// Returns memory for `count` elements. Throws std::bad_alloc, or std::bad_array_new_length if their size in bytes is
-  /// out of range.
+  /// Returns memory for `count` elements. Throws std::bad_alloc, or std::bad_array_new_length if the size of the
+  /// elements in bytes is out of range.
   T* allocate(std::size_t count) {
     if (count < large_page / sizeof(T)) return std::allocator<T>().allocate(count);
     const std::size_t bytes = whole_pages(count);
@@ -35,7 +34,7 @@ struct FreshAllocator {
     prefer_large_pages(memory, bytes);
     return static_cast<T*>(memory);
   }
-  /// Frees memory that allocate(count) returned.
+  /// Frees memory that allocate(count) returned. Requires: `count` is the same number.
   void deallocate(T* memory, std::size_t count) {
     if (count < large_page / sizeof(T)) return std::allocator<T>().deallocate(memory, count);
     ::operator delete(memory, std::align_val_t(large_page));  // clang 14 has no delete with a size
@@ -60,7 +59,7 @@ struct FreshAllocator {
   }
 };
 
-/// A std::vector whose new elements have no value until one is written; to read an element earlier is undefined.
+/// std::vector whose new elements have no value until one is written. Reading an element earlier is undefined behavior.
 template <typename T>
 using FreshVector = std::vector<T, FreshAllocator<T>>;
 

@@ -1,5 +1,4 @@
-// What: tells which handles name live elements of a mesh, visits all of them, and tells or ensures that elements can
-//       be deleted.
+// What: tells which handles of a mesh are live, visits live elements, tells or ensures that elements can be deleted.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +9,10 @@
 
 namespace meshops {
 
-/// Returns whether the handle is in range and the element is not marked deleted; for a halfedge, its edge is not. In
-/// a mesh without status, no element is marked deleted. Cost: constant.
+/// Returns whether the handle is in range and its element is not marked deleted. A halfedge counts as deleted if its
+/// edge is marked deleted. In a mesh without status, no element is marked deleted. Cost: constant.
 inline bool is_live(const Connectivity& mesh, Vertex v) {
-  // The qualified names of counts avoid calls of virtual functions, which no mesh type overrides.
+  // The qualified calls of n_…() avoid calls of virtual functions, which no mesh type overrides.
   return v.idx() >= 0 && static_cast<std::size_t>(v.idx()) < mesh.Connectivity::n_vertices() &&
          !(mesh.has_vertex_status() && mesh.status(v).deleted());
 }
@@ -30,12 +29,12 @@ inline bool is_live(const Connectivity& mesh, Face f) {
          !(mesh.has_face_status() && mesh.status(f).deleted());
 }
 
-/// Returns whether the mesh can mark elements of every kind as deleted.
+/// Returns whether elements of every kind can be marked deleted in the mesh.
 inline bool has_status(const Connectivity& mesh) {
   return mesh.has_vertex_status() && mesh.has_halfedge_status() && mesh.has_edge_status() && mesh.has_face_status();
 }
 
-/// Requests status of every kind that the mesh lacks, so that elements can be marked deleted.
+/// Requests status of every kind that the mesh lacks, so that elements of every kind can be marked deleted.
 inline void request_status(Connectivity& mesh) {
   if (!mesh.has_vertex_status()) mesh.request_vertex_status();
   if (!mesh.has_halfedge_status()) mesh.request_halfedge_status();
@@ -45,7 +44,7 @@ inline void request_status(Connectivity& mesh) {
 
 namespace detail {
 
-/// Returns why elements of the mesh cannot be deleted, or nothing when they can.
+/// Returns the reason why elements of the mesh cannot be deleted, or nothing when they can.
 inline std::optional<Blocker> status_blocker(const Connectivity& mesh) {
   return has_status(mesh) ? std::nullopt : std::optional(Blocker(BlockerKind::no_status));
 }
@@ -55,10 +54,10 @@ inline void require_status(const Connectivity& mesh, const char* operation) {
 
 }  // namespace detail
 
-/// Calls visit(element) for every live element of the kind, in ascending order of handles. Elements that visit() adds
-/// are not visited, nor elements that visit() marks deleted before their turn.
+/// Calls visit(element) for every live element of the kind, in ascending order of handles. Elements that visit() adds,
+/// or marks deleted before their turn, are not visited.
 /// Requires: visit() does not collect garbage; not checked.
-/// Cost:     linear in the elements of the kind, those marked deleted included.
+/// Cost:     linear in the number of elements of the kind, including elements marked deleted.
 template <typename Visit>
 void for_each_vertex(const Connectivity& mesh, Visit visit) {
   for (int i = 0, n = static_cast<int>(mesh.n_vertices()); i < n; ++i)

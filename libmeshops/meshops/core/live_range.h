@@ -1,8 +1,8 @@
-// What: the live elements of a mesh as ranges: for (const Face f : live_faces(mesh)).
-// Law:  a range has the elements that the function for_each_…() of the same kind visits, in the same order. A loop may
-//       mark elements deleted, also the current one, and may add elements, which are not visited. A loop must not
-//       collect garbage.
-// Cost: constant for each element, live or not.
+// What: the live elements of a mesh as ranges, for loops such as for (const Face f : live_faces(mesh)).
+// Law:  a range has the elements that for_each_vertex(), for_each_halfedge(), for_each_edge() or for_each_face()
+//       (core/live.h) visits, in the same order. A loop may mark elements deleted, including the current element. A
+//       loop may add elements, which are not visited. A loop must not collect garbage.
+// Cost: constant for each element, including elements marked deleted.
 #pragma once
 
 #include <cstddef>
@@ -13,11 +13,11 @@
 
 namespace meshops {
 
-/// Range of the live elements of a kind, by their handles. `Element` is the type of the handles.
+/// Range of the live elements of one kind, as handles of the type `Element`.
 template <typename Element>
 class LiveRange {
  public:
-  /// Forward iterator. One that is default-constructed belongs to no range.
+  /// Forward iterator. A default-constructed iterator belongs to no range.
   class Iterator {
    public:
     using value_type = Element;
@@ -28,7 +28,7 @@ class LiveRange {
     using iterator_concept = std::forward_iterator_tag;
 
     Iterator() = default;
-    /// Begins at the first live element from number `at` on; at `end` when there is none below `end`.
+    /// Begins at the first live element whose number is at least `at` and below `end`; at `end` if there is none.
     Iterator(const Connectivity& mesh, int at, int end) : mesh_(&mesh), at_(at), end_(end) { skip_deleted(); }
     Element operator*() const { return Element(at_); }
     Iterator& operator++() {
@@ -51,7 +51,7 @@ class LiveRange {
     int at_ = 0, end_ = 0;
   };
 
-  /// Keeps a reference to the mesh. The range ends before the element with number `count`.
+  /// Makes the range of the live elements with numbers below `count`. Keeps a reference to the mesh.
   LiveRange(const Connectivity& mesh, std::size_t count) : mesh_(&mesh), count_(static_cast<int>(count)) {}
   Iterator begin() const { return {*mesh_, 0, count_}; }
   Iterator end() const { return {*mesh_, count_, count_}; }
@@ -62,7 +62,7 @@ class LiveRange {
   int count_;
 };
 
-/// Returns the live elements of the kind, in ascending order of handles. The range keeps a reference to the mesh.
+/// Returns the live elements of one kind, in ascending order of handles. The range keeps a reference to the mesh.
 inline LiveRange<Vertex> live_vertices(const Connectivity& mesh) { return {mesh, mesh.n_vertices()}; }
 inline LiveRange<Halfedge> live_halfedges(const Connectivity& mesh) { return {mesh, mesh.n_halfedges()}; }
 inline LiveRange<Edge> live_edges(const Connectivity& mesh) { return {mesh, mesh.n_edges()}; }

@@ -9,31 +9,31 @@
 
 namespace meshops {
 
-/// Function that long computations call every few milliseconds, one call at a time, but from any thread that a
-/// computation uses. When the function returns false, the computation ends by throwing Cancelled. An empty function is
-/// never called.
+/// Progress function: long computations call the function every few milliseconds, one call at a time, but possibly from
+/// different threads of the computation. When the function returns false, the computation throws Cancelled. An empty
+/// function is never called.
 using GoOn = std::function<bool()>;
 
-/// Exception that ends a computation after the caller's progress function has returned false.
+/// Exception by which a computation ends after the caller's progress function has returned false.
 class MESHOPS_API Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// Calls the function, unless it is empty. Throws Cancelled when it returns false.
+/// Calls the function unless the function is empty. Throws Cancelled when the function returns false.
 inline void stop_if_cancelled(const GoOn& go_on) {
   if (go_on && !go_on()) throw Cancelled();
 }
 
-/// Counter of the steps of loops, which calls the progress function after every 16384 steps. A step is meant to take
-/// tens to hundreds of nanoseconds.
+/// Counter of loop steps. It calls the progress function once in about 16384 steps; a step is meant to take tens to
+/// hundreds of nanoseconds.
 class Steps {
  public:
-  /// Keeps a reference to the function, which must outlive the counter. An empty function is not called.
+  /// Keeps a reference to the function, which must outlive the counter. An empty function is never called.
   explicit Steps(const GoOn& go_on) : go_on_(go_on) {}
 
   /// Counts `steps` more steps, and calls the function at most once. Throws Cancelled when the function returns false,
-  /// and what the function throws.
+  /// and whatever the function throws.
   void operator()(std::size_t steps = 1) {
     if (left_ <= steps) return check();
     left_ -= steps;

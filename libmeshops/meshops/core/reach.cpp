@@ -41,7 +41,7 @@ std::optional<std::vector<Face>> smaller_part(const Connectivity& mesh, Face a, 
   if (a == b) return std::nullopt;
   struct Search {
     std::unordered_set<int> seen;
-    std::vector<Face> open;  // a queue, so that the two searches grow toward each other
+    std::vector<Face> open;  // a breadth-first queue, so that the two searches grow toward each other
     std::size_t next = 0;
   };
   std::array<Search, 2> searches;

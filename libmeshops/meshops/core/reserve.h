@@ -8,8 +8,8 @@
 
 namespace meshops {
 
-/// Reserves memory for the given total numbers of elements and their properties. If the mesh has no elements and no
-/// number is 0, also requests large pages for the arrays of links (large_pages.h).
+/// Reserves memory for the given total numbers of elements and for their properties. If the mesh has no elements and
+/// none of the three numbers is 0, the function also requests large pages for the arrays of links (core/large_pages.h).
 MESHOPS_API void reserve(Connectivity& mesh, std::size_t vertices, std::size_t edges, std::size_t faces);
 
 }  // namespace meshops

@@ -15,7 +15,7 @@ class Validator {
 
   std::vector<Defect> run() {
     check_halfedge_ranges();
-    // Everything below follows handles, which is safe only when they exist.
+    // The checks below follow handles, which is safe only if the handles exist.
     if (defects_.empty()) {
       check_halfedges();
       check_faces();
@@ -86,7 +86,7 @@ class Validator {
         h = mesh_.next_halfedge_handle(h);
       } while (++steps <= sides && h != first && mesh_.face_handle(h) == f);
       if (h != first) {
-        // The change of face along the loop has been reported at a halfedge already.
+        // check_halfedges() has reported the change of face along the loop already.
         if (steps > sides) add(DefectKind::loop_does_not_close, ElementKind::face, f.idx());
         return;
       }
@@ -122,7 +122,7 @@ class Validator {
       do {
         h = mesh_.next_halfedge_handle(mesh_.opposite_halfedge_handle(h));
       } while (++reached <= degree && h != first);
-      // There are several rings, or one ring that passes several gaps: between two gaps there is a fan.
+      // There are several rings, or one ring with several gaps; between two gaps there is a fan.
       if (reached != degree || h != first || gaps_here > 1)
         add(DefectKind::vertex_has_several_fans, ElementKind::vertex, v.idx());
     });

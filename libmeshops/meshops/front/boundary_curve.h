@@ -1,5 +1,5 @@
 // What: the boundary curves of a mesh as ranges of halfedges.
-// Law:  every boundary halfedge is on exactly one curve; a curve has the mesh on its right and closes.
+// Law:  every boundary halfedge is on exactly one curve. A curve is closed and has the mesh on its right.
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@
 
 namespace meshops {
 
-/// The closed curve of the boundary halfedges through a given one, in the order of `next`. It is a view: it owns
-/// nothing, and refers to the mesh. It and its iterators are valid until the boundary changes or garbage is collected;
-/// iterators do not refer to the curve.
+/// Closed curve of the boundary halfedges through a given one, in the order of next(). The curve is a view: it refers
+/// to the mesh and owns nothing. The curve and its iterators are valid until the boundary changes or garbage is
+/// collected; an iterator may outlive its curve.
 class MESHOPS_API BoundaryCurve {
  public:
   class Iterator {
@@ -58,15 +58,16 @@ class MESHOPS_API BoundaryCurve {
     bool end_ = true;
   };
 
-  /// Views the curve through the halfedge `through`, with which the range begins.
-  /// Requires: `through` is a live boundary halfedge; throws ContractViolation. The mesh is sound; not checked.
+  /// Views the curve through the halfedge `through`. The range begins with `through`.
+  /// Requires: `through` is a live boundary halfedge; otherwise throws ContractViolation. The mesh is sound
+  ///           (unchecked).
   BoundaryCurve(const Connectivity& mesh, Halfedge through);
 
   Iterator begin() const { return {*mesh_, through_, false}; }
   Iterator end() const { return {*mesh_, through_, true}; }
   Halfedge front() const { return through_; }
-  /// Returns whether `h` is on this curve. Throws ContractViolation when `h` is not a live boundary halfedge.
-  /// Cost: the shorter way along the curve to `h`; the length of the shorter curve when `h` is on another.
+  /// Returns whether `h` is on this curve. Throws ContractViolation unless `h` is a live boundary halfedge.
+  /// Cost: the shorter way along the curve to front(); if `h` is on another curve, the length of the shorter curve.
   bool contains(Halfedge h) const;
 
   /// Returns the number of edges. Cost: linear in that number.
@@ -77,13 +78,13 @@ class MESHOPS_API BoundaryCurve {
   Halfedge through_;
 };
 
-/// Returns the boundary curve that passes the vertex `v`, beginning with the halfedge that leaves `v`; nothing when `v`
-/// is inner or isolated.
-/// Requires: `v` is live; throws ContractViolation. The mesh is sound; not checked.
+/// Returns the boundary curve through the vertex `v`, from the halfedge that leaves `v`; nothing if `v` is inner or
+/// isolated.
+/// Requires: `v` is live; throws ContractViolation otherwise. The mesh is sound; not checked.
 /// Cost:     constant.
 MESHOPS_API std::optional<BoundaryCurve> boundary_curve_at(const Connectivity& mesh, Vertex v);
 
-/// Returns every boundary curve once, each beginning with its least halfedge, in ascending order of these halfedges.
+/// Returns every boundary curve once, beginning with its least halfedge, in ascending order of the least halfedges.
 /// Requires: the mesh is sound; not checked. Cost: linear in the number of halfedges.
 MESHOPS_API std::vector<BoundaryCurve> boundary_curves(const Connectivity& mesh);
 

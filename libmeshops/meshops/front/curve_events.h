@@ -1,5 +1,5 @@
-// What: reports to a visitor how a triangle changed the boundary curves of a front.
-// Law:  begun − joined + split − closed is the change of the number of boundary curves.
+// What: reports to a visitor how the insertion or detachment of a triangle changed the boundary curves of a front.
+// Law:  begun − joined + split − closed, as numbers of events, is the change of the number of boundary curves.
 #pragma once
 
 #include <array>
@@ -11,15 +11,15 @@
 
 namespace meshops::detail {
 
-/// Set of boundary halfedges, each on a curve of its own.
+/// Set of boundary curves, each given by one of its halfedges.
 class DistinctCurves {
  public:
-  /// Holds the curves through those halfedges that are valid.
+  /// Holds the curves through the valid halfedges of `through`.
   DistinctCurves(const Connectivity& mesh, const std::array<Halfedge, 3>& through) : mesh_(mesh) {
     for (const Halfedge h : through)
       if (h.is_valid()) add(h);
   }
-  /// Holds the curves through those vertices that are on the boundary.
+  /// Holds the curves through the boundary vertices of `through`.
   DistinctCurves(const Connectivity& mesh, const std::array<Vertex, 3>& through) : mesh_(mesh) {
     for (const Vertex v : through)
       if (mesh.is_boundary(v)) add(mesh.halfedge_handle(v));
@@ -43,7 +43,7 @@ inline std::array<Vertex, 3> corners(const Connectivity& mesh, Face triangle) {
   return {mesh.from_vertex_handle(first), mesh.from_vertex_handle(second), mesh.to_vertex_handle(second)};
 }
 
-/// Reports the events that lead from `before` curves to the curves `now`: first joins, then splits.
+/// Reports the events that lead from `before` curves to the curves `now`: first the joins, then the splits.
 template <typename Visitor>
 void notify_of_curves(Front& changed, std::size_t before, const DistinctCurves& now, Visitor& visitor,
                       AllSteps& steps) {

@@ -1,10 +1,10 @@
 // What:   the advancing-front engine: calls a policy edge by edge until nothing is left to do.
-// Law:    when advance() returns, every boundary halfedge is frozen, except those that pop() had taken. The mesh is
-//         sound, whatever the policy returns. With a fixed number of sites, the engine terminates unless the policy
-//         detaches triangles forever or returns refused seeds forever, never one twice in a row, or the visitor
-//         activates edges forever.
-// Cost:   one proposal each time that the turn of an active boundary halfedge comes; with a key(), also the logarithm
-//         of the number of active halfedges each time.
+// Law:    when advance() returns, every boundary halfedge is frozen, except halfedges that the caller holds after
+//         pop(). The mesh is sound, whatever the policy returns. With a fixed number of sites, the engine terminates
+//         unless the policy detaches triangles forever, the policy returns refused seeds forever and never the same
+//         seed twice in a row, or the visitor activates edges forever.
+// Cost:   one proposal for each turn of an active boundary halfedge; with a key(), also the logarithm of the number of
+//         active halfedges for each turn.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003); Restricted BPA, section 3.1,
 //         "Algorithm outline".
 #pragma once
@@ -18,16 +18,15 @@
 
 namespace meshops {
 
-/// Advances the active front until no active halfedge is left, then inserts a seed and continues, until seed() returns
-/// nothing, or again the seed that was refused last, without a triangle inserted or detached since. Deferred edges get
-/// their turn again before the next seed, when no other edge is active and a triangle was inserted or detached since
-/// they were deferred; without a seed they are frozen, and seed() is called once more. An edge is frozen when the
-/// policy proposes nothing for it, when its proposal is refused, or when the triangles proposed for it leave it on the
-/// boundary.
+/// Advances the front until no halfedge is active, then inserts a seed and continues. Ends when seed() returns nothing,
+/// or returns the seed refused last with no triangle inserted or detached since the refusal. Deferred edges get their
+/// turn again before the next seed, if no other edge is active and a triangle was inserted or detached after they were
+/// deferred; if there is no seed, they are frozen, and seed() is called once more. An edge is frozen if the policy
+/// proposes nothing for it, if its proposal is refused, or if the triangles proposed for it leave it on the boundary.
 /// Throws: whatever the policy or the visitor throws, including the comparisons and moves of keys. The mesh is then
-///         sound, the edges that were active or being processed are active, and another advance() continues with them
-///         in the same order. ContractViolation when the mesh or the front is changed during a call: by the policy in
-///         any way, by the visitor other than by activate() and freeze().
+///         sound. The edges that were active or in processing are active, and another advance() continues with them in
+///         the same order. ContractViolation if the mesh or the front is changed during a call: by the policy in any
+///         way, by the visitor in any way but activate() and freeze().
 template <FrontPolicy Policy, typename Visitor>
 void advance(Front& front, Policy& policy, Visitor&& visitor) {
   static_assert(!detail::misses_key<Policy>,
@@ -49,7 +48,7 @@ void advance(Front& front, Policy& policy, Visitor&& visitor) {
   detail::Run<Policy, std::remove_reference_t<Visitor>>(front, policy, visitor).advance();
 }
 
-/// Advances the front without a visitor.
+/// Advances the front as the overload above does, without a visitor.
 template <FrontPolicy Policy>
 void advance(Front& front, Policy& policy) {
   advance(front, policy, FrontVisitor{});

@@ -4,14 +4,14 @@
 namespace meshops::detail {
 namespace {
 
-/// The halfedges that leave a site, fan after fan.
+/// Walk over the halfedges that leave a site, fan after fan.
 class Leaving {
  public:
   Leaving(const Connectivity& mesh, const SiteVertices& vertices, Site s) : mesh_(mesh), vertices_(vertices) {
     begin(vertices.first(s));
   }
 
-  /// Returns the next halfedge; an invalid handle after the last.
+  /// Returns the next halfedge, or an invalid handle after the last.
   Halfedge next() {
     const Halfedge found = at_;
     if (!found.is_valid()) return found;
@@ -34,7 +34,7 @@ class Leaving {
 }  // namespace
 
 Halfedge Fitting::edge_between(Site from, Site to) const {
-  // The walk alternates between both sites: a site with many edges must not make its neighbors slow.
+  // The walk alternates between both sites, so that a site with many edges does not make its neighbors slow.
   Leaving out_of(mesh_, vertices_, from), back_from(mesh_, vertices_, to);
   for (;;) {
     const Halfedge out = out_of.next();
@@ -46,7 +46,7 @@ Halfedge Fitting::edge_between(Site from, Site to) const {
 }
 
 std::vector<Halfedge> Fitting::edges_between(Site from, Site to) const {
-  // The walk alternates here, too. The site whose turn ends first has met all edges between the two.
+  // The walk alternates between both sites. The site whose walk ends first has met all edges between the two.
   Leaving out_of(mesh_, vertices_, from), back_from(mesh_, vertices_, to);
   std::vector<Halfedge> met_out, met_back;
   for (;;) {
@@ -60,7 +60,7 @@ std::vector<Halfedge> Fitting::edges_between(Site from, Site to) const {
 }
 
 Halfedge Fitting::boundary_between(Site from, Site to) const {
-  // The walk alternates here, too. One boundary halfedge leaves the vertex of an open fan, and one enters it.
+  // The walk alternates between both sites. At an open fan, one boundary halfedge leaves the vertex, and one enters it.
   Vertex leaving = vertices_.first(from), entering = vertices_.first(to);
   while (leaving.is_valid()) {
     const Halfedge out = mesh_.halfedge_handle(leaving);

@@ -7,7 +7,7 @@ namespace meshops::detail {
 void Fitting::check_corners(Fit& fit) const {
   const std::size_t sites = vertices_.sites();
   const auto& [a, b, c] = fit.corners;
-  std::size_t end = sites;  // one past the greatest site, old or new
+  std::size_t end = sites;  // one past the greatest site, including the new sites
   if (std::max({a, b, c}) >= sites)
     for (unsigned turn = 0; turn < 3; ++turn) end += static_cast<std::size_t>(std::ranges::count(fit.corners, end));
   for (unsigned i = 0; i < 3; ++i) {
@@ -27,7 +27,7 @@ void Fitting::find_sides(Fit& fit) const {
 void Fitting::find_other_sides(Fit& fit) const {
   const Site apex = fit.corners[2];
   if (is_new(apex) || vertices_.is_free(apex)) return;
-  // The neighbors on the curve are the common case and need no search.
+  // Usually the side is next to `h` on the curve, and no search is needed.
   const Halfedge h = fit.sides.side[0], next = mesh_.next_halfedge_handle(h), previous = mesh_.prev_halfedge_handle(h);
   if (end(next) == apex)
     fit.sides.side[1] = next;
@@ -40,8 +40,8 @@ void Fitting::find_other_sides(Fit& fit) const {
   refuse_closed(fit);
 }
 
-/// Sets a side of `fit` to the boundary halfedge between its sites, if there is one. Returns: false, and sets the
-/// refusal, when there is none but an edge joins the two sites.
+/// Sets a side of `fit` to the boundary halfedge between its sites, if there is one. If there is none, but an edge
+/// joins the two sites, sets the refusal and returns false; otherwise returns true.
 bool Fitting::finds_side(Fit& fit, unsigned side) const {
   const Site from = fit.corners[side], to = fit.corners[(side + 1) % 3];
   if (is_new(from) || is_new(to) || vertices_.is_free(from) || vertices_.is_free(to)) return true;
@@ -52,8 +52,8 @@ bool Fitting::finds_side(Fit& fit, unsigned side) const {
   return false;
 }
 
-/// Refuses a triangle with a corner that is glued to nothing at a site around which all faces close: no other fan may
-/// begin there.
+/// Refuses a triangle with a corner at which nothing is glued, on a site around which all faces close: no further fan
+/// may begin there.
 void Fitting::refuse_closed(Fit& fit) const {
   for (unsigned i = 0; i < 3; ++i) {
     const Site s = fit.corners[i];

@@ -1,6 +1,6 @@
 // What: finds edges, triangles and places for triangles on a mesh by sites.
-// Law:  nothing is changed. Unless the caller decides what is glued, a triangle that would put a second edge between
-//       two sites is refused.
+// Law:  nothing is changed. Unless the caller decides which sides are glued, a triangle that would put a second edge
+//       between two sites is refused.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace meshops::detail {
 
-/// Lookups by sites. Requires: halfedges that are arguments exist; not checked.
+/// Lookups by sites. Requires: halfedges in arguments exist; not checked.
 class MESHOPS_API Fitting {
  public:
   Fitting(const Connectivity& mesh, const SiteVertices& vertices) : mesh_(mesh), vertices_(vertices) {}
@@ -20,20 +20,21 @@ class MESHOPS_API Fitting {
   Site start(Halfedge h) const { return vertices_.site(mesh_.from_vertex_handle(h)); }
   Site end(Halfedge h) const { return vertices_.site(mesh_.to_vertex_handle(h)); }
 
-  // Documented at Front.
+  // Front documents the functions of the same names.
   Halfedge edge_between(Site from, Site to) const;
   std::vector<Halfedge> edges_between(Site from, Site to) const;
   Halfedge boundary_between(Site from, Site to) const;
   Face triangle_on(Site a, Site b, Site c) const;
 
-  /// Sets the refusal of `fit`, unless its corners are distinct, and exist or are the next new sites.
+  /// Sets the refusal of `fit` unless the corners are distinct, and exist or are the next new sites.
   void check_corners(Fit& fit) const;
-  /// Sets the sides of `fit` to the boundary halfedges to which they are glued, by sites alone, or sets the refusal.
-  /// find_other_sides() does so for sides 1 and 2, when side 0 is set.
+  /// Sets the sides of `fit` to the boundary halfedges between their sites, or sets the refusal. find_other_sides()
+  /// does this for sides 1 and 2 only; side 0 must be set.
   void find_sides(Fit& fit) const;
   void find_other_sides(Fit& fit) const;
-  /// Sets the sides of `fit` for a caller that decides what is glued: calls glues(halfedge, apex) for the boundary
-  /// halfedges between the sites of a side until it returns true. Sets the refusal if the triangle exists already.
+  /// Sets the sides of `fit` for a caller that decides which sides are glued: calls glues(halfedge, apex) for the
+  /// boundary halfedges between the sites of a side, until a call returns true. Sets the refusal if the triangle exists
+  /// already.
   template <typename Glues>
   void find_sides(Fit& fit, Glues glues) const;
 
@@ -54,7 +55,7 @@ void Fitting::find_sides(Fit& fit, Glues glues) const {
     const Site from = fit.corners[i], to = fit.corners[(i + 1) % 3];
     Halfedge& side = fit.sides.side[i];
     if (side.is_valid() || is_new(from) || is_new(to)) continue;
-    // An open fan has one boundary halfedge that leaves its vertex.
+    // Exactly one boundary halfedge leaves the vertex of an open fan.
     for (Vertex v = vertices_.first(from); v.is_valid() && !side.is_valid(); v = vertices_.next(v)) {
       const Halfedge h = mesh_.halfedge_handle(v);
       if (mesh_.is_boundary(h) && end(h) == to && glues(h, fit.corners[(i + 2) % 3])) side = h;

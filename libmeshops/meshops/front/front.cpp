@@ -120,7 +120,7 @@ Fit Front::fit(Halfedge h, Site apex) const {
   return fit;
 }
 
-/// Checks everything about a fit: a caller may have made it, or the front may have changed since fit().
+/// Checks a fit completely, because a caller may have made it, or the front may have changed after fit().
 void Front::check(const Fit& fit) const {
   detail::enforce("insert", fit.refusal);
   if (fit.front_ != nullptr) {
@@ -268,7 +268,7 @@ LevelTransfer Front::next_level() {
   waiting_.for_each([&](Halfedge h) { waiting.push_back(h); });
   std::sort(waiting.begin(), waiting.end());
   waiting.erase(std::unique(waiting.begin(), waiting.end()), waiting.end());
-  // A halfedge is a side of a face, or on the boundary.
+  // Every halfedge is a side of a face or on the boundary, so that the counts give the number of popped halfedges.
   const std::size_t popped = 2 * edges() - 3 * faces() - more_sides_ - waiting.size();
   require(popped == 0, "next_level: the number of boundary halfedges that were popped and not queued again is ",
           static_cast<long long>(popped), ", expected 0 (freeze() or activate() them)");

@@ -1,5 +1,5 @@
 // What: detects forbidden changes: changes of the mesh by code other than the front, and changes of the front by a
-//       policy or a visitor.
+//       policy or a visitor during a call.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +16,13 @@ class MESHOPS_API Guard {
  public:
   explicit Guard(const Connectivity& mesh) : mesh_(mesh) {}
 
-  /// Records the present numbers of elements. The front calls this function after each change that it makes.
+  /// Records the present numbers of elements. The front calls this function after each of its changes.
   void count_elements() { counts_ = ElementCounts::of(mesh_); }
   void finish() { counts_ = finished; }
   /// Returns whether the front is not finished and no other code has changed the number of elements.
   bool is_intact() const { return ElementCounts::of(mesh_) == counts_; }
 
-  // The three require_…() throw ContractViolation, which names the cause.
+  // The three functions require_…() throw ContractViolation, whose message names the cause.
   void require_intact() const {
     if (!is_intact()) [[unlikely]]
       violated();
@@ -38,9 +38,9 @@ class MESHOPS_API Guard {
       changed_while_called();
   }
 
-  /// The code that the engine is calling: a policy may change nothing, a visitor may only activate and freeze.
+  /// Code that the engine is calling: a policy may change nothing, a visitor may only activate and freeze halfedges.
   enum class Caller : std::uint8_t { user, policy, visitor };
-  /// Marks a call as long as the object lives.
+  /// Marks a call of a policy or a visitor during the lifetime of the object.
   class Call {
    public:
     Call(Guard& guard, Caller caller) : guard_(guard), before_(guard.caller_) { guard.caller_ = caller; }
@@ -60,7 +60,7 @@ class MESHOPS_API Guard {
   [[noreturn, gnu::cold, gnu::noinline]] void changed_while_called() const;
 
   const Connectivity& mesh_;
-  ElementCounts counts_;  // as the front left them; impossible values when it is finished
+  ElementCounts counts_;  // as the front left them; impossible values after finish()
   Caller caller_ = Caller::user;
 };
 

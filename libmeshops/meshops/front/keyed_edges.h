@@ -1,4 +1,4 @@
-// What: priority queues of halfedges by their keys: the least key first, of equal keys the oldest halfedge.
+// What: priority queues of halfedges by key: the least key comes first, and among equal keys the oldest halfedge.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ class KeyedEdges {
     std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
     heap_.pop_back();
   }
-  /// Returns the entry that pop() holds outside the heap while it compares and moves keys, which may throw.
+  /// Returns the entry that the next pop() holds outside the heap while it compares and moves keys, which may throw.
   Aged moved_by_pop() const { return {heap_.back().age, heap_.back().halfedge}; }
   /// Returns all entries, in any order.
   std::vector<Aged> aged() const {
@@ -66,7 +66,7 @@ class RekeyedEdges {
   using Entry = KeyedEdge<Key>;
   bool empty() const { return tree_.empty(); }
   bool contains(Halfedge h) const { return index(h) < place_.size() && place_[index(h)] != tree_.end(); }
-  /// Returns the age of `h`. Requires: contains(h); so does rekey().
+  /// Returns the age of `h`. age() and rekey() require contains(h); not checked.
   std::size_t age(Halfedge h) const { return place_[index(h)]->age; }
   void rekey(Halfedge h, Key key) {
     auto entry = tree_.extract(std::exchange(place_[index(h)], tree_.end()));
@@ -84,7 +84,7 @@ class RekeyedEdges {
     place_[index(least().halfedge)] = tree_.end();
     tree_.erase(tree_.begin());
   }
-  /// Returns an empty entry: pop() neither compares nor moves keys.
+  /// Returns an empty entry, because pop() neither compares nor moves keys.
   Aged moved_by_pop() const { return Aged(); }
   std::vector<Aged> aged() const {
     std::vector<Aged> all;

@@ -28,7 +28,8 @@ LevelTransfer Levels::begin_next(const SiteVertices& vertices, std::vector<Site>
     sort_and_unite(carried_);
   }
   sort_and_unite(on_boundary);
-  // On a site that was left behind, a fan begins when the caller decides which sides are glued.
+  // A site on the boundary may have been left behind: if the caller decides which sides are glued, a fan can begin on
+  // it.
   std::vector<Site> carried;
   std::ranges::set_union(carried_, on_boundary, std::back_inserter(carried));
   carried_.swap(carried);
@@ -44,7 +45,7 @@ LevelTransfer Levels::begin_next(const SiteVertices& vertices, std::vector<Site>
 }
 
 void Levels::clear_sites() {
-  // Assigning {} would empty the vector but keep its memory.
+  // An assignment of {} would empty the vector but keep its memory.
   carried_ = std::vector<Site>();
   reopened_ = std::vector<Site>();
 }

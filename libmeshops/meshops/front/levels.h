@@ -1,7 +1,7 @@
 // What:   the result of Front::next_level(), the transfer that ends one level of a front and begins the next.
 // Law:    a transfer reads only sites that the previous transfer carried, that were added or reopened since, or that
 //         are on the boundary.
-// Source: Restricted BPA, section 6; it is an operation on the mesh alone.
+// Source: Restricted BPA, section 6; a transfer is an operation on the mesh alone.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace meshops {
 
 /// Result of a transfer from one level to the next.
 struct LevelTransfer {
-  std::vector<Site> carried;    ///< sites that are free or on the boundary, ascending
-  std::size_t left_behind = 0;  ///< number of sites that became inner since the last transfer; at the first, all inner
+  std::vector<Site> carried;    ///< free sites and sites on the boundary, ascending
+  std::size_t left_behind = 0;  ///< number of sites that became inner since the previous transfer (or the start)
   std::size_t reactivated = 0;  ///< number of frozen halfedges that became active again
 };
 
@@ -24,23 +24,23 @@ namespace detail {
 
 class MESHOPS_API Levels {
  public:
-  /// Returns the number of transfers so far.
+  /// Returns the number of transfers.
   std::size_t count() const { return faces_before_.size(); }
-  /// Returns the value of count() when a face was inserted. Cost: the logarithm of count().
+  /// Returns the value of count() when the face was inserted. Cost: the logarithm of count().
   std::size_t level(Face f) const;
   /// Notes that a site that had become inner is on the boundary again, or free.
   void reopen(Site s) { reopened_.push_back(s); }
-  /// Begins the next level. `on_boundary` holds the sites on the boundary, in any order and with repetitions; `faces`
-  /// is the number of faces, dead ones included. Returns: the transfer, with LevelTransfer::reactivated 0.
+  /// Begins the next level. `on_boundary` has the sites on the boundary, in any order and with repetitions; `faces` is
+  /// the number of faces, including deleted faces. Returns: the transfer, in which `reactivated` is still 0.
   LevelTransfer begin_next(const SiteVertices& vertices, std::vector<Site> on_boundary, std::size_t faces);
-  /// Frees the memory that only transfers need.
+  /// Frees the memory that only further transfers would need.
   void clear_sites();
 
  private:
-  std::vector<Site> carried_;              // sites carried by the last transfer
-  std::size_t carried_before_ = 0;         // number of sites at the last transfer; sites from it on were added since
-  std::vector<Site> reopened_;             // sites reopened since the last transfer
-  std::vector<std::size_t> faces_before_;  // for each transfer, the number of faces at the time, dead ones included
+  std::vector<Site> carried_;              // sites that the previous transfer carried
+  std::size_t carried_before_ = 0;         // number of sites at the previous transfer; later sites were added since
+  std::vector<Site> reopened_;             // sites that were reopened since the previous transfer
+  std::vector<std::size_t> faces_before_;  // for each transfer, the number of faces then, including deleted faces
 };
 
 }  // namespace detail

@@ -1,9 +1,8 @@
-// What: compile-time checks that find members of a policy or a visitor which would be ignored without an error: they
-//       have the name of an optional member with another form, nearly the name of an event, or are events that the
-//       visitor does not receive.
-// Law:  each misses_…, a constant or a function, is true if there is such a member; misses_events() also if a class
-//       derived from FrontVisitor has no event. advance() (front/engine.h) asserts that all are false: otherwise the
-//       code that calls it does not compile.
+// What: compile-time checks that find members of a policy or a visitor which would be ignored without an error.
+// How:  a policy misses a member that has the name of an optional member but another form. A visitor misses a member
+//       that has nearly the name of an event, or that is an event which the visitor does not receive.
+// Law:  each misses_…, a constant or a function, is true if there is such a member; misses_events() is also true for a
+//       class derived from FrontVisitor without an event. advance() (front/engine.h) asserts that all are false.
 #pragma once
 
 #include <array>
@@ -15,8 +14,8 @@
 
 namespace meshops::detail {
 
-/// Base with one member name. In a class derived from this base and a policy (Beside), the name is ambiguous if the
-/// policy has a member of that name, in whatever form.
+/// Base with one member name. In a class that derives from this base and from a policy (Beside), the name is ambiguous
+/// if the policy has a member of that name, in whatever form.
 struct NamedKey {
   int key;
 };
@@ -59,15 +58,15 @@ constexpr bool misses_key = names_key<std::remove_cv_t<Policy>>() && !OrderedFro
 template <typename Policy>
 constexpr bool misses_glues = names_glues<std::remove_cv_t<Policy>>() && !GluingFrontPolicy<Policy>;
 
-/// True if the policy has a member rekeys_neighbors that would be ignored. The value `false` is always allowed, also
+/// True if the policy has a member rekeys_neighbors that would be ignored. The value `false` is always allowed, even
 /// for a policy without a member key.
 template <typename Policy>
 constexpr bool misses_rekeys = names_rekeys<std::remove_cv_t<Policy>>() && !RekeyingFrontPolicy<Policy> && !requires {
   requires !std::bool_constant<Policy::rekeys_neighbors>::value;
 };
 
-/// Visitor that overrides no event of triangles and edges; KeepsCurves: no event of curves. A member of the same name
-/// but another form counts as an override.
+/// KeepsEvents: visitor that overrides no event of triangles and edges. KeepsCurves: visitor that overrides no event of
+/// curves. A member with the name of an event counts as an override even if it has another form.
 template <typename V>
 concept KeepsEvents = std::same_as<decltype(&V::seeded), decltype(&FrontVisitor::seeded)> &&
     std::same_as<decltype(&V::attached), decltype(&FrontVisitor::attached)> &&
@@ -82,7 +81,7 @@ concept KeepsCurves = std::same_as<decltype(&V::curve_begun), decltype(&FrontVis
     std::same_as<decltype(&V::curve_split), decltype(&FrontVisitor::curve_split)> &&
     std::same_as<decltype(&V::curve_closed), decltype(&FrontVisitor::curve_closed)>;
 
-/// Returns whether the visitor overrides an event of curves that it would not receive.
+/// Returns whether the visitor overrides an event of curves that the engine would not send to it.
 template <typename Visitor>
 constexpr bool misses_curves() {
   if constexpr (std::derived_from<Visitor, FrontVisitor>)
@@ -91,7 +90,7 @@ constexpr bool misses_curves() {
     return false;
 }
 
-/// Visitor with a member that can be called with the arguments of an event, but has another form of the event's name.
+/// Visitor with a member whose name is nearly that of an event, and which can be called with the event's arguments.
 template <typename V>
 concept MisnamesEvent = requires(V v, const Front& f, const InsertedTriangle& t) {
   v.seed(f, t);
@@ -113,8 +112,7 @@ concept MisnamesEvent = requires(V v, const Front& f, const InsertedTriangle& t)
 || requires(V v, const Front& f, Halfedge h) { v.curve_splitted(f, h, h); }
 || requires(V v, const Front& f) { v.curves_closed(f); };
 
-/// Returns whether the visitor derives from FrontVisitor and none of its members is an event, or one of its members has
-/// nearly the name of an event.
+/// Returns whether the visitor derives from FrontVisitor but has no event, or has a member named nearly like an event.
 template <typename Visitor>
 constexpr bool misses_events() {
   if constexpr (std::derived_from<Visitor, FrontVisitor> && !std::same_as<Visitor, FrontVisitor> &&

@@ -13,26 +13,27 @@
 
 namespace meshops::detail {
 
-/// Order first in, first out: the front's own queue.
+/// Order first in, first out: the queue of the front itself.
 template <typename Policy>
 class FirstInFirstOut {
  public:
   FirstInFirstOut(Front& front, Policy&) : front_(front) {}
-  /// Returns the next active halfedge, which is inactive then; an invalid handle when there is none.
+  /// Removes and returns the next active halfedge, which then is inactive; an invalid handle if there is none.
   Halfedge next() {
     const Halfedge h = EngineSide(front_).next_queued();
     if (h.is_valid()) EngineSide(front_).take(h);
     return h;
   }
-  /// After a throw, puts `in_hand`, the halfedge that next() returned last, first in the queue (EngineSide::requeue).
+  /// After an exception, puts `in_hand`, the halfedge that next() returned last, first in the queue
+  /// (EngineSide::requeue()).
   void give_back(Halfedge in_hand) { EngineSide(front_).requeue(in_hand, {}); }
 
  private:
   Front& front_;
 };
 
-/// Order by keys: the least key first, of equal keys the oldest halfedge. The front's own queue holds only halfedges
-/// that have become active since the last next(). A halfedge that is no longer active when its turn comes is skipped.
+/// Order by keys: the least key comes first, and among equal keys the oldest halfedge. The queue of the front has only
+/// halfedges that became active after the last next(). A halfedge that is inactive when its turn comes is skipped.
 template <typename Policy>
 class LeastKeyFirst {
  public:
@@ -71,8 +72,8 @@ class LeastKeyFirst {
     changed_.push_back(mesh.prev_halfedge_handle(out));
   }
 
-  /// After a throw, gives the halfedges that are still active back to the front's queue, the oldest first. Comparing or
-  /// moving keys may have thrown, so that only the halfedges are read.
+  /// After an exception, returns the halfedges that are still active to the queue of the front, the oldest first. Reads
+  /// no keys, because comparing or moving keys may have thrown the exception.
   void give_back(Halfedge in_hand) {
     std::vector<Aged> waiting = keyed_.aged();
     waiting.push_back(moving_);
@@ -93,7 +94,7 @@ class LeastKeyFirst {
   Front& front_;
   Policy& policy_;
   std::conditional_t<rekeys, RekeyedEdges<Key>, KeyedEdges<Key>> keyed_;
-  std::vector<Halfedge> changed_;  // halfedges whose neighbors on the curve changed
+  std::vector<Halfedge> changed_;  // halfedges whose neighbors on the curve may have changed
   Aged moving_;                    // the entry that is being moved into keyed_ or within it
   std::size_t age_ = 0;
 };

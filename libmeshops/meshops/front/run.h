@@ -1,4 +1,4 @@
-// What: one run of advance() (front/engine.h): calls of the policy, insertions, and reports to the visitor.
+// What: one run of advance() (front/engine.h), which calls the policy, inserts triangles, and reports to the visitor.
 #pragma once
 
 #include <array>
@@ -17,11 +17,11 @@ class Run {
   Run(Front& front, Policy& policy, Visitor& visitor)
       : front_(front), engine_(front), policy_(policy), visitor_(visitor), order_(front, policy) {}
 
-  /// Runs until every boundary halfedge is frozen.
-  /// Throws: whatever the policy or the visitor throws; the halfedges that waited are then in the front's queue.
+  /// Runs until no halfedge is active and no seed can be inserted.
+  /// Throws: whatever the policy or the visitor throws; halfedges that still waited are then in the queue of the front.
   void advance() {
-    Halfedge h;  // the halfedge being processed
-    // Returns whether any halfedge was active.
+    Halfedge h;  // the halfedge in processing
+    // Processes halfedges until none is queued. Returns whether there was one.
     const auto follow_all = [&] {
       bool any = false;
       for (h = order_.next(); h.is_valid(); h = order_.next(), any = true)
@@ -29,7 +29,7 @@ class Run {
       return any;
     };
     try {
-      // The visitor may have activated halfedges when a seed was refused.
+      // The visitor may have activated halfedges while a seed was refused or a halfedge was frozen.
       do follow_all();
       while (engine_.wake_deferred() || begin() || freeze_deferred() || follow_all());
     } catch (...) {
@@ -41,7 +41,7 @@ class Run {
  private:
   const Front& seen() const { return front_; }
 
-  /// Carries out the proposal of the policy for an edge.
+  /// Carries out the proposal of the policy for the edge of `h`.
   void follow(Halfedge h, const Proposal& proposal) {
     if (proposal.apex()) {
       if (!insert(h, h, *proposal.apex())) freeze(h);
@@ -57,7 +57,7 @@ class Run {
     }
   }
 
-  /// Inserts a triangle that was proposed for h, if it fits. Returns: whether it did.
+  /// Inserts a triangle that was proposed for h, if the triangle fits. Returns: whether it fits.
   template <typename... Place>
   bool insert(Halfedge h, Place... place) {
     const Fit fit = this->fit(place...);
@@ -68,11 +68,11 @@ class Run {
     return !fit.refusal;
   }
 
-  /// Inserts the next seed that fits. Returns: whether there is one.
+  /// Inserts the next seed that fits. Returns: whether there was one.
   bool begin() {
     for (;;) {
       const std::optional<std::array<Site, 3>> seed = engine_.ask([&] { return policy_.seed(seen()); });
-      // A policy that returns a refused seed again, with no triangle inserted or detached since, has no other.
+      // A policy that returns the seed refused last, with no triangle inserted or detached since, has no other seed.
       if (!seed || seed == refused_) return false;
       const Fit fit = this->fit((*seed)[0], (*seed)[1], (*seed)[2]);
       if (!fit.refusal) {
@@ -84,8 +84,8 @@ class Run {
     }
   }
 
-  /// Returns the place of a triangle, given by its corners or by a halfedge and the apex. Sites decide what is glued,
-  /// or the policy if it has glues().
+  /// Returns the place of a triangle, given by its corners, or by a halfedge and the apex. The policy decides which
+  /// sides are glued if it has glues(); otherwise the sites decide.
   template <typename... Place>
   Fit fit(Place... place) {
     if constexpr (GluingFrontPolicy<Policy>)
@@ -96,7 +96,7 @@ class Run {
       return front_.fit(place...);
   }
 
-  /// Inserts a triangle that fits. `event` is sent before the events of curves.
+  /// Inserts a triangle that fits. Calls `event` before the events of curves.
   template <typename Event>
   void put(const Fit& fit, Event event) {
     std::size_t before = 0;
@@ -111,16 +111,16 @@ class Run {
       freeze(h);
       return;
     }
-    front_.activate(h);  // waits again, unless detach() deletes it
+    front_.activate(h);  // `h` waits again, unless detach() deletes its edge
     std::size_t before = 0;
     if constexpr (Visitor::follows_curves) before = DistinctCurves(front_.mesh(), corners(front_.mesh(), f)).count();
     const DetachedTriangle triangle = front_.detach(f);
     notify_of_change([&] { return triangle.side; }, before, [&] { visitor_.detached(seen(), triangle); });
   }
 
-  /// Reports a triangle that was inserted or detached: first keys are updated, then the visitor is called. The visitor
-  /// may throw at any of its events, and still receives all of them. around() returns the corners of the triangle, or
-  /// the sides that it left.
+  /// Reports a triangle that was inserted or detached: first updates keys, then calls the visitor. A visitor that
+  /// throws at an event still receives the others. around() returns the corners of an inserted triangle, or the former
+  /// sides of a detached triangle.
   template <typename Around, typename Event>
   void notify_of_change(Around around, std::size_t curves_before, Event event) {
     refused_.reset();
@@ -151,8 +151,8 @@ class Run {
     engine_.notify([&] { visitor_.frozen(seen(), h); });
   }
 
-  /// Freezes all deferred halfedges, when nothing will change any more. Returns: whether there were any; the visitor
-  /// may have activated others meanwhile.
+  /// Freezes all deferred halfedges, for the case that nothing will change any more. Returns: whether there were any.
+  /// The visitor may activate other halfedges during the calls.
   bool freeze_deferred() {
     Halfedge h = engine_.next_deferred();
     const bool any = h.is_valid();
@@ -165,7 +165,7 @@ class Run {
   Policy& policy_;
   Visitor& visitor_;
   typename OrderOf<Policy>::type order_;
-  std::optional<std::array<Site, 3>> refused_;  // the seed refused last, until a triangle is inserted or detached
+  std::optional<std::array<Site, 3>> refused_;  // the seed refused last; reset when a triangle is inserted or detached
 };
 
 }  // namespace meshops::detail

@@ -7,39 +7,39 @@
 
 namespace meshops {
 
-/// Base of visitors. A visitor declares the events that it uses, with the same parameters; the others cost nothing. The
-/// mesh is sound at each event. A visitor may be a local class, and may throw to end the run.
+/// Base of visitors. A visitor declares the events that it uses, with the same names and parameters; other events cost
+/// nothing. The mesh is sound at each event. A visitor may be a local class, and may throw to end the run.
 struct FrontVisitor {
-  /// Called when a triangle of seed() has been inserted.
+  /// Called after a triangle of seed() was inserted.
   void seeded(const Front&, const InsertedTriangle&) {}
-  /// Called when a triangle that was proposed for the boundary halfedge `at` has been inserted. If an apex was
-  /// proposed, side 0 of the triangle is `at`.
+  /// Called after a triangle that was proposed for the boundary halfedge `at` was inserted. If an apex was proposed,
+  /// side 0 of the triangle is `at`.
   void attached(const Front&, Halfedge /*at*/, const InsertedTriangle&) {}
-  /// Called when an edge is deferred: the edge stays active, and its turn comes again after a change.
+  /// Called after an edge was deferred. The edge stays active, and its turn comes again after a change of the front.
   void deferred(const Front&, Halfedge) {}
-  /// Called when the engine has frozen an edge for this level.
+  /// Called after the engine froze an edge for this level.
   void frozen(const Front&, Halfedge) {}
-  /// Called when a triangle has been detached because the policy proposed it (Proposal).
+  /// Called after a triangle was detached because the policy proposed this (Proposal::detach()).
   void detached(const Front&, const DetachedTriangle&) {}
-  /// Called when a triangle that was to be inserted or detached, as proposed for this edge, is refused. If the edge is
-  /// still on the boundary, it is frozen next (after a list of triangles: unless it is active).
+  /// Called when the front refuses to insert or detach a triangle that was proposed for this edge. Afterwards, the edge
+  /// is frozen if it is still on the boundary; after a list of triangles, only if it is also not active.
   void refused(const Front&, Halfedge, const Refusal&) {}
-  /// Called when a triangle of seed() is refused.
+  /// Called when the front refuses a triangle of seed().
   void seed_refused(const Front&, const std::array<Site, 3>& /*seed*/, const Refusal&) {}
 
-  /// Whether the visitor receives the events of curves, after seeded(), attached() or detached(): see CurveVisitor.
+  /// Whether the visitor receives the events of curves, after seeded(), attached() or detached(). See CurveVisitor.
   static constexpr bool follows_curves = false;
-  /// Called when a curve has begun, through this halfedge.
+  /// Called after a curve began. The halfedge is on the curve.
   void curve_begun(const Front&, Halfedge) {}
-  /// Called when two curves have become one: a handle was made on one component, or two components were joined.
+  /// Called after two curves became one: one component got a handle, or two components were joined.
   void curves_joined(const Front&, Halfedge /*through*/) {}
-  /// Called when one curve has become two, through these halfedges.
+  /// Called after one curve became two. Each of the two halfedges is on one of the curves.
   void curve_split(const Front&, Halfedge, Halfedge) {}
-  /// Called when a curve has vanished.
+  /// Called after a curve vanished.
   void curve_closed(const Front&) {}
 };
 
-/// Base of visitors that receive the events of curves. Cost: up to six calls of on_same_curve() at every triangle.
+/// Base of visitors that receive the events of curves. Cost: up to six calls of on_same_curve() for every triangle.
 struct CurveVisitor : FrontVisitor {
   static constexpr bool follows_curves = true;
 };

@@ -14,8 +14,8 @@ void WaitingEdges::set_state(Halfedge h, State state) {
 }
 
 void WaitingEdges::queue(Halfedge h) {
-  // The entries before head_ are used up. They are removed when they are most of the queue, so that the queue is as
-  // long as the front and not as the run.
+  // The entries before head_ are used up. They are removed when they are most of the queue, so that the length of the
+  // queue is bounded by the size of the front, not by the length of the run.
   if (active_.size() == active_.capacity() && head_ > active_.size() / 2) {
     active_.erase(active_.begin(), active_.begin() + static_cast<std::ptrdiff_t>(head_));
     head_ = 0;
@@ -96,7 +96,7 @@ std::size_t WaitingEdges::wake_all() {
 }
 
 void WaitingEdges::clear() {
-  // Assigning {} would empty the vector but keep its memory.
+  // An assignment of {} would empty the vector but keep its memory.
   state_ = std::vector<State>();
   active_ = std::vector<Halfedge>();
   head_ = 0;

@@ -6,10 +6,10 @@
 
 namespace meshops {
 
-/// Returns a map from vertices, faces or edges to the entries of `values` by index; it is read-only if `values` is
-/// const. `index` is get(boost::vertex_index, view) or get(boost::edge_index, view).
+/// Returns a property map from vertices, faces or edges to the entries of `values` by index; the map is read-only if
+/// `values` is const. `index` is get(boost::vertex_index, view) or get(boost::edge_index, view).
 /// Requires: `values` has num_vertices(view) or num_edges(view) entries, outlives the map, and is not reallocated
-///           meanwhile. Not checked.
+///           during the map's lifetime. Not checked.
 template <typename Value, typename Index>
 auto by_index(std::vector<Value>& values, Index index) {
   return boost::make_iterator_property_map(values.begin(), index);

@@ -1,6 +1,6 @@
 // What: the faces of a mesh as a graph of Boost, joined across its inner edges.
-// Law:  halfedge h runs from its face to the face of its opposite; the components are the components of the mesh that
-//       have faces.
+// Law:  halfedge h runs from its face to the face of its opposite. The components of the graph are the components of
+//       the mesh that have faces.
 #pragma once
 
 #include "meshops/core/live.h"
@@ -37,8 +37,8 @@ struct Dual {
 
 }  // namespace detail
 
-/// Graph of the faces. Two faces that share several edges are joined by as many. edges() names an inner edge by its
-/// first halfedge. Cost of a step around a face: constant, plus the boundary edges of the face that it skips.
+/// Graph of the faces. Two faces with several common edges are joined by as many edges. edges() lists each inner edge
+/// by its first halfedge. Cost of a step around a face: constant, plus the boundary edges that it skips.
 using DualGraph = GraphView<detail::Dual, boost::undirected_tag>;
 
 }  // namespace meshops

@@ -11,7 +11,7 @@
 
 namespace meshops {
 
-/// Returns the map from a halfedge to of_edge(its edge). The map owns `of_edge`; a copy of the map has a copy of it.
+/// Returns the map from a halfedge to of_edge(its edge). The map owns `of_edge`; a copy of the map has its own copy.
 template <typename OfEdge>
 auto edge_map(OfEdge of_edge) {
   // OpenMesh keeps the halfedges of edge e at 2e and 2e + 1.

@@ -1,8 +1,9 @@
 // What: a mesh viewed as a graph of Boost; the common base of the primal, dual and boundary graphs.
-// Law:  an edge descriptor is a halfedge, which runs from source() to target(). edges() lists every edge by one of its
-//       two halfedges, and both have the same edge index. In a directed view the two halfedges of an edge are two
-//       edges, each with an index of its own and each the reverse of the other.
-// Cost: a view is one pointer, passed by value. Iterators allocate nothing; a step is constant, plus what it skips.
+// Law:  an edge descriptor is a halfedge, which runs from source() to target(). In an undirected view, edges() lists
+//       every edge by one of its two halfedges, and both have the same edge index. In a directed view, the two
+//       halfedges of an edge are two edges, each with its own index and each the reverse of the other.
+// Cost: a view is one pointer, passed by value. Iterators allocate nothing. A step takes constant time, plus the number
+//       of elements that it skips.
 #pragma once
 
 #include <boost/graph/graph_traits.hpp>
@@ -19,13 +20,13 @@
 
 namespace meshops {
 
-/// View of a mesh as a graph, which refers to the mesh. `Kind` defines which elements are nodes and edges, and how
+/// View of a mesh as a graph, with a reference to the mesh. `Kind` defines which elements are nodes and edges, and how
 /// edges turn around a node. `Direction` is boost::undirected_tag, or boost::bidirectional_tag for a graph in which
-/// both halfedges of an edge are edges. Use the view by the names PrimalGraph, DualGraph, BoundaryGraph, and through
+/// both halfedges of an edge are edges. Use the view as PrimalGraph, DualGraph or BoundaryGraph, and through
 /// directed().
 /// Requires:    the mesh is sound. Not checked.
-/// Models:      BidirectionalGraph, AdjacencyGraph, VertexListGraph, EdgeListGraph, with parallel edges;
-///              ReadablePropertyGraph for vertex_index and edge_index, and for edge_reverse when it is directed.
+/// Models:      BidirectionalGraph, AdjacencyGraph, VertexListGraph and EdgeListGraph, with parallel edges;
+///              ReadablePropertyGraph for vertex_index and edge_index, and in a directed view also for edge_reverse.
 /// Throws:      ContractViolation for the neighbors of a vertex that vertices() does not list, and for the ends of an
 ///              edge that is out of range.
 /// Invalidated: by any change of the elements of the mesh. Elements marked deleted are skipped.
@@ -62,7 +63,7 @@ class GraphView {
   const Connectivity& mesh() const { return *mesh_; }
   static vertex_descriptor null_vertex() { return vertex_descriptor(); }
 
-  /// Returns whether vertices() or edges() lists this element.
+  /// Returns whether vertices() or edges() lists the element.
   static bool lists(const Connectivity& mesh, vertex_descriptor v) { return Kind::has(mesh, v); }
   static bool lists(const Connectivity& mesh, Halfedge h) {
     return Kind::has(mesh, h) && (!is_undirected || Kind::names_edge(mesh, h));
@@ -81,19 +82,19 @@ class GraphView {
     return adjacency_iterator::range(*g.mesh_, v);
   }
 
-  /// Returns one more than the greatest index of a listed vertex (or edge), which is the size of an array by index; 0
-  /// when there is none. This is the number of vertices (or edges) when the indices have no gaps: nothing is marked
-  /// deleted, and the view has all vertices (or edges) of the mesh. Boost's algorithms allocate that many entries and
-  /// address them by index, as for boost::filtered_graph.
-  /// Cost: the length of the gap at the end.
+  /// Returns one more than the greatest index of a listed vertex (num_edges(): of an edge), which is the size of an
+  /// array by index; 0 if there is none. It is the number of vertices (edges) if the indices have no gaps: if nothing
+  /// is marked deleted, and the view has all vertices (edges) of the mesh. Boost's algorithms allocate as many entries
+  /// and address them by index, as for boost::filtered_graph.
+  /// Cost: the length of the gap at the end of the indices.
   friend vertices_size_type num_vertices(const GraphView& g) { return vertex_iterator::index_bound(*g.mesh_); }
   friend edges_size_type num_edges(const GraphView& g) {
     const std::size_t halfedges = edge_iterator::index_bound(*g.mesh_);
     return is_undirected ? (halfedges + 1) / 2 : halfedges;
   }
 
-  /// Returns the number of edges at a vertex: those that leave it (out_degree()), that arrive (in_degree()), or, in a
-  /// directed view, both together (degree()). Cost: the degree.
+  /// Returns the number of edges at a vertex: out_degree() counts edges that leave it, in_degree() edges that arrive;
+  /// degree() counts both, but each edge of an undirected view once. Cost: the degree.
   friend degree_size_type out_degree(vertex_descriptor v, const GraphView& g) {
     const auto [first, last] = out_edges(v, g);
     return static_cast<degree_size_type>(std::distance(first, last));
@@ -121,7 +122,7 @@ class GraphView {
   const Connectivity* mesh_;
 };
 
-/// Returns the graph in which both halfedges of each edge are edges, as maximum flow requires it.
+/// Returns the graph in which both halfedges of each edge are edges, as algorithms of maximum flow require.
 template <typename Kind>
 GraphView<Kind, boost::bidirectional_tag> directed(GraphView<Kind, boost::undirected_tag> view) {
   return GraphView<Kind, boost::bidirectional_tag>(view.mesh());

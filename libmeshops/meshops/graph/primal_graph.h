@@ -1,4 +1,4 @@
-// What: the graph of the vertices and edges of a mesh, as a graph of the Boost Graph Library.
+// What: the vertices and edges of a mesh as a graph of Boost.
 // Law:  a halfedge is an edge whose source is its from-vertex and whose target is its to-vertex. The connected
 //       components of the graph are the components of the mesh.
 #pragma once
@@ -23,7 +23,7 @@ struct Primal {
 
 }  // namespace detail
 
-/// Graph of the vertices, isolated ones included. edges() names an edge by its first halfedge.
+/// Graph of the vertices, including isolated ones. edges() lists each edge by its first halfedge.
 using PrimalGraph = GraphView<detail::Primal, boost::undirected_tag>;
 
 }  // namespace meshops

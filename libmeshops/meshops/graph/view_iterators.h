@@ -1,5 +1,5 @@
 // What: the iterators of the graph views: over all elements of a mesh, and once around a node.
-// Cost: a step is constant, plus the number of elements that it skips. Nothing is allocated.
+// Cost: a step takes constant time, plus the number of elements that it skips. Nothing is allocated.
 #pragma once
 
 #include <boost/iterator/iterator_facade.hpp>
@@ -15,7 +15,7 @@ inline int count_of(const Connectivity& mesh, Vertex) { return static_cast<int>(
 inline int count_of(const Connectivity& mesh, Halfedge) { return static_cast<int>(mesh.n_halfedges()); }
 inline int count_of(const Connectivity& mesh, Face) { return static_cast<int>(mesh.n_faces()); }
 
-/// Iterator over the handles that View::lists(), ascending.
+/// Iterator over the handles for which View::lists() is true, in ascending order.
 template <typename View, typename Handle>
 class ListIterator
     : public boost::iterator_facade<ListIterator<View, Handle>, Handle, boost::forward_traversal_tag, Handle> {
@@ -27,7 +27,7 @@ class ListIterator
     return {ListIterator(mesh, 0, end), ListIterator(mesh, end, end)};
   }
 
-  /// Returns one more than the index of the last listed handle, 0 when there is none.
+  /// Returns one more than the index of the last listed handle, or 0 if no handle is listed.
   static std::size_t index_bound(const Connectivity& mesh) {
     int bound = count_of(mesh, Handle());
     while (bound > 0 && !View::lists(mesh, Handle(bound - 1))) --bound;
@@ -54,7 +54,7 @@ class ListIterator
   int end_ = 0;
 };
 
-// Functions `of` that give a TurnIterator its value, from a halfedge that leaves the node.
+// Types whose function `of` computes the value of a TurnIterator from a halfedge that leaves the node.
 struct LeavingEdge {
   using Value = Halfedge;
   static Halfedge of(const Connectivity&, Halfedge h) { return h; }
@@ -69,7 +69,7 @@ struct Neighbor {
   static Value of(const Connectivity& mesh, Halfedge h) { return Kind::source(mesh, mesh.opposite_halfedge_handle(h)); }
 };
 
-/// Iterator once around a node: over Read::of each halfedge that leaves it.
+/// Iterator once around a node, over the value Read::of() of each halfedge that leaves the node.
 template <typename Kind, typename Read>
 class TurnIterator : public boost::iterator_facade<TurnIterator<Kind, Read>, typename Read::Value,
                                                    boost::forward_traversal_tag, typename Read::Value> {

@@ -1,5 +1,5 @@
 // What: the property maps that every graph view has.
-// Law:  an index is the idx() of the handle of the vertex, face, edge or, in a directed view, halfedge.
+// Law:  an index is idx() of the handle of a vertex, a face, an edge, or, for edges of a directed view, a halfedge.
 #pragma once
 
 #include <boost/graph/graph_traits.hpp>
@@ -14,7 +14,7 @@ namespace meshops {
 template <typename Kind, typename Direction>
 class GraphView;
 
-/// Map to the index of a handle; with `PerIndex` = 2, to the index of the edge of a halfedge.
+/// Map from a handle to its index; for `PerIndex` = 2, from a halfedge to the index of its edge.
 template <typename Handle, int PerIndex>
 struct IndexMap {
   using key_type = Handle;
@@ -40,7 +40,7 @@ struct ReverseMap {
 
 }  // namespace meshops
 
-// Boost looks here for the types of the maps that get() returns.
+// Boost looks up the types of the maps that get() returns in these specializations.
 namespace boost {
 template <typename Kind, typename Direction>
 struct property_map<meshops::GraphView<Kind, Direction>, vertex_index_t> {

@@ -59,7 +59,7 @@ std::optional<Blocker> open_curve_blocker(const Connectivity& mesh, Face f) {
     ++sides;
     h = mesh.next_halfedge_handle(h);
   } while (h != first);
-  if (sides == 3) return std::nullopt;  // its corners are three distinct vertices, because no edge is a loop
+  if (sides == 3) return std::nullopt;  // no edge is a loop, so that the three corners are distinct vertices
   do {
     if (is_passed_again(mesh, h)) return Blocker(BlockerKind::corner_repeated, mesh.from_vertex_handle(h));
     h = mesh.next_halfedge_handle(h);

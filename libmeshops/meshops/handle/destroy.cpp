@@ -66,7 +66,7 @@ std::optional<Blocker> remove_triangle_blocker(const Connectivity& mesh, Face f)
 Delta remove_triangle(Connectivity& mesh, Face f) {
   detail::enforce("remove_triangle", remove_triangle_blocker(mesh, f));
   Delta delta;
-  // unglue() of the halfedge on this side leaves the edge and the vertices to the faces beyond it.
+  // unglue() of a side leaves the old edge and the old vertices to the face beyond the side.
   for (const Halfedge side : sides_of_triangle(mesh, f)) {
     const Halfedge beyond = mesh.opposite_halfedge_handle(side);
     if (!mesh.is_boundary(beyond)) delta = delta + detail::unglue_links(mesh, side).delta();

@@ -1,6 +1,6 @@
 // What:   the cases of gluing, and the change of the counts of a mesh by each handle operator.
-// Law:    delta_of(case) is exact for every glue() of that case, on every sound mesh, and each delta_of_…() for the
-//         operator of its name.
+// Law:    on every sound mesh, delta_of(c) is the exact change by every glue() of case c, and each delta_of_…() the
+//         exact change by the operator of its name.
 // Source: Lewiner, Lopes, Medeiros, Tavares, Velho, Topological mesh operators (CAGD 27, 2010).
 #pragma once
 
@@ -12,20 +12,20 @@ namespace meshops {
 
 /// The five cases of gluing two boundary edges.
 enum class GlueCase {
-  join,         ///< edges on two components, which become one, as do their two curves
-  split_curve,  ///< edges on one curve, not adjacent: the curve becomes two
-  handle,       ///< edges on two curves of one component: a handle is made
+  join,         ///< edges of two components, which become one component; their two curves become one curve
+  split_curve,  ///< edges of one curve that are not adjacent: the curve becomes two curves
+  handle,       ///< edges of two curves of one component: the component gets a handle
   zip,          ///< adjacent edges of one curve: the vertex between them becomes inner
-  close         ///< the last two edges of a curve: the curve vanishes
+  close         ///< the last two edges of a curve, which vanishes
 };
 
-/// Returns the name of a case in words: "split curve".
+/// Returns the name of a case in words, for example "split curve".
 constexpr std::string_view name(GlueCase c) {
   constexpr std::string_view names[] = {"join", "split curve", "handle", "zip", "close"};
   return names[static_cast<int>(c)];
 }
 
-/// Returns the delta of create_triangle(); the functions below, those of the other operators.
+/// Returns the delta of create_triangle(). Each function below returns the delta of the operator of its name.
 constexpr Delta delta_of_create() { return {.vertices = 3, .edges = 3, .faces = 1, .curves = 1, .components = 1}; }
 
 constexpr Delta delta_of_destroy() { return -delta_of_create(); }

@@ -31,7 +31,7 @@ void extract_triangle(Connectivity& mesh, const TriangleRim& rim, const std::arr
       mesh.set_isolated(v);
       continue;
     }
-    // The boundary passes through the gap that the triangle leaves.
+    // The boundary passes through the gap that the removed triangle leaves at the corner.
     const bool on_boundary = mesh.is_boundary(v);
     const Halfedge after = mesh.halfedge_handle(v);
     const Halfedge before = on_boundary ? mesh.prev_halfedge_handle(after) : Halfedge();

@@ -1,13 +1,13 @@
 // What: moves the fan of faces at a vertex to another vertex, as handle operators do to merge and to split vertices.
-// Law:  for a boundary vertex, the fan is given by the boundary halfedge that leaves the vertex.
+// Law:  the fan of a boundary vertex is given by the boundary halfedge that leaves the vertex.
 #pragma once
 
 #include "meshops/core/connectivity.h"
 
 namespace meshops::detail {
 
-/// Makes `to` the start of every halfedge of a fan that leaves the fan's vertex. `first` is one of these halfedges; at
-/// a boundary vertex, it is the boundary halfedge.
+/// Makes `to` the start of the halfedges by which a fan leaves its vertex. `first` is one of these halfedges; at a
+/// boundary vertex, `first` is the boundary halfedge.
 /// Cost: the number of edges of the fan.
 inline void move_fan(Connectivity& mesh, Halfedge first, Vertex to) {
   Halfedge out = first;

@@ -11,7 +11,7 @@ namespace meshops {
 namespace {
 
 /// Returns why the vertex that the boundary halfedge `out` leaves cannot become one with `other`, or nothing when it
-/// can. Walks once through the fan of the vertex.
+/// can. Walks once around the vertex.
 std::optional<Blocker> blocker_at(const Connectivity& mesh, Halfedge out, Vertex other) {
   for (Halfedge h = out;;) {
     if (mesh.to_vertex_handle(h) == other) return Blocker(BlockerKind::loop_edge, mesh.edge_handle(h));
@@ -22,7 +22,7 @@ std::optional<Blocker> blocker_at(const Connectivity& mesh, Halfedge out, Vertex
   }
 }
 
-/// Merges the fans of two boundary vertices and returns the survivor.
+/// Merges the fans of two boundary vertices, and marks the vertex of the higher handle deleted. Returns: the other.
 Vertex merge(Connectivity& mesh, Vertex a, Vertex b) {
   if (a == b) return a;
   const Vertex survivor = a.idx() < b.idx() ? a : b;
@@ -91,7 +91,7 @@ GlueEffect glue_links(Connectivity& mesh, Halfedge first, Halfedge second, GlueC
   mesh.set_next_halfedge_handle(inner_before, first);
   mesh.set_next_halfedge_handle(first, inner_after);
 
-  // The boundary passes by the glued edge at each end, unless the curve closes there.
+  // At each end, the boundary passes the glued edge, unless the curve closes there.
   if (after_first == second) {
     mesh.set_halfedge_handle(end, mesh.opposite_halfedge_handle(first));
   } else {

@@ -1,6 +1,6 @@
 // What:   adds a triangle and glues up to three of its sides to boundary edges, in one step.
-// Law:    insert_triangle() leaves the same live mesh as create_triangle() followed by a glue() for each given side, up
-//         to handles, without the elements that these glues delete. A front attaches every triangle in this way.
+// Law:    insert_triangle() leaves the same live mesh, up to handles, as create_triangle() followed by a glue() for
+//         each given side, without the elements that glue() marks deleted. A front attaches every triangle in this way.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003), attach cases.
 #pragma once
 
@@ -14,23 +14,23 @@ namespace meshops {
 
 /// Place of a triangle in a mesh. Side i runs from corner i to corner i + 1, modulo 3.
 struct TriangleSides {
-  /// The boundary halfedge that becomes this side, or an invalid handle for a new edge.
+  /// For each side, the boundary halfedge that becomes the side, or an invalid handle for a new edge.
   std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};
-  /// The isolated vertex for a corner between two new sides. Not read for other corners.
+  /// For each corner between two new sides, an isolated vertex. The entries of other corners are not read.
   std::array<Vertex, 3> corner = {Vertex(), Vertex(), Vertex()};
 };
 
 struct InsertedTriangle {
   Face face{};
-  /// The halfedges of the face, numbered as in TriangleSides; side 0 is the halfedge of the face.
+  /// The sides of the face, numbered as in TriangleSides. Side 0 is the halfedge of the face.
   std::array<Halfedge, 3> side = {Halfedge(), Halfedge(), Halfedge()};
   int merged = 0;  ///< number of vertices that were merged into others
-  /// First `merged` vertices: those merged into vertices of a lower handle, now isolated but not marked deleted.
+  /// In the first `merged` entries: the merged vertices. They are isolated, but not marked deleted.
   std::array<Vertex, 3> left_over = {Vertex(), Vertex(), Vertex()};
 };
 
-/// Source of new edges and faces for insert_triangle(), which adds each to the mesh when it is taken. A caller may pass
-/// another type with these two functions; edge() returns the halfedge `from` → `to`.
+/// Source of new edges and faces for insert_triangle(): each call adds one to the mesh. A caller may pass another type
+/// with the same two functions, where edge() returns the halfedge `from` → `to`.
 struct NewElements {
   Connectivity& mesh;
   Halfedge edge(Vertex from, Vertex to) { return mesh.new_edge(from, to); }
@@ -39,13 +39,13 @@ struct NewElements {
 
 namespace detail {
 
-/// Inserts a triangle whose given sides are known at compile time: bit i of `given` is set when side i is given.
+/// Inserts a triangle. `given` tells at compile time which sides are given: bit i is set if side i is given.
 template <unsigned given, typename Elements>
 InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sides, Elements& elements) {
   constexpr auto is_given = [](unsigned i) { return (given >> i & 1u) != 0; };
   constexpr auto previous = [](unsigned i) { return (i + 2) % 3; };
   InsertedTriangle result;
-  std::array<Halfedge, 3> before;  // boundary halfedges before and after each given side
+  std::array<Halfedge, 3> before;  // for each given side, the boundary halfedge before it; `after`: the one after it
   std::array<Halfedge, 3> after;
   std::array<Vertex, 3> corner;
   const auto for_each = [](auto visit) {
@@ -88,9 +88,9 @@ InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sid
   for_each([&](auto i) { mesh.set_face_handle(result.side[i], result.face); });
   mesh.set_halfedge_handle(result.face, result.side[0]);
 
-  // The boundary passes by corner i, unless sides i − 1 and i were neighbors on the boundary: then the corner closes.
+  // The boundary passes corner i unless sides i − 1 and i were neighbors on it: then the corner becomes inner.
   for_each([&](auto i) {
-    constexpr unsigned p = previous(i);  // side p ends at corner i, side i starts there
+    constexpr unsigned p = previous(i);  // side p ends at corner i, and side i starts there
     Halfedge in, out;
     if constexpr (is_given(i))
       in = before[i];
@@ -113,11 +113,11 @@ InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sid
 
 }  // namespace detail
 
-/// Inserts a triangle at `sides`. `elements` supplies the new edges and the face, as NewElements does. Where two given
-/// sides meet at a corner but end at two vertices, the vertex of the higher handle is merged into the lower one.
+/// Inserts a triangle at `sides`, with a face and the edges of sides that are not given from `elements`. If two given
+/// sides meet at a corner but end at two vertices, the vertex of the higher handle is merged into the other.
 /// Requires: the mesh is sound; given sides are distinct boundary halfedges; corners between two new sides are isolated
-///           vertices; no two corners become the same vertex; no edge joins two vertices that are merged. Not checked:
-///           this is the inner loop of every advancing front.
+///           vertices; no two corners become the same vertex; no edge joins two vertices that merge. Not checked: this
+///           is the inner loop of every advancing front.
 /// Cost:     constant, plus the degree of each vertex that is merged into another.
 template <typename Elements>
 InsertedTriangle insert_triangle(Connectivity& mesh, const TriangleSides& sides, Elements&& elements) {
@@ -144,7 +144,7 @@ InsertedTriangle insert_triangle(Connectivity& mesh, const TriangleSides& sides,
   }
 }
 
-/// Inserts a triangle at `sides`, with new edges and a new face from NewElements.
+/// Inserts a triangle at `sides`, with new edges and a new face of the mesh (NewElements).
 inline InsertedTriangle insert_triangle(Connectivity& mesh, const TriangleSides& sides) {
   return insert_triangle(mesh, sides, NewElements{mesh});
 }

@@ -5,8 +5,8 @@
 namespace meshops {
 namespace {
 
-/// Sets `fan` to the halfedges of a fan that leave its vertex, clockwise; `any` is one of them. An open fan begins with
-/// its boundary halfedge.
+/// Sets `fan` to the halfedges by which a fan leaves its vertex, clockwise; `any` is one of them. The first halfedge of
+/// an open fan is its boundary halfedge.
 void collect_fan(const Connectivity& mesh, Halfedge any, std::vector<Halfedge>& fan) {
   Halfedge first = any;
   while (!mesh.is_boundary(first)) {

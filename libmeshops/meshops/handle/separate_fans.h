@@ -1,5 +1,6 @@
-// What: makes a manifold of a mesh in which fans touch at vertices, as OpenMesh's add_face() and its readers leave it.
-// Law:  a mesh whose only defects are vertices with several fans has none afterwards; a sound mesh is not touched.
+// What: makes a manifold of a mesh in which several fans meet at vertices, which OpenMesh's add_face() and readers
+//       make.
+// Law:  a mesh whose only defects are vertices with several fans becomes sound; a sound mesh is not changed.
 #pragma once
 
 #include <vector>
@@ -9,11 +10,11 @@
 
 namespace meshops {
 
-/// Gives each fan at a vertex a vertex of its own. The fan with the least halfedge keeps the old vertex; each further
-/// fan gets a new vertex with copies of all properties, including the point.
-/// Returns:  for each new vertex, in order, the vertex of which it is a copy.
+/// Gives each fan at a vertex its own vertex. The fan with the least halfedge keeps the old vertex; each further fan
+/// gets a new vertex with copies of all properties of the old one, including the point.
+/// Returns:  for each new vertex, in ascending order of handles, the old vertex of which it is a copy.
 /// Requires: the only defects that validate() finds are vertices with several fans; not checked.
-/// Δ:        V +1 and χ +1 for each further fan. E and F stay.
+/// Δ:        V +1 and χ +1 for each further fan; E and F stay.
 /// Cost:     linear in the size of the mesh.
 MESHOPS_API std::vector<Vertex> separate_fans(Connectivity& mesh);
 

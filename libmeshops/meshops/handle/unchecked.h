@@ -1,6 +1,6 @@
-// What: the checks and the changes of glue() and unglue() as separate functions, for operators that check many glues
+// What: the checks and the changes of glue() and unglue() as separate functions, for operators that check several glues
 //       before the first change.
-// Law:  nothing is checked twice: functions that refuse change nothing, and functions that change check nothing.
+// Law:  functions that check change nothing, and functions that change check nothing; nothing is checked twice.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,22 @@
 
 namespace meshops::detail {
 
-/// Returns why two halfedges are not boundary halfedges, or nothing when both are.
+/// Returns why the two are not both live boundary halfedges, or nothing when they are.
 std::optional<Blocker> boundary_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
-/// Returns glue_blocker(), except that the mesh needs no status.
+/// Returns the reason of glue_blocker(), except that the mesh needs no status.
 std::optional<Blocker> glue_links_blocker(const Connectivity& mesh, Halfedge first, Halfedge second);
 /// Returns why two vertices cannot be merged, or nothing when they can. `out` and `other_out` are the boundary
-/// halfedges that leave the two vertices; if they are equal, there is one vertex, which stays.
+/// halfedges that leave the two vertices. If `out` equals `other_out`, there is only one vertex and nothing to merge.
 /// Cost: the degrees of both vertices.
 std::optional<Blocker> merge_blocker(const Connectivity& mesh, Halfedge out, Halfedge other_out);
 
-/// Returns the case of glue(). Requires: glue_links_blocker() is empty.
+/// Returns the case of glue() of the two halfedges. Requires: glue_links_blocker() is empty; not checked.
 GlueCase case_of_glue(const Connectivity& mesh, Halfedge first, Halfedge second);
 
-/// Glues. Requires: glue_links_blocker() is empty; the mesh has status of every kind; `what` is case_of_glue().
+/// Glues. Requires: glue_links_blocker() is empty; the mesh has status of every kind; `what` is case_of_glue(). Not
+/// checked.
 GlueEffect glue_links(Connectivity& mesh, Halfedge first, Halfedge second, GlueCase what);
-/// Unglues. Requires: unglue_blocker() is empty.
+/// Unglues. Requires: unglue_blocker() is empty; not checked.
 UnglueEffect unglue_links(Connectivity& mesh, Halfedge h);
 
 }  // namespace meshops::detail

@@ -12,13 +12,13 @@
 namespace meshops {
 namespace {
 
-/// One end of the edge to be unglued, and the boundary halfedges through it, if there are any.
+/// One end of the edge to unglue, and the boundary halfedges at this end, if there are any.
 struct End {
   Vertex vertex;
   Halfedge before, after;  // boundary halfedges into the vertex and out of it
   bool on_boundary;
 
-  /// Reads the end at `v`. Requires: `v` has one fan.
+  /// Reads the end at `v`. Requires: `v` has one fan; not checked.
   End(const Connectivity& mesh, Vertex v) : vertex(v), on_boundary(mesh.is_boundary(v)) {
     if (!on_boundary) return;
     after = mesh.halfedge_handle(v);
@@ -26,7 +26,7 @@ struct End {
   }
 };
 
-/// The elements after the split: the second edge, and for each end the vertices of its two fans.
+/// Elements after the split: the second edge, and for each end of the edge the vertices of its two fans.
 struct Parts {
   Halfedge second;
   GlueEffect::Ends first_ends;
@@ -34,7 +34,7 @@ struct Parts {
 };
 
 /// Splits the edge of `first`; changes only records. Requires: every element of `parts` is live, and no record refers
-/// to the edge of `parts.second` yet.
+/// to the edge of `parts.second` yet; not checked.
 void part(Connectivity& mesh, Halfedge first, const End& start, const End& end, const Parts& parts) {
   const Halfedge second = parts.second, inner = mesh.opposite_halfedge_handle(second);
   const Halfedge before = mesh.prev_halfedge_handle(first), after = mesh.next_halfedge_handle(first);
@@ -50,7 +50,7 @@ void part(Connectivity& mesh, Halfedge first, const End& start, const End& end, 
   mesh.set_boundary(first);
   mesh.set_boundary(second);
 
-  // At a boundary end, the boundary passes through the gap instead of past the edge; at an inner end, the gap begins.
+  // At a boundary end, the boundary passes through the gap instead of along the edge; at an inner end, the gap begins.
   if (start.on_boundary) {
     mesh.set_next_halfedge_handle(start.before, first);
     mesh.set_next_halfedge_handle(second, start.after);
@@ -146,7 +146,7 @@ UnglueEffect unglue(Connectivity& mesh, const GlueEffect& effect) {
   const auto is_dead = [&](auto element, std::size_t count) {
     return element.is_valid() && static_cast<std::size_t>(element.idx()) < count && !is_live(mesh, element);
   };
-  /// Returns the vertex that glue() marked deleted at an end; an invalid handle when it merged none there.
+  /// Returns the vertex that glue() marked deleted at an end, or an invalid handle if it merged none there.
   const auto deleted_at = [](Vertex a, Vertex b) { return a == b ? Vertex() : std::max(a, b); };
   const auto fits = [&](const End& at, Vertex a, Vertex b) {
     const Vertex gone = deleted_at(a, b);

@@ -26,7 +26,7 @@ std::optional<Blocker> zip_curves_blocker(const Connectivity& mesh, Halfedge fir
   if (on_same_curve(mesh, first, second)) return Blocker(BlockerKind::same_curve, second);
   if (const std::size_t edges = length_of_curve(mesh, second); edges != length_of_curve(mesh, first))
     return Blocker(BlockerKind::curve_length, second, static_cast<int>(edges));
-  // Each vertex of one curve merges with one vertex of the other, so that checking every pair beforehand covers all.
+  // Each vertex of one curve merges with one vertex of the other, so that a check of every pair beforehand is complete.
   Halfedge h = first, g = second;
   do {
     if (const auto reason = detail::merge_blocker(mesh, h, mesh.next_halfedge_handle(g))) return reason;

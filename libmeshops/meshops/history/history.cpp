@@ -30,8 +30,8 @@ std::vector<Vertex> corners_of(const Connectivity& mesh, Face f) {
   return corners;
 }
 
-/// Undoes destroy_triangle(). All records except the halfedges of the corners are as they were; the halfedge of a
-/// corner is the only boundary halfedge that leaves the corner.
+/// Undoes destroy_triangle(), which changed no record of the triangle except the halfedges of its corners. The halfedge
+/// of a corner was the only boundary halfedge that leaves the corner.
 void revive(Connectivity& mesh, Face f) {
   mesh.status(f).set_deleted(false);
   for (const Halfedge side : sides_of(mesh, f)) {
@@ -90,7 +90,7 @@ ZipCurvesEffect History::zip_curves(Halfedge first, Halfedge second) {
 
 GlueEffect History::glue(Halfedge first, Halfedge second) {
   return perform<GlueEffect>([this, first, second] {
-    // A vertex that glue() marks deleted becomes isolated, and unglue() finds the halfedge that it had.
+    // glue() isolates the vertices that it marks deleted; unglue() finds the halfedges that these vertices had.
     const GlueEffect effect = meshops::glue(mesh_, first, second);
     return std::pair(effect, [this, effect] { meshops::unglue(mesh_, effect); });
   });
@@ -167,7 +167,7 @@ RemoveDiagonalEffect History::remove_diagonal(Halfedge h) {
     const Undo name = named_again({mesh_.from_vertex_handle(h), mesh_.to_vertex_handle(h)});
     const RemoveDiagonalEffect effect = meshops::remove_diagonal(mesh_, h);
     return std::pair(effect, [this, effect, h, o, named, before, name] {
-      // The diagonal and its face have their old records; the neighboring sides are linked past the diagonal.
+      // The diagonal and its face still have their old records. The neighboring sides are linked past the diagonal.
       revive(mesh_, effect.edge);
       mesh_.status(effect.face).set_deleted(false);
       mesh_.set_next_halfedge_handle(before[0], h);
@@ -208,7 +208,7 @@ History::Undo History::undo_of_weld(const WeldEffect& effect) {
   return [this, effect] { meshops::undo(mesh_, effect); };
 }
 
-/// Returns a function that sets the halfedges of the vertices back to the present ones.
+/// Returns a function that sets the halfedges of the given vertices to their values at this call.
 History::Undo History::named_again(std::vector<Vertex> vertices) const {
   std::vector<Halfedge> named;
   for (const Vertex v : vertices) named.push_back(mesh_.halfedge_handle(v));
@@ -234,7 +234,7 @@ void History::undo() {
   require_own();
   Step& step = done_.back();
   step.back();
-  // The elements that the step added are dead now, and no live element follows them.
+  // The elements that the step added are deleted now, and no live element follows them.
   mesh_.resize(step.before.vertices, step.before.edges, step.before.faces);
   undone_.push_back(std::move(step));
   done_.pop_back();

@@ -1,9 +1,9 @@
-// What: an undo stack over handle and stellar operators: it performs, undoes and redoes them.
-// Law:  after undo() of a step, every record of the mesh, including those of elements marked deleted, is as it was
-//       before the step, and the elements that the step added are gone. After redo(), every record is as it was after
-//       the step. So any sequence of steps, all undone, is the identity.
-// Cost: undo() and redo() cost as much as the operator. A step keeps a few handles; for a seam or for the sides of a
-//       face, a few for each edge.
+// What: an undo stack over handle and stellar operators, which performs, undoes and redoes them as steps.
+// Law:  undo() of a step restores every record of the mesh, including records of elements marked deleted, and removes
+//       the elements that the step added. redo() of the step restores every record after the step. So any sequence of
+//       steps that are all undone is the identity.
+// Cost: undo() and redo() cost as much as the operator. A step keeps a few handles; for a seam, or for the sides of a
+//       face, a few handles for each edge.
 #pragma once
 
 #include <cstddef>
@@ -34,17 +34,17 @@
 
 namespace meshops {
 
-/// History of operators on one mesh. Each operator member performs the operator of its name as one step and returns the
-/// operator's result. To undo several steps at once, keep the value of steps() and call
-/// undo_to() with it later. undo() does not restore properties that hooks or other code wrote to old elements. redo()
-/// makes the same elements with the same handles, and calls hooks of splits again for them. Arguments are kept as
-/// copies: of the caller's objects, the history needs only the mesh and those to which hooks refer.
-/// A history can be neither copied nor moved: its steps refer to it.
+/// History of operators on one mesh. Each member with the name of an operator performs the operator as one step, and
+/// returns the operator's result. To undo several steps together, keep the value of steps(), and pass it to undo_to()
+/// later. undo() does not restore properties that hooks or other code wrote to old elements. redo() makes the same
+/// elements with the same handles, and calls the hooks of splits again. The history keeps copies of arguments; only the
+/// mesh and the objects to which hooks refer must continue to exist. A history can be neither copied nor moved, because
+/// its steps refer to it.
 /// Requires: the mesh outlives the history and is sound; no other code changes the links of the mesh. Not checked.
-/// Throws:   ContractViolation when the mesh lacks status of some kind, when the operator refuses (its blocker has the
-///           reason), and when other code has added elements since the last step or collected garbage; other changes of
-///           links are not noticed. What a hook or a weight throws. The history is then unchanged, and so is the mesh,
-///           except as split_hooks.h says.
+/// Throws:   ContractViolation if the mesh lacks status of some kind, if the operator refuses (its blocker has the
+///           reason), or if other code has added elements or collected garbage since the last step; other changes of
+///           links are not noticed. Also throws whatever a hook or a weight throws. The history is then unchanged, and
+///           so is the mesh, except as split_hooks.h says.
 class MESHOPS_API History {
  public:
   /// Begins a history without steps. Keeps a reference to the mesh.
@@ -72,7 +72,7 @@ class MESHOPS_API History {
   SplitFaceEffect split_face(Face f);
   SplitVertexEffect split_vertex(std::optional<Halfedge> left, std::optional<Halfedge> right,
                                  Keep keep = Keep::simplicial);
-  /// Triangulates with a copy of the weight, which redo() calls again: the weight must then return the same values.
+  /// Triangulates with a copy of the weight. redo() calls the copy again, which must then return the same values.
   template <TriangleWeight Weight>
   TriangulateFaceEffect triangulate_face(Face f, Weight weight, Keep keep = Keep::simplicial) {
     return perform<TriangulateFaceEffect>([this, f, weight, keep] {
@@ -81,8 +81,8 @@ class MESHOPS_API History {
       return std::pair(std::move(effect), std::move(undo));
     });
   }
-  /// Splits with a hook (split_hooks.h), by default PlaceVertex: split_edge(mesh, h, CarryOver()). A copy of the hook
-  /// is kept, and called again by redo(): objects to which the hook refers must still exist then.
+  /// Splits with a hook (split_hooks.h), by default PlaceVertex, for example split_edge(mesh, h, CarryOver()). The
+  /// history keeps a copy of the hook, which redo() calls again; objects to which it refers must still exist then.
   /// Requires: `mesh` is the mesh of the history. Throws ContractViolation.
   template <typename Mesh, SplitHook<Mesh, SplitEdgeEffect> Hook = PlaceVertex>
   SplitEdgeEffect split_edge(Mesh& mesh, Halfedge h, Hook hook = {}, Keep keep = Keep::simplicial) {
@@ -102,13 +102,13 @@ class MESHOPS_API History {
 
   /// Returns the number of steps that undo() can undo.
   std::size_t steps() const { return done_.size(); }
-  /// Returns the number of steps that redo() can redo: 0 after a new step.
+  /// Returns the number of steps that redo() can redo; 0 after a new step.
   std::size_t undone_steps() const { return undone_.size(); }
-  /// Undoes the last step. Requires: steps() > 0. Throws ContractViolation.
+  /// Undoes the last step. Requires: steps() > 0. Throws ContractViolation otherwise.
   void undo();
-  /// Performs again the step that was undone last. Requires: undone_steps() > 0. Throws ContractViolation.
+  /// Performs the step that was undone last again. Requires: undone_steps() > 0. Throws ContractViolation otherwise.
   void redo();
-  /// Undoes steps until `steps` are left. Requires: steps() ≥ `steps`. Throws ContractViolation.
+  /// Undoes steps until `steps` steps are left. Requires: steps() ≥ `steps`. Throws ContractViolation otherwise.
   void undo_to(std::size_t steps);
 
  private:
@@ -119,7 +119,7 @@ class MESHOPS_API History {
     ElementCounts before, after;
   };
 
-  /// Performs one split by `operate`, which holds copies of all that it needs, because redo() calls it again.
+  /// Performs one split by `operate`, which must hold copies of its arguments, because redo() calls it again.
   template <typename Operate>
   auto split(Operate operate) {
     using Effect = decltype(operate());
@@ -142,7 +142,7 @@ class MESHOPS_API History {
         {[perform]() mutable { return Undo(perform().second); }, std::move(back), before, ElementCounts::of(mesh_)});
     return effect;
   }
-  /// Performs a step by an operator that returns a WeldEffect.
+  /// Performs one step by `operate`, an operator that returns a WeldEffect.
   template <typename Operate>
   auto weld(Operate operate) {
     using Effect = decltype(operate());

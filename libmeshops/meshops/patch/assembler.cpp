@@ -8,8 +8,8 @@
 namespace meshops {
 namespace {
 
-constexpr std::size_t edges_at_a_time = 16;  // by how many edges the mesh grows at the rim
-constexpr std::size_t ahead = 8;             // memory is prefetched this many sides ahead
+constexpr std::size_t edges_at_a_time = 16;  // number of edges by which the mesh grows at the rim
+constexpr std::size_t ahead = 8;             // number of sides by which prefetching is ahead
 
 std::size_t index(int side) { return static_cast<std::size_t>(side); }
 
@@ -18,7 +18,7 @@ int last_in_triangle(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
 Vertex vertex_of(Site s) { return Vertex(static_cast<int>(s)); }
 Site from(const Patch& patch, int side) { return patch.triangles[index(side) / 3][index(side) % 3]; }
 
-/// Returns a if `is_a`, else b, without a branch.
+/// Returns `a` if `is_a` is true, otherwise `b`, without a branch.
 int either(int a, int b, bool is_a) { return b ^ ((a ^ b) & -static_cast<int>(is_a)); }
 
 }  // namespace
@@ -70,14 +70,14 @@ void PatchAssembler::place(const Patch& patch, const Outline& outline, Placement
   }
 }
 
-/// Returns the handle of a further vertex on site `s`, which join() makes. The boundary halfedge `into` ends there.
+/// Returns the handle of a further vertex on site `s`, at which the boundary halfedge `into` ends. join() makes it.
 Vertex PatchAssembler::further_vertex(Site s, Halfedge into) {
   holes_.into.push_back(into);
   return vertices_.announce(s);
 }
 
-/// Gives the edges of holes their numbers, and the fans between them their vertices: the first fan on a site gets the
-/// vertex of the site.
+/// Gives numbers to the edges of holes, and vertices to the fans between them: the first fan on a site gets the vertex
+/// of the site, each other fan a further vertex.
 void PatchAssembler::place_holes(const Patch& patch, const Outline& outline, Placement& placement) {
   const std::size_t count = outline.holes.size();
   const auto first = static_cast<int>(edges_);
@@ -115,8 +115,8 @@ void PatchAssembler::fill(const Patch& patch, const Outline& outline, Placement&
     const auto across = patch.across[t];
     const Face face(placement.first_face_ + static_cast<int>(t));
     std::array<Halfedge, 3> h;
-    // Each side stores its halfedge for the side across. Only the first of the two needs to, but which one is first
-    // cannot be predicted.
+    // Each side stores its halfedge for the side across. Only the first of the two sides needs to do this, but which
+    // side is first cannot be predicted.
     for (unsigned i = 0; i < 3; ++i, ++side) {
       const bool comes_first = side < across[i];
       h[i] = Halfedge(either(next, placement.at(side).idx(), comes_first));
@@ -169,8 +169,8 @@ void PatchAssembler::lay(const Patch& patch, const Outline& outline) {
   fill(patch, outline, placement_);
 }
 
-/// Returns the boundary halfedge that leaves the end of `boundary`, on the other side of the same fan. All fans at this
-/// end still share one vertex.
+/// Returns the boundary halfedge that leaves the end of `boundary`, on the other side of the same fan. Requires: all
+/// fans at this end still share one vertex.
 Halfedge PatchAssembler::next_on_boundary(Halfedge boundary) const {
   Halfedge out = mesh_.opposite_halfedge_handle(boundary);
   do out = mesh_.opposite_halfedge_handle(mesh_.prev_halfedge_handle(out));
@@ -178,7 +178,7 @@ Halfedge PatchAssembler::next_on_boundary(Halfedge boundary) const {
   return out;
 }
 
-/// Closes the boundary around a fan whose halfedges still end at the vertex of the site.
+/// Links the boundary around a fan, and gives the fan a vertex: that of the site if it is free, else a further vertex.
 void PatchAssembler::close_fan(Halfedge boundary) {
   const Halfedge out = next_on_boundary(boundary);
   mesh_.set_next_halfedge_handle(boundary, out);
@@ -187,7 +187,7 @@ void PatchAssembler::close_fan(Halfedge boundary) {
     mesh_.set_halfedge_handle(site, out);
     return;
   }
-  // The vertex of the site has a fan already.
+  // The vertex of the site belongs to another fan already.
   const Vertex own = further_vertex(static_cast<Site>(site.idx()), boundary);
   mesh_.set_vertex_handle(boundary, own);
   for (Halfedge h = mesh_.opposite_halfedge_handle(boundary); h != out;) {
@@ -206,7 +206,7 @@ AssembledPatches PatchAssembler::join() && {
     open.push_back(rim.boundary);
   });
   rims_.end();
-  // The mesh grew by several edges at a time: the edges that are not in use are removed.
+  // The mesh grew by several edges at a time, so that unused edges must be removed.
   const std::size_t first_further = vertices_.vertices() - holes_.into.size();
   mesh_.resize(vertices_.vertices(), edges_, faces_);
   for (std::size_t i = 0; i < holes_.into.size(); ++i)

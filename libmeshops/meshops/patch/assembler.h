@@ -1,9 +1,9 @@
-// What:   makes a mesh of patches of triangles: gluing in bulk.
+// What:   makes a mesh of patches of triangles, which it glues together in bulk.
 // Law:    the mesh equals, up to handles, the mesh that Front::create() makes of the same triangles.
-// How:    place() gives one patch after another its place, and decides all that depends on other patches; fill() writes
-//         the rest, nearly all of the work, and can run in parallel. Three phases, each with a type: PatchAssembler
-//         lays patches, join() returns AssembledPatches, and these become a mesh or a Front.
-// Cost:   linear; about the time it takes to write the mesh.
+// How:    place() is called for one patch after another, and decides everything that depends on other patches. fill()
+//         writes the rest of a patch, nearly all of the work, and can run in parallel. PatchAssembler lays patches;
+//         join() returns AssembledPatches, which becomes a complete mesh or a Front.
+// Cost:   linear in the mesh; about the time that it takes to write the mesh.
 // Source: docs/explanation/architecture.md, section 10.
 #pragma once
 
@@ -22,61 +22,59 @@
 
 namespace meshops {
 
-/// Builds a mesh of patches, which are laid in any order. An open side of a patch is glued to the open side of another
-/// patch that runs between the same sites in the opposite direction.
-/// Requires: the triangles of all patches form an oriented complex, and their corners are below the number of sites;
-///           a side is marked `nothing` only if no patch has a triangle across; a site around which triangles close has
-///           no other fan, as is always the case in the plane; no other code changes the mesh until join(). Not
-///           checked.
+/// Builder of a mesh from patches, which may be laid in any order. An open side of a patch is glued to the open side of
+/// another patch that runs between the same sites in the opposite direction.
+/// Requires: the triangles of all patches form an oriented complex; their corners are below the number of sites; a side
+///           is marked Patch::nothing only if no patch has a triangle across it; a site around which triangles close
+///           has no other fan, as always in the plane; no other code changes the mesh until join(). Not checked.
 class MESHOPS_API PatchAssembler {
  public:
-  /// Adds `sites` isolated vertices to an empty mesh, vertex i on site i. Keeps a reference to the mesh.
+  /// Adds `sites` isolated vertices to a mesh without vertices, vertex i on site i. Keeps a reference to the mesh.
   /// Requires: the mesh has no vertices. Throws ContractViolation.
   PatchAssembler(Connectivity& mesh, std::size_t sites);
 
-  /// Returns the number of faces laid so far.
+  /// Returns the number of faces of all patches that were placed.
   std::size_t faces() const { return faces_; }
 
-  /// Lays a patch. Throws ContractViolation when survey() does; the mesh is then unchanged. Cost: linear in the patch.
+  /// Lays a patch. Throws ContractViolation if survey() does; the mesh is then unchanged. Cost: linear in the patch.
   void lay(const Patch& patch);
-  /// Lays a patch whose outline is known. Requires and throws as place(). Cost: linear in the patch.
+  /// Lays a patch whose outline is known. Requires and throws as place() does. Cost: linear in the patch.
   void lay(const Patch& patch, const Outline& outline);
 
-  // Threads can share the work of lay(): survey() computes the outline of a patch, unless the caller knows it; place()
-  // gives the patch its place; fill() writes its triangles. place() is called for one patch after another, in the order
-  // in which elements are to be numbered. Surveys and fills may run in parallel with each other and with place(),
-  // provided that reserve() made room for all patches.
+  // Threads can share the work of lay(): survey() computes the outline of a patch, unless the caller knows the outline;
+  // place() decides the place of the patch in the mesh; fill() writes its triangles. place() is called for one patch
+  // after another, in the order in which elements are to be numbered. If reserve() made room for all patches, calls of
+  // survey() and fill() may run in parallel with each other and with place().
 
-  /// Reserves memory for a mesh of `edges` edges and `faces` faces, those of the patches laid before included.
+  /// Reserves memory for a mesh of `edges` edges and `faces` faces, including those of patches laid before.
   void reserve(std::size_t edges, std::size_t faces);
-  /// Decides the place of a patch, and writes it to `placement`.
-  /// Requires: `outline` is what survey() computes of `patch`. Of this, only the numbers of sides are checked: throws
-  ///           ContractViolation when they differ; the mesh is then unchanged.
-  /// Cost:     linear in the sides at the rim and at the holes of the patch.
+  /// Decides the place of a patch, and writes the place to `placement`.
+  /// Requires: `outline` is the outline that survey() computes of `patch`. Only the numbers of sides are checked: if
+  ///           they differ, throws ContractViolation; the mesh is then unchanged.
+  /// Cost:     linear in the number of sides at the rim and at the holes of the patch.
   void place(const Patch& patch, const Outline& outline, Placement& placement);
-  /// Writes the triangles of a patch; `placement` can then serve another patch.
+  /// Writes the triangles of a patch. Afterwards, `placement` can serve another patch.
   /// Requires: place() was called with the same arguments. Not checked. Cost: linear in the patch.
   void fill(const Patch& patch, const Outline& outline, Placement& placement);
 
-  /// Ends the laying of patches: every fan gets a vertex of its own, and sides to which nothing was glued become
+  /// Ends the laying of patches: gives every fan its own vertex, and makes the sides to which no side was glued
   /// boundary halfedges. The mesh is sound afterwards.
-  /// Requires: every patch that was placed has been filled. Not checked.
-  /// Cost: linear in the open sides of all patches, the fans at them, and all further fans beyond the first at each
-  ///       site.
+  /// Requires: fill() was called for every patch that place() placed. Not checked.
+  /// Cost: linear in the open sides of all patches, the fans at these sides, and the further fans of each site.
   AssembledPatches join() &&;
 
  private:
-  /// Side of a patch on whose other side nothing lies yet.
+  /// Open side of a patch to which no other patch has been glued yet.
   struct Rim {
     Halfedge boundary;
     Site to;  // the end of the halfedge
   };
-  /// The sides of patches beyond which nothing lies.
+  /// Data on the sides of patches that are marked Patch::nothing.
   struct Holes {
-    std::vector<std::array<int, 2>> edges;  // ranges: the first edge, and one past the last
-    std::vector<bool> has_vertex;           // for each site, whether a fan between holes uses its vertex
-    std::vector<Halfedge> into;             // for each further vertex, a boundary halfedge that ends there
-    std::vector<Halfedge> loose;            // boundary halfedges whose successor another patch decides
+    std::vector<std::array<int, 2>> edges;  // ranges [first, end) of edges
+    std::vector<bool> has_vertex;           // for each site, whether a fan between holes uses the vertex of the site
+    std::vector<Halfedge> into;             // for each further vertex, a boundary halfedge that ends at the vertex
+    std::vector<Halfedge> loose;            // boundary halfedges whose next boundary halfedge depends on another patch
   };
   void place_holes(const Patch& patch, const Outline& outline, Placement& placement);
   void fill_holes(const Patch& patch, const Outline& outline, Placement& placement);
@@ -88,9 +86,9 @@ class MESHOPS_API PatchAssembler {
   SiteVertices vertices_;
   std::size_t edges_ = 0;  // number of edges in use; the mesh may have more
   std::size_t faces_ = 0;
-  Seams<Rim> rims_;  // each listed at the site that its boundary halfedge leaves
+  Seams<Rim> rims_;  // each side is listed at the site where its boundary halfedge starts
   Holes holes_;
-  Outline outline_;  // outline of the patch being laid
+  Outline outline_;  // outline of the patch that lay() is laying
   Placement placement_;
 };
 

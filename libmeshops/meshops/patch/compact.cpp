@@ -8,8 +8,8 @@ namespace meshops {
 namespace {
 
 /// Moves the vertices from `first` to `end` to their new numbers. A vertex without triangles has the number of the next
-/// one, which then overwrites it: this avoids a branch that would be mispredicted. Only deleted edges refer to vertices
-/// from `end` on.
+/// vertex, which then overwrites it; this avoids a branch that would be mispredicted. Only deleted edges refer to
+/// vertices from `end` on.
 void renumber(Connectivity& mesh, std::size_t edges, std::size_t first, std::size_t end,
               const std::vector<int>& number) {
   for (auto property = mesh.vprops_begin(); property != mesh.vprops_end(); ++property) {
@@ -30,8 +30,8 @@ std::vector<Site> detail::compact(Connectivity& mesh, const SiteVertices& vertic
                                   std::size_t faces) {
   const auto is_unused = [&](std::size_t i) { return mesh.is_isolated(Vertex(static_cast<int>(i))); };
   const auto site = [&](std::size_t i) { return vertices.site(Vertex(static_cast<int>(i))); };
-  // Vertices of fans that were merged into others are often at the end: if no other vertices are unused, none needs a
-  // new number.
+  // Vertices of fans that were merged into others are often at the end. If all unused vertices are at the end, no
+  // vertex needs a new number.
   std::size_t end = mesh.n_vertices(), left = 0;
   while (end > 0 && is_unused(end - 1)) --end;
   std::vector<Site> site_of(end);

@@ -12,9 +12,9 @@ namespace meshops::detail {
 /// Removes the vertices without triangles and renumbers the others, which keep their order and properties. Also removes
 /// the edges from number `edges` on and the faces from number `faces` on.
 /// Returns:     the site of each remaining vertex.
-/// Requires:    these edges and faces are unused.
+/// Requires:    the removed edges and faces are unused; not checked.
 /// Invalidates: `vertices`, which has the old numbers.
-/// Cost:        linear; small if only the last vertices are to be removed.
+/// Cost:        linear in the mesh; small if only the last vertices are removed.
 std::vector<Site> compact(Connectivity& mesh, const SiteVertices& vertices, std::size_t edges, std::size_t faces);
 
 }  // namespace meshops::detail

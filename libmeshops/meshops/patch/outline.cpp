@@ -11,7 +11,7 @@
 namespace meshops {
 namespace {
 
-/// Returns the side of the same triangle that ends where `side` begins.
+/// Returns the side of the same triangle that ends at the start of `side`.
 int last(int side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
 class Surveyor {
@@ -41,8 +41,8 @@ class Surveyor {
   int across(int side) const { return across_[side]; }
   bool comes_first(int side) const { return side < across(side); }
 
-  /// Walks over the sides that leave the start of `side`, and marks them as seen. If the triangles there close, returns
-  /// the greatest of these sides that come first (comes_first()); otherwise, or if it meets a seen side, nothing.
+  /// Walks over the sides that leave the start of `side`, and marks them as seen. If the triangles at that start close,
+  /// returns the greatest of the sides for which comes_first() is true. Otherwise, or at a seen side, returns nothing.
   std::optional<int> last_inside(int side) {
     int found = -1;
     for (int out = side; out >= 0 && !seen_[static_cast<std::size_t>(out)];) {
@@ -53,13 +53,13 @@ class Surveyor {
     }
     return std::nullopt;
   }
-  /// Returns the next side that leaves the same site; a negative number past the last.
+  /// Returns the next side that leaves the same site; a negative number if there is none.
   int next_out(int side) const { return across(last(side)); }
 
   static_assert(sizeof(std::array<int, 3>) == 3 * sizeof(int));
-  const int* across_;  // of each side
+  const int* across_;  // the entries of Patch::across, one for each side
   int sides_;
-  std::vector<std::uint8_t> seen_;  // for each side that is not at the rim
+  std::vector<std::uint8_t> seen_;  // for each side, whether last_inside() has passed it
 };
 
 }  // namespace

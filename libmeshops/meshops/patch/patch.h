@@ -1,4 +1,4 @@
-// What: triangles that were found together, with their adjacency: the input of PatchAssembler.
+// What: a patch: triangles that were found together, with their adjacency; the input of PatchAssembler.
 #pragma once
 
 #include <array>
@@ -8,11 +8,11 @@
 
 namespace meshops {
 
-/// Triangles of a complex. Side i of a triangle runs from its corner i to corner i + 1; as a side of the patch it has
-/// the number 3 · triangle + i.
+/// Triangles of a complex. Side i of a triangle runs from its corner i to corner i + 1, modulo 3. The number of the
+/// side in the patch is 3 · triangle + i.
 struct Patch {
-  static constexpr int open = -1;     ///< a triangle of another patch may lie across
-  static constexpr int nothing = -2;  ///< no patch has a triangle across; a Front freezes the side
+  static constexpr int open = -1;     ///< a triangle of another patch may lie across the side
+  static constexpr int nothing = -2;  ///< no patch has a triangle across the side; a Front freezes the side
 
   std::vector<std::array<Site, 3>> triangles;  ///< the corners of each triangle, counter-clockwise
   /// For each triangle and each of its sides: the number of the side across the edge, or `open` or `nothing`.

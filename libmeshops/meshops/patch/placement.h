@@ -1,6 +1,6 @@
-// What: the place of a patch in the mesh, which PatchAssembler::place() decides and fill() reads.
-// Why:  only the rim of a patch depends on other patches. All the rest, which is nearly everything, can be written by
-//       another thread while the next patch is placed.
+// What: the place of a patch in the mesh, which PatchAssembler::place() decides and PatchAssembler::fill() reads.
+// Why:  only the rim of a patch depends on other patches. While the next patch is placed, another thread can write
+//       everything else, which is nearly all of the patch.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace meshops {
 
-/// Place of one patch, from its place() until its fill(). Only PatchAssembler reads it.
+/// Place of one patch, used from its place() until its fill(). Only PatchAssembler reads the members.
 class Placement {
   friend class PatchAssembler;
 
@@ -19,14 +19,14 @@ class Placement {
     sides += static_cast<std::size_t>(-Patch::nothing);
     if (of_side_.size() < sides) of_side_.resize(sides);
   }
-  /// Returns the entry of a side, the halfedge that the side gets, or of `open` or `nothing`, which receive values that
-  /// nobody reads. place() sets the entries of sides at the rim; fill() sets the entries of holes, and of the side
-  /// across each side that it fills.
+  /// Returns the entry of a side: the halfedge that the side gets. Patch::open and Patch::nothing have entries, too,
+  /// which are written but never read. place() sets the entries of sides at the rim. fill() sets the entries of holes,
+  /// and for each side that it fills the entry of the side across.
   Halfedge& at(int side) { return *(of_side_.data() - Patch::nothing + side); }
 
   int first_face_ = 0, first_edge_ = 0, first_hole_ = 0;
-  std::vector<Vertex> of_fan_;     // for each hole, the vertex between it and the next; invalid where join() decides
-  std::vector<Halfedge> of_side_;  // the entries of sides follow two entries for `open` and `nothing`
+  std::vector<Vertex> of_fan_;     // for each hole, the vertex between its edge and the next; invalid if join() decides
+  std::vector<Halfedge> of_side_;  // the first two entries are those of Patch::nothing and Patch::open
 };
 
 }  // namespace meshops

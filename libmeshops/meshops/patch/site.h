@@ -5,8 +5,8 @@
 
 namespace meshops {
 
-/// Index of a point of the user, from 0. Where a complex touches itself in a point, several vertices stand on one site,
-/// one for each fan of faces: this keeps every front curve a simple closed curve.
+/// Index of a point of the user, from 0. If a complex touches itself in a point, several vertices stand on one site,
+/// one for each fan of faces, so that every front curve is a simple closed curve.
 using Site = std::uint32_t;
 
 }  // namespace meshops

@@ -18,7 +18,7 @@ SiteVertices::SiteVertices(Connectivity& mesh, std::span<const Site> site_of) : 
     if (!is_live(mesh, vertex(static_cast<int>(i)))) continue;
     while (sites() <= site_of[i]) add_site();
   }
-  // Backwards from the last vertex, so that a list begins with its least vertex.
+  // The loop runs backward, so that each list begins with its least vertex.
   for (int i = static_cast<int>(site_of.size()); i-- > 0;)
     if (is_live(mesh, vertex(i)) && !mesh.is_isolated(vertex(i))) list(i);
   for (int i = 0; i < static_cast<int>(site_of.size()); ++i) {
@@ -36,7 +36,7 @@ Site SiteVertices::add_site() {
 
 void SiteVertices::clear() {
   first_ = 0;
-  // Assigning {} would empty the vector but keep its memory.
+  // An assignment of {} would empty the vector but keep its memory.
   further_ = std::vector<Further>();
   listed_at_first_ = std::vector<int>();
   listed_ = std::vector<int>();

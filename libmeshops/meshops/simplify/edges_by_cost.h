@@ -1,6 +1,6 @@
-// What: the edges of a mesh that wait for their collapse, the least cost first, of equal costs the least keys of ends.
-// Law:  an edge waits at most once; entries that were superseded are stale and are skipped.
-// Cost: a logarithm for each entry; memory for at most three entries per edge.
+// What: the edges of a mesh that wait for their collapse: the least cost comes first, then the least keys of the ends.
+// Law:  an edge waits at most once. Entries that were superseded are stale, and are skipped.
+// Cost: logarithmic time for each entry; memory for about three entries for each edge.
 #pragma once
 
 #include <algorithm>
@@ -21,10 +21,10 @@ class EdgesByCost {
  public:
   struct Entry {
     double cost;
-    Key least, greatest;  // of the keys of the ends
+    Key least, greatest;  // keys of the ends
     Edge edge;
     std::uint32_t age;
-    /// Returns whether a comes after b, as heaps of the standard library need it.
+    /// Returns whether a comes after b, because the heaps of the standard library begin with the greatest element.
     friend bool operator<(const Entry& a, const Entry& b) {
       return std::tie(b.cost, b.least, b.greatest, b.edge) < std::tie(a.cost, a.least, a.greatest, a.edge);
     }
@@ -33,7 +33,7 @@ class EdgesByCost {
   explicit EdgesByCost(std::size_t edges) : age_(edges, 0), state_(edges, State::absent) { heap_.reserve(edges); }
 
   bool waits(Edge e) const { return state_[index(e)] != State::absent; }
-  /// Makes the edge wait with this cost and keys, whatever it waited with before.
+  /// Makes the edge wait with this cost and these keys, in place of any earlier cost and keys.
   void push(Edge e, double cost, Key a, Key b) {
     if (b < a) std::swap(a, b);
     if (heap_.size() > 3 * age_.size()) drop_stale();
@@ -46,10 +46,10 @@ class EdgesByCost {
     ++age_[index(e)];
     state_[index(e)] = State::absent;
   }
-  /// Notes that the cost of a waiting edge is known from below only.
+  /// Notes that the cost of a waiting edge has become a lower bound.
   void mark_outdated(Edge e) { state_[index(e)] = State::outdated; }
 
-  /// Removes and returns the first edge, and whether its cost must be computed again.
+  /// Removes and returns the first edge, and whether its cost must be computed again; nothing if no edge waits.
   std::optional<std::pair<Entry, bool>> pop() {
     while (!heap_.empty()) {
       std::pop_heap(heap_.begin(), heap_.end());

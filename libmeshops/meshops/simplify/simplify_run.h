@@ -25,20 +25,20 @@
 namespace meshops {
 
 struct SimplifyOptions {
-  std::size_t faces = 0;         ///< the run ends as soon as at most this many faces are left
-  std::optional<double> cost{};  ///< the run ends before the first edge that costs more; not NaN
+  std::size_t faces = 0;         ///< the run ends as soon as at most this number of faces is left
+  std::optional<double> cost{};  ///< the run ends before the first edge of a greater cost; must not be NaN
   Keep keep = Keep::simplicial;  ///< the property that every collapse keeps
-  GoOn go_on{};                  ///< progress; false ends the run with Cancelled
+  GoOn go_on{};                  ///< progress function; the run throws Cancelled when it returns false
 };
 
-/// Reason for the end of a run: the limit options.faces or options.cost, the policy's stops(), or that no edge is left
-/// that can be collapsed.
+/// Reason for the end of a run: the limit options.faces, the limit options.cost, stops() of the policy, or that no edge
+/// is left that can be collapsed.
 enum class SimplifyEnd { faces, cost, policy, exhausted };
 
 struct SimplifyResult {
   std::size_t collapses = 0;
   std::size_t faces = 0;         ///< number of faces that are left
-  std::optional<double> cost{};  ///< the greatest cost of a collapse; absent without one
+  std::optional<double> cost{};  ///< the greatest cost of a collapse; absent if there was no collapse
   SimplifyEnd end = SimplifyEnd::exhausted;
 };
 
@@ -97,7 +97,7 @@ class SimplifyRun {
   static constexpr std::size_t steps_of_a_cost = 4, steps_of_a_collapse = 64;
 
   const Mesh& seen() const { return mesh_; }
-  // ask() and tell() call the policy or the visitor, and throw ContractViolation when that changed the mesh.
+  // ask() and tell() call the policy or the visitor. They throw ContractViolation if the call changed element counts.
   template <typename Call>
   auto ask(Call call) {
     auto answer = call();
@@ -121,7 +121,7 @@ class SimplifyRun {
     return {mesh_.from_vertex_handle(h), mesh_.to_vertex_handle(h)};
   }
 
-  /// Computes the cost of the edge and makes it wait, unless it has none.
+  /// Computes the cost of the edge. Makes the edge wait, unless it has no cost.
   void queue(Edge e) {
     const std::optional<double> cost = ask([&]() -> std::optional<double> { return policy_.cost(seen(), e); });
     if (!cost) {
@@ -134,7 +134,7 @@ class SimplifyRun {
     edges_.push(e, *cost, key(a), key(b));
   }
 
-  /// Notes that an edge does not wait for its turn, and reports it.
+  /// Notes that the edge does not wait for its turn any more, and calls `event`.
   template <typename Event>
   void leave(Edge e, Event event) {
     const auto [a, b] = ends(e);
@@ -187,7 +187,7 @@ class SimplifyRun {
     update_around(effect.survivor);
   }
 
-  /// Returns the halfedge of the edge that ends at the vertex that stays.
+  /// Returns the halfedge of the edge that ends at the surviving vertex.
   template <typename Place>
   Halfedge toward(Edge e, const Place& place) {
     const auto [a, b] = ends(e);
@@ -203,8 +203,8 @@ class SimplifyRun {
     return mesh_.halfedge_handle(e, survivor == b ? 0 : 1);
   }
 
-  /// Updates the costs of the edges at a vertex that was merged, and makes those edges at its neighbors wait again that
-  /// did not collapse when their turn came.
+  /// Updates the costs of the edges at a vertex into which another was merged. Edges at its neighbors that did not
+  /// collapse in their turn wait again.
   void update_around(Vertex merged) {
     bool costs_grow = false;
     if constexpr (GrowingPolicy<Policy>) costs_grow = policy_.costs_grow;
@@ -229,7 +229,7 @@ class SimplifyRun {
   const ElementCounts counts_;
   Steps step_;
   EdgesByCost<Key> edges_;
-  std::vector<bool> left_at_;  // for each vertex: whether an edge at it may not wait for its turn
+  std::vector<bool> left_at_;  // for each vertex, whether an edge at it may not wait for its turn
   SimplifyResult result_;
 };
 

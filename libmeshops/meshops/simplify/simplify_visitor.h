@@ -7,15 +7,16 @@
 
 namespace meshops {
 
-/// Base of visitors. A visitor declares the events that it uses, by the same names; the others cost nothing. At each
-/// event, the mesh is sound if it was at first; a visitor must not change the mesh. A visitor may throw to end the run.
+/// Base of visitors. A visitor declares the events that it uses, by the same names; other events cost nothing. At each
+/// event, the mesh is sound if it was sound at first. A visitor must not change the mesh; it may throw to end the run.
 struct SimplifyVisitor {
-  /// Called when an edge has collapsed: `effect.removed.vertex` went into `effect.survivor`, and with it all vertices
-  /// that had gone into it. undo() of the effects, the last first, restores every record of the mesh, but no property.
+  /// Called after an edge collapsed: `effect.removed.vertex` was merged into `effect.survivor`, together with all
+  /// vertices merged into it before. undo() of the effects, from the last to the first, restores every record of the
+  /// mesh, but no property.
   void collapsed(const Connectivity&, const WeldEffect& /*effect*/, double /*cost*/) {}
-  /// Called when collapse_blocker() refuses the collapse of an edge, which is tried again after a change near it.
+  /// Called when collapse_blocker() refuses the collapse of an edge. The edge is tried again after a change near it.
   void refused(const Connectivity&, Edge, const Blocker&) {}
-  /// Called when allows() forbids the collapse of an edge, which is tried again after a change near it.
+  /// Called when allows() forbids the collapse of an edge. The edge is tried again after a change near it.
   void disallowed(const Connectivity&, Edge) {}
 };
 

@@ -9,7 +9,7 @@ Halfedge detail::cut_face(Connectivity& mesh, Halfedge from, Halfedge to, Halfed
   const Face face = mesh.face_handle(from);
   const Halfedge back = mesh.opposite_halfedge_handle(diagonal);
   const Halfedge before_from = mesh.prev_halfedge_handle(from), before_to = mesh.prev_halfedge_handle(to);
-  // The diagonal closes the loop of the sides from `to` on; its opposite closes the loop of the sides from `from` on.
+  // The diagonal closes the loop that begins with `to`; its opposite closes the loop that begins with `from`.
   mesh.set_next_halfedge_handle(before_from, diagonal);
   mesh.set_next_halfedge_handle(diagonal, to);
   mesh.set_next_halfedge_handle(before_to, back);

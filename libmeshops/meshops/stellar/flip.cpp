@@ -5,7 +5,7 @@
 namespace meshops {
 namespace {
 
-/// The six halfedges of two triangles with a common edge: h = a→b with apex c, o = b→a with apex d.
+/// The six halfedges of two triangles with a common edge: h = a→b with the apex c, o = b→a with the apex d.
 struct Quadrangle {
   Quadrangle(const Connectivity& mesh, Edge e)
       : h(mesh.halfedge_handle(e, 0)),
@@ -18,7 +18,7 @@ struct Quadrangle {
 };
 
 /// Returns whether an edge joins the apexes. Walks around the first apex, from one side of its triangle to the other:
-/// the records next to the quadrangle are read anyway, and most vertices have few edges.
+/// the records beside the quadrangle are read anyway, and most vertices have few edges.
 bool apexes_are_joined(const Connectivity& mesh, const Quadrangle& q, Vertex c, Vertex d) {
   constexpr int usual_degree = 12;
   const Halfedge end = mesh.opposite_halfedge_handle(q.bc);
@@ -30,7 +30,7 @@ bool apexes_are_joined(const Connectivity& mesh, const Quadrangle& q, Vertex c, 
   return false;
 }
 
-/// Links `h`, `after` and `before` to a loop in this order, and puts all three into the face of `h`.
+/// Links `h`, `after` and `before` to a loop in this order, as sides of the face of `h`.
 void link(Connectivity& mesh, Halfedge h, Halfedge after, Halfedge before) {
   const Face face = mesh.face_handle(h);
   mesh.set_next_halfedge_handle(h, after);
@@ -73,14 +73,14 @@ FlipEffect flip(Connectivity& mesh, Edge e, Keep keep) {
 
 void undo(Connectivity& mesh, const FlipEffect& effect) {
   detail::enforce("undo", flip_blocker(mesh, effect.edge, Keep::manifold));
-  // Now h = d→c with ca, ad on the left and db, bc on the right.
+  // Before the undo, h = d→c, with ca and ad on the left, db and bc on the right.
   const Halfedge h = mesh.halfedge_handle(effect.edge, 0), o = mesh.opposite_halfedge_handle(h);
   const Halfedge ca = mesh.next_halfedge_handle(h), ad = mesh.prev_halfedge_handle(h);
   const Halfedge db = mesh.next_halfedge_handle(o), bc = mesh.prev_halfedge_handle(o);
   const Face left = mesh.face_handle(h), right = mesh.face_handle(o);
   const Vertex a = mesh.to_vertex_handle(ca), b = mesh.to_vertex_handle(db);
   const Vertex c = mesh.to_vertex_handle(h), d = mesh.to_vertex_handle(o);
-  // flip() itself never makes o and h the halfedges of c and d, but later operators may have.
+  // flip() does not make o and h the halfedges of c and d, but later operators may have done so.
   if (mesh.halfedge_handle(c) == o) mesh.set_halfedge_handle(c, ca);
   if (mesh.halfedge_handle(d) == h) mesh.set_halfedge_handle(d, db);
   if (mesh.halfedge_handle(left) == ad) mesh.set_halfedge_handle(left, bc);

@@ -1,6 +1,6 @@
-// What: a hook that gives the new vertex of a split, or the survivor of a collapse, the mean of chosen properties.
-// Law:  split_edge() and collapse() set the mean of both ends, split_face() the mean of the three corners,
-//       split_vertex() the value of the old vertex.
+// What: a hook that sets chosen properties of the new vertex of a split, or of the survivor of a collapse, to a mean.
+// Law:  the mean is that of both ends in split_edge() and collapse(), and of the three corners in split_face();
+//       split_vertex() copies the value of the old vertex.
 #pragma once
 
 #include <OpenMesh/Core/Utils/PropertyManager.hh>
@@ -25,7 +25,7 @@ namespace detail {
 template <typename T>
 concept MeanNumber = std::floating_point<T> ||(std::integral<T> && !std::same_as<T, bool>);
 
-/// Vector type of OpenMesh, which knows its number of coordinates.
+/// Vector type of OpenMesh, whose size() is the number of coordinates.
 template <typename T>
 concept MeanVector = requires(T v, const T c) {
   requires MeanNumber<typename T::value_type>;
@@ -37,7 +37,7 @@ template <MeanNumber T>
 T mean(std::span<const T> values) {
   const std::size_t n = values.size();
   if constexpr (std::floating_point<T>) {
-    // Divides before adding, because the sum may overflow.
+    // Divides before it adds, because the sum may overflow.
     T sum = 0;
     for (const T value : values) sum += n == 2 ? value * T(0.5) : value * (T(1) / T(n));
     return sum;
@@ -71,7 +71,7 @@ OpenMesh::VPropHandleT<typename Manager::Value> handle_of(const Manager& manager
 }
 { return manager.getRawProperty(); }
 
-/// Vertex property, given by its handle or its manager.
+/// Vertex property, given by its handle or by its property manager.
 template <typename P>
 concept VertexProperty = requires(const P& property) {
   detail::handle_of(property);
@@ -80,7 +80,7 @@ concept VertexProperty = requires(const P& property) {
 template <VertexProperty P>
 using ValueOf = typename decltype(detail::handle_of(std::declval<const P&>()))::Value;
 
-/// Returns whether the mesh has this property.
+/// Returns whether the mesh has a vertex property with this number and type.
 template <typename Mesh, typename Value>
 bool has_property(Mesh& mesh, OpenMesh::VPropHandleT<Value> property) {
   const auto count = std::distance(mesh.vprops_begin(), mesh.vprops_end());
@@ -90,20 +90,20 @@ bool has_property(Mesh& mesh, OpenMesh::VPropHandleT<Value> property) {
 
 }  // namespace detail
 
-/// Type with a mean: a number, or a vector of OpenMesh with numbers as coordinates, but no bool. Integers of more than
-/// 32 bits do not compile.
+/// Type with a mean: a number other than bool, or a vector of OpenMesh with numbers as coordinates. Integers of more
+/// than 32 bits do not compile.
 template <typename T>
 concept HasMean = detail::MeanNumber<T> || detail::MeanVector<T>;
 
 /// Split hook for calls such as split_edge(mesh, h, Interpolate(weight, mesh.vertex_texcoords2D_pph(),
-/// mesh.vertex_colors_pph())). In a split, the hook does what CarryOver does; in a collapse, it places the survivor of
-/// a mesh with points (PlaceVertex). Then the hook sets each named vertex property of the new or surviving vertex to
-/// the mean. A property is named by an OpenMesh::VPropHandleT or a vertex PropertyManager, in any mixture.
-/// Integers are rounded to the nearest, halves away from 0. Vectors are not normalized: compute normals anew. Vertex
-/// properties that are not named get default values in split_edge() and split_face(), as without the hook; the survivor
-/// of a collapse keeps them. Every mean is that of the values before the operator: a property may be named twice, and
-/// the points may be named.
-/// Requires: the properties belong to the mesh. Checked: the mesh has vertex properties of these numbers and types.
+/// mesh.vertex_colors_pph())). In a split, the hook first does what CarryOver does; in a collapse, it first places the
+/// survivor of a mesh with points (PlaceVertex). Then the hook sets each named vertex property of the new or surviving
+/// vertex to the mean. A property is named by an OpenMesh::VPropHandleT or by a vertex PropertyManager.
+/// The mean of integers is rounded to the nearest integer, halves away from 0. Vectors are not normalized: compute
+/// normals anew. Vertex properties that are not named get default values in split_edge() and split_face(), as without
+/// the hook; the survivor of a collapse keeps their values. Every mean is that of the values before the operator: a
+/// property may be named twice, and the points may be named.
+/// Requires: the properties belong to the mesh. Checked: the mesh has vertex properties of their numbers and types.
 /// Throws:   ContractViolation in the call of the operator; the mesh is then unchanged.
 template <HasMean... Values>
 class Interpolate {
@@ -133,7 +133,7 @@ class Interpolate {
   requires std::derived_from<Mesh, Connectivity>
   void operator()(Mesh& mesh, const WeldEffect& effect) const {
     require_properties(mesh);
-    // PlaceVertex and set() write to the survivor, whose values the means need.
+    // The means are computed first, because PlaceVertex and set() overwrite values of the survivor.
     const Vertex ends[] = {effect.survivor, effect.removed.vertex};
     const auto found = means(mesh, ends);
     if constexpr (HasPoints<Mesh>) PlaceVertex()(mesh, effect);

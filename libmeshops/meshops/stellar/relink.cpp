@@ -9,8 +9,8 @@
 namespace meshops::detail {
 namespace {
 
-/// Puts `heir` in the place of h: between `before` and `after` in the loop of h, and into the record of the face if the
-/// face refers to h.
+/// Puts `heir` in the place of h: between `before` and `after` in the loop of h, and into the record of the face of h
+/// if the face refers to h.
 void take_place(Connectivity& mesh, Halfedge heir, Halfedge h, Halfedge before, Halfedge after) {
   const Face face = mesh.face_handle(h);
   mesh.set_next_halfedge_handle(before, heir);
@@ -29,8 +29,8 @@ void mark_deleted(Connectivity& mesh, const StarElements& removed) {
   }
 }
 
-/// The halfedges of the two triangles at the edge of h = v→w, named by their ends: apex c on the left, d on the right.
-/// On a side without a triangle, they are the neighbors of h or o on the boundary, and the opposites of these.
+/// The halfedges of the two triangles at the edge of h = v→w, named by their ends; c is the apex on the left, d on the
+/// right. On a side without a triangle, they are the neighbors of h or o on the boundary, and their opposites.
 struct Star {
   Star(const Connectivity& mesh, Halfedge along)
       : h(along),
@@ -47,11 +47,11 @@ struct Star {
   Halfedge h, o, wc, cv, vc, vd, dw, dv;
   bool has_left, has_right;
 
-  /// Returns whether the only other edge of v leads to c, which is then d.
+  /// Returns whether v has only one edge besides the edge of h. That edge then leads to c, which is also d.
   bool v_has_degree_two() const { return has_left && has_right && vc == vd; }
 };
 
-/// Closes the edge as close_edge() does, where v has two edges. Of two edges from w to c, the one right of h stays.
+/// Closes the edge of h as close_edge() does, if v has two edges. Of the edges from w to c, the one right of h stays.
 WeldEffect close_inner_path(Connectivity& mesh, const Star& s, WeldEffect effect) {
   const Halfedge cw_left = mesh.opposite_halfedge_handle(s.wc), wc_right = mesh.opposite_halfedge_handle(s.dw);
   const Vertex w = effect.survivor, c = mesh.to_vertex_handle(s.wc);
@@ -65,11 +65,11 @@ WeldEffect close_inner_path(Connectivity& mesh, const Star& s, WeldEffect effect
   return effect;
 }
 
-/// Splits w as open_vertex() does, with the vertex, the edges and the faces that `elements` returns.
+/// Splits w as open_vertex() does, with the vertex, the edges and the faces that `elements` supplies.
 template <typename Elements>
 SplitEffect open_with(Connectivity& mesh, Vertex w, Halfedge left, Halfedge right, Elements elements) {
   const bool has_left = left.is_valid(), has_right = right.is_valid();
-  const Halfedge named = mesh.halfedge_handle(w);  // on the boundary: the halfedge by which the boundary leaves w
+  const Halfedge named = mesh.halfedge_handle(w);  // at a boundary vertex w, the boundary halfedge that leaves w
   const Halfedge end = has_right ? right : ccw(mesh, named);
   const bool left_was_boundary = has_left && mesh.is_boundary(left);
   SplitEffect effect;
@@ -121,7 +121,7 @@ SplitEffect open_with(Connectivity& mesh, Vertex w, Halfedge left, Halfedge righ
   return effect;
 }
 
-/// Reverses close_inner_path(): the edge of `effect.right` becomes two, with `v` between them.
+/// Reverses close_inner_path(): splits the edge of `effect.right` into two edges from w to c, with `v` between them.
 void open_inner_path(Connectivity& mesh, const WeldEffect& effect, Vertex v, Halfedge vc, Halfedge wc) {
   const Halfedge h = effect.halfedge, o = mesh.opposite_halfedge_handle(h);
   const Halfedge dw = mesh.opposite_halfedge_handle(*effect.right), cw_left = mesh.opposite_halfedge_handle(wc);
@@ -136,12 +136,12 @@ void open_inner_path(Connectivity& mesh, const WeldEffect& effect, Vertex v, Hal
   if (mesh.halfedge_handle(c) == dw) mesh.set_halfedge_handle(c, cw_left);
 }
 
-/// Returns the halfedge of the deleted edge `e` that started at `v`, according to the records that the mesh still has.
+/// Returns the halfedge by which the deleted edge `e` left `v`, according to the records that the mesh still has.
 Halfedge leaving(const Connectivity& mesh, Edge e, Vertex v) {
   return mesh.halfedge_handle(e, mesh.to_vertex_handle(mesh.halfedge_handle(e, 0)) == v ? 1 : 0);
 }
 
-/// The elements that a weld removed, returned one by one in the order of WeldEffect::removed.
+/// Source of the elements that a weld removed, which it returns one by one in the order of WeldEffect::removed.
 class RevivedElements {
  public:
   RevivedElements(Connectivity& mesh, const WeldEffect& effect)
@@ -161,13 +161,13 @@ class RevivedElements {
  private:
   Connectivity& mesh_;
   const StarElements& removed_;
-  std::array<Halfedge, 3> along_;  // for each edge, the halfedge from the vertex
+  std::array<Halfedge, 3> along_;  // for each edge, the halfedge that leaves the vertex
   std::size_t edges_ = 0, faces_ = 0;
 };
 
-/// Returns whether a gap of the boundary lies between `left` and `right` and is not the only gap at `w`. A gap lies
-/// between each boundary halfedge that leaves `w` and the next edge counter-clockwise. With several gaps, the boundary
-/// halfedge of the vertex on one side of the split would be ambiguous.
+/// Returns whether a gap of the boundary between `left` and `right` is not the only gap at `w`. A gap lies between each
+/// boundary halfedge that leaves `w` and the next edge counter-clockwise. With several gaps, the boundary halfedge of
+/// the vertex on one side of the split would be ambiguous.
 bool parts_gaps(const Connectivity& mesh, Vertex w, std::optional<Halfedge> left, std::optional<Halfedge> right) {
   const Halfedge named = mesh.halfedge_handle(w);
   const auto gaps_between = [&](Halfedge first, Halfedge end) {
@@ -175,7 +175,7 @@ bool parts_gaps(const Connectivity& mesh, Vertex w, std::optional<Halfedge> left
     for (Halfedge out = first; out != end; out = ccw(mesh, out)) gaps += mesh.is_boundary(out);
     return gaps;
   };
-  // A halfedge that is absent means the gap at the boundary halfedge of w.
+  // An absent halfedge stands for the gap at the boundary halfedge of w.
   if (!right) return gaps_between(*left, named) > 0;
   if (!left) return gaps_between(ccw(mesh, named), *right) > 0;
   const bool full_turn = *left == *right;
@@ -184,7 +184,7 @@ bool parts_gaps(const Connectivity& mesh, Vertex w, std::optional<Halfedge> left
   return within > 1 || (within == 1 && !full_turn && gaps_between(*right, *left) > 0);
 }
 
-/// Returns a neighbor of the new vertex to which two edges would join it; an invalid handle when there is none.
+/// Returns a neighbor to which two edges would join the new vertex; an invalid handle if there is none.
 Vertex joined_twice(const Connectivity& mesh, Vertex w, Halfedge left, Halfedge right) {
   const Vertex c = left.is_valid() ? mesh.to_vertex_handle(left) : Vertex();
   const Vertex d = right.is_valid() ? mesh.to_vertex_handle(right) : Vertex();
@@ -208,7 +208,7 @@ bool are_joined(const Connectivity& mesh, Vertex a, Vertex b) {
     from_a = cw(mesh, from_a);
     if (from_a == first_of_a) return false;
   }
-  // The walk alternates between both vertices: a vertex of many edges must not make its neighbors slow.
+  // The walk alternates between both vertices, so that a vertex with many edges does not make its neighbors slow.
   do {
     if (mesh.to_vertex_handle(from_a) == b || mesh.to_vertex_handle(from_b) == a) return true;
     from_a = cw(mesh, from_a);
@@ -225,7 +225,7 @@ SplitEffect open_vertex(Connectivity& mesh, Vertex w, Halfedge left, Halfedge ri
 void open_vertex_again(Connectivity& mesh, const WeldEffect& effect) {
   const StarElements& removed = effect.removed;
   const Vertex v = removed.vertex, w = effect.survivor;
-  // The removed elements still have their old records; those read here cannot be derived from the rest of the mesh.
+  // The removed elements still have their old records. Those read here cannot be derived from the rest of the mesh.
   const Halfedge h = effect.halfedge, named_by_v = mesh.halfedge_handle(v);
   const std::array<Halfedge, 2> named_by_face = {
       mesh.halfedge_handle(removed.face[0]), removed.at_boundary ? Halfedge() : mesh.halfedge_handle(removed.face[1])};
@@ -279,7 +279,7 @@ WeldEffect close_links(Connectivity& mesh, Halfedge h) {
   if (!effect.removed.at_boundary) effect.removed.face[1] = mesh.face_handle(s.o);
   if (s.v_has_degree_two()) return close_inner_path(mesh, s, effect);
 
-  // undo() reads the records of removed elements, so that they must not change: their neighbors are found first.
+  // The neighbors of removed elements are found first: undo() reads the records of the elements, which must not change.
   const Halfedge wd = mesh.opposite_halfedge_handle(s.dw);
   const Halfedge named_by_v = mesh.halfedge_handle(v);
   effect.removed.edge[0] = mesh.edge_handle(s.h);
@@ -343,7 +343,7 @@ std::optional<Blocker> close_blocker(const Connectivity& mesh, Halfedge h, Keep 
   if (s.has_right && !is_triangle(mesh, s.o)) return Blocker(BlockerKind::not_triangle, mesh.face_handle(s.o));
   if (inner && mesh.is_boundary(v) && mesh.is_boundary(w)) return Blocker(BlockerKind::pinch, mesh.edge_handle(h));
 
-  // Two edges that become one have no face left if neither has a face besides the triangle that closes.
+  // Two edges that become one have no face left if neither has a face besides the triangle between them.
   const Halfedge cw_left = mesh.opposite_halfedge_handle(s.wc), wd = mesh.opposite_halfedge_handle(s.dw);
   const auto dangles = [&](Halfedge one, Halfedge other) { return mesh.is_boundary(one) && mesh.is_boundary(other); };
   bool only_edge_left = false;
@@ -368,7 +368,7 @@ std::optional<Blocker> close_blocker(const Connectivity& mesh, Halfedge h, Keep 
   for (Halfedge out = start; out != end; out = ccw(mesh, out))
     if (const Vertex to = mesh.to_vertex_handle(out); are_joined(mesh, w, to))
       return Blocker(BlockerKind::double_edge, to);
-  // If v has only one more face, between left and right, that face must not get the corners of another face of w.
+  // If v has only one more face, between left and right, this face must not get the corners of another face of w.
   if (start == end && inner && is_triangle(mesh, s.vc)) {
     const Vertex c = mesh.to_vertex_handle(s.vc), d = mesh.to_vertex_handle(s.vd);
     Halfedge out = s.o;

@@ -6,7 +6,7 @@
 namespace meshops {
 namespace {
 
-/// Replaces `side` in its face by `heir`, between `before` and `after`.
+/// Replaces `side` by `heir` in the face of `side`, between `before` and `after`.
 void cut(Connectivity& mesh, Halfedge side, Halfedge heir, Halfedge before, Halfedge after) {
   const Face face = mesh.face_handle(side);
   mesh.set_next_halfedge_handle(before, heir);
@@ -35,7 +35,7 @@ std::optional<Blocker> split_edge_blocker(const Connectivity& mesh, Edge e, Keep
 
 SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
   detail::enforce("split_edge", split_edge_blocker(mesh, h, keep));
-  // Does what detail::open_vertex() does at b, without its case distinctions: the only edge that moves is known.
+  // Does what detail::open_vertex() does at b, without its case distinctions, as the only edge that moves is known.
   const Halfedge o = mesh.opposite_halfedge_handle(h);
   const Halfedge after_h = mesh.next_halfedge_handle(h), before_o = mesh.prev_halfedge_handle(o);
   const bool has_left = !mesh.is_boundary(h), has_right = !mesh.is_boundary(o);

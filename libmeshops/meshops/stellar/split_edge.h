@@ -14,31 +14,32 @@
 
 namespace meshops {
 
-/// Returns why the edge, that of h or e, cannot be split, or nothing when it can. The reasons: the edge does not exist
-/// or is deleted, a face at the edge is not a triangle, or, with Keep::simplicial, the two triangles have one apex, to
-/// which the new vertex would be joined twice. Cost: constant.
+/// Returns why the edge e, or the edge of h, cannot be split, or nothing when it can. The reasons: the edge does not
+/// exist or is deleted, a face at the edge is not a triangle, or, with Keep::simplicial, both triangles have the same
+/// apex, to which two edges would join the new vertex. Cost: constant.
 MESHOPS_API std::optional<Blocker> split_edge_blocker(const Connectivity& mesh, Halfedge h,
                                                       Keep keep = Keep::simplicial);
 MESHOPS_API std::optional<Blocker> split_edge_blocker(const Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
-/// Splits the edge of h = a→b at a new vertex, which is joined to the apex of each triangle at the edge.
+/// Splits the edge of h = a→b at a new vertex, which edges join to the apex of each triangle at the edge.
 /// Effect:      h and its edge keep their handles and become the half from a to the new vertex; the old faces stay on
-///              the side of a. The other half, to b, and the faces on the side of b are new. New elements have default
-///              values of all properties. A default point is unspecified, because OpenMesh's vectors have no default:
-///              see the overloads below.
+///              the side of a. The half from the new vertex to b and the faces on the side of b are new. New elements
+///              have default values of all properties. A default point is unspecified, because OpenMesh's vectors have
+///              no default; the overloads below place the new vertex.
 /// Returns:     the added elements, and the halfedge from the new vertex to b.
 /// Requires:    split_edge_blocker() is empty.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: nothing.
 /// Inverse:     weld_edge() along the returned halfedge, exactly.
-/// Δ:           V +1, E +3, F +2; on the boundary V +1, E +2, F +1; the topology stays.
+/// Δ:           V +1, E +3, F +2; for a boundary edge V +1, E +2, F +1. The topology does not change.
 /// Cost:        constant.
 MESHOPS_API SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep = Keep::simplicial);
 
 /// Splits the edge as split_edge(mesh, mesh.halfedge_handle(e, 0), keep) does.
 MESHOPS_API SplitEdgeEffect split_edge(Connectivity& mesh, Edge e, Keep keep = Keep::simplicial);
 
-/// Splits the edge of h or e and then calls hook(mesh, effect): PlaceVertex, CarryOver or any callable (split_hooks.h).
+/// Splits the edge of h, or the edge e, and then calls hook(mesh, effect) (split_hooks.h): PlaceVertex, CarryOver or
+/// any callable.
 /// Throws: ContractViolation, and what the hook throws; the mesh is then as before, except as split_hooks.h says.
 template <typename Mesh, SplitHook<Mesh, SplitEdgeEffect> Hook>
 SplitEdgeEffect split_edge(Mesh& mesh, Halfedge h, Hook hook, Keep keep = Keep::simplicial) {
@@ -49,7 +50,7 @@ SplitEdgeEffect split_edge(Mesh& mesh, Edge e, Hook hook, Keep keep = Keep::simp
   return detail::with_hook(mesh, split_edge(static_cast<Connectivity&>(mesh), e, keep), hook);
 }
 
-/// Splits an edge of a mesh with points: the new vertex lies in the middle of the edge.
+/// Splits an edge of a mesh with points, and places the new vertex in the middle of the edge.
 template <HasPoints Mesh>
 SplitEdgeEffect split_edge(Mesh& mesh, Halfedge h, Keep keep = Keep::simplicial) {
   return split_edge(mesh, h, PlaceVertex(), keep);

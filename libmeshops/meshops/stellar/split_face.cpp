@@ -12,8 +12,8 @@ std::optional<Blocker> split_face_blocker(const Connectivity& mesh, Face f) {
 
 SplitFaceEffect split_face(Connectivity& mesh, Face f) {
   detail::enforce("split_face", split_face_blocker(mesh, f));
-  // Does what detail::open_vertex() does at the corner w, without its case distinctions: no edge moves here, and
-  // nothing is on the boundary.
+  // Does what detail::open_vertex() does at the corner w, without its case distinctions, because no edge moves and no
+  // new edge is on the boundary.
   const Halfedge wc = mesh.halfedge_handle(f), cd = mesh.next_halfedge_handle(wc), dw = mesh.next_halfedge_handle(cd);
   SplitFaceEffect effect;
   effect.face = f;

@@ -8,7 +8,7 @@
 namespace meshops::detail {
 namespace {
 
-/// Returns whether closing the edge of a split removes exactly the elements that the split added.
+/// Returns whether the collapse of the split's halfedge removes exactly the elements that the split added.
 bool is_as_split(const Connectivity& mesh, const SplitEffect& effect) {
   const StarElements& added = effect.added;
   const Halfedge h = effect.halfedge;
@@ -69,12 +69,12 @@ void take_back(Connectivity& mesh, const WeldEffect& effect) {
   try {
     undo(mesh, effect);
   } catch (const ContractViolation&) {
-    // A hook that changed links is responsible for them: the mesh is sound, and the collapse stays.
+    // If the hook changed links, undo() may refuse: the mesh is then sound, and the collapse stays.
   }
 }
 
 void take_back(Connectivity& mesh, const SplitEffect& effect) {
-  // A hook that changed links is responsible for them: the mesh is sound, and the split stays.
+  // If the hook changed links so that the split cannot be undone, the split stays.
   if (!is_as_split(mesh, effect)) return;
   const StarElements& added = effect.added;
   const bool is_at_end = static_cast<std::size_t>(added.vertex.idx()) + 1 == mesh.n_vertices() &&
@@ -82,7 +82,7 @@ void take_back(Connectivity& mesh, const SplitEffect& effect) {
   if (is_at_end) {
     close_links(mesh, effect.halfedge);
     mesh.resize(mesh.n_vertices() - 1, mesh.n_edges() - added.edges().size(), mesh.n_faces() - added.faces().size());
-  } else if (has_status(mesh)) {  // the hook added elements after those of the split
+  } else if (has_status(mesh)) {  // the hook added elements after the elements of the split
     close_edge(mesh, effect.halfedge);
   }
 }

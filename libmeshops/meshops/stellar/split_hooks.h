@@ -1,8 +1,8 @@
 // What: hooks: functions that a split or a collapse calls as soon as the elements are linked, to place the new or
-//       surviving vertex and to fill in properties.
-// Law:  the links do not depend on the hook. A hook that throws leaves the mesh as it was before the operator, in every
-//       record and property, except for what the hook wrote to old elements. Elements that the hook added stay; those
-//       of a split are then marked deleted instead of removed, or, without status of every kind, the split stays.
+//       surviving vertex and to set properties.
+// Law:  the links do not depend on the hook. When a hook throws, the mesh is as before the operator, in every record
+//       and property, except for values that the hook wrote to old elements. If the hook also added elements, these
+//       stay, and those of a split are marked deleted instead of removed; without status, the split stays.
 #pragma once
 
 #include <concepts>
@@ -15,7 +15,7 @@
 
 namespace meshops {
 
-/// Mesh type of OpenMesh that keeps a point of floating-point coordinates for each vertex.
+/// Mesh type of OpenMesh with a point of floating-point coordinates for each vertex.
 template <typename Mesh>
 concept HasPoints = std::derived_from<Mesh, Connectivity> && requires(Mesh& mesh, Vertex v, typename Mesh::Point p) {
   p = mesh.point(v);
@@ -24,14 +24,14 @@ concept HasPoints = std::derived_from<Mesh, Connectivity> && requires(Mesh& mesh
 };
 
 /// Callable as hook(mesh, effect) with the effect of split_edge(), split_face(), split_vertex() or collapse(). A hook
-/// may write points and properties of any element. It must not change links: if it does and then throws, the split
+/// may write points and properties of any element. A hook must not change links: if it does and then throws, the split
 /// or collapse may stay.
 template <typename Hook, typename Mesh, typename Effect>
 concept SplitHook = std::derived_from<Mesh, Connectivity> && std::invocable<Hook&, Mesh&, const Effect&>;
 
-/// Puts the new vertex in the middle of the edge, at the centroid of the triangle, or on the vertex that was split, and
-/// the survivor of a collapse in the middle of the edge. Splits of a mesh with points use PlaceVertex when no hook is
-/// given; collapse() does not.
+/// Hook that places the new vertex of a split in the middle of the edge, at the centroid of the triangle, or on the
+/// vertex that was split, and the survivor of a collapse in the middle of the edge. Without a given hook, splits of a
+/// mesh with points use PlaceVertex; collapse() does not.
 struct PlaceVertex {
   template <HasPoints Mesh>
   void operator()(Mesh& mesh, const SplitEdgeEffect& effect) const {
@@ -60,7 +60,7 @@ struct PlaceVertex {
  private:
   template <typename Mesh>
   static void set_middle(Mesh& mesh, Vertex v, Vertex a, Vertex b) {
-    // Halves before adding, because the sum may overflow.
+    // Halves before it adds, because the sum may overflow.
     const auto half = static_cast<Scalar<Mesh>>(0.5);
     typename Mesh::Point middle = mesh.point(a) * half;
     middle += mesh.point(b) * half;
@@ -72,15 +72,15 @@ struct PlaceVertex {
 
 namespace detail {
 
-/// Copies all properties, including status, of an edge and its halfedges: from → heir, and their opposites likewise.
+/// Copies all properties, including status, from the edge and the halfedges of `from` to those of `heir`.
 MESHOPS_API void copy_edge_properties(Connectivity& mesh, Halfedge from, Halfedge heir);
 MESHOPS_API void carry_over(Connectivity& mesh, const SplitEdgeEffect& effect);
 MESHOPS_API void carry_over(Connectivity& mesh, const SplitFaceEffect& effect);
 MESHOPS_API void carry_over(Connectivity& mesh, const SplitVertexEffect& effect);
 
-/// Undoes a split whose hook threw, and removes the elements that the split added; the Law above names the exceptions.
+/// Undoes a split whose hook threw, and removes the elements that the split added, except as the Law above says.
 MESHOPS_API void take_back(Connectivity& mesh, const SplitEffect& effect);
-/// Undoes a collapse whose hook threw.
+/// Undoes a collapse whose hook threw. A collapse whose links the hook changed may stay.
 MESHOPS_API void take_back(Connectivity& mesh, const WeldEffect& effect);
 
 template <typename Mesh, typename Effect, typename Hook>
@@ -96,13 +96,12 @@ Effect with_hook(Mesh& mesh, const Effect& effect, Hook& hook) {
 
 }  // namespace detail
 
-/// Copies all properties, OpenMesh's own and added ones, from old elements to the new elements made of them:
-/// - split_edge(): from the edge and its halfedges to the new half of the edge, and to each new face from the face from
-///   which it was cut;
+/// Hook that copies all properties, OpenMesh's own and added ones, from old elements to the new elements made of them:
+/// - split_edge(): from the edge and its halfedges to the new half of the edge, and from each face to its new part;
 /// - split_face(): from the face to the new faces;
-/// - split_vertex(): from the old vertex to the new one; where an edge opens to two, both have the old properties.
-/// Other new elements have no old one and get default values: for example edges across a face, and the faces of
-/// split_vertex(). In a mesh with points, the new vertex is also placed (PlaceVertex). Not for collapse().
+/// - split_vertex(): from the old vertex to the new one, and from an edge that opens to the second of the two edges.
+/// Other new elements get default values, for example edges across a face, and the faces of split_vertex(). In a mesh
+/// with points, CarryOver also places the new vertex (PlaceVertex). It does not serve collapse().
 struct CarryOver {
   template <typename Mesh, std::derived_from<SplitEffect> Effect>
   requires std::derived_from<Mesh, Connectivity>

@@ -11,8 +11,8 @@
 
 namespace meshops {
 
-/// Weight that returns the area of the triangle of three vertices, in the square of the unit of the points. Points have
-/// two or three coordinates; other numbers do not compile. Keeps a reference to the mesh.
+/// Weight that returns the area of the triangle of three vertices, in the squared unit of the points. The points have
+/// two or three coordinates; other meshes do not compile. Keeps a reference to the mesh.
 template <HasPoints Mesh>
 class TriangleArea {
  public:

@@ -35,7 +35,7 @@ Polygon::Polygon(const Connectivity& mesh, Face face, Keep keep) : reason_(Block
   const auto same_vertex = [](const Corner& a, const Corner& b) { return a.vertex == b.vertex; };
   const auto repeated = std::adjacent_find(sorted.begin(), sorted.end(), same_vertex);
   if (keep == Keep::simplicial && repeated != sorted.end()) {
-    // Two diagonals could join the same vertices, which the table of parts cannot detect.
+    // Two diagonals could join the same two vertices, which the table of parts cannot detect.
     reason_ = Blocker(BlockerKind::corner_repeated, Vertex(repeated->vertex));
     sides_.clear();
     return;
@@ -66,7 +66,7 @@ TriangulateFaceEffect Polygon::cut(Connectivity& mesh, const std::vector<std::ui
   TriangulateFaceEffect effect;
   AddedElements elements(mesh, 0, size() - 3, size() - 3);
   std::vector<Part> parts = {{0, size() - 1, sides_.back()}};
-  /// Returns the new halfedge from the last corner to the first.
+  /// Draws the diagonal of a part. Returns: the new halfedge from the last corner of the part to the first.
   const auto draw = [&](std::size_t first, std::size_t last, Halfedge from, Halfedge to) {
     const Halfedge diagonal = elements.edge(corners_[first], corners_[last]);
     effect.faces.push_back(elements.face());

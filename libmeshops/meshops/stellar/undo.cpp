@@ -10,7 +10,7 @@ bool is_marked(const Connectivity& mesh, std::size_t count, Element element) {
   return element.idx() >= 0 && static_cast<std::size_t>(element.idx()) < count && mesh.status(element).deleted();
 }
 
-/// Checks what is required of the effect. Returns why the vertex cannot be split, or nothing when it can.
+/// Throws ContractViolation if the effect contradicts itself or the mesh. Returns the result of open_blocker().
 std::optional<Blocker> check(const Connectivity& mesh, const WeldEffect& effect) {
   const StarElements& removed = effect.removed;
   const auto edges = removed.edges();

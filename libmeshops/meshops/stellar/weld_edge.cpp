@@ -5,8 +5,8 @@
 namespace meshops {
 namespace {
 
-/// Returns the halfedge that continues the edge of h beyond the start of h. It leaves the same vertex, two triangles
-/// farther around it: counter-clockwise, or clockwise if h is a boundary halfedge.
+/// Returns the halfedge that continues the edge of h beyond the start of h. It leaves the start of h two edges farther
+/// around: counter-clockwise, or clockwise if h is a boundary halfedge.
 Halfedge beyond(const Connectivity& mesh, Halfedge h) {
   return mesh.is_boundary(h) ? detail::cw(mesh, detail::cw(mesh, h)) : detail::ccw(mesh, detail::ccw(mesh, h));
 }

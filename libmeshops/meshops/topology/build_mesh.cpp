@@ -12,7 +12,7 @@
 namespace meshops {
 namespace {
 
-/// Makes the edges and links them to their faces. Returns for each corner the halfedge by which its face leaves it.
+/// Makes the edges and links them to their faces. Returns: for each corner, the halfedge by which its face leaves it.
 std::vector<Halfedge> link_faces(Connectivity& mesh, const PolygonSoup& soup, const detail::SoupSides& sides,
                                  Steps& step) {
   std::vector<Halfedge> side_of_corner(soup.corners.size());
@@ -37,7 +37,7 @@ std::vector<Halfedge> link_faces(Connectivity& mesh, const PolygonSoup& soup, co
 }
 
 /// Makes `v` the start of all edges of the fan around the start of `first`, a halfedge with a face. If the fan is open,
-/// the boundary is linked past `v`.
+/// also links the boundary at `v`.
 void give_fan(Connectivity& mesh, Halfedge first, Vertex v) {
   Halfedge out = first;  // counter-clockwise, as long as there are faces
   do {
@@ -55,7 +55,7 @@ void give_fan(Connectivity& mesh, Halfedge first, Vertex v) {
   mesh.set_next_halfedge_handle(in, out);
 }
 
-/// Fills `mesh`. Returns the point of each vertex.
+/// Fills `mesh`. Returns: the point of each vertex.
 std::vector<std::uint32_t> fill(Connectivity& mesh, const PolygonSoup& soup, const detail::SoupSides& sides,
                                 Steps& step) {
   reserve(mesh, soup.points, sides.edges(), soup.faces());
@@ -63,7 +63,7 @@ std::vector<std::uint32_t> fill(Connectivity& mesh, const PolygonSoup& soup, con
   const std::vector<Halfedge> side_of_corner = link_faces(mesh, soup, sides, step);
   std::vector<std::uint32_t> point_of_vertex(soup.points);
   std::iota(point_of_vertex.begin(), point_of_vertex.end(), 0U);
-  // Give each fan its vertex at its first corner in the soup. Until then its halfedges have no end.
+  // Each fan gets its vertex at its first corner in the soup. Before, the halfedges of the fan have no end.
   for (std::size_t c = 0; c < soup.corners.size(); ++c) {
     step();
     const Halfedge out = side_of_corner[c];

@@ -11,7 +11,7 @@ namespace {
 
 std::uint32_t number(Vertex v) { return static_cast<std::uint32_t>(v.idx()); }
 
-/// Returns, ascending, the least edge of each component that has no boundary and none of the given edges.
+/// Returns the least edge of each component that has neither a boundary nor any of the given edges, ascending.
 std::vector<Edge> seams_of_spheres(const Connectivity& mesh, std::span<const Edge> cut) {
   DisjointSets connected(mesh.n_vertices());
   const auto ends = [&](Edge e) {

@@ -1,5 +1,5 @@
 // What: computes report() and find_defects() of a soup together.
-// Cost: little more than report() or find_defects() alone.
+// Cost: little more than the cost of report() or find_defects() alone.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct Examination {
   std::vector<SoupDefect> defects;
 };
 
-/// Returns the report and the defects of a soup. Throws: as find_defects().
+/// Returns the report and the defects of a soup. Throws what find_defects() throws.
 MESHOPS_API Examination examine(const PolygonSoup& soup, const GoOn& go_on = {});
 
 }  // namespace meshops

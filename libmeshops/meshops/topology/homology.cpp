@@ -22,8 +22,8 @@ std::size_t at(Handle handle) {
   return static_cast<std::size_t>(handle.idx());
 }
 
-/// Spanning forest of the vertices: for each vertex, its distance from its root, and the halfedge by which it is
-/// reached, which is invalid at a root.
+/// Spanning forest of the vertices: for each vertex, its distance from its root, and the halfedge by which the forest
+/// reaches it, which is invalid at a root.
 struct Tree {
   std::vector<double> distance;
   std::vector<Halfedge> reached_by;
@@ -35,7 +35,7 @@ struct Tree {
   }
 };
 
-/// Visitor of Boost that counts the examined edges.
+/// Visitor of Boost that counts the edges that Boost examines.
 struct Counting : boost::base_visitor<Counting> {
   using event_filter = boost::on_examine_edge;
   explicit Counting(Steps& steps) : step(&steps) {}
@@ -46,9 +46,9 @@ struct Counting : boost::base_visitor<Counting> {
   Steps* step;
 };
 
-/// The homology that is computed: absolute, or relative to the boundary. Relative to the boundary, all its points count
-/// as one, so that a path between two of them is a loop. The generators come from absolute homology, the cut from
-/// relative homology; on a closed mesh both are the same.
+/// Kind of the homology that is computed: absolute, or relative to the boundary. In relative homology, all boundary
+/// points count as one, so that a path between two of them is a loop. The generators come from absolute homology, the
+/// cut graph from relative homology; on a closed mesh both are the same.
 enum class Modulo { nothing, boundary };
 
 class TreeCotree {
@@ -88,11 +88,11 @@ class TreeCotree {
   }
 
  private:
-  /// Returns the vertices from which the tree grows: the least of every component; modulo the boundary, all boundary
-  /// vertices of a component that has some.
+  /// Returns the vertices from which the tree grows. Modulo the boundary, these are all boundary vertices of a
+  /// component that has some. Otherwise, it is the least vertex of a component.
   std::vector<Vertex> roots(Modulo modulo) const {
     std::vector<Vertex> found;
-    std::vector<char> has_root(component_.size(), 0);  // by the least vertex of the component
+    std::vector<char> has_root(component_.size(), 0);  // for the least vertex of each component
     const auto add = [&](Vertex v) {
       found.push_back(v);
       has_root[component_[at(v)]] = 1;
@@ -134,8 +134,8 @@ class TreeCotree {
   }
 
   /// Returns, ascending, the edges that are neither in the tree nor in the cotree. The cotree is a spanning forest of
-  /// the faces across other edges, which prefers edges that close long loops with the tree. A boundary edge joins a
-  /// face to the outside; modulo the boundary, it is left out.
+  /// the faces across edges that are not in the tree; it prefers edges that close long loops with the tree. A boundary
+  /// edge joins a face to the outside; modulo the boundary, boundary edges are left out.
   std::vector<Edge> left_over(const Tree& tree, Modulo modulo) const {
     struct Candidate {
       double loop;
@@ -155,7 +155,7 @@ class TreeCotree {
       return a.loop > b.loop;
     });
 
-    // One more entry stands for the outside. All components may share this entry, as no cycle through the outside runs
+    // One more entry stands for the outside. All components may share it, because no cycle through the outside runs
     // from one component to another.
     const std::size_t outside = mesh_.n_faces();
     DisjointSets joined(outside + 1);
@@ -172,9 +172,9 @@ class TreeCotree {
     return left;
   }
 
-  /// Returns the loop of `closing` and the way back along the tree.
+  /// Returns the loop that consists of `closing` and the way along the tree from its end back to its start.
   Loop loop(const Tree& tree, Halfedge closing) const {
-    // The paths to the root from both ends, without their common part.
+    // The paths from both ends to the root are found first; then their common part is removed.
     const auto to_root = [&](Vertex v) {
       std::vector<Halfedge> way;
       for (Halfedge h = tree.reached_by[at(v)]; h.is_valid(); h = tree.reached_by[at(mesh_.from_vertex_handle(h))])
@@ -194,12 +194,12 @@ class TreeCotree {
     return loop;
   }
 
-  /// Removes edges with an inner end at which there is no other edge of the cut, until there is none.
+  /// Repeatedly removes edges with an inner end at which no other edge of the cut ends, until no such edge is left.
   void prune(std::vector<Edge>& cut) const {
     std::vector<bool> is_in(mesh_.n_edges(), false);
     std::vector<int> degree(mesh_.n_vertices(), 0);
     std::vector<int> edges(mesh_.n_vertices(),
-                           0);  // exclusive or of their indices: the index of the edge when it is the only one
+                           0);  // exclusive or of their indices at each vertex: of one edge, its index
     const auto toggle = [&](Edge e) {
       is_in[at(e)] = !is_in[at(e)];
       for (const unsigned end : {0u, 1u}) {
@@ -224,7 +224,7 @@ class TreeCotree {
   const Connectivity& mesh_;
   std::span<const double> lengths_;
   Steps& step_;
-  std::vector<std::uint32_t> component_;  // for each vertex: the least vertex of its component
+  std::vector<std::uint32_t> component_;  // for each vertex, the least vertex of its component
 };
 
 Homology compute(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on) {

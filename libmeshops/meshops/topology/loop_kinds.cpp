@@ -23,7 +23,7 @@ Vector cross(const Vector& u, const Vector& v) {
 }
 double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 
-/// Returns the vector scaled to length 1; nothing when its length is 0.
+/// Returns the vector scaled to length 1, or nothing if its length is 0.
 std::optional<Vector> unit(const Vector& v) {
   const double size = length(v);
   if (!(size > 0)) return std::nullopt;
@@ -55,14 +55,14 @@ struct Polygon {
 double crossing_angle(const Vector& a, const Vector& b, const Vector& c, const Vector& d) {
   const Vector ac = c - a, ad = d - a, bc = c - b, bd = d - b;
   const auto n1 = unit(cross(ac, ad)), n2 = unit(cross(ad, bd)), n3 = unit(cross(bd, bc)), n4 = unit(cross(bc, ac));
-  if (!n1 || !n2 || !n3 || !n4) return 0;  // all four points in a plane
+  if (!n1 || !n2 || !n3 || !n4) return 0;  // all four points are in a plane
   const double side = dot(cross(d - c, b - a), ac);
   const auto angle = [](const Vector& u, const Vector& v) { return std::asin(std::clamp(dot(u, v), -1.0, 1.0)); };
   const double sum = angle(*n1, *n2) + angle(*n2, *n3) + angle(*n3, *n4) + angle(*n4, *n1);
   return side > 0 ? sum : side < 0 ? -sum : 0;
 }
 
-/// Returns how often one polygon winds around the other; nothing when the sum is not near an integer.
+/// Returns how often one polygon winds around the other, or nothing if the sum is not near an integer.
 std::optional<int> linking_number(const Polygon& p, const Polygon& q, Steps& step) {
   if (!p.meets_box_of(q)) return 0;
   double sum = 0;
@@ -88,7 +88,7 @@ class Lifting {
     return Polygon(std::move(points));
   }
 
-  /// Returns the lifted loop; nothing where the surface is folded flat, or a face has no area.
+  /// Returns the lifted loop, or nothing if the surface is folded flat or a face has no area along the loop.
   std::optional<Polygon> lifted(const Loop& loop) const {
     std::vector<Vector> points;
     const auto add = [&](const std::optional<Vector>& p) {
@@ -97,7 +97,7 @@ class Lifting {
     };
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const Halfedge in = loop[i], out = loop[i + 1 == loop.size() ? 0 : i + 1];
-      // First above the edge, then around its end, above the faces and edges on the left.
+      // The lifted loop runs above the edge, then around its end, above the faces and edges on the left.
       if (!add(above_edge(in)) || !add(above_edge(mesh_.opposite_halfedge_handle(in)))) return std::nullopt;
       if (mesh_.opposite_halfedge_handle(in) == out) continue;
       Halfedge next = mesh_.next_halfedge_handle(in);
@@ -114,8 +114,8 @@ class Lifting {
   }
 
  private:
-  static constexpr double inward = 0.25;  // distance from the end of an edge, as a part of its length
-  static constexpr double height = 1e-5;  // height above an edge, as a part of its length
+  static constexpr double inward = 0.25;  // distance from the end of an edge, as a fraction of its length
+  static constexpr double height = 1e-5;  // height above an edge, as a fraction of its length
 
   const Vector& at(Vertex v) const { return positions_[static_cast<std::size_t>(v.idx())]; }
 
@@ -154,7 +154,7 @@ class Lifting {
   std::span<const Vector> positions_;
 };
 
-/// For each component, whether it is closed and where its normals point; for each face, its component.
+/// Components of a mesh: for each face, its component; for each component, whether it is closed, and its volume.
 struct Sides {
   std::vector<std::size_t> component;  // for each face
   std::vector<double> volume;          // for each component; negative where its normals point inward
@@ -198,7 +198,7 @@ struct Sides {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
 };
 
-/// Returns the face of a halfedge, or the face beyond it if there is none.
+/// Returns the face of a halfedge; for a boundary halfedge, the face beyond it.
 Face face_at(const Connectivity& mesh, Halfedge h) {
   const Face f = mesh.face_handle(mesh.is_boundary(h) ? mesh.opposite_halfedge_handle(h) : h);
   require(is_live(mesh, f), "loop_kinds: halfedge ", h.idx(), " of a loop has no face on either side");
@@ -226,10 +226,10 @@ std::vector<LoopKind> loop_kinds(const Connectivity& mesh, std::span<const Vecto
   const Lifting lifting(mesh, positions);
   std::vector<std::size_t> component;
   std::vector<Polygon> on;
-  std::vector<std::optional<Polygon>> above;  // nothing for a loop of an open component, or one that cannot be lifted
+  std::vector<std::optional<Polygon>> above;  // nothing for loops of open components and loops that cannot be lifted
   std::vector<LoopKind> kinds(loops.size(), LoopKind::unknown);
   std::vector<bool> bounds_below(loops.size(), true), bounds_above(loops.size(), true), is_sure(loops.size(), true);
-  std::vector<bool> is_known = sides.is_closed;  // for each component: all of its loops could be lifted
+  std::vector<bool> is_known = sides.is_closed;  // for each component, whether all of its loops could be lifted
   for (std::size_t i = 0; i < loops.size(); ++i) {
     component.push_back(sides.component[static_cast<std::size_t>(face_at(mesh, loops[i].front()).idx())]);
     on.push_back(lifting.on_surface(loops[i]));
@@ -248,13 +248,13 @@ std::vector<LoopKind> loop_kinds(const Connectivity& mesh, std::span<const Vecto
         bounds_below[i] = false;
         if (is_own)
           bounds_above[j] = false;
-        else  // the other component is in the way on both sides
+        else  // the loop links the other component on both sides
           bounds_above[i] = false;
       }
     }
   for (std::size_t i = 0; i < loops.size(); ++i) {
     if (!is_sure[i] || !is_known[component[i]]) continue;
-    const bool is_turned = sides.volume[component[i]] < 0;  // if so, the normals point inward
+    const bool is_turned = sides.volume[component[i]] < 0;  // whether the normals point inward
     const bool inside = is_turned ? bounds_above[i] : bounds_below[i],
                outside = is_turned ? bounds_below[i] : bounds_above[i];
     kinds[i] = inside ? (outside ? LoopKind::both : LoopKind::handle) : outside ? LoopKind::tunnel : LoopKind::neither;

@@ -9,7 +9,7 @@
 namespace meshops {
 namespace {
 
-/// Returns the soup with the new numbers of its points, without corners that equal the one before.
+/// Returns the soup with the new numbers of its points, without corners that equal the corner before.
 PolygonSoup renumbered(const PolygonSoup& soup, const std::vector<std::uint32_t>& number, std::size_t points,
                        Steps& step) {
   PolygonSoup result;

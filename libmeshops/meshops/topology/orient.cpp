@@ -19,7 +19,7 @@ Orientation orient(const PolygonSoup& soup, const GoOn& go_on) {
   Orientation result;
   result.piece.assign(soup.faces(), Orientation::none);
   result.reversed.assign(soup.faces(), false);
-  std::vector<std::size_t> odd;  // for each piece, the number of faces that disagree with its first
+  std::vector<std::size_t> odd;  // for each piece, the number of faces that disagree with its first face
   for (std::uint32_t f = 0; f < soup.faces(); ++f) {
     step();
     if (faults.of[f] != detail::FaceFault::none) continue;

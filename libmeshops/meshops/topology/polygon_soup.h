@@ -1,4 +1,4 @@
-// What: faces as lists of points, as files hold them, without adjacency.
+// What: faces as lists of points, as files store them, without adjacency.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 
 namespace meshops {
 
-/// Soup of polygons. Points are numbers from 0; a face is the cycle of its corners, which are points. Any cycle is
-/// allowed: of any length, also 0, with corners out of range or repeated. `begin` must split `corners` into faces,
-/// which every function that reads a soup checks (require_parted()); the members check nothing.
+/// Soup of polygons. Points are numbers from 0; a face is the cycle of its corners, which are points. A cycle may have
+/// any length, also 0, and corners that are out of range or repeated. `begin` must split `corners` into faces. Every
+/// function that reads a soup checks this (require_parted()); the members check nothing.
 struct PolygonSoup {
-  std::size_t points = 0;                ///< number of points, with or without a face
+  std::size_t points = 0;                ///< number of points, including points without a face
   std::vector<std::uint32_t> corners;    ///< corners of all faces, one face after the other
-  std::vector<std::size_t> begin = {0};  ///< index in `corners` of the first corner of each face, then their number
+  std::vector<std::size_t> begin = {0};  ///< for each face, the index of its first corner; then corners.size()
 
   std::size_t faces() const { return begin.size() - 1; }
   /// Returns the corners of face f. Requires: f < faces(); not checked.
@@ -30,8 +30,8 @@ struct PolygonSoup {
   }
 };
 
-/// Throws ContractViolation, which names the place, unless `begin` splits `corners` into faces: it begins with 0, never
-/// decreases, and ends with the number of corners. Cost: linear in the faces; no corner is read.
+/// Throws ContractViolation, which describes the place, unless `begin` splits `corners` into faces: `begin` starts with
+/// 0, never decreases, and ends with the number of corners. Cost: linear in the faces; no corner is read.
 MESHOPS_API void require_parted(const PolygonSoup& soup);
 
 }  // namespace meshops

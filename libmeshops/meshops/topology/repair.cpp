@@ -23,7 +23,7 @@ class Repairer {
     take_faces();
     SoupSides oriented(result_.soup, go_on_);
     if (orient(oriented)) oriented = SoupSides(result_.soup, go_on_);
-    // `oriented` names the given points also after part_fans(), which gives further fans new ones.
+    // `oriented` still names the given points after part_fans(), which gives new points to further fans.
     part_fans(oriented);
     find_cuts(oriented);
     find_splits();
@@ -39,7 +39,7 @@ class Repairer {
     result_.steps.push_back({kind, std::move(points), std::move(faces)});
   }
 
-  /// Copies the faces that are neither degenerate, duplicate nor out of range, without corners that equal the one
+  /// Copies the faces that are neither degenerate, duplicate nor out of range, without corners that equal the corner
   /// before. Reports the other faces and the dropped corners.
   void take_faces() {
     require_parted(given_);
@@ -79,7 +79,7 @@ class Repairer {
     }
   }
 
-  /// Reverses, in each piece, the smaller of the two sets of faces that agree. Returns: whether any face was reversed.
+  /// Reverses in each piece the smaller of its two sets of faces that agree. Returns: whether any face was reversed.
   bool orient(const SoupSides& sides) {
     PolygonSoup& soup = result_.soup;
     auto pieces = detail::pieces_of(
@@ -98,7 +98,7 @@ class Repairer {
       any = true;
       const auto face = soup.face(f);
       did(RepairKind::face_reversed, {face.begin(), face.end()}, {result_.face_was[f]});
-      // The first corner stays the first.
+      // The first corner of the face stays the first.
       std::reverse(soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.begin[f]) + 1,
                    soup.corners.begin() + static_cast<std::ptrdiff_t>(soup.begin[f + 1]));
     }
@@ -110,9 +110,9 @@ class Repairer {
     return static_cast<std::uint32_t>(result_.soup.points++);
   }
 
-  /// Gives every fan but the first at a point a point of its own. Faces are joined only at edges where exactly two fit
-  /// together. Afterwards all edges fit: unjoined sides that still name the same two points are the ends of one fan at
-  /// either point, two sides in opposite directions, as the faces of the fan agree.
+  /// Gives every fan but the first on a point its own point. Faces are joined only at edges where exactly two faces fit
+  /// together. Afterwards, the faces at every edge fit together: if unjoined sides still have the same two points, they
+  /// are the ends of one fan at each of the points, and run in opposite directions, because the faces of a fan agree.
   void part_fans(const SoupSides& all) {
     PolygonSoup& soup = result_.soup;
     auto fans = detail::fans_of(soup, all, fits, go_on_);
@@ -131,7 +131,7 @@ class Repairer {
     soup.corners = std::move(point_of);
   }
 
-  /// Reports the edges at which faces had the same two points, and no longer do.
+  /// Reports the edges at which faces shared two points in the given soup, but no longer do.
   void find_cuts(const SoupSides& oriented) {
     const auto ends = [&](const SoupSide& side) {
       return std::pair(result_.soup.corners[side.corner_at_low()], result_.soup.corners[side.corner_at_high()]);

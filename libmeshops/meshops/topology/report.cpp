@@ -11,7 +11,7 @@
 namespace meshops {
 namespace {
 
-/// Returns whether a boundary passes a vertex more than once, or a halfedge is not in the ring of its vertex.
+/// Returns whether the boundary passes some vertex more than once, or a halfedge is not in the ring of its vertex.
 bool has_several_fans_anywhere(const Connectivity& mesh, Steps& step) {
   std::size_t in_rings = 0, halfedges = 0;
   bool found = false;
@@ -32,7 +32,7 @@ bool has_several_fans_anywhere(const Connectivity& mesh, Steps& step) {
   return found || in_rings != halfedges;
 }
 
-/// Computes the report on a mesh whose vertices have one fan each, in the same steps as SoupReporter.
+/// Reporter on a mesh whose vertices have one fan each; it takes the same steps as SoupReporter.
 class MeshReporter {
  public:
   MeshReporter(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex, Steps& step)
@@ -99,7 +99,7 @@ class MeshReporter {
     });
   }
 
-  /// Counts the points at which several fans stand, and the components that are connected through points.
+  /// Counts the points on which several fans stand, and the components that are connected through points.
   void count_points() {
     std::size_t bound = mesh_.n_vertices();
     for (const std::uint32_t p : point_of_vertex_) bound = std::max(bound, p + std::size_t{1});
@@ -139,12 +139,12 @@ class MeshReporter {
   const Connectivity& mesh_;
   std::span<const std::uint32_t> point_of_vertex_;
   Steps& step_;
-  DisjointSets vertices_;              // joined along edges: each set holds the vertices of a piece
+  DisjointSets vertices_;              // vertices joined along edges: each set has the vertices of one piece
   std::vector<std::size_t> piece_of_;  // for the least vertex of each set
   TopologyReport total_;
 };
 
-/// Reports on a copy of the mesh in which each fan has a vertex, on the same point.
+/// Reports on a copy of the mesh in which each fan has its own vertex, on the old point.
 TopologyReport report_of_fans(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex,
                               const GoOn& go_on) {
   Connectivity parted = mesh;

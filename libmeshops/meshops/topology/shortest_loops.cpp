@@ -23,8 +23,9 @@ using Bits = std::vector<std::uint64_t>;
 std::size_t number_of(Vertex v) { return static_cast<std::size_t>(v.idx()); }
 std::size_t number_of(Edge e) { return static_cast<std::size_t>(e.idx()); }
 
-/// Two spanning forests: one of the vertices, by union–find; one of the faces and the outside, breadth-first across all
-/// other edges. An edge in neither closes a cycle of faces, which crosses every bounding loop an even number of times.
+/// Two spanning forests: a forest of the vertices, by union–find; a forest of the faces and the outside, breadth-first
+/// across all other edges. An edge in neither closes a cycle of faces, which crosses every bounding loop an even number
+/// of times.
 class DualCycles {
  public:
   DualCycles(const Connectivity& mesh, const GoOn& go_on)
@@ -63,7 +64,7 @@ class DualCycles {
  private:
   static constexpr std::size_t none = ~std::size_t{0};
 
-  /// Returns the face on a side of an edge; the number of faces stands for the outside.
+  /// Returns the face on a side of an edge. The number of faces stands for the outside.
   std::size_t node(Edge e, unsigned side) const {
     const Face f = mesh_.face_handle(mesh_.halfedge_handle(e, side));
     return f.is_valid() ? static_cast<std::size_t>(f.idx()) : mesh_.n_faces();
@@ -122,10 +123,10 @@ class DualCycles {
   std::vector<std::size_t> depth_;
 };
 
-/// Rows that are independent over Z/2, each with a leading bit that later rows do not have.
+/// Independent rows over Z/2. Each row has a leading bit that is not set in later rows.
 class Z2Span {
  public:
-  /// Adds the row unless it is a sum of earlier rows. Returns: whether it was added.
+  /// Adds the row unless it is a sum of rows added before. Returns: whether it was added.
   bool add(Bits row, Steps& step) {
     const auto lead = reduce(row, rows_.size(), step);
     if (lead) rows_.emplace_back(*lead, std::move(row));
@@ -135,7 +136,7 @@ class Z2Span {
   bool contains(Bits row, std::size_t count, Steps& step) const { return !reduce(row, count, step); }
 
  private:
-  /// Subtracts the first `count` rows where their leading bits are set. Returns the first bit that is left, if any.
+  /// Adds each of the first `count` rows to `row` if its leading bit is set in `row`. Returns the first bit left.
   std::optional<std::size_t> reduce(Bits& row, std::size_t count, Steps& step) const {
     step(1 + count * row.size() / 64);
     for (std::size_t i = 0; i < count; ++i) {
@@ -164,18 +165,18 @@ struct Candidate {
   }
 };
 
-/// The shortest loops of those seen so far, ascending, each independent of those before it.
+/// The shortest known loops, in ascending order. Each is independent of the loops before it.
 struct Basis {
   std::vector<Candidate> loops;
-  Z2Span span;  // of the loops, in their order
+  Z2Span span;  // the span of `loops`, in their order
 
-  /// Returns whether the candidate is a sum of loops before it, so that it is of no use.
+  /// Returns whether the candidate is a sum of loops that are before it, so that it is of no use.
   bool spans(const Candidate& candidate, Steps& step) const {
     const auto behind = std::upper_bound(loops.begin(), loops.end(), candidate,
                                          [](const Candidate& a, const Candidate& b) { return a.is_before(b); });
     return span.contains(candidate.bits, static_cast<std::size_t>(behind - loops.begin()), step);
   }
-  /// Adds candidates, and removes loops that become a sum of those before them. Requires: `more` ascends.
+  /// Adds candidates, and removes loops that become a sum of loops before them. Requires: `more` ascends; not checked.
   void add(std::vector<Candidate> more, Steps& step) {
     if (more.empty()) return;
     std::vector<Candidate> all;
@@ -189,7 +190,7 @@ struct Basis {
   }
 };
 
-/// Searches shortest paths from one root after the other, as far as a loop may still be shorter than the known ones.
+/// Search for shortest paths from one root after another, as far as a loop may be shorter than the known loops.
 class LoopSearch {
  public:
   LoopSearch(const Connectivity& mesh, std::span<const double> lengths, const GoOn& go_on)
@@ -203,14 +204,14 @@ class LoopSearch {
 
   std::size_t loops() const { return signature_.loops; }
 
-  /// Adds to `known` the shortest independent loops from and to the root that are shorter than `limit`.
+  /// Adds to `known` the shortest independent loops through the root that are shorter than `limit`.
   void add_from(Vertex root, double limit, Basis& known) {
     grow(root, limit);
     std::vector<Candidate> candidates;
     for (const Vertex v : settled_)
       for (const Halfedge h : mesh_.voh_range(v)) {
         step_();
-        // Each edge is taken once, from the end at which its first halfedge starts.
+        // Each edge is taken once, from the start of its first halfedge.
         const Edge e = mesh_.edge_handle(h);
         if (mesh_.halfedge_handle(e, 0) != h || !is_settled(mesh_.to_vertex_handle(h)) || is_in_tree(h)) continue;
         const double length =
@@ -224,7 +225,7 @@ class LoopSearch {
       step_();
       return a.is_before(b);
     });
-    // Most loops are homologous to a shorter one from the same root, or sums of known loops.
+    // Most loops are homologous to a shorter loop from the same root, or are sums of known loops.
     std::set<Bits> seen;
     Z2Span found;
     std::vector<Candidate> chosen;
@@ -249,8 +250,8 @@ class LoopSearch {
            reached_by_[number_of(mesh_.from_vertex_handle(h))] == mesh_.opposite_halfedge_handle(h);
   }
 
-  /// Runs Dijkstra's algorithm up to half of the limit: neither end of the edge across from the root is farther
-  /// (docs/reference/operators.md, section 8). A little more allows for the rounding of sums.
+  /// Runs Dijkstra's algorithm up to half of the limit: no end of an edge that closes a loop below the limit is farther
+  /// (docs/reference/operators.md, section 8). The reach is slightly greater, because sums are rounded.
   void grow(Vertex root, double limit) {
     using Entry = std::pair<double, Vertex>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
@@ -293,7 +294,7 @@ class LoopSearch {
     return bits;
   }
 
-  /// Returns the loop across the edge, back toward the root and out again, without the common part of both paths.
+  /// Returns the loop that crosses the edge and runs to and from the root, without the common part of both paths.
   Loop loop_of(Halfedge closing) const {
     const auto to_root = [&](Vertex v) {
       std::vector<Halfedge> way;
@@ -330,12 +331,12 @@ class LoopSearch {
   HomologySignature signature_;
   std::vector<double> distance_;
   std::vector<Halfedge> reached_by_;
-  Bits bits_;  // for each vertex: the bits of the path to it
+  Bits bits_;  // for each vertex, the bits of the path from the root to it
   std::vector<bool> is_settled_ = std::vector<bool>(distance_.size(), false);
   std::vector<Vertex> touched_, settled_;
 };
 
-/// Returns the ends of the edges, ascending.
+/// Returns the ends of the edges, each once, ascending.
 std::vector<Vertex> ends_of(const Connectivity& mesh, const std::vector<Edge>& edges) {
   std::vector<Vertex> ends;
   for (const Edge e : edges)
@@ -365,10 +366,10 @@ std::vector<Loop> shortest_homology_loops(const Connectivity& mesh, std::span<co
     component.join(number(mesh.from_vertex_handle(h)), number(mesh.to_vertex_handle(h)));
   });
 
-  // The search from the first root of a component finds a basis of all its loops. The search from each later root may
-  // replace loops by shorter ones; loops that are not shorter than all known ones are of no use. With a finite limit
-  // the known loops may be no basis, and then say nothing about longer loops.
-  std::vector<Basis> best(mesh.n_vertices());  // by the least vertex of the component
+  // The search from the first root of a component finds a basis of all loops of the component. The search from each
+  // later root may replace loops by shorter ones; loops that are not shorter than all known loops are of no use. With a
+  // finite limit, the known loops need not be a basis, and then do not bound the length of others.
+  std::vector<Basis> best(mesh.n_vertices());  // for the least vertex of each component
   for (const Vertex root : ends_of(mesh, known.cut_graph)) {
     Basis& basis = best[component.find(number(root))];
     const bool is_basis = below == std::numeric_limits<double>::infinity() && !basis.loops.empty();

@@ -1,5 +1,5 @@
-// What: the properties of a soup that report() and find_defects() both need, computed once.
-// Cost: most of the cost of either function.
+// What: the properties of a soup that both report() and find_defects() need, computed once.
+// Cost: most of the cost of report() or find_defects().
 #pragma once
 
 #include <cstddef>
@@ -12,9 +12,9 @@
 
 namespace meshops::detail {
 
-/// Faults, sides, pieces and fans of a soup. Keeps a reference to the soup, which must outlive this object.
+/// Faults, sides, pieces and fans of a soup. Keeps a reference to the soup, which must outlive the object.
 struct SoupAnatomy {
-  /// Throws as find_face_faults().
+  /// Computes all members. Throws what find_face_faults() throws.
   SoupAnatomy(const PolygonSoup& given, const GoOn& go_on);
 
   const PolygonSoup& soup;
@@ -23,12 +23,12 @@ struct SoupAnatomy {
   bool has_non_manifold_edge = false;                    ///< whether more than two faces meet at some edge
   std::vector<std::span<const SoupSide>> disagreeing{};  ///< edges of two faces that no reversal makes agree
   DisjointSets pieces;                                   ///< sets of faces
-  DisjointSets fans;                                     ///< sets of corners, joined at every edge
-  std::vector<std::uint32_t> fans_at;                    ///< for each point: the number of fans
+  DisjointSets fans;                                     ///< sets of corners on one point, joined at every edge
+  std::vector<std::uint32_t> fans_at;                    ///< for each point, the number of fans on it
 
   bool is_sound(std::size_t f) const { return faults.of[f] == FaceFault::none; }
 
-  /// Calls fan(point, face) for every fan, with the first face of it.
+  /// Calls fan(point, face) for every fan, where `face` is the first face of the fan.
   template <typename Fan>
   void for_each_fan(Steps& step, Fan fan) const {
     for (std::size_t f = 0; f < soup.faces(); ++f) {
@@ -41,7 +41,7 @@ struct SoupAnatomy {
   }
 };
 
-/// Documented at report() and find_defects().
+// report() and find_defects() document these functions.
 TopologyReport report_of(SoupAnatomy& anatomy, const GoOn& go_on);
 std::vector<SoupDefect> defects_of(SoupAnatomy& anatomy, const GoOn& go_on);
 

@@ -52,7 +52,7 @@ void find_bad_edges(SoupAnatomy& anatomy, Steps& step, std::vector<SoupDefect>& 
     find(SoupDefectKind::non_manifold_edge, [](SoupEdge edge) { return edge.size() > 2; });
   find(SoupDefectKind::inconsistent_orientation,
        [](SoupEdge edge) { return edge.size() == 2 && edge[0].ascending() == edge[1].ascending(); });
-  // Take the first edge of each piece at which no choice of directions agrees.
+  // For each piece, take the first edge at which no choice of directions agrees.
   std::map<std::size_t, SoupEdge> of_piece;
   for (const SoupEdge edge : anatomy.disagreeing) of_piece.try_emplace(anatomy.pieces.find(edge[0].face()), edge);
   for (const auto& [first_face, edge] : of_piece)
@@ -63,7 +63,7 @@ void find_pinches(const SoupAnatomy& anatomy, Steps& step, std::vector<SoupDefec
   if (std::all_of(anatomy.fans_at.begin(), anatomy.fans_at.end(), [](std::uint32_t fans) { return fans < 2; })) return;
   struct Fan {
     std::uint32_t point;
-    std::size_t face;  // the first face
+    std::size_t face;  // the first face of the fan
   };
   std::vector<Fan> found;
   const std::vector<std::uint32_t>& count = anatomy.fans_at;

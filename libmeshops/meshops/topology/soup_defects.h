@@ -18,35 +18,35 @@ namespace meshops {
 /// Kind of a defect.
 enum class SoupDefectKind {
   corner_out_of_range,       ///< a corner of a face is not a point of the soup
-  degenerate_face,           ///< a face has fewer than three corners, or one point twice
+  degenerate_face,           ///< a face has fewer than three corners, or a point twice
   duplicate_face,            ///< a face has the cycle of corners of an earlier face, in either direction
-  non_manifold_edge,         ///< more than two faces meet in an edge
+  non_manifold_edge,         ///< more than two faces meet at an edge
   inconsistent_orientation,  ///< two faces run along their common edge in the same direction
-  not_orientable,            ///< no choice of directions makes all faces connected through edges of two faces agree
-  pinch                      ///< faces meet in a point, but not through edges at it: several fans
+  not_orientable,            ///< no choice of directions makes faces connected through edges of two faces agree
+  pinch                      ///< several fans of faces meet in a point
 };
 
-/// Defect of a soup. Faces with one of the first three kinds are ignored in the search for the others.
+/// Defect of a soup. Faces with a defect of the first three kinds are ignored in the search for other kinds.
 struct SoupDefect {
   SoupDefectKind kind;
-  /// The corners of a face, the ends of an edge in ascending order, or the point of a pinch. For a component that is
-  /// not orientable: the ends of an edge at which faces disagree although they agree at all edges before it.
+  /// The corners of a face, the ends of an edge in ascending order, or the point of a pinch. For a piece that is not
+  /// orientable: the ends of the first edge at which faces disagree although they agree at all edges before it.
   std::vector<std::uint32_t> points;
-  /// By kind, ascending: the face; for a duplicate, the first face with these corners, then the duplicate; all faces at
-  /// the edge; the first face of a component that is not orientable; the first face of each fan of a pinch.
+  /// By kind, ascending: the face; for a duplicate, the first face with these corners and then the duplicate; all faces
+  /// at the edge; the first face of a piece that is not orientable; the first face of each fan of a pinch.
   std::vector<std::size_t> faces;
   friend bool operator==(const SoupDefect&, const SoupDefect&) = default;
 };
 
-/// Returns the name of a kind in words: "non-manifold edge".
+/// Returns the name of a kind in words, for example "non-manifold edge".
 MESHOPS_API std::string_view name(SoupDefectKind kind);
 
-/// Returns a text for people: "non-manifold edge: points 3 4, faces 0 7 9".
+/// Returns a text for people, for example "non-manifold edge: points 3 4, faces 0 7 9".
 MESHOPS_API std::string describe(const SoupDefect& defect);
 
-/// Returns every defect, in the order of the kinds. Within a kind, defects are in the order of their faces (the later
-/// one of a duplicate), edges or points; components that are not orientable, in the order of their first faces.
-/// Throws: ContractViolation as require_parted(), and when there are 2³⁰ corners, points or faces, or more; Cancelled.
+/// Returns every defect, in the order of the kinds. Within a kind, defects are in the order of their faces (for a
+/// duplicate, of the later face), edges or points; non-orientable pieces are in the order of their first faces.
+/// Throws: ContractViolation as require_parted() does, or for 2³⁰ or more corners, points or faces; Cancelled.
 MESHOPS_API std::vector<SoupDefect> find_defects(const PolygonSoup& soup, const GoOn& go_on = {});
 
 }  // namespace meshops

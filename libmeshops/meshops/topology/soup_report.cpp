@@ -15,11 +15,11 @@ using detail::SoupAnatomy;
 using detail::SoupSide;
 using SoupEdge = std::span<const SoupSide>;
 
-/// The rank of a system of equations over Z/2 that are added one by one, by Gaussian elimination on the remaining terms
-/// of each; an equation in one unknown costs next to nothing.
+/// Rank of a system of equations over Z/2 that are added one by one. Each equation is reduced by Gaussian elimination;
+/// an equation in one unknown costs next to nothing.
 class Z2Rank {
  public:
-  /// Adds the equation that the sum of these unknowns is 0. An unknown that is named twice cancels. Throws Cancelled.
+  /// Adds the equation that the sum of these unknowns is 0. An unknown that is listed twice cancels. Throws Cancelled.
   void add(std::vector<std::size_t> unknowns, Steps& step) {
     std::sort(unknowns.begin(), unknowns.end());
     std::vector<std::size_t> row, sum;
@@ -44,7 +44,7 @@ class Z2Rank {
   std::size_t rank() const { return rows_.size(); }
 
  private:
-  std::unordered_map<std::size_t, std::vector<std::size_t>> rows_;  // by the first unknown of each row
+  std::unordered_map<std::size_t, std::vector<std::size_t>> rows_;  // the rows, by their first unknown
 };
 
 class SoupReporter {
@@ -103,9 +103,9 @@ class SoupReporter {
 
   ComponentReport& piece_at(const SoupSide& side) { return total_.per_component[piece_of_[side.face()]]; }
 
-  /// Counts the vertices and curves of each piece. `fans` are joined at edges of two faces.
+  /// Counts the vertices and curves of each piece. `fans` are joined only at edges of two faces.
   void count_fans(DisjointSets& fans) {
-    // Every open side joins the fans at its ends, and two open sides meet in a fan: so the sets are the curves.
+    // Every open side joins the fans at its ends, and two open sides meet in a fan, so that the sets are the curves.
     DisjointSets curves(soup_.corners.size());
     std::vector<bool> is_open(soup_.corners.size(), false);
     for_each_edge([&](SoupEdge edge) {
@@ -125,7 +125,7 @@ class SoupReporter {
     });
   }
 
-  /// Counts the edges of each piece. An edge with two faces has two sides of a piece, an open edge has one.
+  /// Counts the edges of each piece. An edge with two faces is two sides of the piece, an open edge is one side.
   void count_edges() {
     std::vector<std::size_t> sides(total_.per_component.size(), 0);
     for (std::size_t f = 0; f < soup_.faces(); ++f)
@@ -138,7 +138,7 @@ class SoupReporter {
     for (std::size_t i = 0; i < sides.size(); ++i) total_.per_component[i].edges = sides[i] / 2;
   }
 
-  /// Counts the points at which several fans stand, and the components that are connected through points.
+  /// Counts the points on which several fans stand, and the components that are connected through points.
   void count_points() {
     const auto count = [&](auto is_such) {
       return static_cast<std::size_t>(std::count_if(anatomy_.fans_at.begin(), anatomy_.fans_at.end(), is_such));
@@ -149,7 +149,7 @@ class SoupReporter {
     total_.components = total_.isolated + joined_pieces();
   }
 
-  /// Returns the number of sets into which common points join the pieces.
+  /// Returns the number of sets to which the pieces are joined by common points.
   std::size_t joined_pieces() {
     const std::size_t pieces = total_.per_component.size();
     if (total_.pinches == 0 && !anatomy_.has_non_manifold_edge) return pieces;
@@ -166,9 +166,9 @@ class SoupReporter {
     return sets;
   }
 
-  /// Returns the dimension of the space of 2-cycles over Z/2: sets of faces of which an even number meets at every
-  /// edge. The faces on both sides of an edge of two are both in a cycle or both not, so that a cycle is a set of
-  /// pieces. A piece with an edge of one face is in none. Every other edge gives an equation about the rest.
+  /// Returns the dimension of the space of 2-cycles over Z/2. A 2-cycle is a set of faces of which an even number meets
+  /// at every edge. It has both faces of an edge of two faces or neither, and so is a set of pieces. A piece with an
+  /// edge of one face is in no cycle. Every other edge gives an equation about the other pieces.
   long cycles_of_faces() {
     std::vector<bool> is_in_none(total_.per_component.size(), false);
     for_each_edge([&](SoupEdge edge) {

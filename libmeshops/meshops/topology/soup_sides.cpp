@@ -24,8 +24,8 @@ FaceFault fault_of(std::span<const std::uint32_t> face, std::size_t points, std:
   return std::adjacent_find(scratch.begin(), scratch.end()) == scratch.end() ? FaceFault::none : FaceFault::degenerate;
 }
 
-/// Sets `cycle` to the corners of `face`, from the lowest index on, in the direction of the lesser neighbor: the same
-/// cycle for every way to write a face.
+/// Sets `cycle` to the corners of `face`, from the least corner on, toward its lesser neighbor. The result is the same
+/// for every way to write a face.
 void canonical_cycle(std::span<const std::uint32_t> face, std::vector<std::uint32_t>& cycle) {
   cycle.assign(face.begin(), face.end());
   std::rotate(cycle.begin(), std::min_element(cycle.begin(), cycle.end()), cycle.end());
@@ -38,7 +38,7 @@ std::uint64_t hash_of(const std::vector<std::uint32_t>& cycle) {
   return hash;
 }
 
-/// Filter that excludes nearly all faces without a duplicate, before faces are compared in full.
+/// Filter that excludes nearly all faces without a duplicate before faces are compared in full.
 class SeenTwice {
  public:
   SeenTwice(const PolygonSoup& soup, const FaceFaults& faults, Steps& step)
@@ -63,7 +63,7 @@ class SeenTwice {
     std::size_t word;
     std::uint64_t bit;
   };
-  /// Returns one of about 16 to 32 slots per face, by a sum over the corners, which does not depend on their order.
+  /// Returns one of about 16 to 32 slots per face, by a sum over the corners, in whatever order.
   Place place_of(std::span<const std::uint32_t> face) const {
     std::uint64_t sum = 0;
     for (const std::uint32_t corner : face) {
@@ -99,7 +99,7 @@ void find_duplicates(const PolygonSoup& soup, FaceFaults& faults, const GoOn& go
     return a.hash != b.hash ? a.hash < b.hash : a.face < b.face;
   });
   for (std::size_t i = 0; i < keys.size(); ++i) {
-    // Searches the earlier faces with this hash, which are few unless there are many duplicates of one face.
+    // Searches the earlier faces with this hash. They are few unless one face has many duplicates.
     canonical_cycle(soup.face(keys[i].face), cycle);
     for (std::size_t k = i; k-- > 0 && keys[k].hash == keys[i].hash;) {
       step();
@@ -114,10 +114,10 @@ void find_duplicates(const PolygonSoup& soup, FaceFaults& faults, const GoOn& go
   }
 }
 
-/// Sorts sides with the same lower end by their higher end and then by face, which is the order in which they come.
+/// Sorts sides of the same lower end by the higher end, then by face. Requires: the sides are in the order of faces.
 template <typename Iterator>
 void sort_by_high(Iterator first, Iterator last, Steps& step) {
-  constexpr auto few = 16;  // nearly all points have no more sides: these are sorted by insertion
+  constexpr auto few = 16;  // nearly all points have at most this number of sides, which are sorted by insertion
   if (last - first > few)
     return std::stable_sort(first, last, [&](const SoupSide& a, const SoupSide& b) {
       step();
@@ -176,8 +176,8 @@ SoupSides::SoupSides(const PolygonSoup& soup, const GoOn& go_on) {
 
 template <typename IsGiven>
 void SoupSides::bring_together(const PolygonSoup& soup, IsGiven is_given, const GoOn& go_on) {
-  // Sides are first counted into buckets by the lower point, so that sorting is local. A bucket ends where the next one
-  // begins; while it is filled, its entry in the list is the place of its next side.
+  // Sides are first counted into buckets by the lower point, so that the sorting is local. A bucket ends where the next
+  // bucket begins. While a bucket is filled, its entry in `bucket` is the place of its next side.
   std::vector<std::uint32_t> bucket(soup.points + 2, 0);
   Steps step(go_on);
   const auto for_each_side = [&](auto visit) {
@@ -214,7 +214,7 @@ bool is_manifold(const PolygonSoup& soup, const SoupSides& sides, const GoOn& go
     const auto edge = sides.edge(e);
     if (!fits(edge)) return false;
     if (edge.size() < 2) continue;
-    // Faces with the same corners share all edges, including the first edge of each of them.
+    // Faces with the same corners share all edges, including the edge of the first side of each face.
     if (edge[0].corner != soup.begin[edge[0].face()]) continue;
     const auto one = soup.face(edge[0].face()), two = soup.face(edge[1].face());
     if (one.size() != two.size() || std::find(two.begin(), two.end(), one[2]) == two.end()) continue;

@@ -1,4 +1,4 @@
-// What: the sides of the faces of a soup, grouped by edge, and the fans that they form of the corners.
+// What: the sides of the faces of a soup, grouped by edge, and the fans that corners form through these sides.
 #pragma once
 
 #include <cstddef>
@@ -16,19 +16,19 @@ namespace meshops::detail {
 enum class FaceFault : std::uint8_t { none, out_of_range, degenerate, duplicate };
 
 struct FaceFaults {
-  std::vector<FaceFault> of;         ///< for each face, the first fault that applies
-  std::vector<std::size_t> repeats;  ///< for each face: the earlier face that it repeats; empty without duplicates
+  std::vector<FaceFault> of;         ///< for each face, its first fault in the order of FaceFault
+  std::vector<std::size_t> repeats;  ///< for each duplicate, the earlier face that it repeats; or empty
 };
 
-/// Finds the faults of all faces. Throws: ContractViolation as require_parted(), and when the soup is too large for
-/// handles: 2³⁰ corners, points or faces; Cancelled.
+/// Finds the faults of all faces. Throws: ContractViolation as require_parted() does, or for 2³⁰ or more corners,
+/// points or faces, which are too many for handles; Cancelled.
 FaceFaults find_face_faults(const PolygonSoup& soup, const GoOn& go_on);
 
-/// Returns whether every corner is a point, and every face has three corners or more, none of them twice. The only
-/// fault that a face can still have is to be a duplicate. Throws as find_face_faults().
+/// Returns whether every corner is a point, and every face has three or more distinct corners. The only fault that a
+/// face can still have is that it is a duplicate. Throws what find_face_faults() throws.
 bool has_sound_faces(const PolygonSoup& soup, const GoOn& go_on);
 
-/// Side of a face, from the corner at index `corner` of the soup to the one at index `next`.
+/// Side of a face, from the corner at index `corner` of the soup to the corner at index `next`.
 class SoupSide {
  public:
   SoupSide() = default;
@@ -40,30 +40,30 @@ class SoupSide {
         next(next_corner),
         face_(2 * of_face + (is_ascending ? 1U : 0U)) {}
 
-  std::uint32_t low, high;  ///< the points at its ends, in ascending order
+  std::uint32_t low, high;  ///< the points at the ends of the side, in ascending order
   std::uint32_t corner, next;
 
   std::uint32_t face() const { return face_ >> 1U; }
-  bool ascending() const { return (face_ & 1U) != 0; }  ///< it runs from low to high
+  bool ascending() const { return (face_ & 1U) != 0; }  ///< whether the side runs from `low` to `high`
   std::uint32_t corner_at_low() const { return ascending() ? corner : next; }
   std::uint32_t corner_at_high() const { return ascending() ? next : corner; }
 
  private:
-  std::uint32_t face_;  // with the direction in bit 0, to save memory
+  std::uint32_t face_;  // twice the face, plus 1 if the side is ascending, to save memory
 };
 
-/// Returns whether the faces at an edge fit together: one face, or two that run along it in opposite directions.
+/// Returns whether the faces at an edge fit together: one face, or two faces that run along it in opposite directions.
 inline bool fits(std::span<const SoupSide> edge) {
   return edge.size() == 1 || (edge.size() == 2 && edge[0].ascending() != edge[1].ascending());
 }
 
-/// The sides of given faces, sorted by edge and then by face.
+/// Sides of faces, sorted by edge and then by face.
 class SoupSides {
  public:
-  /// Collects the sides of the faces without fault. Throws Cancelled.
+  /// Collects the sides of the faces without a fault. Throws Cancelled.
   SoupSides(const PolygonSoup& soup, const FaceFaults& faults, const GoOn& go_on);
-  /// Collects the sides of all faces.
-  /// Requires: has_sound_faces(soup).
+  /// Collects the sides of all faces. Throws Cancelled.
+  /// Requires: has_sound_faces(soup); not checked.
   SoupSides(const PolygonSoup& soup, const GoOn& go_on);
 
   std::size_t edges() const { return begin_.size() - 1; }
@@ -79,12 +79,12 @@ class SoupSides {
   FreshVector<std::uint32_t> begin_;
 };
 
-/// Returns whether no edge has more than two sides, and two sides of an edge run in opposite directions and belong to
-/// faces with different corners.
-/// Requires: `sides` has the sides of all faces of `soup`. Throws Cancelled.
+/// Returns whether no edge has more than two sides, and the two sides of every other inner edge run in opposite
+/// directions and belong to faces with different corners.
+/// Requires: `sides` has the sides of all faces of `soup`; not checked. Throws Cancelled.
 bool is_manifold(const PolygonSoup& soup, const SoupSides& sides, const GoOn& go_on);
 
-/// Returns the fans that corners form around points. The sides at an edge join corners if `joins(sides)`.
+/// Returns the fans that corners form around points. The sides at an edge join corners if joins(sides) returns true.
 template <typename Joins>
 DisjointSets fans_of(const PolygonSoup& soup, const SoupSides& sides, Joins joins, const GoOn& go_on) {
   DisjointSets fans(soup.corners.size());
@@ -102,8 +102,8 @@ DisjointSets fans_of(const PolygonSoup& soup, const SoupSides& sides, Joins join
   return fans;
 }
 
-/// Returns the sets of faces that are connected through edges of exactly two faces; faces of odd parity must be
-/// reversed for all to agree. Calls disagree(sides) for an edge at which no reversal helps.
+/// Returns the sets of faces that are connected through edges of exactly two faces. If the faces of odd parity are
+/// reversed, all faces agree, except at edges for which disagree(sides) is called.
 template <typename Disagree>
 DisjointSets pieces_of(const PolygonSoup& soup, const SoupSides& sides, Disagree disagree, const GoOn& go_on) {
   DisjointSets pieces(soup.faces());

@@ -33,7 +33,7 @@ bool TopologyTracker::in_same_component(Vertex a, Vertex b) {
 }
 
 GlueEffect TopologyTracker::glue(Halfedge first, Halfedge second) {
-  // Calls that glue() would refuse are left to glue().
+  // meshops::glue() refuses the calls that must be refused, and says why.
   if (!has_status(mesh_) || detail::glue_links_blocker(mesh_, first, second))
     return meshops::glue(mesh_, first, second);
   const GlueEffect effect = detail::glue_links(mesh_, first, second, case_of(first, second));
@@ -41,8 +41,8 @@ GlueEffect TopologyTracker::glue(Halfedge first, Halfedge second) {
   return effect;
 }
 
-/// Returns the case of a glue. Components are tracked, and two edges on different curves of one component make a
-/// handle, so that no search through faces is needed.
+/// Returns the case of a glue. No search through faces is needed, because components are tracked: two edges on
+/// different curves of one component make a handle.
 GlueCase TopologyTracker::case_of(Halfedge first, Halfedge second) {
   if (!in_same_component(mesh_.from_vertex_handle(first), mesh_.from_vertex_handle(second))) return GlueCase::join;
   const bool adjacent = mesh_.next_halfedge_handle(first) == second || mesh_.next_halfedge_handle(second) == first;
@@ -74,7 +74,7 @@ void TopologyTracker::note(const UnglueEffect& effect) {
   for (const Halfedge h : {effect.first, effect.second})
     require(is_live(mesh_, h) && mesh_.is_boundary(h), "TopologyTracker: halfedge ", h.idx(),
             " is not a boundary halfedge");
-  // At least one of the two halfedges has an end that is an old vertex.
+  // At least one end of the two halfedges is an old vertex.
   const Vertex ends[] = {mesh_.from_vertex_handle(effect.first), mesh_.to_vertex_handle(effect.first),
                          mesh_.from_vertex_handle(effect.second), mesh_.to_vertex_handle(effect.second)};
   Vertex known;
@@ -174,7 +174,7 @@ std::uint32_t TopologyTracker::new_node() {
   return nodes_.add();
 }
 
-/// Renumbers nodes, one for each set in use, so that the number of nodes does not grow through a long run.
+/// Renumbers the nodes, with one node for each set in use, so that their number does not grow through a long run.
 void TopologyTracker::forget_old_nodes() {
   constexpr auto none = static_cast<std::uint32_t>(-1);
   std::vector<std::uint32_t> renumbered(nodes_.size(), none);

@@ -1,7 +1,6 @@
-// What: keeps the counts of a mesh and the components of its vertices up to date while operators change it.
-// Law:  counts() equals count_topology(mesh) when every operator was reported.
-// Cost: union–find time for operators that only join; for operators that split a component, the size of the smaller
-//       of its two parts.
+// What: keeps the counts of a mesh and the components of its vertices up to date while operators change the mesh.
+// Law:  counts() equals count_topology(mesh) if every operator was reported.
+// Cost: union–find time for operators that do not split a component; for others, the size of the smaller part.
 #pragma once
 
 #include <cstdint>
@@ -20,29 +19,30 @@
 
 namespace meshops {
 
-/// Tracker of the counts of a mesh. Report each operator to note(), with the effect that the operator returned, before
-/// the next operator. The members glue() and zip_curves() perform and report the operator; glue() needs no search
-/// through components. A flip changes nothing that is tracked. In place of remove_triangle(), call unglue() for each
-/// glued side and then destroy_triangle().
-/// Throws: ContractViolation when an effect names elements that do not exist, or vertices that the tracker does not
-///         know because an operator was not reported; the counts are then unchanged.
+/// Tracker of the counts of a mesh. Report each operator to note() before the next operator, with the effect that the
+/// operator returned. The members glue() and zip_curves() perform the operator and report it; glue() then needs no
+/// search through components. A flip changes nothing that is tracked. In place of remove_triangle(), call unglue() for
+/// each side with a face beyond it, and then destroy_triangle().
+/// Throws: ContractViolation if an effect contradicts the mesh, or names vertices that the tracker does not know
+///         because an operator was not reported; the counts are then unchanged.
 class MESHOPS_API TopologyTracker {
  public:
   /// Counts the mesh. Keeps a reference to the mesh. Requires: validate(mesh) is empty; not checked. Cost: near-linear.
   explicit TopologyTracker(Connectivity& mesh);
 
   const TopologyCounts& counts() const { return counts_; }
-  /// Returns whether two vertices are in one component, in union–find time. Throws ContractViolation unless both live.
+  /// Returns whether `a` and `b` are in one component, in union–find time. Throws ContractViolation unless both are
+  /// live.
   bool in_same_component(Vertex a, Vertex b);
 
-  /// Glues as glue() does (handle/glue.h), with the same requirements, and notes the effect. Cost: union–find time when
-  /// the edges are on two components or adjacent; otherwise the shorter of two ways along a curve, or the shorter of
-  /// two curves; and the degrees of vertices that become one.
+  /// Glues as glue() does (handle/glue.h), with the same requirements, and notes the effect. Cost: the degrees of the
+  /// ends, and union–find time; for edges of one component that are not adjacent, also the shorter way between them
+  /// along their curve, or the length of the shorter of their two curves.
   GlueEffect glue(Halfedge first, Halfedge second);
-  /// Sews as zip_curves() does (handle/zip_curves.h), with the same requirements and cost, and notes the effect.
+  /// Glues as zip_curves() does (handle/zip_curves.h), with the same requirements and cost, and notes the effect.
   ZipCurvesEffect zip_curves(Halfedge first, Halfedge second);
 
-  void note_destroyed();  ///< for destroy_triangle()
+  void note_destroyed();  ///< notes a destroy_triangle()
   void note(const CreateTriangleEffect& effect);
   void note(const GlueEffect& effect);
   void note(const UnglueEffect& effect);
@@ -50,7 +50,7 @@ class MESHOPS_API TopologyTracker {
   void note(const OpenCurveEffect& effect);
   void note(const SplitEffect& effect);
   void note(const WeldEffect& effect);
-  void note_undone(const WeldEffect& effect);  ///< for undo(): takes the effect that was undone
+  void note_undone(const WeldEffect& effect);  ///< notes an undo() of this effect
 
  private:
   void change(const Delta& delta);
@@ -62,7 +62,7 @@ class MESHOPS_API TopologyTracker {
 
   Connectivity& mesh_;
   TopologyCounts counts_;
-  std::vector<std::uint32_t> node_of_;  // for each vertex; a component that splits off gets a new node
+  std::vector<std::uint32_t> node_of_;  // for each vertex, a number in nodes_; a part that splits off gets a new one
   DisjointSets nodes_;
 };
 
