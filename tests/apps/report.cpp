@@ -330,6 +330,8 @@ TEST_SUITE("report") {
     const Json facts = Json::parse(element(page, "facts"));
     CHECK(facts["points"] == 6);
     CHECK(facts["tetrahedra"] == 4);
+    CHECK(facts["cover"] == 1);
+    CHECK(Json::parse(element(page_of(folder, "octahedron.xyz --dimension 3 --cover 0.9"), "facts"))["cover"] == 0.9);
     CHECK(facts["pairs"] == 14);  // six components, seven tunnels, and the void within
     const std::vector<double> radii = doubles_of(bytes_of(page, "radii"));
     CHECK(radii.size() == facts["steps"]);

@@ -134,8 +134,9 @@ void sort_by_high(Iterator first, Iterator last, Steps& step) {
 void require_readable(const PolygonSoup& soup) {
   require_parted(soup);
   constexpr std::size_t limit = std::size_t{1} << 30U;
-  require(soup.corners.size() < limit && soup.points < limit && soup.faces() < limit, "found a soup of ",
-          static_cast<long long>(soup.corners.size()), " corners, expected fewer than 2^30 corners, points and faces");
+  const std::size_t most = std::max({soup.corners.size(), std::size_t{soup.points}, soup.faces()});
+  require(most < limit, "found a soup of ", static_cast<long long>(most),
+          " corners, points or faces, expected fewer than 2^30 of each");
 }
 
 }  // namespace
