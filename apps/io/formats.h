@@ -7,7 +7,7 @@
 
 namespace rbpa::app {
 
-/// The reader of points of a format (io/cloud/cloud.h). The source that reads a format defines the format's reader.
+/// How points of a format are read (io/cloud/cloud.h). The source that reads a format defines its CloudFormat.
 struct CloudFormat;
 extern const CloudFormat table_reader, pts_reader, xyzn_reader, xyzrgb_reader, las_reader, npy_reader, raw_reader,
     ply_reader, off_reader, obj_reader, pcd_reader, pdb_reader, pqr_reader, cif_reader, gro_reader, dump_reader,

@@ -9,7 +9,7 @@
 
 #include "io/cloud/atom_frames.h"
 #include "io/cloud/ball_radii.h"
-#include "io/cloud/elements.h"
+#include "io/cloud/chemical_elements.h"
 #include "io/interrupt.h"
 #include "python/file_errors.h"
 #include "python/module.h"

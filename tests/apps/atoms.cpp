@@ -12,7 +12,7 @@
 
 #include "io/cloud/atom_frames.h"
 #include "io/cloud/ball_radii.h"
-#include "io/cloud/elements.h"
+#include "io/cloud/chemical_elements.h"
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
 #include "support/program.h"

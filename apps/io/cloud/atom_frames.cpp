@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "io/cloud/elements.h"
+#include "io/cloud/chemical_elements.h"
 #include "io/cloud/read_space_points.h"
 #include "io/cloud/table_beginning.h"
 #include "io/failure.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "io/cloud/elements.h"
+#include "io/cloud/chemical_elements.h"
 #include "io/failure.h"
 #include "io/number.h"
 #include "io/text/lines.h"

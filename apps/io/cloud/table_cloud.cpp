@@ -400,6 +400,6 @@ std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request, 
 /// lines are refused, with their number, or left out and counted. The separator is that of choose_separator()
 /// (table_separator.h). Fields may be in double quotes (not with blanks as separator). All lines have the same number
 /// of columns. In a line that the condition excludes, only the condition's columns are read.
-const CloudFormat table_reader = table_format<TableKind::any>;
+const CloudFormat table_reader = reader_of_kind<TableKind::any>;
 
 }  // namespace rbpa::app

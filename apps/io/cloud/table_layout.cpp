@@ -389,13 +389,13 @@ std::size_t least_columns(TableKind kind) {
 /// Reads a table whose columns, if no header names them, are x, y, z and then an intensity, a color or both. The first
 /// line of such a table may be the number of points; exactly so many points must follow, unless invalid lines are
 /// skipped.
-const CloudFormat pts_reader = table_format<TableKind::pts>;
+const CloudFormat pts_reader = reader_of_kind<TableKind::pts>;
 
 /// Reads a table whose columns, if no header names them, are x, y, z, nx, ny, nz.
-const CloudFormat xyzn_reader = table_format<TableKind::xyzn>;
+const CloudFormat xyzn_reader = reader_of_kind<TableKind::xyzn>;
 
 /// Reads a table whose columns, if no header names them, are x, y, z, red, green, blue: from 0 to 1; or to 255 if a
 /// channel in the file is greater than 1; or to 65535 if one is greater than 255.
-const CloudFormat xyzrgb_reader = table_format<TableKind::xyzrgb>;
+const CloudFormat xyzrgb_reader = reader_of_kind<TableKind::xyzrgb>;
 
 }  // namespace rbpa::app

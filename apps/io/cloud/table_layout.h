@@ -67,9 +67,9 @@ TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const Clo
 /// Opens a table, for CloudFormat::open.
 std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request, TableKind kind);
 
-/// The reader of tables of a kind.
+/// How tables of a kind are read.
 template <TableKind kind>
-constexpr CloudFormat table_format = {
+constexpr CloudFormat reader_of_kind = {
     .open = [](Content content, const CloudRequest& request) { return open_table(std::move(content), request, kind); },
     .fields = names_of_columns,
     .streams = true,

@@ -1,4 +1,4 @@
-#include "io/cloud/elements.h"
+#include "io/cloud/chemical_elements.h"
 
 #include <algorithm>
 #include <cctype>
