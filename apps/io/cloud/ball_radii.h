@@ -1,5 +1,5 @@
 // What: radii of atoms: those of their file, of a table of elements or of atoms of proteins, or of a file of radii.
-// Source: Bondi and Mantina as in elements.h. ProtOr: J. Tsai et al., J. Mol. Biol. 290, 253 (1999).
+// Source: Bondi and Mantina as in chemical_elements.h. ProtOr: J. Tsai et al., J. Mol. Biol. 290, 253 (1999).
 #pragma once
 
 #include <cstddef>
