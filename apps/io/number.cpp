@@ -47,7 +47,7 @@ ParsedNumber parse_written_number(std::string_view text) {
     ascii.push_back(is_minus ? '-' : text[at]);
     if (is_minus) at += minus.size() - 1;
   }
-  // Accept D only after digits, points and signs: "inD" is not a number.
+  // Accept D only where E may stand: after digits, points and signs.
   const std::size_t exponent = ascii.find_first_of("dD");
   if (exponent != std::string::npos && ascii.find_first_not_of("0123456789.+-") == exponent) ascii[exponent] = 'e';
   const ParsedNumber read = parse_whole_number(ascii);

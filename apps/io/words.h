@@ -30,7 +30,7 @@ inline bool same_letters(std::string_view a, std::string_view b) {
   });
 }
 
-/// Returns whether `name`, in letters of either case, is among `names`, which blanks separate.
+/// Returns whether `name` is one of `names`, which spaces separate. The case of letters does not matter.
 inline bool is_word_of(std::string_view name, std::string_view names) {
   while (!names.empty()) {
     const std::size_t size = std::min(names.find(' '), names.size());

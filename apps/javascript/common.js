@@ -20,7 +20,7 @@ async function instance() {
   for (const { module: from, name } of WebAssembly.Module.imports(module))
     if (from !== "rbpa")
       (imports[from] ??= {})[name] = () => {
-        if (name === "proc_exit") throw new Error("rbpa: the module ended, which is a bug");
+        if (name === "proc_exit") throw new Error("rbpa: the module ended, which is a bug (report it with the input)");
         return 0;
       };
   exports = (await WebAssembly.instantiate(module, imports)).exports;

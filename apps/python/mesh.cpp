@@ -185,7 +185,7 @@ std::unique_ptr<Mesh> mesh_of(const Indices& vertices, const Indices& halfedges,
            static_cast<std::size_t>(f_at.shape(0)));
   const auto in = [](int i, py::ssize_t count) {
     meshops::require(-1 <= i && i < count, "mesh: found a link to element ", i,
-                     ", expected -1, or the number of an element that exists");
+                     ", expected -1 or the number of an element of the mesh (pickle the mesh again)");
     return i;
   };
   for (int v = 0; v < v_at.shape(0); ++v) {

@@ -43,10 +43,10 @@ std::vector<Partial> read_partials(const std::string& path, std::size_t count) {
   std::size_t at = 0;
   for (std::size_t i = 0; i < count; ++i) {
     std::uint64_t size = 0;
-    if (bytes.size() - at < sizeof size) throw std::runtime_error("a truncated file");
+    if (bytes.size() - at < sizeof size) throw std::runtime_error(path + " is cut off");
     std::memcpy(&size, bytes.data() + at, sizeof size);
     at += sizeof size;
-    if (bytes.size() - at < size) throw std::runtime_error("a truncated file");
+    if (bytes.size() - at < size) throw std::runtime_error(path + " is cut off");
     partials.push_back(partial_from_bytes({reinterpret_cast<const std::uint8_t*>(bytes.data()) + at, size}));
     at += size;
   }

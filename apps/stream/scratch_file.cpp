@@ -151,7 +151,7 @@ std::string json_text_of_bytes(std::string_view bytes) {
 std::string bytes_of_json_text(std::string_view text) {
   const auto digit = [](char c) {
     const char* const at = c == '\0' ? nullptr : std::strchr(hex, c);
-    if (at == nullptr) throw BadInput("a name with a % that two digits do not follow");
+    if (at == nullptr) throw BadInput("a name with a % without two hexadecimal digits after it");
     return static_cast<unsigned>(at - hex);
   };
   std::string bytes;
@@ -160,7 +160,7 @@ std::string bytes_of_json_text(std::string_view text) {
       bytes += text[i];
       continue;
     }
-    if (text.size() - i < 3) throw BadInput("a name with a % that two digits do not follow");
+    if (text.size() - i < 3) throw BadInput("a name with a % without two hexadecimal digits after it");
     bytes += static_cast<char>(digit(text[i + 1]) << 4U | digit(text[i + 2]));
     i += 2;
   }

@@ -28,9 +28,9 @@ struct Options {
 /// Computes the solid alpha complex of `points`: their Delaunay triangles of circumradius ≤ `alpha`. Cocircular points
 /// are triangulated by the symbolic perturbation that docs/explanation/exact_decisions.md defines. The complex of fewer
 /// than three points, or of points on one line, has no triangle.
-/// Requires: 0 < alpha ≤ infinity; the points are finite, at most 357,913,941 (OpenMesh numbers halfedges in int).
-/// Throws:   before anything is computed, InvalidInput that names a wrong alpha, a too large number of points or the
-///           first point that is not finite. Cancelled; any exception of `options.progress`.
+/// Requires: 0 < alpha ≤ infinity; finite points; at most 357,913,941 of them (OpenMesh numbers halfedges in int).
+/// Throws:   InvalidInput, before anything is computed, that names a wrong alpha, too many points or the first point
+///           that is not finite; Cancelled; any exception of `options.progress`.
 RBPA_API SolidAlphaComplex rbpa(std::span<const Point> points, double alpha, const Options& options = {});
 
 /// Returns the number of threads that rbpa() and hrbpa() use for a number of points when the option `threads` is

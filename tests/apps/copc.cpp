@@ -302,10 +302,9 @@ TEST_SUITE("COPC") {
     CHECK(info("p.xyz --bounds 0,0,3,3,4,6").find("\"points\": 1,") != std::string::npos);
     CHECK(info("p.xyz --bounds 1,1,2,2").starts_with("rbpa: p.xyz: --bounds selects 3 of 5 points\n"));
     folder.file("flat.xy", "0 0\n1 1\n");
-    CHECK(
-        folder.rbpa("info flat.xy --bounds 0,0,3,3,4,6").err ==
-        "rbpa: flat.xy: found points without z, expected some with it, as --bounds of six numbers requires (four bound "
-        "x and y)\n");
+    CHECK(folder.rbpa("info flat.xy --bounds 0,0,3,3,4,6").err ==
+          "rbpa: flat.xy: found points without z, expected points with z, as --bounds of six numbers requires (four "
+          "bound x and y)\n");
     CHECK(folder.rbpa("mesh p.xyz --bounds 1,1,2,2 --alpha inf -o m.npy").code == 0);
     CHECK(folder.content("m.npy").ends_with(little(1, 4) + little(2, 4) + little(3, 4)));  // numbers of input points
     CHECK(folder.rbpa("solid p.xyz --bounds 0,0,2,2,0,6 --alpha inf -o s.vtu --json").out.find("\"points\": 2") !=

@@ -95,7 +95,7 @@ void wait_for_file(const Folder& folder) {
 
 TEST_SUITE("input files") {
   TEST_CASE("a file that is shortened, extended or written while it is read is refused with a message") {
-    const std::string expected = ", expected a file that does not change while it is read\n";
+    const std::string expected = ", expected a file that does not change while it is read (start again)\n";
     Ending ending;
     const std::string shorter = message_after([](const std::string& path) { fs::resize_file(path, 4096); }, ending);
     CHECK(ending == Ending{3, 0});

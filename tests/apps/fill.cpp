@@ -230,9 +230,8 @@ TEST_SUITE("fill") {
         "7 2 0 0\n1 0 0\n2 9 0\n3 9 9\n4 0 9\n5 1 1\n6 2 1\n7 1 2\n7 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n"
         "5 5 6\n6 6 7\n7 7 5\n";
     poly(square + "0\n",
-         ": the ring through (1, 1): found it within another and no hole point in it, expected one: lines inside of a "
-         "polygon "
-         "are not kept");
+         ": the ring through (1, 1): found no hole point in this ring within another, expected one (lines inside of a "
+         "polygon are not kept)");
   }
 
   TEST_CASE("wrong usage is refused") {

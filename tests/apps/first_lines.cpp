@@ -203,7 +203,7 @@ TEST_SUITE("first lines") {
     CHECK(plane("junk\nlat,lon\n0,0\n0,1\n1,0\n", {.columns = parse_columns("lon,lat"), .skip_invalid = true}).points ==
           points);
     CHECK(refusal([] { plane("a\nb\n", {.skip_invalid = true}); }) ==
-          "t.txt: found 2 lines and no point, expected at least one (t.txt:1: found 'a', expected two numbers)");
+          "t.txt: found 2 lines and no point, expected at least one point (t.txt:1: found 'a', expected two numbers)");
   }
 
   TEST_CASE("a header alone is refused in every table, unless a line says that there are no points") {

@@ -294,9 +294,9 @@ TEST_SUITE("listed_fields") {
     const Folder folder;
     folder.file("p.csv", "x,y,g,kind,v\n0,0,1,a,\n1,0,1,b,\n0,1,1,b,\n9,9,2,c,1\n");
     refuses(folder, "shape p.csv --alpha 1 -o s.csv --summarize v:mean", 2,
-            "--summarize requires polygons with attributes: one of geojson, json");
+            "--summarize requires -o in a format with attributes: one of geojson, json");
     refuses(folder, "shape p.csv --alpha 1 -o s.wkt --summarize v:mean", 2,
-            "--summarize requires polygons with attributes");
+            "--summarize requires -o in a format with attributes");
     for (const std::string wrong : {"v", "v:", ":mean", "v:median", "v:mean,,v:max", "''"})
       refuses(folder, "shape p.csv --alpha 1 -o s.geojson --summarize " + wrong, 2,
               "expected FIELD:STATISTIC, several with commas between them; a statistic is min, max, mean, sum or "

@@ -404,7 +404,8 @@ TEST_SUITE("points of space") {
                                    "expected one of another length"});
     CHECK(skipping("1 2 3\n").warnings.empty());
     CHECK_THROWS_WITH_AS(skipping("x,y,z\n1,2,NA\n"),
-                         "p: found 1 line and no point, expected at least one (p:2: found 'NA', expected a number)",
+                         "p: found 1 line and no point, expected at least one point (p:2: found 'NA', expected a "
+                         "number)",
                          BadInput);
   }
 

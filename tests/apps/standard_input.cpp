@@ -121,9 +121,8 @@ TEST_SUITE("standard input") {
     CHECK(folder.rbpa("fill - --size 1 -o f.off < p.wkt").code == 0);
     folder.file("p.poly", "3 2 0 0\n1 0 0\n2 1 0\n3 1 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n");
     CHECK(folder.rbpa("fill - --size 1 -o f.off < p.poly").err ==
-          "rbpa: standard input: found no content of a known format, expected one of geojson, json, wkt, ewkt, poly, "
-          "which "
-          "--format names\n");
+          "rbpa: standard input: found content of an unknown format, expected one of geojson, json, wkt, ewkt, poly "
+          "(name the format with --format)\n");
     const Outcome atoms = folder.rbpa("info - < a.pdb");
     CHECK(atoms.code == 3);
     CHECK(atoms.err.starts_with("rbpa: standard input: found the content of a file .pdb, expected one of xy, txt"));

@@ -194,7 +194,7 @@ TEST_SUITE("tables of people") {
     CHECK(read_table("NA,NA\n3,4\n", skipping).points == std::vector<Point>{{3, 4}});  // no header
     CHECK(refusal_of_table("NA,NA\n3,4\n") == "t:1: found 'NA', expected a number" + hint);
     CHECK(refusal_of_table("x,y\nNA,1\n2,NA\n", skipping) ==
-          "t: found 2 lines and no point, expected at least one (t:2: found 'NA', expected a number)");
+          "t: found 2 lines and no point, expected at least one point (t:2: found 'NA', expected a number)");
     CHECK(read_table("x,y\n1,2\n", skipping).warnings.empty());
   }
 

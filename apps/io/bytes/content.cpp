@@ -124,7 +124,7 @@ std::size_t Content::File::decompress(char* to, std::size_t size) {
 void Content::File::require_unchanged() const {
   const struct stat now = status_of(file.number(), name);
   if (now.st_size == status.st_size && same_time(now.st_mtim, status.st_mtim)) return;
-  bad_input(name, "a change while it was read", "a file that does not change while it is read");
+  bad_input(name, "a change while it was read", "a file that does not change while it is read (start again)");
 }
 
 Content::Content(std::string_view bytes, std::string name)

@@ -46,7 +46,7 @@ class Content {
   /// Returns whether the content is decompressed as it is read.
   bool is_compressed() const;
   bool is_in_memory() const { return file_ == nullptr; }
-  /// Returns how many bytes of the file, compressed if it is, were read or skipped until now.
+  /// Returns how many bytes of the file were read or skipped so far. In a compressed file, counts compressed bytes.
   std::uint64_t bytes_read() const;
 
  private:

@@ -129,7 +129,7 @@ void InputBytes::read_file(int descriptor) {
   meshops::prefer_large_pages(data_.get(), room_);
   posix_fadvise(descriptor, 0, 0, POSIX_FADV_SEQUENTIAL);
   while (size_ < room_ && read_some(descriptor)) continue;
-  const std::string expected = "a file that does not change while it is read";
+  const std::string expected = "a file that does not change while it is read (start again)";
   if (size_ < left) bad_input(name_, counted(size_, "byte") + " where there were " + std::to_string(left), expected);
   if (size_ > left) bad_input(name_, "more than the " + counted(left, "byte") + " there were", expected);
   if (!same_time(before.st_mtim, status_of(descriptor, name_).st_mtim))

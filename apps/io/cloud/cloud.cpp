@@ -174,7 +174,7 @@ void keep_points(CloudBlock& block, const std::vector<std::uint8_t>& kept) {
 }
 
 void refuse_flat_points(const std::string& name) {
-  bad_input(name, "points without z", "some with it, as --bounds of six numbers requires (four bound x and y)");
+  bad_input(name, "points without z", "points with z, as --bounds of six numbers requires (four bound x and y)");
 }
 
 std::string warning_on_window(const PointWindow& window, std::size_t selected, std::size_t all) {

@@ -86,7 +86,7 @@ class PcdHeaderReader {
     } else if (word == "DATA") {
       take_data(trimmed(rest));
     } else if (word != "VERSION" && word != "VIEWPOINT") {
-      refuse("FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, POINTS, VIEWPOINT or DATA");
+      refuse("one of VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, POINTS, VIEWPOINT and DATA");
     }
   }
 

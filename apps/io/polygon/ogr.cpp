@@ -67,7 +67,9 @@ class OgrReader {
       geometry == nullptr ? static_cast<void>(++without_geometry_) : take(*geometry);
     }
     // Refuse a file that can be read in part only.
-    if (gdal_.has_failed()) throw BadInput(source_ + ": GDAL cannot read all of it: " + shown(gdal_.reason()));
+    if (gdal_.has_failed())
+      throw BadInput(source_ + ": GDAL cannot read all of it: " + shown(gdal_.reason()) +
+                     " (ogr2ogr -skipfailures copies what it can read)");
     const GIntBig announced = layer.GetFeatureCount(FALSE);  // below 0: not known without counting
     if (announced >= 0 && static_cast<std::size_t>(announced) != features_)
       bad_input(source_, counted(features_, "feature"), std::to_string(announced) + " as the file says");

@@ -45,7 +45,7 @@ std::vector<SummaryChoice> parse_summaries(const std::optional<std::string>& tex
                                            const std::string& formats) {
   std::vector<SummaryChoice> choices;
   if (!text) return choices;
-  if (!any_holds) throw WrongUsage("--summarize requires polygons with attributes: one of " + formats);
+  if (!any_holds) throw WrongUsage("--summarize requires -o in a format with attributes: one of " + formats);
   for (const std::string_view word : split_at_commas(*text)) {
     const std::size_t colon = std::min(word.rfind(':'), word.size());
     const auto* const found =

@@ -64,7 +64,7 @@ void LineSelection::add_warnings(bool any_points, const std::string& name, std::
   if (selection_) selection_->warning("line", warnings);
   if (skipped_ == 0) return;
   if (!any_points && (!selection_ || selection_->all_held()))
-    bad_input(name, counted(skipped_, "line") + " and no point", "at least one (" + first_skipped_ + ")");
+    bad_input(name, counted(skipped_, "line") + " and no point", "at least one point (" + first_skipped_ + ")");
   warnings.push_back(counted(skipped_, "line") + (skipped_ == 1 ? " is" : " are") +
                      " left out: " + (skipped_ == 1 ? "" : "the first is ") + first_skipped_);
 }

@@ -13,8 +13,8 @@ namespace {
 
 using namespace std::string_view_literals;
 
-/// Returns the name of UTF-16 or UTF-32 with its byte order if the bytes seem to be text in that encoding: they begin
-/// with its mark, or with zero bytes next to ASCII. Returns "" otherwise.
+/// Returns the name of UTF-16 or UTF-32 with its byte order if the bytes begin with the mark of that encoding, or with
+/// two characters of UTF-16 that have one zero byte each. Returns "" otherwise.
 std::string_view other_encoding(std::string_view bytes) {
   if (bytes.starts_with("\xFF\xFE\0\0"sv)) return "UTF-32LE";
   if (bytes.starts_with("\0\0\xFE\xFF"sv)) return "UTF-32BE";

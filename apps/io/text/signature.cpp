@@ -92,8 +92,8 @@ Format format_of_content(Use use, std::string_view bytes, const std::string& nam
   const std::string_view found = ending_of_content(bytes);
   const std::optional<Format> format = found.empty() ? otherwise : find_format(use, found);
   if (format && *format != Format::ogr) return *format;
-  bad_input(name, found.empty() ? "no content of a known format" : "the content of a file ." + std::string(found),
-            "one of " + endings(use) + (found.empty() ? ", which --format names" : ""));
+  bad_input(name, found.empty() ? "content of an unknown format" : "the content of a file ." + std::string(found),
+            "one of " + endings(use) + (found.empty() ? " (name the format with --format)" : ""));
 }
 
 }  // namespace rbpa::app

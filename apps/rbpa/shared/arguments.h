@@ -39,7 +39,7 @@ struct OutputArguments {
   std::optional<std::string> stats;
 };
 
-/// Returns the paths that have a value.
+/// Returns the paths in `reports` that have a value.
 std::vector<std::string> given(const std::vector<std::optional<std::string>>& reports);
 
 /// Returns the files to write. The ending of a path gives its format; if it is unknown, --output-format does. For the

@@ -19,7 +19,7 @@
 
 namespace rbpa::app {
 
-/// The groups by which rows sum up atoms.
+/// The groups of atoms that are summed up, each in one row. With `none`, each atom has its own row.
 enum class AtomGroups { none, residue, chain, column };
 
 /// The counts and sizes of one frame in the reports.

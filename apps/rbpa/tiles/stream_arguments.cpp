@@ -111,7 +111,7 @@ std::vector<std::string> files_in(const std::string& folder, const PointArgument
     bad_input(folder, "points in files of several formats, such as " + some_of(formats),
               "one format, or the names of files");
   if (found.empty())
-    bad_input(folder, "a folder without files of points", "some by their endings: " + endings(Use::points));
+    bad_input(folder, "a folder without files of points", "files with one of the endings " + endings(Use::points));
   std::sort(found.begin(), found.end());
   if (quiet) return found;
   std::vector<std::string> names;

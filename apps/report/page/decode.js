@@ -25,7 +25,7 @@ class WholeNumbers {
   next() {
     let value = 0;
     for (let weight = 1; ; weight *= 128) {
-      if (this.at === this.bytes.length) throw new RangeError("the data of this page are cut off");
+      if (this.at === this.bytes.length) throw new RangeError("the data of this page are cut off (write it again with rbpa report)");
       const byte = this.bytes[this.at++];
       value += (byte & 127) * weight;
       if (byte < 128) return value;

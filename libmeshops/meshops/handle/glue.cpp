@@ -85,7 +85,7 @@ GlueEffect glue_links(Connectivity& mesh, Halfedge first, Halfedge second, GlueC
   const Vertex start = merge(mesh, effect.first_ends.from, effect.second_ends.to);
   const Vertex end = merge(mesh, effect.first_ends.to, effect.second_ends.from);
 
-  // `first` replaces the opposite of `second` in its face.
+  // `first` replaces `inner`, the opposite of `second`, in the face of `inner`.
   mesh.set_face_handle(first, face);
   if (mesh.halfedge_handle(face) == inner) mesh.set_halfedge_handle(face, first);
   mesh.set_next_halfedge_handle(inner_before, first);

@@ -243,7 +243,7 @@ void check(const Connectivity& mesh, std::span<const double> lengths) {
                                   .str());
     sum += lengths[at(e)];
   });
-  require(std::isfinite(sum), "homology: the sum of the lengths is not finite");
+  require(std::isfinite(sum), "homology: found an infinite sum of lengths, expected a finite sum");
 }
 
 }  // namespace

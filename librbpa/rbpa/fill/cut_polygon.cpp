@@ -110,7 +110,7 @@ class Boundary {
   std::vector<Ring> rings_ = {};
 };
 
-/// A builder of the rings around the part left of the line.
+/// A builder of the rings around the part of a polygon left of a vertical line.
 class LeftRings {
  public:
   /// Takes the points of PolygonCut. Point `first_crossing` + i is on an edge whose end right of the line is

@@ -100,8 +100,8 @@ std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<
   if (without != has_point.end()) {
     const Polygon& hole = insides[static_cast<std::size_t>(without - has_point.begin())];
     throw InvalidInput("the ring through " + place_of(points[hole.shell.points[0]]) +
-                       ": found it within another and no hole point in it, expected one: lines inside of a polygon are "
-                       "not kept");
+                       ": found no hole point in this ring within another, expected one (lines inside of a polygon are "
+                       "not kept)");
   }
   return apart.outline_polygons();
 }

@@ -64,7 +64,8 @@ Numbers add_triangles(FiltrationArrays& arrays, const std::vector<Triangle>& tri
   return inverse(order);
 }
 
-/// Returns the cells with the numbers of the arrays, edges sorted by alpha and ends: a function of the set of points.
+/// Returns the cells, numbered as in the arrays, with the edges sorted by alpha, then by ends. The result depends only
+/// on the set of points.
 FilteredCells renumbered(FilteredCells cells, const Numbers& vertices, const Numbers& faces, Steps& pulse) {
   FilteredCells result = cells;
   for (std::size_t v = 0; v < vertices.size(); ++v) result.vertices[vertices[v]] = cells.vertices[v];

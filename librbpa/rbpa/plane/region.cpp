@@ -19,7 +19,7 @@ void check_finite(double alpha) {
 
 void check(const Region& region) {
   if (!(region.x0 <= region.x1) || !(region.y0 <= region.y1))
-    throw InvalidInput("a region with " + text(region) + "; expected bounds in ascending order");
+    throw InvalidInput("region: found " + text(region) + ", expected bounds in ascending order");
 }
 
 std::string text(const Region& region) {

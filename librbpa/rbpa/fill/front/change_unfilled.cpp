@@ -92,7 +92,8 @@ void Unfilled::bound(Side beyond, Site from, Site to) {
 /// or both triangles at the side on which the site lies.
 void Unfilled::split(const FrontEdge& edge, Site site) {
   const std::optional<Side> around = this->around(edge, places_[site], unlimited);
-  meshops::require(around.has_value(), "fill: a new point lies in no empty triangle");
+  meshops::require(around.has_value(),
+                   "fill: found a new point in no empty triangle, expected a point of the unfilled part");
   const Side first = *around - *around % 3;
   std::vector<std::array<std::uint32_t, 3>> rim;  // from, to, beyond
   std::array<std::uint32_t, 2> taken = {first / 3, none};

@@ -64,7 +64,7 @@ class SortedTriangles {
   /// Finds the triangles for which `admits` returns true.
   template <typename Admits>
   void find(const Admits& admits) {
-    // Two loops, as only the second has branches that are mispredicted.
+    // Use two loops: the processor mispredicts branches only in the second.
     const auto least = std::make_unique_for_overwrite<Edge[]>(edges_.size());
     std::size_t triangles = 0;
     for (Edge s = 0; s < edges_.size(); ++s) {

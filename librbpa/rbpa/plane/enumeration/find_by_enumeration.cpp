@@ -177,8 +177,8 @@ class Enumeration {
     wanted_ += is_listed * (after * (after - 1) / 2);
   }
 
-  /// Lists the pairs of a point and each near point, a point that the tile owns first. Requires: the tile owns the
-  /// point, and does not own some near point.
+  /// Lists a pair of the point and each near point. The tile owns the first point of each pair. Requires: the tile owns
+  /// the point, but not all near points.
   HWY_NOINLINE void list_rim(std::size_t j, std::size_t point, Bits near, Bits owned) {
     const std::size_t first = static_cast<std::size_t>(from_[0][j]), second = static_cast<std::size_t>(from_[1][j]),
                       third = static_cast<std::size_t>(from_[2][j]);

@@ -12,7 +12,7 @@
 
 namespace rbpa {
 
-/// The state at one step of the filtration.
+/// The measures of the complex at one step of its filtration.
 struct ShapeState {
   long double change;      ///< the change up to this step, as plateaus() defines it; never falls
   double effective_parts;  ///< (Σ nᵢ)² / Σ nᵢ², with nᵢ the vertices of each solid component

@@ -1,4 +1,4 @@
-// What: checks a PartialState that was read from bytes: whether to_bytes() could have written it.
+// What: checks whether the values, orders and numbers of a PartialState that was read are as to_bytes() writes them.
 #pragma once
 
 #include "rbpa/plane/partial/state.h"

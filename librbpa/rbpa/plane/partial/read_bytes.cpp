@@ -149,7 +149,8 @@ std::vector<Quadrant> read_quadrants(Reader& reader) {
     quadrant.at = reader.point();
     const auto weight = std::bit_cast<std::int64_t>(reader.number());
     if (std::abs(static_cast<double>(weight)) > 2)
-      refuse("found a corner of a region with weight " + std::to_string(weight) + ", expected -2 to 2");
+      refuse("found a corner of a region with weight " + std::to_string(weight) +
+             ", expected -2 to 2 (compute the result again)");
     quadrant.weight = static_cast<int>(weight);
   }
   return quadrants;

@@ -55,8 +55,8 @@ class LocalFront {
     touched_[a] = touched_[b] = touched_[c] = 1;
   }
 
-  /// Adds triangle (a, b, c) across `side`, which is on the front and runs from b to a. Calls added() for its other
-  /// sides. Requires: as create().
+  /// Adds triangle (a, b, c) across `side`, which is on the front and runs from b to a. Calls added() for the sides b→c
+  /// and c→a. Requires: what create() requires.
   template <typename Added>
   void attach(Index side, Index a, Index b, Index c, Added added) {
     const Index s = next_triangle(a, b, c);

@@ -15,7 +15,7 @@ namespace {
 
 std::vector<double> equal_radii(std::span<const Point3> points, double radius) {
   if (!(radius > 0) || std::isinf(radius))
-    throw InvalidInput("the radius is " + text(radius) + ", expected a finite number above 0");
+    throw InvalidInput("union_of_balls: found the radius " + text(radius) + ", expected a finite number above 0");
   return std::vector<double>(points.size(), radius);
 }
 

@@ -367,7 +367,8 @@ HoleFilling fill_holes(std::span<const Point3> points, std::span<const Triangle>
   space::check_points(points);
   for (const Triangle& t : triangles)
     for (const std::uint32_t vertex : t)
-      meshops::require(vertex < points.size(), "fill_holes: a triangle has a corner that is not a point");
+      meshops::require(vertex < points.size(), "fill_holes: found corner ", vertex,
+                       " of a triangle, expected the index of a point");
   const GoOn go_on = go_on_of(options.progress, points.size(), triangles.size());
   meshops::Steps step(go_on);
   const space::BoundarySides sides(triangles, loops, step);

@@ -33,7 +33,7 @@ namespace rbpa {
 enum class HoleOutcome : std::uint8_t {
   filled,   ///< the hole is closed
   crosses,  ///< each triangulation that was tried crosses the mesh or itself
-  /// Each triangulation has an edge that exists already and would get a third triangle.
+  /// Each triangulation that was tried gives a third triangle to an edge that exists already.
   edge_taken,
   no_area,        ///< each triangulation has a triangle of no area, because corners are on a line
   too_much_work,  ///< not all triangulations were tried, because too many triangles are near each other

@@ -33,7 +33,8 @@ FilledSurface fill_holes(std::span<const Point3> points, const Surface& surface,
   std::vector<Point3> places;
   places.reserve(fans.point.size());
   for (const std::uint32_t point : fans.point) {
-    meshops::require(point < points.size(), "fill_holes: the surface has a corner that is not a point");
+    meshops::require(point < points.size(), "fill_holes: found corner ", point,
+                     " of the surface, expected the index of a point");
     places.push_back(points[point]);
   }
   std::vector<std::vector<std::uint32_t>> loops;

@@ -94,8 +94,8 @@ void require_options(const std::vector<Point3>& places, const Triangles& triangl
   }
   if (const double diagonal = space::distance(box.low, box.high); length > diagonal)
     refuse("the length", length, "at most " + text_of(diagonal) + ", the diagonal of the mesh's box");
-  // Counts triangles with sides of the length that cover the area, and as many as lie along the edges of thin
-  // triangles.
+  // Estimate the number of triangles: those with sides of the length that cover the area, and, for thin triangles of
+  // little area, two for each length along the edges.
   const double unit = std::numbers::sqrt3 / 4, faces = area / (unit * length * length) + 2 * edges / length;
   const auto limit = static_cast<double>(options.most_faces);
   if (faces > limit) {

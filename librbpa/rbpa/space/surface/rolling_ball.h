@@ -1,7 +1,8 @@
 // What:   rolls a ball that rests on three points, one step at a time: ball pivoting for code that traverses the
 //         exposed triangles in its own order, as an advancing front does.
 // Law:    exact, on any finite input. Each result is a function of the points, their normals and the radius, not of
-//         earlier queries. Rolling back returns to the same triangle. docs/explanation/surfaces.md, section 12.
+//         earlier queries. Rolling back returns to the same triangle (docs/explanation/surfaces.md,
+//         sections 11 and 12).
 // Cost:   each roll reads the points within about two radii; one call of surface() rolls over all sides faster.
 // Source: Bernardini et al., The ball-pivoting algorithm for surface reconstruction (1999).
 #pragma once

@@ -23,8 +23,8 @@ meshops::Patch patch_of(const Surface& surface, const SplitFans& fans) {
   for (std::size_t t = 0; t < fans.triangles.size(); ++t)
     for (std::size_t side = 0; side < 3; ++side) {
       patch.triangles[t][side] = static_cast<meshops::Site>(fans.triangles[t][side]);
-      // Side `side` leads from corner `side` to the next corner, across from the third. The other triangle's side
-      // begins at that next corner.
+      // Side `side` runs from corner `side` to the next corner, and is across from the third corner. The side of the
+      // other triangle begins at the next corner.
       const std::uint32_t other = surface.neighbors[t][(side + 2) % 3];
       patch.across[t][side] = meshops::Patch::nothing;
       if (other == Surface::none) continue;
@@ -39,8 +39,9 @@ meshops::Patch patch_of(const Surface& surface, const SplitFans& fans) {
 template <typename GiveBack>
 SurfaceMesh mesh_of(std::span<const Point3> points, const Surface& surface, GiveBack give_back) {
   if (surface.triangles.size() > max_points)
-    throw InvalidInput(std::to_string(surface.triangles.size()) + " triangles, expected at most " +
-                       std::to_string(max_points) + ", whose halfedges can be numbered in int");
+    throw InvalidInput("surface_mesh: found " + std::to_string(surface.triangles.size()) +
+                       " triangles, expected at most " + std::to_string(max_points) +
+                       ", as OpenMesh numbers halfedges in int");
   for (const auto& t : surface.triangles)
     for (const std::uint32_t i : t)
       if (i >= points.size())

@@ -28,7 +28,7 @@ struct EdgeAt {
   std::uint8_t from, to;
 };
 
-/// Returns the positions of the other two corners of the tetrahedron.
+/// Returns the numbers, from 0 to 3, of the two corners of the tetrahedron that are not ends of the edge.
 inline std::array<std::size_t, 2> others(const EdgeAt& at) {
   std::array<std::size_t, 2> found{};
   for (std::size_t k = 0, count = 0; k < 4; ++k)

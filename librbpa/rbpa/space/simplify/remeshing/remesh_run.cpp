@@ -105,7 +105,7 @@ bool RemeshRun::try_split(Edge e) {
   for (const Halfedge side : {h, mesh_.opposite_halfedge_handle(h)}) {
     if (mesh_.is_boundary(side)) continue;
     const Halfedge next = mesh_.next_halfedge_handle(side);
-    // Next to a longer edge that stays, splits would not come to an end.
+    // Do not split next to a longer edge that stays: such splits would never end.
     for (const Halfedge other : {next, mesh_.next_halfedge_handle(next)})
       if (is_kept(mesh_.edge_handle(other)) && squared_length(mesh_.edge_handle(other)) > squared_length(e))
         return false;

@@ -1,8 +1,8 @@
 // What: finds neighbors among the tetrahedra that fill a cavity: pairs whose outer faces share an edge.
 // How:  a table from directed edges to faces. Each of the two tetrahedra at an edge writes the entry of its own
-//       direction of the edge, and later reads the entry of the opposite direction. The table never has to be cleared.
+//       direction of the edge, and later reads the entry of the opposite direction. Only the hash table is cleared.
 //
-//           write  (a, b) → across from c       read  (b, a)
+//           write  (a, b) → the face across from c       read  (b, a)
 //
 // Cost: a store and a load for each directed edge; with more than 128 vertices, two accesses to a hash table.
 #pragma once

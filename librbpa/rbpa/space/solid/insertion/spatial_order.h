@@ -19,8 +19,8 @@ namespace rbpa::space {
 
 /// Returns the indices of all points in the order of the Hilbert curve. Equal points are adjacent, the lowest index
 /// first. Calls `checkpoint`, if any, repeatedly; `checkpoint` may throw.
-/// Requires: finite points; `scaled` has the points times one factor, and differences in `scaled` do not overflow.
-///           Rounding in `scaled` affects only the order of points near each other.
+/// Requires: finite points; `scaled` holds the points, each multiplied by the same factor; differences in `scaled` do
+///           not overflow. Rounding in `scaled` affects only the order of points near each other.
 std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, std::span<const Point3> scaled,
                                           const Checkpoint& checkpoint);
 

@@ -19,7 +19,7 @@
 namespace rbpa::space {
 
 struct Triples {
-  /// The tetrahedra: positively oriented; the first corner of each is its first one in the order of sites.
+  /// The tetrahedra, positively oriented. The first corner of each comes first in the order of sites.
   std::vector<std::array<Site, 4>> tetrahedra;
   std::size_t exact = 0;  ///< number of sides of triangles decided by exact predicates
 };
