@@ -1,5 +1,7 @@
 #include "meshops/front/waiting_edges.h"
 
+#include <algorithm>
+
 #include "meshops/core/contract.h"
 
 namespace meshops::detail {
@@ -26,6 +28,7 @@ void WaitingEdges::queue(Halfedge h) {
 
 void WaitingEdges::queue_all(std::vector<Halfedge>&& active) {
   active_ = std::move(active);
+  head_ = 0;
   state_.resize(mesh_.n_edges(), State::neither);
   for (const Halfedge h : active_) set_state(h, State::active);
 }
@@ -59,16 +62,19 @@ void WaitingEdges::defer(Halfedge h, std::size_t revision) {
     deferred_revision_ = revision;
     deferred_now_ = deferred_.size();
   }
-  deferred_.push_back(h);
   set_state(h, State::deferred);
+  last_deferral_.resize(std::max(last_deferral_.size(), state_.size()), 0);
+  last_deferral_[static_cast<std::size_t>(h.idx()) / 2] = ++deferrals_;
+  deferred_.push_back({h, deferrals_});
 }
 
 bool WaitingEdges::wake_deferred(std::size_t revision) {
   const std::size_t end = revision == deferred_revision_ ? deferred_now_ : deferred_.size();
+  if (end <= deferred_head_) return false;
   bool woken = false;
   for (std::size_t i = deferred_head_; i < end; ++i)
-    if (is_deferred(deferred_[i])) {
-      queue(checked(deferred_[i]));
+    if (is_current(deferred_[i])) {
+      queue(checked(deferred_[i].h));
       woken = true;
     }
   deferred_.erase(deferred_.begin(), deferred_.begin() + static_cast<std::ptrdiff_t>(end));
@@ -78,7 +84,7 @@ bool WaitingEdges::wake_deferred(std::size_t revision) {
 
 Halfedge WaitingEdges::next_deferred() {
   while (deferred_head_ < deferred_.size())
-    if (const Halfedge h = deferred_[deferred_head_++]; is_deferred(h)) return checked(h);
+    if (const Deferred entry = deferred_[deferred_head_++]; is_current(entry)) return checked(entry.h);
   deferred_.clear();
   deferred_head_ = deferred_now_ = 0;
   return Halfedge();
@@ -101,7 +107,8 @@ void WaitingEdges::clear() {
   active_ = std::vector<Halfedge>();
   head_ = 0;
   frozen_ = std::vector<Halfedge>();
-  deferred_ = std::vector<Halfedge>();
+  deferred_ = std::vector<Deferred>();
+  last_deferral_ = std::vector<std::size_t>();
   deferred_head_ = deferred_now_ = 0;
 }
 

@@ -15,6 +15,10 @@
 
 namespace meshops::detail {
 
+/// Waiting boundary halfedges of a front, with their queue. Keeps a reference to the mesh. The is_…() functions return
+/// false for any handle that is not a boundary halfedge.
+/// Requires: halfedges that are queued, frozen or deferred are on the boundary. Not checked.
+/// Cost:     amortized constant for each entry that a function adds, visits or skips, unless stated otherwise.
 class MESHOPS_API WaitingEdges {
  public:
   explicit WaitingEdges(const Connectivity& mesh) : mesh_(mesh) {}
@@ -25,13 +29,16 @@ class MESHOPS_API WaitingEdges {
   bool is_frozen(Halfedge h) const { return state(h) == State::frozen; }
   bool is_waiting(Halfedge h) const { return state(h) != State::neither; }
 
-  /// Makes a boundary halfedge active, whatever its state was, and puts the halfedge at the end of the queue.
+  /// Makes a boundary halfedge active, whatever its state was, and puts the halfedge at the end of the queue. An entry
+  /// that the queue has already stays, too.
   void queue(Halfedge h);
+  /// Makes a boundary halfedge frozen, whatever its state was, and lists the halfedge in frozen().
   void freeze(Halfedge h) {
     frozen_.push_back(h);
     set_state(h, State::frozen);
   }
-  /// Makes the given halfedges active, and queues them in their order. Requires: no halfedge waits yet; not checked.
+  /// Makes the given halfedges active, and queues them in their order. Requires: nothing was queued yet; not checked.
+  /// Cost: linear in the edges of the mesh.
   void queue_all(std::vector<Halfedge>&& active);
   /// Ends the waiting of a halfedge that was popped or whose edge was deleted.
   void release(Halfedge h) { set_state(h, State::neither); }
@@ -43,11 +50,11 @@ class MESHOPS_API WaitingEdges {
   }
 
   /// Removes from the queue and returns the next halfedge that is active and not deferred; an invalid handle if there
-  /// is none. The halfedge stays active.
-  /// Throws: ContractViolation if other code has deleted the halfedge.
+  /// is none. The halfedge stays active; if it was queued twice, next() returns it again, unless release() is called.
+  /// Throws: ContractViolation if other code has deleted the halfedge; so do wake_deferred() and next_deferred().
   Halfedge next();
   /// Queues every active halfedge that is not deferred, once: first those of `first`, then the present queue, then all
-  /// others.
+  /// others. Cost: linear in the edges of the mesh.
   void requeue(std::span<const Halfedge> first);
 
   /// Defers a boundary halfedge until the revision of the front has changed. Requires: `revision` never decreases.
@@ -68,13 +75,13 @@ class MESHOPS_API WaitingEdges {
       if (is_frozen(h)) visit(checked(h));
     for (std::size_t i = head_; i < active_.size(); ++i)
       if (is_active(active_[i])) visit(checked(active_[i]));
-    for (const Halfedge h : deferred_)
-      if (is_deferred(h)) visit(checked(h));
+    for (const Deferred& entry : deferred_)
+      if (is_current(entry)) visit(checked(entry.h));
   }
   /// Queues the frozen halfedges, in the order in which they were frozen. Returns: their number.
   std::size_t wake_all();
 
-  /// Frees the memory.
+  /// Ends the waiting of all halfedges, and frees the memory.
   void clear();
 
  private:
@@ -85,6 +92,14 @@ class MESHOPS_API WaitingEdges {
     return h.idx() >= 0 && edge < state_.size() && mesh_.is_boundary(h) ? state_[edge] : State::neither;
   }
   void set_state(Halfedge h, State state);
+  struct Deferred {
+    Halfedge h;
+    std::size_t number;  // of all deferrals
+  };
+  /// Returns whether the halfedge is deferred, and was not deferred again later.
+  bool is_current(const Deferred& entry) const {
+    return is_deferred(entry.h) && last_deferral_[static_cast<std::size_t>(entry.h.idx()) / 2] == entry.number;
+  }
   /// Returns `h`. Throws ContractViolation if other code has deleted the edge of `h`: only the front may delete edges.
   Halfedge checked(Halfedge h) const {
     if (!is_live(mesh_, h)) [[unlikely]]
@@ -98,7 +113,9 @@ class MESHOPS_API WaitingEdges {
   std::vector<Halfedge> active_;  // a queue from head_ on; halfedges that are no longer active are skipped
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;
-  std::vector<Halfedge> deferred_;  // a queue from deferred_head_ on, in ascending order of the revisions of deferral
+  std::vector<Deferred> deferred_;  // a queue from deferred_head_ on, in ascending order of the revisions of deferral
+  std::vector<std::size_t> last_deferral_;  // for each edge that was deferred, the number of its last deferral
+  std::size_t deferrals_ = 0;
   std::size_t deferred_head_ = 0;
   std::size_t deferred_now_ = 0;       // index in deferred_ of the first halfedge deferred at deferred_revision_
   std::size_t deferred_revision_ = 0;  // the revision of the last defer()
