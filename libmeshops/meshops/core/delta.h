@@ -1,11 +1,13 @@
 // What:   the change that an operator makes to the counts of a mesh.
-// Law:    the delta of an operator is the exact change of TopologyCounts (topology/count.h), on every sound mesh.
+// Law:    the delta of an operator is the exact change of TopologyCounts (topology/count.h), on every sound mesh; only
+//         the number of isolated vertices has no entry.
 // Source: Lewiner, Lopes, Medeiros, Tavares, Velho, Topological mesh operators (CAGD 27, 2010).
 #pragma once
 
 namespace meshops {
 
-/// Change of the counts of a mesh. An isolated vertex counts as a vertex and as a component.
+/// Change of the counts of a mesh: after minus before, without elements marked deleted. An isolated vertex counts as a
+/// vertex and as a component.
 struct Delta {
   int vertices = 0;
   int edges = 0;

@@ -6,8 +6,9 @@
 
 namespace meshops {
 
-/// Returns a property map from vertices, faces or edges to the entries of `values` by index; the map is read-only if
-/// `values` is const. `index` is get(boost::vertex_index, view) or get(boost::edge_index, view).
+/// Returns a property map from the vertices of a view (faces, in a dual graph) or from its edges, which are halfedges,
+/// to the entries of `values` by index; the map is read-only if `values` is const. `index` is
+/// get(boost::vertex_index, view) or get(boost::edge_index, view).
 /// Requires: `values` has num_vertices(view) or num_edges(view) entries, outlives the map, and is not reallocated
 ///           during the map's lifetime. Not checked.
 template <typename Value, typename Index>

@@ -11,7 +11,9 @@
 
 namespace meshops {
 
-/// Returns the map from a halfedge to of_edge(its edge). The map owns `of_edge`; a copy of the map has its own copy.
+/// Returns the read-only map from a halfedge to of_edge(its edge), by value. The map owns `of_edge`, and Boost copies
+/// maps: let `of_edge` refer to large data instead of holding them.
+/// Requires: a const `of_edge` accepts an Edge. The edge is not checked.
 template <typename OfEdge>
 auto edge_map(OfEdge of_edge) {
   // OpenMesh keeps the halfedges of edge e at 2e and 2e + 1.
@@ -19,8 +21,10 @@ auto edge_map(OfEdge of_edge) {
       [of_edge = std::move(of_edge)](Halfedge h) { return of_edge(Edge(h.idx() >> 1)); });
 }
 
-/// Returns the map from a halfedge to the distance between its ends, as double, computed at each read.
-/// Requires: `mesh` has point(Vertex), the difference of two points has norm(), and `mesh` outlives the map.
+/// Returns the map from a halfedge to the distance between its ends: norm() of their difference, converted to double,
+/// computed at each read.
+/// Requires: `mesh` derives from Connectivity and has point(Vertex), the difference of two points has norm(), and
+///           `mesh` outlives the map.
 /// Throws:   ContractViolation when the map is read for an edge that does not exist.
 template <typename Mesh>
 auto length_map(const Mesh& mesh) {

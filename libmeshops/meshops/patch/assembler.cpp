@@ -40,7 +40,7 @@ void PatchAssembler::place(const Patch& patch, const Outline& outline, Placement
                     holes = outline.holes.size();
   require(patch.across.size() == triangles && rim + holes <= sides && (sides - rim - holes) % 2 == 0 &&
               outline.next_hole.size() == holes,
-          "lay: the outline is of another patch (survey() computes that of this one)");
+          "place: the outline is of another patch (survey() computes that of this one)");
   const std::size_t inner_edges = (sides - rim - holes) / 2;
   mesh_.resize(mesh_.n_vertices(), std::max(mesh_.n_edges(), edges_ + inner_edges + holes),
                std::max(mesh_.n_faces(), faces_ + triangles));

@@ -49,18 +49,21 @@ class MESHOPS_API PatchAssembler {
   /// Reserves memory for a mesh of `edges` edges and `faces` faces, including those of patches laid before.
   void reserve(std::size_t edges, std::size_t faces);
   /// Decides the place of a patch, and writes the place to `placement`.
-  /// Requires: `outline` is the outline that survey() computes of `patch`. Only the numbers of sides are checked: if
-  ///           they differ, throws ContractViolation; the mesh is then unchanged.
-  /// Cost:     linear in the number of sides at the rim and at the holes of the patch.
+  /// Requires: `outline` is the outline that survey() computes of `patch`. Throws ContractViolation, with the mesh
+  ///           unchanged, unless `across` has an entry for each triangle and `next_hole` one for each hole, and the
+  ///           number of sides in neither `rim` nor `holes` is even and at least 0. Nothing else is checked.
+  /// Cost:     linear in the sides at the rim and at the holes, and in the sides that wait at their sites. The mesh
+  ///           also grows by the elements of the patch, which takes less time than fill().
   void place(const Patch& patch, const Outline& outline, Placement& placement);
   /// Writes the triangles of a patch. Afterwards, `placement` can serve another patch.
   /// Requires: place() was called with the same arguments. Not checked. Cost: linear in the patch.
   void fill(const Patch& patch, const Outline& outline, Placement& placement);
 
-  /// Ends the laying of patches: gives every fan its own vertex, and makes the sides to which no side was glued
-  /// boundary halfedges. The mesh is sound afterwards.
+  /// Ends the laying of patches: gives every fan its own vertex, and links the boundary halfedges beyond the sides to
+  /// which no side was glued. The mesh is sound afterwards, but not before.
   /// Requires: fill() was called for every patch that place() placed. Not checked.
-  /// Cost: linear in the open sides of all patches, the fans at these sides, and the further fans of each site.
+  /// Cost: linear in the open sides of all patches and the fans at these sides; also in the sites, if a site has
+  ///       several fans.
   AssembledPatches join() &&;
 
  private:

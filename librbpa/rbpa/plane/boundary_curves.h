@@ -11,12 +11,12 @@
 
 namespace rbpa {
 
-/// Returns for each boundary curve the indices of its points in order, with the triangles on its right. A curve is
-/// closed, and its first point is not repeated at the end. The order of the curves and their first points are
-/// unspecified.
+/// Returns for each boundary curve the indices of its points in order, with the triangles on its right: outer curves
+/// are clockwise. A curve is closed, and its first point is not repeated at the end. The order of the curves and their
+/// first points are unspecified.
 /// Requires: counter-clockwise triangles with neighbors that require_linked() accepts; not checked.
-/// Throws:   Cancelled.
-/// Cost:     linear.
+/// Throws:   Cancelled; `go_on` is not called during the walk along a curve.
+/// Cost:     linear in the triangles.
 RBPA_API std::vector<std::vector<std::uint32_t>> boundary_curves(const TriangleArrays& of, const GoOn& go_on = {});
 
 }  // namespace rbpa

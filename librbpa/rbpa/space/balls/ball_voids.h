@@ -5,7 +5,7 @@
 //         separate it from its orthocenter. docs/explanation/space.md, section 25.
 // Law:    the choice of tetrahedra and triangles is exact, and a function of the set of balls. An orthocenter in the
 //         plane of a face is not beyond the face. Sizes are rounded like those of measure_balls().
-// Cost:   linear in the tetrahedra; for each void also some triangulations of the balls around it.
+// Cost:   about linear in the tetrahedra; for each void or pocket also some triangulations of the balls around it.
 // Source: Edelsbrunner, Facello, Fu, Liang, Measuring proteins and voids in proteins (1995); Edelsbrunner, Facello,
 //         Liang, On the definition and the construction of pockets in macromolecules (1998).
 #pragma once
@@ -22,6 +22,7 @@
 
 namespace rbpa {
 
+/// Options of ball_voids().
 struct BallVoidsOptions {
   bool pockets = false;  ///< whether BallVoids::pockets are found
   MaxThreads threads = 0;
@@ -30,7 +31,7 @@ struct BallVoidsOptions {
 
 /// A ball at a void or pocket, and the area of its sphere that faces the void or pocket.
 struct LiningBall {
-  std::uint32_t ball;
+  std::uint32_t ball;  ///< input index, of equal balls the lowest
   double area;
 };
 
@@ -45,7 +46,9 @@ struct BallMouth {
   /// equal balls close the mouth.
   double power = 0;
   /// The largest ball around `center` that meets none of the balls at corners of the pocket. `center` is the center of
-  /// the circle that touches the three balls at the triangle of the mouth that closes last.
+  /// the circle that touches the three balls at the triangle of the mouth that closes last. If that triangle closes
+  /// together with the tetrahedron outside of it, the ball that touches the four balls there gives the center. If there
+  /// is no touching circle or ball, `center` is the orthocenter.
   Point3 center;
   double radius = 0;
 };
@@ -72,8 +75,9 @@ struct BallVoids {
   double volume = 0, area = 0;  ///< sums over the voids, without pockets
 };
 
-/// Finds the voids of balls whose triangulation is already computed. There are none if all centers are in a plane. To
-/// find the voids in which the center of a probe fits, add the radius of the probe to all radii.
+/// Finds the voids, and on request the pockets, of balls whose triangulation is already computed. There are none if all
+/// centers are in a plane. To find the voids in which the center of a probe fits, add the radius of the probe to all
+/// radii.
 /// Requires: `regular` is regular_triangulation() of these balls, with neighbors.
 /// Throws:   ContractViolation unless there is one radius for each center, if neighbors are missing, or a corner does
 ///           not exist; Cancelled.
@@ -83,6 +87,7 @@ RBPA_API BallVoids ball_voids(std::span<const Point3> centers, std::span<const d
 /// Returns the triangles between the tetrahedra of a void or pocket and all other tetrahedra or the outside, in the
 /// order of the void's tetrahedra. Corners are counter-clockwise seen from outside of the void.
 /// Requires: the void is one of ball_voids() with `regular`; this is not checked.
+/// Cost:     n log n for n tetrahedra of the void.
 RBPA_API std::vector<Triangle> boundary_of(const BallVoid& hollow, const RegularTriangulation& regular);
 
 }  // namespace rbpa

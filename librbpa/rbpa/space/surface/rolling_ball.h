@@ -3,7 +3,8 @@
 // Law:    exact, on any finite input. Each result is a function of the points, their normals and the radius, not of
 //         earlier queries. Rolling back returns to the same triangle (docs/explanation/surfaces.md,
 //         sections 11 and 12).
-// Cost:   each roll reads the points within about two radii; one call of surface() rolls over all sides faster.
+// Cost:   the constructor sorts the points, with one thread. Each roll reads and sorts the points within about two
+//         radii; one call of surface() rolls over all sides faster.
 // Source: Bernardini et al., The ball-pivoting algorithm for surface reconstruction (1999).
 #pragma once
 
@@ -35,7 +36,7 @@ class RBPA_API RollingBall {
   RollingBall& operator=(RollingBall&&) noexcept;
   ~RollingBall();
 
-  /// Returns the input points, duplicates included.
+  /// Returns the input points, duplicates included. The span is valid as long as the ball, also after a move.
   std::span<const Point3> points() const;
 
   /// Rolls the ball that rests on the exposed triangle (a, b, c) over the side from a to b until the ball touches a
@@ -54,7 +55,8 @@ class RBPA_API RollingBall {
   std::vector<Roll> rolls(std::uint32_t a, std::uint32_t b) const;
 
   /// Returns the exposed triangles whose corner of lowest index is `first`, in lexicographic order; none for a
-  /// duplicate. The results for all points together have each triangle once.
+  /// duplicate. `first` is the first corner. The results for all points together have each triangle once.
+  /// Throws: ContractViolation when `first` is not the index of a point.
   std::vector<Triangle> triangles_from(std::uint32_t first) const;
 
   /// Returns whether the triangle's own normal has a positive scalar product with the normals of all points at its
