@@ -260,6 +260,8 @@ TEST_SUITE("wrong usage") {
     refuses_columns("lon,lon", "lon,lon");
     refuses_columns("lon,LON", "lon");  // found in the header only
     refuses_columns("1,lon", "lon");
+    refuses(folder, "info p.csv --columns 'lon;lat'", 2,
+            "--columns: found 'lon;lat', expected X,Y, with a comma between two columns");
     CHECK(folder.rbpa("mesh p.csv --alpha 1 -o m.off --columns ' lat , lon ' -q").code == 0);
     for (const std::string number : {"0", "-1", "1.5", "1e0", "99999999999999999999", "1e999"})
       refuses(folder, "info p.xy --columns=2," + number, 2,

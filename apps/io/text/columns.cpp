@@ -33,6 +33,8 @@ std::vector<Column> parse_columns(const std::string& text) {
   const std::vector<std::string_view> words = split_at_commas(text);
   if (words.size() > 2 || words.front().empty() || words.back().empty())
     bad_usage("--columns", in_quotes(text), "X,Y (two column numbers or names), or one column of geometries");
+  if (words.size() == 1 && text.find(';') != std::string::npos)
+    bad_usage("--columns", in_quotes(text), "X,Y, with a comma between two columns");
   std::vector<Column> columns;
   for (const std::string_view word : words) columns.push_back(parse_column(word));
   if (columns.size() == 2 && columns[0] == columns[1]) refuse_repeated_column(text, "two columns");
