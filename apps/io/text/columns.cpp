@@ -290,10 +290,21 @@ std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>
     return std::pair(is_among(names[found.x], weak_names) && is_among(names[found.y], weak_names),
                      std::min(found.x, found.y));
   };
+  // Returns the first column with the name of column `a` that begins, as that of column `b`, with a capital or not.
+  const auto of_same_case = [&](std::size_t a, std::size_t b) {
+    const auto is_capital = [&](std::size_t i) {
+      return std::isupper(static_cast<unsigned char>(header[i].front())) != 0;
+    };
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] == names[a] && is_capital(i) == is_capital(b)) return i;
+    return a;
+  };
   for (const Names& known : names_for(header)) {
     const std::optional<std::size_t> x = find_first(names, known.x), y = find_first(names, known.y);
     if (!x || !y) continue;
-    const NamedColumns found{*x, *y, known.degrees};
+    NamedColumns found{*x, *y, known.degrees};
+    found.x = of_same_case(found.x, found.y);
+    found.y = of_same_case(found.y, found.x);
     if (!best || rank(found) < rank(*best)) best = found;
   }
   if (best && !rank(*best).first) return best;

@@ -33,9 +33,9 @@ struct NamedColumns {
 };
 
 /// Returns the columns whose names are a pair such as lon and lat, x and y, or easting and northing, in any order and
-/// among other columns: the leftmost pair, or else the only pair whose names have such a word ("stop_lat", "X_WGS84")
-/// or ending ("INTPTLAT"). A pair of names such as E and N, which may mean another thing, comes last, and is none above
-/// sides of boxes.
+/// among other columns: the leftmost pair, of names in the same letter case if there are some ("x" and "y" beside "X"),
+/// or else the only pair whose names have such a word ("stop_lat", "X_WGS84") or ending ("INTPTLAT"). A pair of names
+/// such as E and N, which may mean another thing, comes last, and is none above sides of boxes.
 std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>& header);
 
 /// Returns whether the header has names of south and west, as of boxes with four sides.
