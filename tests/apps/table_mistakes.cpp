@@ -26,6 +26,30 @@ const CloudRequest skipping{.skip_invalid = true};
 }  // namespace
 
 TEST_SUITE("table mistakes") {
+  TEST_CASE("a quoted text that spans lines of data is open, other texts of several lines are read") {
+    struct Table {
+      std::string text;
+      std::size_t open, row;  ///< numbers of the line with the quote, and of the first line in it
+      std::size_t kept;       ///< number of points without the line with the quote
+    };
+    for (const Table& table :
+         {Table{"id,name,x,y\n1,a,0,0\n2,\"b,4,0\n3,c,0,3\n4,pipe 5\",1,1\n", 3, 4, 3},
+          Table{"id\tx\ty\tnote\n1\t0\t0\t\"dead, see 1\n2\t4\t0\toak\n3\t0\t3\tgirth 5\"\n4\t1\t1\toak\n", 2, 3, 3},
+          Table{"id,x,y,note\n1,0,0,oak\n2,4,0,\"\n3,0,3,\"\n4,1,1,a\n5,2,2,b\n", 3, 4, 3},
+          Table{"id,name,x,y\n2,\"b,4,0\n3,pipe 5\",0,3\n4,c,1,1\n", 2, 3, 2}}) {
+      CAPTURE(table.text);
+      CHECK(refusal_of_table(table.text)
+                .starts_with("t:" + std::to_string(table.open) +
+                             ": found a text in quotes with lines of data, the first of them " +
+                             std::to_string(table.row) + ", expected a closing quote before them"));
+      CHECK(read_table(table.text, skipping).points.size() == table.kept);
+    }
+    for (const std::string text :
+         {"name,x,y\n\"a\nb\",0,0\n\"c\n\nd, 1\",4,0\ne,0,3\n", "x,y,note\n0,0,\"a 1\n2, b\"\n4,0,\"5\n6\"\n0,3,\n",
+          "x,a,y,b\n0,\"p\nq\",0,\"r\ns\"\n4,\"\n1,1\n\",0,t\n0,u,3,v\n"})
+      CHECK(read_table(text).points == corners);
+  }
+
   TEST_CASE("of names that differ in the letter case, the pair of one case is taken") {
     for (const std::string header : {"X,x,y,sp", "x,X,Y,sp", "\"X\",\"x\",\"y\",\"sp\"", "Lon,lon,lat,n"})
       CHECK(read_table(header + "\n1,0,0,a\n2,4,0,b\n3,0,3,c\n").points == corners);

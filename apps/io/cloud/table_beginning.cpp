@@ -275,7 +275,7 @@ class Starter {
       separator = separator_of(lines_.line());
       lines_.set_layout(separator, choice.fields.to_last_text);
     }
-    if (lines_.is_open()) refuse_open();
+    if (lines_.is_open()) lines_.refuse_open();
     TableBeginning table{.lines = lines_, .comment = comment_, .choice = choice, .says_columns = says_columns_};
     table.fields = split(lines_.line(), separator, room);
     for (const std::string_view field : table.fields) table.width.add(field);
@@ -318,10 +318,6 @@ class Starter {
     lines_.set_layout(of_header, 0);
     const bool fits = !lines_.is_open() && count_fields(lines_.line(), of_header).all > 1;
     return fits ? of_header : separator_of(lines_.line());
-  }
-
-  [[noreturn]] void refuse_open() const {
-    bad_input(at_line(lines_.name(), lines_.number()), "a text in quotes that does not end", "a closing quote");
   }
 
   void finish(char separator) {
