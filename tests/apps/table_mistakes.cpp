@@ -50,6 +50,16 @@ TEST_SUITE("table mistakes") {
       CHECK(read_table(text).points == corners);
   }
 
+  TEST_CASE("lines of separators above a header are passed over, and a file of blank lines is refused") {
+    for (const std::string s : {",", ";", "|", "\t"})
+      for (const std::string& before : {s + s + s + "\n", s + " " + s + s + "\n\n" + s + s + s + "\n"})
+        CHECK(read_table(before + s + "id" + s + "lon" + s + "lat\n" + s + "1" + s + "0" + s + "0\n" + s + "2" + s +
+                         "4" + s + "0\n" + s + "3" + s + "0" + s + "3\n")
+                  .points == corners);
+    for (const std::string text : {"\n", " \n\n \t\n", ";;;\n,,\n"})
+      CHECK(refusal_of_table(text) == "t: found blank lines only, expected points");
+  }
+
   TEST_CASE("of names that differ in the letter case, the pair of one case is taken") {
     for (const std::string header : {"X,x,y,sp", "x,X,Y,sp", "\"X\",\"x\",\"y\",\"sp\"", "Lon,lon,lat,n"})
       CHECK(read_table(header + "\n1,0,0,a\n2,4,0,b\n3,0,3,c\n").points == corners);

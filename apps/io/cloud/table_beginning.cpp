@@ -101,6 +101,8 @@ class Starter {
     if (!start_.any_table && !start_.has_line && selection_.skipped() == 0 && lines_.passed_points() > 0)
       bad_input(lines_.name(), counted(lines_.comments(), "comment") + " and no point",
                 "points" + std::string(way_of_comments));
+    if (!start_.any_table && !start_.has_line && selection_.skipped() + lines_.comments() == 0 && !start_.announced)
+      bad_input(lines_.name(), "blank lines only", "points");
     return std::move(start_);
   }
 

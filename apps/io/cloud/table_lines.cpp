@@ -40,7 +40,8 @@ bool TableLines::is_passed_over(std::string_view line) {
     look_for_point(line);
     return true;
   }
-  const char separator = separator_ == '\0' ? separator_of_points_ : separator_;
+  char separator = separator_ == '\0' ? separator_of_points_ : separator_;
+  if (separator == '\0' && std::string_view(",;|").find(line.front()) < 3) separator = line.front();
   return line.front() == separator && separator != blanks &&
          std::all_of(line.begin(), line.end(), [&](char c) { return c == separator || is_blank(c); });
 }
