@@ -66,4 +66,16 @@ TEST_SUITE("table mistakes") {
     CHECK(read_table("x,y,X\n0,0,1\n4,0,2\n0,3,3\n").points == corners);
     CHECK(read_table("x,Y\n0,0\n4,0\n0,3\n").points == corners);
   }
+
+  TEST_CASE("a header with one name fewer than there are columns is refused, unless it may be R's") {
+    const std::string way = ", expected a name for each column (add that of the column without a name";
+    for (const std::string header : {"id,lon,lat", "Nr,x,y"})
+      CHECK(refusal_of_table(header + "\n1,13.3,52.4,34.1\n2,13.4,52.4,35.0\n")
+                .starts_with("t:1: found '" + header + "', 3 names above lines of 4 columns" + way));
+    CHECK(refusal_of_table("x,y\n388281.4,5820515.9,34.1\n388300.0,5820600.0,34.2\n")
+              .starts_with("t:1: found 'x,y', 2 names above lines of 3 columns" + way));
+    CHECK(read_table("id,x,y\n\"1\",7,0,0\n\"2\",8,4,0\n\"3\",9,0,3\n").points == corners);
+    CHECK(read_table("id x y\n1 oak 0 0\n2 elm 4 0\n3 ash 0 3\n").points == corners);
+    CHECK(read_table("x y id\n1 0 0 7\n2 4 0 8\n3 0 3 9\n").points == corners);
+  }
 }

@@ -295,6 +295,12 @@ class Starter {
     if (!comment_.empty()) table.names = split(comment_, separator_of(comment_), room);
     start_.layout = lay_out_table(table, kind_, request_, warnings);
     if (start_.layout.header) {
+      if (choice.lines > 1 && !choice.first_fits && !choice.geometry && choice.fields.all == table.width.all + 1)
+        throw WholeRefusal(at_line(lines_.name(), lines_.number()) + ": found " + in_quotes(lines_.line()) + ", " +
+                           counted(table.width.all, "name") + " above lines of " +
+                           counted(choice.fields.all, "column") +
+                           ", expected a name for each column (add that of the column without a name, or quotes around "
+                           "texts with separators)");
       start_.header = lines_.line();
       start_.layout.names = table.fields;
     }

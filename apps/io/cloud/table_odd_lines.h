@@ -15,8 +15,8 @@ namespace rbpa::app {
 void refuse_no_table(std::string_view bytes, const std::string& name);
 
 /// Returns whether the current line is a header that lacks the name of the first column, that of names of rows, as R's
-/// write.table() writes it: all lines have one field more, and the first is a text, perhaps in quotes, or the number of
-/// the line.
+/// write.table() writes it: all lines have one field more, and the first is a text, perhaps in quotes, or, unless the
+/// header begins with the name of such numbers and another number follows, the number of the line.
 bool lacks_name_of_rows(const TableLines& lines, const SeparatorChoice& choice);
 
 /// Returns the warning that the last line after the current line has two numbers and a word such as "Sum", or an empty
