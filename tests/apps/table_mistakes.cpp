@@ -78,4 +78,27 @@ TEST_SUITE("table mistakes") {
     CHECK(read_table("id x y\n1 oak 0 0\n2 elm 4 0\n3 ash 0 3\n").points == corners);
     CHECK(read_table("x y id\n1 0 0 7\n2 4 0 8\n3 0 3 9\n").points == corners);
   }
+
+  TEST_CASE("identifiers far below whole coordinates, and northings as x, give warnings") {
+    const std::string ids = "x is column 1, whole numbers that all differ", order = "are they exchanged? (--columns ";
+    CHECK(warnings_with("4711,388281,5820516\n1203,388300,5820600\n8871,388400,5820500\n", ids).size() == 1);
+    for (const std::string text : {"47,88,516\n12,83,600\n88,84,500\n", "7,388,516\n7,383,600\n8,384,500\n"})
+      CHECK(warnings_with(text, ids).empty());
+    CHECK(warnings_with("P;Y;X\n1;388281,5;5820515,9\n2;388300,0;5820600,0\n", order + "2,3 takes").size() == 1);
+    CHECK(warnings_with("5820515 388281\n5820600 388300\n", order + "2,1 takes").size() == 1);
+    const std::string pnezd = "100,5820516.2,388281.1,34.1\n101,5820600.1,388300.5,34.2\n";
+    CHECK(read_table(pnezd, {.columns = parse_columns("2,3")}).warnings.size() == 1);
+    CHECK(read_table(pnezd, {.columns = parse_columns("3,2")}).warnings.empty());
+    for (const std::string text : {"388281 5820515\n388300 5820600\n", "Easting,Northing\n2100000,700000\n",
+                                   "2600000 1200000\n2600100 1200100\n", "x,y\n5820515,388281\n7,388300\n"})
+      CHECK(warnings_with(text, order).empty());
+  }
+
+  TEST_CASE("points before three digits are refused beside decimal commas") {
+    is_refused_whole("Nr;x;y;h\n1;1.005;5.006;34,5\n2;1.198;5.143;34,6\n",
+                     "t:1: found column 2 with three digits after each point, beside decimal commas in column 4");
+    for (const std::string text : {"Nr;lon;lat;h\n1;11.005;48.006;34,5\n", "Nr;x;y;h\n1;1.005;5.006;34.5\n",
+                                   "Nr;x;y;h\n1;1.05;5.006;34,5\n2;1.19;5.14;34,6\n"})
+      CHECK(refusal_of_table(text) == "none");
+  }
 }
