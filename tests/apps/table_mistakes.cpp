@@ -101,4 +101,23 @@ TEST_SUITE("table mistakes") {
                                    "Nr;x;y;h\n1;1.05;5.006;34,5\n2;1.19;5.14;34,6\n"})
       CHECK(refusal_of_table(text) == "none");
   }
+
+  TEST_CASE("a projected system of longitudes and latitudes, and names of groups in Latin-1, give warnings") {
+    const auto count = [](const std::vector<std::string>& warnings, const std::string& part) {
+      return std::count_if(warnings.begin(), warnings.end(),
+                           [&](const std::string& warning) { return warning.find(part) != std::string::npos; });
+    };
+    const std::string contradicts = "a projected system, contradicts";
+    CHECK(count(points_in("lon,lat\n13.3,52.4\n", "t.csv", {.crs = parse_crs("EPSG:25833")}).warnings, contradicts) ==
+          1);
+    CHECK(count(points_in("lon,lat\n13.3,52.4\n", "t.csv", {.crs = parse_crs("EPSG:4326")}).warnings, contradicts) ==
+          0);
+    CHECK(count(points_in("x,y\n13.3,52.4\n", "t.csv", {.crs = parse_crs("EPSG:25833")}).warnings, contradicts) == 0);
+    const Folder folder;
+    folder.file("l.csv", "art,x,y\nM\xFCller,1,1\nM\xFCller,2,1\nM\xFCller,1,2\n");
+    folder.file("u.csv", "art,x,y\nM\u00FCller,1,1\nM\u00FCller,2,1\nM\u00FCller,1,2\n");
+    const std::string hint = "(iconv -f CP1252 -t UTF-8)";
+    CHECK(folder.rbpa("shape l.csv --group-by art --alpha inf -o l.geojson").err.find(hint) != std::string::npos);
+    CHECK(folder.rbpa("shape u.csv --group-by art --alpha inf -o u.geojson").err.find(hint) == std::string::npos);
+  }
 }
