@@ -102,6 +102,32 @@ TEST_SUITE("table mistakes") {
       CHECK(refusal_of_table(text) == "none");
   }
 
+  TEST_CASE("messages on odd fields and lines name the way out") {
+    struct Row {
+      std::string text, found;
+    };
+    for (const Row& row : std::initializer_list<Row>{
+             {"Nr;Breite;L\u00E4nge\n1;52\u00B024'00\"N;13\u00B018'00\"O\n",
+              "E or W in place of O, which is Ost in German"},
+             {"% made by hand\n% x y\n0 0\n4 0\n", "comments begin with #"},
+             {"id^lon^lat\n1^13.30^52.40\n", "expected two numbers (between , ; | tabs or blanks)"},
+             {"Name,Position\nW1,N52 25.358 E13 21.886\n", "split the column of latitudes and longitudes into two"},
+             {"Name;Position\nW1;52\u00B025'N 13\u00B021'E\n", "split the column of latitudes and longitudes into two"},
+             {"id;lon;lat\n1;13.30;52.40\n2;13,35;52,48\n", "as in lines before (one decimal sign in all lines"},
+             {"id;lon;lat\n1;13,30;52,40\n2;13.35;52.48\n", "as in line 2 (one decimal sign in all lines"},
+             {"id;lon;lat\n1;(122.40);37.2\n", "a number with its sign before it, -122.40"}}) {
+      const std::string refusal = refusal_of_table(row.text);
+      CAPTURE(refusal);
+      CHECK(refusal.find(row.found) != std::string::npos);
+    }
+    CHECK(read_table("% made by hand\n0 0\n4 0\n0 3\n", skipping).points == corners);
+    const std::string units = refusal_of_table("time,lat,lon\nUTC,north,east\n7,0,0\n8,0,4\n");
+    CHECK(units.find("--skip-invalid") == units.rfind("--skip-invalid"));
+    for (const char* const json : {"[{\"id\":1,\"lon\":13.3}]\n", "[\n  {\"id\": 1}\n]\n"})
+      CHECK_THROWS_WITH(points_in(json, "t.txt", {}),
+                        "t.txt: found JSON, expected a table (jq -r '.[] | [.lon, .lat] | @csv' makes one of records)");
+  }
+
   TEST_CASE("a projected system of longitudes and latitudes, and names of groups in Latin-1, give warnings") {
     const auto count = [](const std::vector<std::string>& warnings, const std::string& part) {
       return std::count_if(warnings.begin(), warnings.end(),

@@ -86,6 +86,10 @@ class Starter {
     if (start_.has_line && (said = separator_hint(lines_.line()))) start_.has_line = lines_.next();
     if (start_.has_line) {
       comment_ = lines_.comment_before();
+      if (const std::string_view line = lines_.line();
+          line.starts_with('%') && separator_of(line) == blanks && !selection_.skips())
+        bad_input(at_line(lines_.name(), lines_.number()), in_quotes(line),
+                  "a header or points (comments begin with #: sed 's/^%/#/' makes them)");
       if (take_atoms()) return std::move(start_);
       take_count();
     }

@@ -18,6 +18,7 @@ void refuse_no_table(std::string_view bytes, const std::string& name) {
     const char *found, *expected;
   };
   constexpr const char *sheet = "text (save the sheet as CSV)", *page = "a table (was the download refused?)",
+                       *records = "a table (jq -r '.[] | [.lon, .lat] | @csv' makes one of records)",
                        *xml = "a table (ogr2ogr -f CSV -lco GEOMETRY=AS_XY makes one of KML and GPX)";
   constexpr Kind kinds[] = {{"PK\x03\x04", "a workbook, or another zip file", sheet},
                             {"\xD0\xCF\x11\xE0", "a workbook of Excel", sheet},
@@ -27,6 +28,8 @@ void refuse_no_table(std::string_view bytes, const std::string& name) {
                             {"<kml", "KML", xml},
                             {"<gpx", "GPX", xml},
                             {"[[", "JSON", "a table"},
+                            {"[{", "JSON", records},
+                            {"[\n", "JSON", records},
                             {"{", "JSON", "a table (--format geojson reads GeoJSON)"}};
   bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), bytes.size()));
   Fields words(bytes.substr(0, bytes.find('\n')), blanks);
