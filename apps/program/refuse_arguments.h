@@ -2,6 +2,8 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,16 +13,32 @@
 
 namespace rbpa::app {
 
+/// Returns "is it WORD? " for the first of `words` whose beginning agrees longest with `word`; empty if at most half of
+/// `word` agrees.
+inline std::string nearest(const std::string& word, const std::vector<std::string>& words) {
+  const auto agreeing = [&](const std::string& known) {
+    return std::mismatch(word.begin(), word.end(), known.begin(), known.end()).first - word.begin();
+  };
+  const auto less = [&](const std::string& a, const std::string& b) { return agreeing(a) < agreeing(b); };
+  const auto best = std::max_element(words.begin(), words.end(), less);
+  return best != words.end() && 2 * agreeing(*best) > std::ssize(word) ? "is it " + *best + "? " : "";
+}
+
 /// Returns the message about an unknown `word` on a command line. `called` is the program, followed by the verb if one
 /// is given. An empty `word` means that a verb is missing.
 inline std::string unexpected(const std::string& word, const CLI::App& app, const std::string& called) {
   const std::string found = "found " + (word.empty() ? "no verb" : in_quotes(word)) + ", expected ",
-                    way = " (see " + called + " --help)";
-  std::string verbs;
+                    way = "see " + called + " --help)";
+  std::vector<std::string> verbs, options;
   for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
-    verbs += (verbs.empty() ? "" : ", ") + verb->get_name();
-  if (app.get_subcommands().empty() && !verbs.empty()) return found + "one of " + verbs + way;
-  return found + (word.starts_with('-') ? "an option" : "no more arguments") + " of " + called + way;
+    verbs.push_back(verb->get_name());
+  const auto chosen = app.get_subcommands();
+  if (chosen.empty() && !verbs.empty())
+    return found + "one of " + listed(verbs, ", ") + " (" + nearest(word, verbs) + way;
+  if (!word.starts_with('-')) return found + "no more arguments of " + called + " (" + way;
+  for (const CLI::Option* option : (chosen.empty() ? app : *chosen.front()).get_options())
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  return found + "an option of " + called + " (" + nearest(word, options) + way;
 }
 
 /// Returns a message of CLI11 in our words. The message about a missing value names the expected value; the message

@@ -203,7 +203,10 @@ TEST_SUITE("wrong usage") {
             "--help)");
     for (const std::string before : {"", "--alpha 1 "})  // with and without required options
       refuses(folder, "mesh p.xy " + before + "-o m.off --alhpa 2", 2,
-              "found '--alhpa', expected an option of rbpa mesh (see rbpa mesh --help)");
+              "found '--alhpa', expected an option of rbpa mesh (is it --alpha? see rbpa mesh --help)");
+    refuses(folder, "shape p.xy --alpha 1 --out s.wkt", 2,
+            "found '--out', expected an option of rbpa shape (is it --output? see rbpa shape --help)");
+    CHECK(folder.rbpa("shap p.xy").err.find("(is it shape? see rbpa --help)") != std::string::npos);
     for (const std::string verb : {"shape p.xy q.xy --alpha 1 -o s.wkt", "mesh p.xy q.xy --alpha 1 -o s.ply"})
       refuses(folder, verb, 2,
               "POINTS: found 2 files, the last 'q.xy', expected one, or --group-by-file (each is a group), or "
@@ -257,6 +260,8 @@ TEST_SUITE("wrong usage") {
     refuses_columns("lon,lon", "lon,lon");
     refuses_columns("lon,LON", "lon");  // found in the header only
     refuses_columns("1,lon", "lon");
+    refuses(folder, "info p.csv --columns 'lon;lat'", 2,
+            "--columns: found 'lon;lat', expected X,Y, with a comma between two columns");
     CHECK(folder.rbpa("mesh p.csv --alpha 1 -o m.off --columns ' lat , lon ' -q").code == 0);
     for (const std::string number : {"0", "-1", "1.5", "1e0", "99999999999999999999", "1e999"})
       refuses(folder, "info p.xy --columns=2," + number, 2,

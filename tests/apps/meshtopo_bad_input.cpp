@@ -249,7 +249,8 @@ TEST_SUITE("meshtopo: wrong usage") {
     folder.file("m.off", pyramid_off);
     CHECK(folder.meshtopo("").code == 2);
     CHECK(folder.meshtopo("m.off --jsno").code == 2);
-    refuses(folder, "m.off --genus", 2, "found '--genus', expected an option of meshtopo (see meshtopo --help)");
+    refuses(folder, "m.off --genus", 2,
+            "found '--genus', expected an option of meshtopo (is it --generators? see meshtopo --help)");
     refuses(folder, "m.off --max-defects many", 2, "--max-defects: found 'many', expected a whole number from 0");
     refuses(folder, "m.off --max-defects -1", 2, "--max-defects: found '-1', expected a whole number from 0");
   }

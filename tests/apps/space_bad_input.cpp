@@ -138,9 +138,12 @@ TEST_SUITE("bad points of space") {
           "p:2: found '1e999', expected a number within the range of a double (up to 1.8e308; " + skip.substr(2));
     CHECK(table("0 0 0 0 0 1\n0 0 0 0 nan 1\n") == "p:2: found 'nan', expected a finite number" + skip);
     CHECK(table("0.5;1;2\n0,5;1;2\n") ==
-          "p:2: found '0,5', expected a number with a decimal point, as in lines before" + skip);
+          "p:2: found '0,5', expected a number with a decimal point, as in lines before (one decimal sign in all "
+          "lines; " +
+              skip.substr(2));
     CHECK(table("0,5;1;2\n0.5;1;2\n") ==
-          "p:2: found '0.5', expected a number with a decimal comma, as in line 1" + skip);
+          "p:2: found '0.5', expected a number with a decimal comma, as in line 1 (one decimal sign in all lines; " +
+              skip.substr(2));
     CHECK(off("OFF\n1 0 0\n0 inf 0\n") == "p:3: found 'inf', expected a finite number");
     CHECK(obj("v 0 0 nan\n") == "p:1: found 'nan', expected a finite number");
     CHECK(obj("v 0 0 0\nvn 0 nan 1\n") == "p:2: found 'nan', expected a finite number");

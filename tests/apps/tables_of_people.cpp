@@ -152,9 +152,12 @@ TEST_SUITE("tables of people") {
     for (const std::string line : {"a,5;2", ",5;2", "1,;2", "1,b;2", "1,2,3;4"}) CHECK(separator_of(line) == ',');
     CHECK(separator_of("1,5;2") == ';');
     CHECK(refusal_of_table("1.5;2\n1,5;2\n") ==
-          "t:2: found '1,5', expected a number with a decimal point, as in lines before" + skipping_hint);
+          "t:2: found '1,5', expected a number with a decimal point, as in lines before (one decimal sign in all "
+          "lines; " +
+              skipping_way);
     CHECK(refusal_of_table("1,5;2\n1.5;2\n") ==
-          "t:2: found '1.5', expected a number with a decimal comma, as in line 1" + skipping_hint);
+          "t:2: found '1.5', expected a number with a decimal comma, as in line 1 (one decimal sign in all lines; " +
+              skipping_way);
   }
 
   TEST_CASE("every double is read to the last bit, with a comma as with a point") {

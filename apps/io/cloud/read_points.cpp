@@ -153,6 +153,11 @@ void append_points(const CloudBlock& block, std::vector<Point>& points) {
 void settle_crs(PointFile& file, const std::optional<Crs>& said) {
   if (said && file.crs && file.crs->text() != said->text())
     file.warnings.push_back("the file names " + file.crs->text() + ", but --crs " + said->text() + " overrides it");
+  PointFile of_said;
+  of_said.crs = said;
+  if (said && !said->degrees && file.degrees && !file.crs && unit_of(of_said))
+    file.warnings.push_back("the columns are longitudes and latitudes, which --crs " + said->text() +
+                            ", a projected system, contradicts");
   if (said) file.crs = said;
   if (file.crs && file.crs->degrees) file.degrees = true;
 }

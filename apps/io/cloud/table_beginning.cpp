@@ -86,6 +86,10 @@ class Starter {
     if (start_.has_line && (said = separator_hint(lines_.line()))) start_.has_line = lines_.next();
     if (start_.has_line) {
       comment_ = lines_.comment_before();
+      if (const std::string_view line = lines_.line();
+          line.starts_with('%') && separator_of(line) == blanks && !selection_.skips())
+        bad_input(at_line(lines_.name(), lines_.number()), in_quotes(line),
+                  "a header or points (comments begin with #: sed 's/^%/#/' makes them)");
       if (take_atoms()) return std::move(start_);
       take_count();
     }
@@ -101,6 +105,8 @@ class Starter {
     if (!start_.any_table && !start_.has_line && selection_.skipped() == 0 && lines_.passed_points() > 0)
       bad_input(lines_.name(), counted(lines_.comments(), "comment") + " and no point",
                 "points" + std::string(way_of_comments));
+    if (!start_.any_table && !start_.has_line && selection_.skipped() + lines_.comments() == 0 && !start_.announced)
+      bad_input(lines_.name(), "blank lines only", "points");
     return std::move(start_);
   }
 
@@ -276,7 +282,7 @@ class Starter {
       separator = separator_of(lines_.line());
       lines_.set_layout(separator, choice.fields.to_last_text);
     }
-    if (lines_.is_open()) refuse_open();
+    if (lines_.is_open()) lines_.refuse_open();
     TableBeginning table{.lines = lines_, .comment = comment_, .choice = choice, .says_columns = says_columns_};
     table.fields = split(lines_.line(), separator, room);
     for (const std::string_view field : table.fields) table.width.add(field);
@@ -294,6 +300,12 @@ class Starter {
     if (!comment_.empty()) table.names = split(comment_, separator_of(comment_), room);
     start_.layout = lay_out_table(table, kind_, request_, warnings);
     if (start_.layout.header) {
+      if (choice.lines > 1 && !choice.first_fits && !choice.geometry && choice.fields.all == table.width.all + 1)
+        throw WholeRefusal(at_line(lines_.name(), lines_.number()) + ": found " + in_quotes(lines_.line()) + ", " +
+                           counted(table.width.all, "name") + " above lines of " +
+                           counted(choice.fields.all, "column") +
+                           ", expected a name for each column (add that of the column without a name, or quotes around "
+                           "texts with separators)");
       start_.header = lines_.line();
       start_.layout.names = table.fields;
     }
@@ -319,10 +331,6 @@ class Starter {
     lines_.set_layout(of_header, 0);
     const bool fits = !lines_.is_open() && count_fields(lines_.line(), of_header).all > 1;
     return fits ? of_header : separator_of(lines_.line());
-  }
-
-  [[noreturn]] void refuse_open() const {
-    bad_input(at_line(lines_.name(), lines_.number()), "a text in quotes that does not end", "a closing quote");
   }
 
   void finish(char separator) {

@@ -229,7 +229,7 @@ class TableCloud final : public Cloud {
     ++point_lines_;
     const std::size_t index = index_;
     const auto take_one = [&] {
-      if (lines_.is_open()) bad_input(here(), "a text in quotes that does not end", "a closing quote");
+      if (lines_.is_open()) lines_.refuse_open();
       const auto read = [this](Fields& fields) { return reading_.read(fields, of_where); };
       const auto take = [this](const FieldCount& count) { take_width(count); };
       try {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <set>
 
 #include "io/failure.h"
@@ -89,7 +90,7 @@ std::string doubt_column(const TableSample& sample, std::size_t column) {
     return "";
   std::set<double> values;
   std::size_t decimals = 0;  // number of decimals in the other columns
-  double first = 0, step = 0, last = 0;
+  double first = 0, step = 0, last = 0, greatest = 0, least_other = std::numeric_limits<double>::infinity();
   bool are_whole = true, ascend = true, are_even = true, differ = false;
   for (std::size_t i = 0; i < sample.lines(); ++i) {
     const std::optional<double> value = value_of(sample.field(i, column));
@@ -100,13 +101,19 @@ std::string doubt_column(const TableSample& sample, std::size_t column) {
     ascend = ascend && (i == 0 || *value > last);
     are_even = are_even && (i == 0 || std::abs(*value - last - step) <= 1e-6 * step);
     differ = differ || sample.field(i, 1 - column) != sample.field(0, 1 - column);  // false in a row of a grid
-    for (const std::size_t other : {1 - column, std::size_t{2}})
+    greatest = std::max(greatest, std::abs(*value));
+    for (const std::size_t other : {1 - column, std::size_t{2}}) {
       decimals += is_decimal(sample.field(i, other)) ? 1U : 0U;
+      if (const auto of_other = value_of(sample.field(i, other)))
+        least_other = std::min(least_other, std::abs(*of_other));
+    }
     values.insert(last = *value);
   }
   if (are_whole && ascend && are_even && step == 1 && differ) return "which numbers the lines";
-  if (column > 0 || !differ || decimals <= sample.lines()) return "";
-  const bool all_differ = values.size() == sample.lines();
+  constexpr double by_far = 10;
+  const bool all_differ = values.size() == sample.lines(), have_decimals = decimals > sample.lines(),
+             is_far = are_whole && all_differ && by_far * greatest < least_other;
+  if (column > 0 || !differ || !(have_decimals || is_far)) return "";
   if (are_whole && all_differ) return "whole numbers that all differ, as numbers of points do";
   if (are_whole) return "whole numbers beside decimals, as labels are";
   constexpr double second = 1e9;  // of the year 2001, from 1970 on
@@ -211,6 +218,31 @@ void doubt_thousands(const TableBeginning& table, std::size_t column, const Tabl
     refuse(table, column_text(column) + " with" + digits + "much larger whole numbers", thousands + " (" + way + ")");
   warnings.push_back(column_text(column) + " has" + digits + "its other numbers have none: is it " + thousands +
                      "? (then " + way + ")");
+}
+
+/// Throws WholeRefusal if all numbers of the column have a point before three digits, and all of another column have
+/// decimal commas: the points are then signs between thousands.
+void refuse_points_beside_commas(const TableBeginning& table, std::size_t column, const TableSample& sample,
+                                 std::size_t first) {
+  const auto has_point = [](std::string_view f) { return may_have_thousands(f) && f.find('.') < f.size(); };
+  const auto has_comma = [](std::string_view f) { return is_number(f) && f.find(',') < f.size(); };
+  if (table.choice.separator == ',' || !sample.all(column, has_point, first)) return;
+  for (std::size_t i = 0; i < table.fields.size(); ++i)
+    if (sample.all(i, has_comma, first))
+      refuse(table,
+             column_text(column) + " with three digits after each point, beside decimal commas in " + column_text(i),
+             "one decimal sign (export the table with cells in a plain format)");
+}
+
+/// Returns whether x and y may be northings and eastings: x is from 1e6 to 1e7 and y from 1e5 to 1e6, and x has no name
+/// of an easting.
+bool may_be_northings(const TableBeginning& table, const TableLayout& layout, const TableSample& sample) {
+  const std::size_t first = layout.header ? 1 : 0, x = layout.numbers[0];
+  const auto is_northing = [](std::string_view f) { return value_of(f) > 1e6 && value_of(f) <= 1e7; };
+  const auto is_easting = [](std::string_view f) { return value_of(f) >= 1e5 && value_of(f) < 1e6; };
+  const bool is_named = layout.header && is_coordinate(table.fields[x], 0) &&
+                        table.fields[x].find_first_of("xX") == std::string_view::npos;
+  return !is_named && sample.all(x, is_northing, first) && sample.all(layout.numbers[1], is_easting, first);
 }
 
 /// Returns the warning that the first line of points numbers the columns, as it has whole numbers from 0 or 1 on above
@@ -357,8 +389,16 @@ void refuse_decimal_commas(const TableBeginning& table, const TableSample& sampl
 void doubt_coordinates(const TableBeginning& table, const TableLayout& layout, const CloudRequest& request,
                        const TableSample& sample, std::vector<std::string>& warnings) {
   const std::size_t first = layout.header ? 1 : 0, x = layout.numbers[0], y = layout.numbers[1];
-  for (const std::size_t column : layout.numbers) doubt_thousands(table, column, sample, first, warnings);
+  for (const std::size_t column : layout.numbers) {
+    doubt_thousands(table, column, sample, first, warnings);
+    if (!layout.degrees) refuse_points_beside_commas(table, column, sample, first);
+  }
   for (const std::size_t axis : {0U, 1U}) doubt_sign(table, layout, axis, sample);
+  if (may_be_northings(table, layout, sample))
+    warnings.push_back(
+        "x is beyond 1000000 and y is not, as northings and eastings are: are they exchanged? (--columns " +
+        std::to_string(y + 1) + "," + std::to_string(x + 1) +
+        (request.in_space ? "," + std::to_string(layout.numbers[2] + 1) : "") + " takes them in the other order)");
   if (!layout.header) {
     if (const std::string warning = doubt_first_line(table, layout, sample); !warning.empty())
       warnings.push_back(warning);

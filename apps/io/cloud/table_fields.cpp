@@ -62,7 +62,9 @@ double TableFields::read(Fields& fields, std::string_view where, std::size_t axi
 
 /// Throws BadInput for a field: WholeRefusal if the field shows a way of writing in which other fields may be misread.
 void TableFields::refuse(std::string_view field, const std::string& expected) const {
-  const std::string message = here() + ": found " + in_quotes(field) + ", expected " + expected;
+  std::string message = here() + ": found " + in_quotes(field) + ", expected " + expected;
+  if (has_two_angles(lines_.line()))
+    message = with_way(message, "split the column of latitudes and longitudes into two");
   if (has_thousands(field) || has_stray_byte(field)) throw WholeRefusal(message);
   throw BadInput(message);
 }
@@ -81,7 +83,7 @@ double TableFields::read_angle(double degrees, char hemisphere, std::string_view
 
 /// Returns a number with a decimal comma. Throws BadInput if earlier numbers have a decimal point.
 double TableFields::read_decimal_comma(std::string_view field) {
-  if (has_thousands(field)) refuse(field, expected_for(field, NumberFault::not_a_number));
+  if (!is_number(field)) refuse(field, expected_for(field, NumberFault::not_a_number));
   const double value = comma_.read(field, here());
   if (!comma_.is_used()) comma_.begin(field, lines_.number(), all_whole_ && is_block_whole(), here(), file_.warnings);
   return value;

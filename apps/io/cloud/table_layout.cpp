@@ -298,7 +298,9 @@ void find_by_space_header(const TableBeginning& table, TableLayout& layout, std:
 }
 
 [[noreturn]] void refuse_width(const TableBeginning& table) {
-  if (is_text_only(table.fields)) bad_input(here(table), in_quotes(table.lines.line()), "3 or 6 numbers");
+  if (is_text_only(table.fields))
+    bad_input(here(table), in_quotes(table.lines.line()),
+              "3 or 6 numbers" + way_of_fields(table.lines.line(), table.choice.separator, false));
   refuse_atoms(table, "2,3,4");
   bad_input(here(table), found_fields(table),
             table.fields.size() > 3 ? "3 or 6 (--columns X,Y,Z chooses some of more)" : "3 or 6");

@@ -40,7 +40,8 @@ bool TableLines::is_passed_over(std::string_view line) {
     look_for_point(line);
     return true;
   }
-  const char separator = separator_ == '\0' ? separator_of_points_ : separator_;
+  char separator = separator_ == '\0' ? separator_of_points_ : separator_;
+  if (separator == '\0' && std::string_view(",;|").find(line.front()) < 3) separator = line.front();
   return line.front() == separator && separator != blanks &&
          std::all_of(line.begin(), line.end(), [&](char c) { return c == separator || is_blank(c); });
 }
@@ -103,11 +104,42 @@ void TableLines::join() {
     const std::string_view text = ahead(line_.size() + at_once);
     end = end_of_record(line_, text.data() + text.size(), separator_);
   }
-  is_open_ = end == nullptr;
+  swallowed_ = end == nullptr ? 0 : swallowed_row(end);
+  is_open_ = end == nullptr || swallowed_ > 0;
   if (is_open_ || end <= line_.data() + line_.size()) return;
   for (const std::size_t first = lines_.number(); lines_.rest().data() <= end && lines_.next();)
     spanned_ = lines_.number() - first;
   line_ = trimmed({line_.data(), static_cast<std::size_t>(end - line_.data())});
+}
+
+/// Returns the number of the first line after the current line that, like this one, would be a line of data if it stood
+/// alone, although both are in the record that ends at `end`; 0 if there is none. A quote that is no quotation mark, but
+/// a sign of inches or of repetition, makes such a record. Where this line has a whole number or a decimal, so has the
+/// other.
+std::size_t TableLines::swallowed_row(const char* end) const {
+  const char* const behind = line_.data() + line_.size();
+  const std::optional<FieldCount> width = end > behind ? fields_of_data(line_, separator_) : std::nullopt;
+  if (!width || width->all < least_fields_) return 0;
+  const auto kind = [](std::string_view f) { return is_number(f) ? (f.find_first_of(".,") < f.size() ? 2 : 1) : 0; };
+  const auto is_like = [&](std::string_view row) {
+    Fields of_first(line_, separator_), of_row(row, separator_);
+    while (!of_first.at_end() && !of_row.at_end()) {
+      const int first = kind(without_quotes(of_first.take())), second = kind(without_quotes(of_row.take()));
+      if (first != 0 && first != second) return false;
+    }
+    return of_first.at_end() && of_row.at_end() && fields_of_data(row, separator_);
+  };
+  Lines later({behind, static_cast<std::size_t>(end - behind)}, lines_.number() - 1);
+  while (later.next())
+    if (is_like(later.line())) return later.number();
+  return 0;
+}
+
+void TableLines::refuse_open() const {
+  if (swallowed_ == 0) bad_input(at_line(name(), number()), "a text in quotes that does not end", "a closing quote");
+  bad_input(at_line(name(), number()),
+            "a text in quotes with lines of data, the first of them " + std::to_string(swallowed_),
+            "a closing quote before them (without a quote that is a sign of inches or of repetition)");
 }
 
 std::string_view TableLines::ahead(std::size_t size) {

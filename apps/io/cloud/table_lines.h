@@ -43,8 +43,10 @@ class TableLines {
   std::string_view line() const { return line_; }
   /// Returns the number of the current line in the file, from 1; the number of the first if several lines are joined.
   std::size_t number() const { return lines_.number() - spanned_; }
-  /// Returns whether a quoted text begins in the current line and does not end.
+  /// Returns whether a quoted text begins in the current line and does not end, or spans lines of data like it.
   bool is_open() const { return is_open_; }
+  /// Throws BadInput that says why the current line is_open().
+  [[noreturn]] void refuse_open() const;
   /// Returns the text after the current line, as far as it is in memory.
   std::string_view rest() const { return lines_.rest(); }
   /// Returns the text from the beginning of the current line: whole lines of together at least `size` bytes, fewer only
@@ -66,6 +68,7 @@ class TableLines {
   void require_memory(std::size_t size) const;
   void widen();
   void join();
+  std::size_t swallowed_row(const char* end) const;
 
   Content content_;
   Lines lines_ = Lines({});
@@ -78,6 +81,7 @@ class TableLines {
   std::size_t least_fields_ = 0;
   std::size_t spanned_ = 0;  // number of lines that are joined to the first of the current line
   bool is_open_ = false;
+  std::size_t swallowed_ = 0;  // number of the first line of data that a quoted text spans; 0: there is none
   std::vector<std::size_t> coordinates_ = {};
   FieldCount width_ = {};
   char separator_of_points_ = '\0';               // '\0': the columns are not known

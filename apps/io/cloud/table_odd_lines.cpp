@@ -18,6 +18,7 @@ void refuse_no_table(std::string_view bytes, const std::string& name) {
     const char *found, *expected;
   };
   constexpr const char *sheet = "text (save the sheet as CSV)", *page = "a table (was the download refused?)",
+                       *records = "a table (jq -r '.[] | [.lon, .lat] | @csv' makes one of records)",
                        *xml = "a table (ogr2ogr -f CSV -lco GEOMETRY=AS_XY makes one of KML and GPX)";
   constexpr Kind kinds[] = {{"PK\x03\x04", "a workbook, or another zip file", sheet},
                             {"\xD0\xCF\x11\xE0", "a workbook of Excel", sheet},
@@ -27,6 +28,8 @@ void refuse_no_table(std::string_view bytes, const std::string& name) {
                             {"<kml", "KML", xml},
                             {"<gpx", "GPX", xml},
                             {"[[", "JSON", "a table"},
+                            {"[{", "JSON", records},
+                            {"[\n", "JSON", records},
                             {"{", "JSON", "a table (--format geojson reads GeoJSON)"}};
   bytes.remove_prefix(std::min(bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), bytes.size()));
   Fields words(bytes.substr(0, bytes.find('\n')), blanks);
@@ -44,18 +47,22 @@ bool lacks_name_of_rows(const TableLines& lines, const SeparatorChoice& choice) 
   if (text.size() > separator_sample) text = text.substr(0, text.rfind('\n', separator_sample) + 1);
   TableLines rows(Content(text, lines.name()));
   rows.set_layout(choice.separator, 0);
-  std::size_t count = 0, first = 0, texts = 0;
-  bool any_decimal = choice.separator != ',';  // else the lines may have decimal commas
+  std::size_t count = 0, first = 0, texts = 0, seconds = 0;  // seconds: numbers in the second field
+  bool any_decimal = choice.separator != ',';                // else the lines may have decimal commas
   for (; rows.next(); ++count) {
-    const std::string_view name = Fields(rows.line(), choice.separator).take();
+    Fields fields(rows.line(), choice.separator);
+    const std::string_view name = fields.take();
     const std::optional<std::size_t> number = parse_count(name);
     if (count == 0) first = number.value_or(0);
     if (count_fields(rows.line(), choice.separator).all != names.size() + 1 || first > 1 ||
         (number ? *number != first + count : is_number(name)))
       return false;
     texts += number ? 0U : 1U;
+    seconds += is_number(fields.take()) ? 1U : 0U;
     any_decimal = any_decimal || texts > 0 || rows.line().find('.') != std::string_view::npos;
   }
+  constexpr std::string_view numbers = "id fid gid oid objectid nr no num number nummer lfd index punkt pt point";
+  if (texts == 0 && seconds > 0 && is_word_of(names.front(), numbers)) return false;
   for (std::size_t i = 0; i < names.size(); ++i)
     if (is_nearly_number(names[i]) && names[i] != std::to_string(i)) return false;
   return count > 0 && !choice.geometry && choice.fields.to_last_text > names.size() && (texts == 0 || texts == count) &&

@@ -16,7 +16,7 @@ void refuse_no_table(std::string_view bytes, const std::string& name);
 
 /// Returns whether the current line is a header that lacks the name of the first column, the column of row names, as
 /// R's write.table() writes a header: all lines have one field more, and the first is a text, perhaps in quotes, or the
-/// number of the line.
+/// number of the line. Such a number is none if the header begins with a name for it and another number follows.
 bool lacks_name_of_rows(const TableLines& lines, const SeparatorChoice& choice);
 
 /// Returns the warning that the last line after the current line has two numbers and a word such as "Sum", or an empty

@@ -33,6 +33,8 @@ std::vector<Column> parse_columns(const std::string& text) {
   const std::vector<std::string_view> words = split_at_commas(text);
   if (words.size() > 2 || words.front().empty() || words.back().empty())
     bad_usage("--columns", in_quotes(text), "X,Y (two column numbers or names), or one column of geometries");
+  if (words.size() == 1 && text.find(';') != std::string::npos)
+    bad_usage("--columns", in_quotes(text), "X,Y, with a comma between two columns");
   std::vector<Column> columns;
   for (const std::string_view word : words) columns.push_back(parse_column(word));
   if (columns.size() == 2 && columns[0] == columns[1]) refuse_repeated_column(text, "two columns");
@@ -289,10 +291,21 @@ std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>
     return std::pair(is_among(names[found.x], weak_names) && is_among(names[found.y], weak_names),
                      std::min(found.x, found.y));
   };
+  // Returns the first column with the name of column `a` that begins, as that of column `b`, with a capital or not.
+  const auto of_same_case = [&](std::size_t a, std::size_t b) {
+    const auto is_capital = [&](std::size_t i) {
+      return std::isupper(static_cast<unsigned char>(header[i].front())) != 0;
+    };
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] == names[a] && is_capital(i) == is_capital(b)) return i;
+    return a;
+  };
   for (const Names& known : names_for(header)) {
     const std::optional<std::size_t> x = find_first(names, known.x), y = find_first(names, known.y);
     if (!x || !y) continue;
-    const NamedColumns found{*x, *y, known.degrees};
+    NamedColumns found{*x, *y, known.degrees};
+    found.x = of_same_case(found.x, found.y);
+    found.y = of_same_case(found.y, found.x);
     if (!best || rank(found) < rank(*best)) best = found;
   }
   if (best && !rank(*best).first) return best;

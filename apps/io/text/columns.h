@@ -33,9 +33,10 @@ struct NamedColumns {
 };
 
 /// Returns the columns whose names are a pair such as lon and lat, x and y, or easting and northing, in any order and
-/// among other columns: the leftmost pair, or else the only pair whose names have such a word ("stop_lat", "X_WGS84")
-/// or ending ("INTPTLAT"). A pair such as E and N, whose names may mean other things, is returned only if there is no
-/// other pair. East and north are no pair in a header with names of south and west (are_sides()).
+/// among other columns: the leftmost pair, of names in the same letter case if there are some ("x" and "y" beside "X"),
+/// or else the only pair whose names have such a word ("stop_lat", "X_WGS84") or ending ("INTPTLAT"). A pair such as E
+/// and N, whose names may mean other things, is returned only if there is no other pair. East and north are no pair in
+/// a header with names of south and west (are_sides()).
 std::optional<NamedColumns> find_coordinates(const std::vector<std::string_view>& header);
 
 /// Returns whether the header has names of south and west, as of boxes with four sides.

@@ -243,14 +243,18 @@ double DecimalComma::read(std::string_view field, const std::string& here) const
 
 void DecimalComma::begin(std::string_view field, std::size_t line, bool all_whole, const std::string& here,
                          std::vector<std::string>& warnings) {
-  if (!all_whole) bad_input(here, in_quotes(field), "a number with a decimal point, as in lines before");
+  if (!all_whole)
+    bad_input(here, in_quotes(field),
+              "a number with a decimal point, as in lines before (one decimal sign in all lines)");
   line_ = line;
   warnings.push_back("the decimal sign is a comma: " + shown(field) + " is read as " + shown(with_point(field)));
 }
 
 void DecimalComma::refuse_point(std::string_view field, const std::string& here) const {
   if (is_used() && field.find('.') != std::string_view::npos)
-    bad_input(here, in_quotes(field), "a number with a decimal comma, as in line " + std::to_string(line_));
+    bad_input(
+        here, in_quotes(field),
+        "a number with a decimal comma, as in line " + std::to_string(line_) + " (one decimal sign in all lines)");
 }
 
 }  // namespace rbpa::app

@@ -57,6 +57,7 @@ void LineSelection::settle_kinds(std::string_view line, Lines behind, char separ
 }
 
 BadInput LineSelection::with_hint(const BadInput& refusal) {
+  if (std::string_view(refusal.what()).find("--skip-invalid") != std::string_view::npos) return refusal;
   return BadInput(with_way(refusal.what(), "--skip-invalid leaves out lines that are not points"));
 }
 

@@ -105,6 +105,10 @@ std::string expected_for(std::string_view field, NumberFault fault) {
   if (const std::optional<Angle> angle = parse_angle(field)) return "decimal degrees, " + text_of(angle->degrees);
   if (const std::optional<Angle> angle = parse_angle(field, 100); angle && angle->has_sign)
     return "minutes and seconds below 60";
+  if (std::string east(field); field.starts_with('O') || field.ends_with('O')) {
+    std::replace(east.begin(), east.end(), 'O', 'E');
+    if (parse_angle(east)) return "E or W in place of O, which is Ost in German and Oeste or Ouest elsewhere";
+  }
   if (field == "N" || field == "S" || field == "E" || field == "W")
     return "a number, and no letter of a hemisphere in a column of its own (south and west are negative)";
   if (const std::string way = way_to_text(field); !way.empty()) return "a number" + way;
@@ -123,7 +127,8 @@ std::string expected_for(std::string_view field, NumberFault fault) {
   while (!number.empty() && !is_digit(number.back())) number.remove_suffix(1);
   const std::string_view rest = field.substr(first + number.size());
   const bool is_apart = rest.empty() || rest.find_first_of("'\")] %#,;") == 0 || is_word_of(rest, "m ft km cm mm");
-  if (rest == "-" && is_number(number)) return "a number with its sign before it, -" + std::string(number) + plain;
+  const bool has_minus = rest == "-" || (rest.starts_with(')') && field.starts_with('(') && is_digit(number.front()));
+  if (has_minus && is_number(number)) return "a number with its sign before it, -" + std::string(number) + plain;
   if (!is_number(number) || !is_apart) return expected_instead(fault);
   const std::size_t next = rest.find_first_of(digits);
   if (next == std::string_view::npos || rest.find('#') < next)
@@ -143,8 +148,23 @@ std::string way_of_fields(std::string_view line, char separator, bool are_more) 
     return " (without the quotes around the whole line)";
   if (are_more && separator == ';' && line.find("SRID=") != std::string_view::npos)
     return " (with quotes around SRID=...;POINT ...)";
+  if (!are_more && separator == blanks && line.find_first_of("^~:!&$/") < line.size() &&
+      count_fields(line, blanks).all == 1)
+    return " (between , ; | tabs or blanks)";
   const bool are_whole = line.find_first_not_of("+-,0123456789 ") == std::string_view::npos;
   return are_more && separator == ',' && are_whole ? " (with semicolons if these commas are decimal signs)" : "";
+}
+
+bool has_two_angles(std::string_view line) {
+  for (const char separator : {',', ';', '\t', '|'})
+    for (Fields fields(line, separator); !fields.at_end();) {
+      const std::string_view field = without_quotes(fields.take());
+      for (const std::size_t at : {field.find_first_of("EW"), field.find_first_of("NS", 1) + 1})
+        if (at > 0 && at < field.size() && parse_angle(trimmed(field.substr(0, at))) &&
+            parse_angle(trimmed(field.substr(at))))
+          return true;
+    }
+  return false;
 }
 
 std::string with_way(std::string message, const std::string& way) {

@@ -33,8 +33,12 @@ std::string expected_for(std::string_view field, NumberFault fault);
 std::string way_to_text(std::string_view field);
 
 /// Returns " (…)" with the reason why `line` has more or fewer fields than others of its table, if one shows: decimal
-/// commas or geometries that are split at the separator, or a line that is one text in quotes; else an empty text.
+/// commas or geometries that are split at the separator, a line that is one text in quotes, or a sign that separates
+/// nothing; else an empty text.
 std::string way_of_fields(std::string_view line, char separator, bool are_more);
+
+/// Returns whether a field of the line is a latitude and a longitude: "N52 25.358 E13 21.886".
+bool has_two_angles(std::string_view line);
 
 /// Returns `message` with a way out in brackets; if the message ends with brackets around another way out, in those.
 std::string with_way(std::string message, const std::string& way);

@@ -229,6 +229,11 @@ NamedGroups read_groups(const Run& run, const GroupSources& sources) {
   NamedGroups named = gatherer.finish();
   std::vector<std::string> warnings;
   settle_columns(named.file.kept, warnings);
+  const auto is_other = [](const std::string& name) { return printable(name).find("\\x") < std::string::npos; };
+  const auto other = std::find_if(named.names.begin(), named.names.end(), is_other);
+  if (other != named.names.end() && !sources.by_file)
+    warnings.push_back("the name of a group, " + in_quotes(*other) +
+                       ", is not in UTF-8: names may become equal in files (iconv -f CP1252 -t UTF-8)");
   run.warning(warnings);
   const std::size_t left_out = named.file.points.size() - named.groups.members.size();
   if (left_out > 0) run.warning(counted(left_out, "point") + " without a group");
