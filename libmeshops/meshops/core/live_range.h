@@ -62,7 +62,8 @@ class LiveRange {
   int count_;
 };
 
-/// Returns the live elements of one kind, in ascending order of handles. The range keeps a reference to the mesh.
+/// Returns the live elements of one kind, in ascending order of handles. The range keeps a reference to the mesh, and
+/// has no element that is added after this call.
 inline LiveRange<Vertex> live_vertices(const Connectivity& mesh) { return {mesh, mesh.n_vertices()}; }
 inline LiveRange<Halfedge> live_halfedges(const Connectivity& mesh) { return {mesh, mesh.n_halfedges()}; }
 inline LiveRange<Edge> live_edges(const Connectivity& mesh) { return {mesh, mesh.n_edges()}; }

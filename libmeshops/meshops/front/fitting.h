@@ -12,7 +12,8 @@
 
 namespace meshops::detail {
 
-/// Lookups by sites. Requires: halfedges in arguments exist; not checked.
+/// Lookups by sites. Keeps references to the mesh and the map.
+/// Requires: halfedges in arguments exist; the sides of a fit are sought only after check_corners(); not checked.
 class MESHOPS_API Fitting {
  public:
   Fitting(const Connectivity& mesh, const SiteVertices& vertices) : mesh_(mesh), vertices_(vertices) {}
@@ -28,13 +29,15 @@ class MESHOPS_API Fitting {
 
   /// Sets the refusal of `fit` unless the corners are distinct, and exist or are the next new sites.
   void check_corners(Fit& fit) const;
-  /// Sets the sides of `fit` to the boundary halfedges between their sites, or sets the refusal. find_other_sides()
-  /// does this for sides 1 and 2 only; side 0 must be set.
+  /// Sets each side of `fit` to the boundary halfedge between its sites, if there is one. Sets the refusal if the sites
+  /// of a side have an edge but no such halfedge (side_taken), or if nothing is glued at a corner that has fans, all
+  /// closed (site_closed). find_other_sides() does this for sides 1 and 2 only; side 0 must be a boundary halfedge from
+  /// corner 0 to corner 1.
   void find_sides(Fit& fit) const;
   void find_other_sides(Fit& fit) const;
-  /// Sets the sides of `fit` for a caller that decides which sides are glued: calls glues(halfedge, apex) for the
-  /// boundary halfedges between the sites of a side, until a call returns true. Sets the refusal if the triangle exists
-  /// already.
+  /// Sets the sides of `fit` that are not set yet, for a caller that decides which sides are glued: calls
+  /// glues(halfedge, apex) for the boundary halfedges between the sites of a side, until a call returns true. Only sets
+  /// the refusal if the triangle exists already.
   template <typename Glues>
   void find_sides(Fit& fit, Glues glues) const;
 

@@ -16,9 +16,12 @@ namespace meshops {
 /// vertex, two edges and a face.
 struct StarElements {
   Vertex vertex{};
-  std::array<Edge, 3> edge = {Edge(), Edge(), Edge()};  ///< the edge of the effect's `halfedge`, then its neighbors
-  std::array<Face, 2> face = {Face(), Face()};          ///< the faces on the left and the right of `halfedge`
-  bool at_boundary = false;  ///< whether there are only two edges and one face; the last entries are then invalid
+  /// The edge of the effect's `halfedge`, then the edges from `vertex` to the apexes on its left and its right. If a
+  /// weld removes an inner vertex of two edges, the last is the edge from the survivor to the left apex instead.
+  std::array<Edge, 3> edge = {Edge(), Edge(), Edge()};
+  std::array<Face, 2> face = {Face(), Face()};  ///< the faces on the left and the right of `halfedge`
+  /// Whether one side has no face, so that there are only two edges and one face; the last entries are then invalid.
+  bool at_boundary = false;
 
   std::span<const Edge> edges() const { return std::span(edge).first(at_boundary ? 2 : 3); }
   std::span<const Face> faces() const { return std::span(face).first(at_boundary ? 1 : 2); }

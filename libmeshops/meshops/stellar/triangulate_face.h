@@ -31,9 +31,10 @@ struct TriangulateFaceEffect {
 };
 
 /// Weight of triangles: weight(a, b, c), for three corners in their order around the face, returns a value of any type
-/// that has + and <. If + returns the greater of its operands, the worst triangle becomes as good as possible. The
-/// weight of a triangle must not depend on its neighbors, as angles between triangles do (Liepa 2003): otherwise parts
-/// of least weight need not form a whole of least weight, and dynamic programming does not find the least whole.
+/// that has + and <, and not NaN. If + returns the greater of its operands, the worst triangle becomes as good as
+/// possible. The weight of a triangle must not depend on its neighbors, as angles between triangles do (Liepa 2003):
+/// otherwise parts of least weight need not form a whole of least weight, and dynamic programming does not find the
+/// least whole.
 template <typename Weight>
 concept TriangleWeight = requires(Weight& weight, Vertex v) {
   { weight(v, v, v) + weight(v, v, v) } -> std::convertible_to<std::remove_cvref_t<decltype(weight(v, v, v))>>;
@@ -109,7 +110,7 @@ MESHOPS_API std::optional<Blocker> triangulate_face_blocker(const Connectivity& 
 /// triangle at the last side has the first apex, counted from mesh.halfedge_handle(face) on, and likewise in each part.
 /// Effect:      the face keeps its halfedge and becomes the triangle at that halfedge; the other faces and the
 ///              diagonals are new, with default values of all properties. A face that is a triangle stays as it is.
-/// Requires:    triangulate_face_blocker() is empty.
+/// Requires:    triangulate_face_blocker() with the same `keep` is empty.
 /// Throws:      ContractViolation, and what weight() throws; the mesh is then unchanged.
 /// Invalidates: nothing.
 /// Δ:           E +k−3, F +k−3. The topology does not change.

@@ -103,6 +103,8 @@ class MeshReporter {
   void count_points() {
     std::size_t bound = mesh_.n_vertices();
     for (const std::uint32_t p : point_of_vertex_) bound = std::max(bound, p + std::size_t{1});
+    require(bound <= std::size_t{1} << 31U, "report: found point ", static_cast<long long>(bound) - 1,
+            ", expected points below 2^31");
     constexpr std::uint8_t unseen = 0xff, several = 2;
     std::vector<std::uint8_t> fans_at(bound, unseen);
     DisjointSets connected(bound);

@@ -52,10 +52,10 @@ struct TopologyReport {
   std::size_t faces = 0;
   std::size_t components = 0;        ///< number of parts connected in any way; an isolated point is one part
   std::size_t solid_components = 0;  ///< number of pieces of surface: the size of `per_component`
-  std::size_t boundary_curves = 0;   ///< total of all pieces; no curve passes through a pinch
+  std::size_t boundary_curves = 0;   ///< total of all pieces; at a pinch, a curve stays on its fan
   std::optional<long> genus;       ///< total of all pieces; absent if a piece is not orientable or an edge non-manifold
   BettiNumbers betti = {0, 0, 0};  ///< over Z/2, of the whole complex as a space
-  std::size_t pinches = 0;         ///< number of points on which several fans stand
+  std::size_t pinches = 0;         ///< number of points on which several fans stand; non-manifold edges join fans
   std::size_t isolated = 0;        ///< number of points without a face
   std::vector<ComponentReport> per_component;  ///< in the order of their first faces
 
@@ -69,11 +69,12 @@ struct TopologyReport {
 /// Throws: ContractViolation as require_parted() does, or for 2³⁰ or more corners, points or faces; Cancelled.
 MESHOPS_API TopologyReport report(const PolygonSoup& soup, const GoOn& go_on = {});
 
-/// Reports on a mesh. `point_of_vertex` has the point of each vertex; if it is empty, each vertex stands on its own
-/// point. A vertex with several fans, as OpenMesh's readers leave it, counts as a pinch, which no piece and no curve
-/// passes. Edges are those of the mesh, even if several join the same points.
+/// Reports on a mesh. `point_of_vertex` has the point of each vertex, as build_mesh() returns it; if it is empty, each
+/// vertex stands on its own point. A vertex with several fans, as OpenMesh's readers leave it, counts as a pinch, which
+/// no piece and no curve passes. Edges are those of the mesh, even if several join the same points.
 /// Requires: the only defects that validate() finds are vertices with several fans; not checked.
-/// Throws:   ContractViolation unless `point_of_vertex` is empty or has a value for each vertex; Cancelled.
+/// Throws:   ContractViolation unless `point_of_vertex` is empty or has a value below 2³¹ for each vertex; Cancelled.
+/// Cost:     also linear in the greatest point.
 MESHOPS_API TopologyReport report(const Connectivity& mesh, std::span<const std::uint32_t> point_of_vertex = {},
                                   const GoOn& go_on = {});
 

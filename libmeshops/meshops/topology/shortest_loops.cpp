@@ -216,7 +216,7 @@ class LoopSearch {
         if (mesh_.halfedge_handle(e, 0) != h || !is_settled(mesh_.to_vertex_handle(h)) || is_in_tree(h)) continue;
         const double length =
             distance_[number_of(v)] + lengths_[number_of(e)] + distance_[number_of(mesh_.to_vertex_handle(h))];
-        if (length >= limit) continue;
+        if (!(length < limit)) continue;
         Bits bits = bits_across(h);
         if (std::any_of(bits.begin(), bits.end(), [](std::uint64_t word) { return word != 0; }))
           candidates.push_back({length, static_cast<std::uint32_t>(root.idx()), e, std::move(bits), {}});

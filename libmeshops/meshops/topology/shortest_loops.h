@@ -27,7 +27,8 @@ struct HomologySignature {
   std::size_t words = 0;             ///< number of words for each edge
   std::vector<std::uint64_t> edges;  ///< `words` words for each edge, by edge index
 
-  /// Returns the words of an edge. Throws ContractViolation if the edge does not exist and `words` is not 0.
+  /// Returns the words of an edge. Throws ContractViolation if the handle is invalid, or if the edge does not exist and
+  /// `words` is not 0.
   std::span<const std::uint64_t> of(Edge e) const {
     require(e.idx() >= 0 && (static_cast<std::size_t>(e.idx()) + 1) * words <= edges.size(), "HomologySignature: edge ",
             e.idx(), " does not exist");

@@ -13,19 +13,20 @@
 
 namespace meshops::detail {
 
+/// Fault of a face; SoupDefectKind (soup_defects.h) explains the kinds. A duplicate may run in either direction.
 enum class FaceFault : std::uint8_t { none, out_of_range, degenerate, duplicate };
 
 struct FaceFaults {
   std::vector<FaceFault> of;         ///< for each face, its first fault in the order of FaceFault
-  std::vector<std::size_t> repeats;  ///< for each duplicate, the earlier face that it repeats; or empty
+  std::vector<std::size_t> repeats;  ///< by face: for a duplicate, the first face with its cycle; or empty
 };
 
 /// Finds the faults of all faces. Throws: ContractViolation as require_parted() does, or for 2³⁰ or more corners,
 /// points or faces, which are too many for handles; Cancelled.
 FaceFaults find_face_faults(const PolygonSoup& soup, const GoOn& go_on);
 
-/// Returns whether every corner is a point, and every face has three or more distinct corners. The only fault that a
-/// face can still have is that it is a duplicate. Throws what find_face_faults() throws.
+/// Returns whether every corner is a point, and every face has three or more corners, all distinct. The only fault that
+/// a face can still have is that it is a duplicate. Throws what find_face_faults() throws.
 bool has_sound_faces(const PolygonSoup& soup, const GoOn& go_on);
 
 /// Side of a face, from the corner at index `corner` of the soup to the corner at index `next`.
@@ -61,6 +62,7 @@ inline bool fits(std::span<const SoupSide> edge) {
 class SoupSides {
  public:
   /// Collects the sides of the faces without a fault. Throws Cancelled.
+  /// Requires: `faults` is find_face_faults(soup); not checked.
   SoupSides(const PolygonSoup& soup, const FaceFaults& faults, const GoOn& go_on);
   /// Collects the sides of all faces. Throws Cancelled.
   /// Requires: has_sound_faces(soup); not checked.
@@ -79,12 +81,13 @@ class SoupSides {
   FreshVector<std::uint32_t> begin_;
 };
 
-/// Returns whether no edge has more than two sides, and the two sides of every other inner edge run in opposite
-/// directions and belong to faces with different corners.
+/// Returns whether every edge has one side, or two sides that run in opposite directions and belong to faces that are
+/// not duplicates. Several fans may stand on a point.
 /// Requires: `sides` has the sides of all faces of `soup`; not checked. Throws Cancelled.
 bool is_manifold(const PolygonSoup& soup, const SoupSides& sides, const GoOn& go_on);
 
-/// Returns the fans that corners form around points. The sides at an edge join corners if joins(sides) returns true.
+/// Returns the fans that corners form around points, as sets of indices of corners. All sides at an edge join their
+/// corners if joins(sides) returns true. Throws Cancelled.
 template <typename Joins>
 DisjointSets fans_of(const PolygonSoup& soup, const SoupSides& sides, Joins joins, const GoOn& go_on) {
   DisjointSets fans(soup.corners.size());
@@ -103,7 +106,7 @@ DisjointSets fans_of(const PolygonSoup& soup, const SoupSides& sides, Joins join
 }
 
 /// Returns the sets of faces that are connected through edges of exactly two faces. If the faces of odd parity are
-/// reversed, all faces agree, except at edges for which disagree(sides) is called.
+/// reversed, all faces agree, except at edges for which disagree(sides) is called. Throws Cancelled.
 template <typename Disagree>
 DisjointSets pieces_of(const PolygonSoup& soup, const SoupSides& sides, Disagree disagree, const GoOn& go_on) {
   DisjointSets pieces(soup.faces());

@@ -19,7 +19,7 @@ RBPA_API bool are_collinear(std::span<const Point> points, const GoOn& go_on = {
 
 /// Returns why the complex of radius `alpha` has no triangle: "fewer than three distinct points (2)", "all points are
 /// collinear" or "no triangle has circumradius <= 0.5". `distinct` is the number of distinct points, `collinear` the
-/// result of are_collinear().
+/// result of are_collinear(). Requires: the complex has no triangle; not checked.
 RBPA_API std::string why_no_triangle(std::size_t distinct, bool collinear, double alpha);
 
 }  // namespace rbpa

@@ -33,7 +33,8 @@ struct Region {
 /// Throws: InvalidInput unless 0 < alpha < ∞, x0 ≤ x1 and y0 ≤ y1.
 RBPA_API Region halo(const Region& region, double alpha);
 
-/// The input of a region: all points in halo(region, alpha). Further points of the whole input are allowed.
+/// The input of partial() (plane/partial.h) for a region: all points in halo(region, alpha). Further points of the
+/// whole input are allowed.
 struct RegionPoints {
   std::span<const Point> points;
   /// For each point its index in the whole input, in any order, none twice. Equal points count as one, under the lowest

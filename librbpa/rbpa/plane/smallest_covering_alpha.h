@@ -34,8 +34,9 @@ constexpr bool is_share(std::size_t count, std::size_t all, double share) {
 /// Returns the least alpha at which at least the share of the distinct points is in triangles. With `max_components` K,
 /// the number of these points, less the sizes of all solid components except the K largest, must also be at least this
 /// share. The size of a component is its number of vertices in rbpa()'s mesh, where a point at which several fans meet
-/// counts once for each fan. Returns nothing if there is no such alpha: if all points are on a line, as fewer than
-/// three always are, or if K is 0.
+/// counts once for each fan. With K, a larger alpha may miss the share again, because of new components. The result is
+/// rounded up to a double, infinity if it is above all doubles. Returns nothing if there is no such alpha: if all
+/// points are on a line, as fewer than three always are, or if K is 0.
 /// Requires: `filtration` is filtration(delaunay), of which only the numbers of triangles and points are checked.
 /// Throws:   ContractViolation when one of these numbers differs, or the share is out of its bounds; Cancelled.
 RBPA_API std::optional<double> smallest_covering(const Delaunay& delaunay, const Filtration& filtration,

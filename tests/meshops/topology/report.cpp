@@ -281,6 +281,7 @@ TEST_SUITE("report") {
     TestMesh mesh;
     build_mesh(mesh, soup(3, {{0, 1, 2}}));
     CHECK_THROWS_AS(report(mesh, std::vector<std::uint32_t>{0, 1}), ContractViolation);
+    CHECK_THROWS_AS(report(mesh, std::vector<std::uint32_t>{0, 1, 0x80000000}), ContractViolation);
   }
 
   TEST_CASE("the numbering of points and faces does not matter") {
