@@ -238,8 +238,8 @@ TEST_SUITE("bad points of space") {
     CHECK(pcd("", "WIDTH 2\nHEIGHT 1\nPOINTS 2\n", "WIDTH 4294967296\nHEIGHT 4294967297\n") ==
           "p: found WIDTH and HEIGHT beyond any file, expected 4294967296 times 4294967297 as WIDTH and HEIGHT say");
     CHECK(pcd("", "HEIGHT 1", "DEPTH 1") ==
-          "p:7: found 'DEPTH 1', expected FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, POINTS, VIEWPOINT or "
-          "DATA");
+          "p:7: found 'DEPTH 1', expected one of VERSION, FIELDS, SIZE, TYPE, COUNT, WIDTH, HEIGHT, POINTS, VIEWPOINT "
+          "and DATA");
     CHECK(refusal("FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F U\nPOINTS 1\nDATA ascii\n0 0 0 4294967296\n",
                   Format::pcd) == "p:6: found '4294967296', expected a color of 4 bytes");
     CHECK(refusal("FIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nPOINTS 1\nDATA ascii\n0 0 0 1e300\n", Format::pcd) ==

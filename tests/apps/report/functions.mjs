@@ -19,7 +19,7 @@ const page = (() => {
   writeFileSync(file, "0 0\n1 0\n0 1\n");
   const html = run("report", file, "-o", "-", "-q");
   const script = html.slice(html.lastIndexOf("<script>") + 8, html.lastIndexOf("</script>"));
-  const begin = script.indexOf("// What: the page: its choices");
+  const begin = script.lastIndexOf("// What:");
   assert(begin > 0);
   const names = ["decode", "Complex", "Raster", "View", "LogAxis", "polygonsAt", "geojsonOf", "svgOf", "orientation",
     "longestPairs", "powerOfTenText", "short", "textOf", "freeEdgesInView", "isolatedInView", "noTriangle", "triangleOf",
