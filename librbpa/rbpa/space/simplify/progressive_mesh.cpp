@@ -57,7 +57,8 @@ template <typename... Parts>
 void require_bytes(bool holds, const Parts&... parts) {
   if (holds) return;
   std::ostringstream text;
-  (text << "progressive mesh: " << ... << parts);
+  text << "progressive mesh: ";
+  (text << ... << parts);
   throw InvalidInput(text.str());
 }
 
