@@ -293,7 +293,8 @@ TEST_SUITE("ogr") {
         }
         CHECK(outcome.code == 3);
         CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-        CHECK(outcome.err.find(": found ") != std::string::npos);
+        CHECK((outcome.err.find(": found ") != std::string::npos ||
+               outcome.err.find(": GDAL cannot read ") != std::string::npos));
       }
     }
     CHECK(folder.rbpa("info none.gpkg").code == 3);
@@ -386,7 +387,10 @@ TEST_SUITE("ogr") {
       const OGRFeatureUniquePtr feature(file->GetLayer(0)->GetNextFeature());
       const int last = feature->GetFieldCount();
       if (path == "g.gpkg") continue;  // a group of one point
-      CHECK(feature->GetFieldAsInteger64(last - 4) == std::numeric_limits<std::int64_t>::max());
+      if (path == "s.shp")             // of more than 18 digits: written as they are, and read by GDAL as a real number
+        CHECK(feature->GetFieldAsDouble(last - 4) == 0x1p63);
+      else
+        CHECK(feature->GetFieldAsInteger64(last - 4) == std::numeric_limits<std::int64_t>::max());
       CHECK(feature->GetFieldAsInteger64(last - 3) == std::numeric_limits<std::int64_t>::min());
       CHECK(feature->GetFieldAsString(last - 2) == std::string("ü"));
       CHECK(feature->GetFieldAsDouble(last - 1) == 1.5);
