@@ -112,10 +112,10 @@ void TableLines::join() {
   line_ = trimmed({line_.data(), static_cast<std::size_t>(end - line_.data())});
 }
 
-/// Returns the number of the first line after the current line that, like this one, would be a line of data if it stood
-/// alone, although both are in the record that ends at `end`; 0 if there is none. A quote that is no quotation mark, but
-/// a sign of inches or of repetition, makes such a record. Where this line has a whole number or a decimal, so has the
-/// other.
+/// Returns the number of the first line after the current line that would be a line of data if it stood alone, as the
+/// current line would, although both are in the record that ends at `end`; 0 if there is none. Such a line has whole
+/// numbers and decimals where the current line has them. A quote that is a sign of inches or of repetition, and no
+/// quotation mark, makes such a record.
 std::size_t TableLines::swallowed_row(const char* end) const {
   const char* const behind = line_.data() + line_.size();
   const std::optional<FieldCount> width = end > behind ? fields_of_data(line_, separator_) : std::nullopt;
