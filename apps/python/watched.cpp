@@ -78,8 +78,9 @@ void run_watched(const std::function<void(Watch&)>& work, bool is_short, const p
     for (int looks = 1; !running.wait_for(between_looks); ++looks) {
       if (stopped) continue;
       const py::gil_scoped_acquire locked;
+      const bool is_first = looks == 1 && watch.last().points > 0;  // soon, if there is something to tell
       try {
-        ask(watch, progress, looks % looks_to_tell == 0);
+        ask(watch, progress, is_first || looks % looks_to_tell == 0);
       } catch (...) {
         stopped = std::current_exception();
         watch.stop();

@@ -47,8 +47,9 @@ class Watch {
 };
 
 /// Runs work(watch), in a new thread unless `is_short`, and releases Python's lock meanwhile. In a new thread, calls
-/// progress(triangles, points) every 0.1 s, unless `progress` is None. The work ends early if `progress` or a signal
-/// handler raises, or if `progress` returns a false value other than None.
+/// progress(triangles, points) about every 0.1 s, the first time after 0.02 s if the work has reported, unless
+/// `progress` is None. The work ends early if `progress` or a signal handler raises, or if `progress` returns a false
+/// value other than None.
 /// Requires: the calling thread holds Python's lock.
 /// Throws: the exceptions of the work, of a signal handler and of `progress`; Cancelled.
 void run_watched(const std::function<void(Watch&)>& work, bool is_short, const py::object& progress);

@@ -450,10 +450,11 @@ class WrongCalls {
     const Halfedge h = halfedge(), g = near(h);
     const Vertex v = vertex();
     const Face f = face();
+    const Edge e = edge();
     run(
         "on_same_curve", [&] { on_same_curve(mesh_, h, g); }, true);
     run(
-        "smaller_part", [&] { smaller_part(mesh_, f, face(), edge()); }, true);
+        "smaller_part", [&] { smaller_part(mesh_, f, face(), e); }, true);
     run(
         "BoundaryCurve", [&] { BoundaryCurve(mesh_, h).contains(g); }, true);
     run(

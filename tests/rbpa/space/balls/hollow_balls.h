@@ -75,11 +75,13 @@ inline Balls shell(int count, int within, double least, double greatest, double 
     if (random.chance(left_out)) continue;
     const double z = (2 * i + 1.0) / count - 1, angle = 2.399963 * i, r = std::sqrt(1 - z * z);
     const Point3 even = {r * std::cos(angle), r * std::sin(angle), z};
-    balls.centers.push_back(plus(even, random.between(0, 0.05), on_sphere(random)));
+    const Point3 direction = on_sphere(random);
+    balls.centers.push_back(plus(even, random.between(0, 0.05), direction));
     balls.radii.push_back(random.between(least, greatest));
   }
   for (int i = 0; i < within; ++i) {
-    balls.centers.push_back(plus({}, random.between(0, 0.5), on_sphere(random)));
+    const Point3 direction = on_sphere(random);
+    balls.centers.push_back(plus({}, random.between(0, 0.5), direction));
     balls.radii.push_back(random.between(0, 0.2));
   }
   return balls;
