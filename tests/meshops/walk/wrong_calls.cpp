@@ -125,7 +125,8 @@ class WrongCalls {
         run("open_curve", [&] { open_curve(mesh_, f); });
         break;
       case 4:
-        run("zip_curves", [&] { zip_curves(mesh_, h, halfedge()); });
+        for (int tries = 0; tries < 8; ++tries)  // few curves have equal lengths
+          run("zip_curves", [&] { zip_curves(mesh_, tries == 0 ? h : own_.boundary(), halfedge()); });
         break;
       case 5:
         run("destroy_triangle", [&] { destroy_triangle(mesh_, f); });
