@@ -138,6 +138,9 @@ TEST_SUITE("names of columns") {
       const std::vector<Column> chosen = {{.number = 1}, {.number = 2}};
       CHECK(read_table(text, {.columns = chosen}).warnings.empty());
     }
+    const PointFile titled = read_table("title\nlon,y\n1.5,2.5\n2.5,3.5\n", {.skip_invalid = true});
+    REQUIRE_FALSE(titled.warnings.empty());
+    CHECK(titled.warnings.front() == "x is column 1, 'lon', and y is column 2, 'y' (--columns 2,1 exchanges them)");
   }
 
   TEST_CASE("a first column that numbers the lines of a table without a header gives a warning") {

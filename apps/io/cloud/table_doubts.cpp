@@ -339,10 +339,12 @@ void warn_of_unknown_names(const TableBeginning& table, std::size_t numbers, std
   const std::string way = fields.size() > numbers ? "--columns chooses others"
                           : numbers == 2          ? "--columns 2,1 exchanges them"
                                                   : "--columns chooses another order";
-  const bool any_known = unknown.size() < numbers && !unknown.empty();
-  warnings.push_back((any_known ? listed(unknown, " and ") + (unknown.size() > 1 ? " are no names" : " is no name")
-                                : "no name of a column is that") +
-                     " of a coordinate; " + listed(columns, ", and ") + " (" + way + ")");
+  std::string doubt;
+  if (unknown.size() == numbers)
+    doubt = "no name of a column is that of a coordinate; ";
+  else if (!unknown.empty())
+    doubt = listed(unknown, " and ") + (unknown.size() > 1 ? " are no names" : " is no name") + " of a coordinate; ";
+  warnings.push_back(doubt + listed(columns, ", and ") + " (" + way + ")");
 }
 
 void refuse_unknown_names(const TableBeginning& table, const TableSample& sample) {
