@@ -92,6 +92,7 @@ void warn_of_odd_points(PointFile& file) {
                           "), far from all others, as where a number is missing (--where leaves points out)");
 }
 
+/// Returns `file` with its system of coordinates, with shifted longitudes and heights as requested, and with warnings.
 PointFile settled(PointFile file, const std::string& name, const PointSource& source) {
   settle_crs(file, source.crs);
   settle_columns(file.kept, file.warnings);

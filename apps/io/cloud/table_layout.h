@@ -1,4 +1,5 @@
-// What: finds the meaning of the columns of a table from its first line and from the request.
+// What: finds the meaning of the columns of a table from its first line and from the request; declares how tables are
+//       opened (table_cloud.cpp).
 // Law:  a first line is a header if none of its requested columns looks like a number and none of its other columns is
 //       a number. Known names, such as lat and lon, give the columns of x and y, or the column of geometries in
 //       well-known text. A comment in the line before the first line of numbers is also a header, if it has a name for

@@ -226,6 +226,8 @@ class Reconstructing {
     for (Point3& n : cloud_.normals) n = {0.0 - n.x, 0.0 - n.y, 0.0 - n.z};
   }
 
+  /// Chooses the radii unless they are given, and rolls the ball of each: surface(), or exposed_triangles() without
+  /// normals.
   void roll() {
     const bool has_normals = made_.source != NormalSource::none;
     std::vector<double>& radii = made_.radii;
@@ -244,6 +246,7 @@ class Reconstructing {
     made_.distinct = made_.surface.distinct;
   }
 
+  /// Finds the unused points, the components, and the boundary curves with their causes.
   void explain() {
     made_.unused = unused_points(cloud_.points, normals(), radii_, made_.surface, begin(Step::unused));
     made_.components = surface_components(cloud_.points, made_.surface, counting());
