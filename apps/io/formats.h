@@ -7,7 +7,7 @@
 
 namespace rbpa::app {
 
-/// How points of a format are read (io/cloud/cloud.h). The source that reads a format defines its CloudFormat.
+/// Functions and properties of a format of points (io/cloud/cloud.h), defined by the source that reads the format.
 struct CloudFormat;
 extern const CloudFormat table_reader, pts_reader, xyzn_reader, xyzrgb_reader, las_reader, npy_reader, raw_reader,
     ply_reader, off_reader, obj_reader, pcd_reader, pdb_reader, pqr_reader, cif_reader, gro_reader, dump_reader,

@@ -140,7 +140,7 @@ void append_index(const CloudBlock& block, std::vector<std::uint32_t>& index);
 /// Returns `index`; empty if index[i] = i for all i.
 std::vector<std::uint32_t> unless_identity(std::vector<std::uint32_t> index);
 
-/// How a format is read: open() makes the reader, a Cloud. A row of format_table names a CloudFormat.
+/// Functions and properties of a format: open() makes its reader, a Cloud. A row of format_table names a CloudFormat.
 struct CloudFormat {
   /// Opens a file. Throws BadInput; WrongUsage if two requested columns are the same.
   std::unique_ptr<Cloud> (*open)(Content content, const CloudRequest& request);

@@ -68,7 +68,7 @@ TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const Clo
 /// Opens a table, for CloudFormat::open.
 std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request, TableKind kind);
 
-/// How tables of a kind are read.
+/// The CloudFormat of tables of a kind.
 template <TableKind kind>
 constexpr CloudFormat reader_of_kind = {
     .open = [](Content content, const CloudRequest& request) { return open_table(std::move(content), request, kind); },
