@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -43,40 +44,62 @@ std::size_t share_of(std::size_t all, double share) {
   return count;
 }
 
-/// A test whether one solid component of the complex of alpha has at least a given share of all corners.
+/// A test whether one solid component of the complex of alpha has at least a given share of all corners, for several
+/// alphas that are all at least `least`.
 class GrowingPieces {
  public:
   /// Keeps references to all arguments.
-  GrowingPieces(const Solid& delaunay, std::span<const double> radii, double share, Steps& step)
-      : delaunay_(delaunay), radii_(radii), step_(step), seen_(corner_bound<4>(delaunay.simplices), none) {
+  GrowingPieces(const Solid& delaunay, std::span<const double> radii, double least, double share, Steps& step)
+      : delaunay_(delaunay),
+        radii_(radii),
+        step_(step),
+        seen_(corner_bound<4>(delaunay.simplices), none),
+        at_least_(radii.size()) {
     std::size_t corners = 0;
-    for (const Row& row : delaunay.simplices) {
-      step();
-      for (const std::uint32_t corner : row) corners += std::exchange(seen_[corner], unseen) == none;
+    for (std::uint32_t t = 0; t < radii.size(); ++t) {
+      step(2);
+      for (const std::uint32_t corner : delaunay.simplices[t]) corners += std::exchange(seen_[corner], unseen) == none;
+      if (radii[t] <= least)
+        join_neighbors(t, least, at_least_);
+      else
+        later_.push_back(t);
     }
     wanted_ = share_of(corners, share);
   }
 
   bool is_whole(double alpha) {
-    const auto& simplices = delaunay_.simplices;
-    meshops::DisjointSets sets(simplices.size());
-    std::vector<std::uint32_t> size(simplices.size(), 0);
-    for (std::uint32_t t = 0; t < simplices.size(); ++t) {
-      step_(2);
-      if (radii_[t] <= alpha)
-        for (const std::uint32_t n : delaunay_.neighbors[t])
-          if (n < t && radii_[n] <= alpha) sets.unite(t, n);
+    Pieces pieces = at_least_;
+    for (const std::uint32_t t : later_) {
+      step_();
+      if (radii_[t] <= alpha) join_neighbors(t, alpha, pieces);
     }
-    for (std::uint32_t t = 0; t < simplices.size(); ++t)
-      if (radii_[t] <= alpha) ++size[sets.find(t)];
     // A component of n tetrahedra has at most 4 n corners. Most components are thus too small to be counted.
-    for (std::uint32_t root = 0; root < size.size(); ++root)
-      if (4 * std::size_t{size[root]} >= wanted_ && count_corners(root, alpha, sets) >= wanted_) return true;
+    for (std::uint32_t root = 0; root < pieces.size.size(); ++root)
+      if (4 * std::size_t{pieces.size[root]} >= wanted_ && pieces.sets.is_least(root) && radii_[root] <= alpha &&
+          count_corners(root, alpha, pieces.sets) >= wanted_)
+        return true;
     return false;
   }
 
  private:
   static constexpr std::uint32_t none = 0xffffffff, unseen = 0xfffffffe;  // marks: no corner; not seen yet
+
+  /// Sets of tetrahedra. `size` has the number of tetrahedra of each set at the least number of the set.
+  struct Pieces {
+    explicit Pieces(std::size_t tetrahedra) : sets(tetrahedra), size(tetrahedra, 1) {}
+    meshops::DisjointSets sets;
+    std::vector<std::uint32_t> size;
+  };
+
+  void join_neighbors(std::uint32_t t, double alpha, Pieces& pieces) const {
+    for (const std::uint32_t n : delaunay_.neighbors[t]) {
+      if (n == Solid::none || !(radii_[n] <= alpha)) continue;
+      const std::uint32_t a = pieces.sets.find(t), b = pieces.sets.find(n);
+      if (a == b) continue;
+      const std::uint32_t both = pieces.size[a] + pieces.size[b];
+      pieces.size[pieces.sets.link(a, b)] = both;
+    }
+  }
 
   std::size_t count_corners(std::uint32_t root, double alpha, meshops::DisjointSets& sets) {
     std::size_t count = 0;
@@ -92,7 +115,9 @@ class GrowingPieces {
   const Solid& delaunay_;
   std::span<const double> radii_;
   Steps& step_;
-  std::vector<std::uint32_t> seen_;  // for each point: the root of its component, or a mark
+  std::vector<std::uint32_t> seen_;   // for each point: the root of its component, or a mark
+  Pieces at_least_;                   // components at the least alpha
+  std::vector<std::uint32_t> later_;  // tetrahedra of greater radius
   std::size_t wanted_ = 0;
 };
 
@@ -143,13 +168,14 @@ double auto_alpha(const Solid& delaunay, std::span<const double> radii, double s
                    "auto_alpha: the triangulation has no neighbors, expected solid() with the option neighbors");
   if (delaunay.simplices.empty()) return infinity;
   // A component keeps its points as alpha grows, so the least alpha is found by bisection over the radii.
-  std::vector<double> sorted(radii.begin(), radii.end());
+  const double least = min_alpha(delaunay, radii, share, go_on);
+  std::vector<double> sorted;
+  std::copy_if(radii.begin(), radii.end(), std::back_inserter(sorted), [&](double radius) { return radius >= least; });
   Steps asked(go_on);
   sort(sorted, asked, std::less<>());
   sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  GrowingPieces connection(delaunay, radii, share, asked);
-  const auto at_min = std::lower_bound(sorted.begin(), sorted.end(), min_alpha(delaunay, radii, share, go_on));
-  auto first = static_cast<std::size_t>(at_min - sorted.begin());  // the least candidate
+  GrowingPieces connection(delaunay, radii, least, share, asked);
+  std::size_t first = 0;  // the least candidate
   std::size_t last = first;
   for (std::size_t step = 1; !connection.is_whole(sorted[last]); step *= 2) {
     first = last + 1;
