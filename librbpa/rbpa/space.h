@@ -7,6 +7,7 @@
 #include "rbpa/space/balls/full_topology.h"
 #include "rbpa/space/balls/measure_ball_frames.h"
 #include "rbpa/space/balls/measure_balls.h"
+#include "rbpa/space/balls/measure_discs.h"
 #include "rbpa/space/balls/measure_solid.h"
 #include "rbpa/space/balls/periodic_topology.h"
 #include "rbpa/space/balls/regular_triangulation.h"

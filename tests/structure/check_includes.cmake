@@ -127,7 +127,8 @@ set(allowed
     meshops/handle meshops/stellar meshops/topology rbpa/base rbpa/plane rbpa/space/balls rbpa/space/persistence
     rbpa/space/repair rbpa/space/simplify rbpa/space/solid rbpa/space/surface"
   "apps/rbpa: apps/io apps/io/bytes apps/io/cloud apps/io/polygon apps/picture apps/program apps/rbpa/plane
-    apps/rbpa/shared apps/rbpa/space apps/rbpa/tiles apps/report rbpa/base rbpa/plane rbpa/space/persistence"
+    apps/rbpa/shared apps/rbpa/space apps/rbpa/tiles apps/report rbpa/base rbpa/plane rbpa/space/balls
+    rbpa/space/persistence"
   "apps/rbpa/plane: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon apps/picture apps/rbpa/shared
     apps/report rbpa rbpa/base rbpa/fill rbpa/plane"
   "apps/rbpa/shared: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon apps/picture apps/report rbpa

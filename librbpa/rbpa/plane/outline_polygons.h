@@ -14,30 +14,12 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
+#include "rbpa/base/polygon.h"
 #include "rbpa/base/triangle_arrays.h"
 
 namespace rbpa {
 
 struct SolidAlphaComplex;  // rbpa/plane/complex.h
-
-/// A closed polyline that passes no point twice.
-struct Ring {
-  std::vector<std::uint32_t> points;  ///< input indices, the lexicographically least point first and not repeated
-  friend bool operator==(const Ring&, const Ring&) = default;
-};
-
-/// A polygon: a solid component, of which a filter may have filled holes. The interior is connected; rings touch each
-/// other at single points, if at all.
-struct Polygon {
-  Ring shell = {};  ///< counter-clockwise
-  /// The holes: clockwise, inside the shell; sorted by first point, then by second, both lexicographically.
-  std::vector<Ring> holes = {};
-  double area = 0;  ///< area of the shell minus that of the holes: the real number rounded once
-  /// Length of all rings, with a relative error of at most 4 · 2⁻⁵³. Area and perimeter are infinite beyond the range
-  /// of double.
-  double perimeter = 0;
-  friend bool operator==(const Polygon&, const Polygon&) = default;
-};
 
 /// Lower bounds for the areas of holes and polygons, in squared units of the points. Areas are compared as rounded. A
 /// bound of 0 removes nothing.

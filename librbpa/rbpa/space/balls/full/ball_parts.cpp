@@ -20,16 +20,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// Returns the exponent of a power of two that scales the balls so that products of lengths are within the range of
-/// double. Returns 0 if the sizes need no scaling.
-int scale_exponent(std::span<const Point3> centers, std::span<const double> radii) {
-  const auto [low, high] = box_of(centers);
-  double size = *std::max_element(radii.begin(), radii.end());
-  for (const double side : {high.x - low.x, high.y - low.y, high.z - low.z}) size = std::max(size, side);
-  const bool fits = size == 0 || (size > 0x1p-60 && size < 0x1p60);
-  return fits ? 0 : -std::ilogb(std::min(size, 0x1p1023));
-}
-
 class BallParts {
  public:
   BallParts(const Triangulated& cells, std::span<const double> radii, std::size_t own, const FacesWithin& faces,
@@ -311,6 +301,14 @@ class BallParts {
 };
 
 }  // namespace
+
+int scale_exponent(std::span<const Point3> centers, std::span<const double> radii) {
+  const auto [low, high] = box_of(centers);
+  double size = *std::max_element(radii.begin(), radii.end());
+  for (const double side : {high.x - low.x, high.y - low.y, high.z - low.z}) size = std::max(size, side);
+  const bool fits = size == 0 || (size > 0x1p-60 && size < 0x1p60);
+  return fits ? 0 : -std::ilogb(std::min(size, 0x1p1023));
+}
 
 BallMeasures ball_parts(const Triangulated& cells, std::span<const double> radii, std::size_t own,
                         const FacesWithin& faces, const MeasureBallsOptions& options, Threads& threads,

@@ -17,6 +17,10 @@
 
 namespace rbpa::space {
 
+/// Returns the exponent of a power of two that scales the balls so that products of lengths are within the range of
+/// double. Returns 0 if the sizes need no scaling.
+int scale_exponent(std::span<const Point3> centers, std::span<const double> radii);
+
 /// Measures the balls around the points of `cells`. Balls from number `own` on are auxiliary: they meet no other ball.
 /// Requires: a radius for each point; `faces` is the dual complex of these balls; `cells` has tetrahedra and neighbors,
 ///           and is no periodic box.
