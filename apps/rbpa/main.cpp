@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
   InfoArguments info;
   AlphaArguments alpha;
   ReportArguments report_page;
+  DiscsArguments discs;
   FillArguments fill;
   SurfaceArguments surface;
   SolidArguments solid;
@@ -65,6 +66,7 @@ int main(int argc, char** argv) {
   const std::vector<Verb> verbs = {{add_mesh(app, mesh), [&] { run_mesh(mesh); }},
                                    {add_alpha(app, alpha), [&] { run_alpha(alpha); }},
                                    {add_shape(app, shape), [&] { run_shape(shape); }},
+                                   {add_discs(app, discs), [&] { run_discs(discs); }},
                                    {add_fill(app, fill), [&] { run_fill(fill); }},
                                    {add_surface(app, surface), [&] { run_surface(surface); }},
                                    {add_solid(app, solid), [&] { run_solid(solid); }},

@@ -161,6 +161,35 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
   return &verb;
 }
 
+CLI::App* add_discs(CLI::App& app, DiscsArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand(
+      "discs",
+      "Measure the union of discs around points: covered area, boundary, components and holes of the coverage");
+  add_point_options(verb, arguments);
+  verb.add_option("--radius", arguments.radius,
+                  "Radius of all discs, in units of the points, or column:NAME: a column or field with the radius of "
+                  "each")
+      ->type_name("R|column:NAME")
+      ->required();
+  add_output_options(verb, arguments, endings(Use::shape));
+  verb.add_option("--corners", arguments.corners, "Give a whole circle this number of corners in polygons and pictures")
+      ->type_name("N")
+      ->capture_default_str();
+  add_width_option(verb, arguments.width);
+  add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa discs stations.csv --columns x,y --radius 500 -o covered.geojson\n"
+      "  rbpa discs trees.csv --radius column:crown -o crowns.csv -o crowns.wkt\n\n"
+      "GeoJSON and WKT have the components as polygons with holes, whose corners are on the circles; the printed area "
+      "and boundary are those of the discs themselves. CSV has a line for each disc: its radius; the area of the "
+      "nearest part of the union, by power; the length of its circle on the boundary; and the number of its polygon, "
+      "which is empty for a disc inside of others. Which discs meet is decided exactly. Discs that only touch are in "
+      "different polygons.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
 CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
   CLI::App& verb =
       *app.add_subcommand("info", "Print the number of points and duplicates, their box and their spacing");

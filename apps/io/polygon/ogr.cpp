@@ -215,7 +215,7 @@ class OgrWriter {
     const std::vector<Attribute> fields =
         attributes_of(shape.fields, {"index", layer.GetFIDColumn(), layer.GetGeometryColumn()});
     add_attributes(layer, fields);
-    for (std::size_t i = 0; i < shape.points.size(); ++i) {
+    for (std::size_t i = 0; i < shape.polygon_of.size(); ++i) {
       if (shape.polygon_of[i]) continue;
       OGRFeature feature(layer.GetLayerDefn());
       set(feature, "index", std::size_t{renumbered(static_cast<std::uint32_t>(i), shape.index)});

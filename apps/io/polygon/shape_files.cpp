@@ -201,7 +201,7 @@ namespace {
 /// Calls visit(i) for each point i in no polygon. Throws Cancelled.
 template <typename Visit>
 void for_each_isolated(const Shape& shape, const Visit& visit) {
-  for (std::size_t i = 0; i < shape.points.size(); ++i) {
+  for (std::size_t i = 0; i < shape.polygon_of.size(); ++i) {
     if (i % 16384 == 0) stop_if_interrupted();
     if (!shape.polygon_of[i]) visit(i);
   }
@@ -284,7 +284,7 @@ void write_groups_csv(OutputFile& file, const NamedShapes& groups) {
 void write_points_csv(OutputFile& file, const Shape& shape) {
   const std::vector<Attribute> fields = attributes_of(shape.fields, {"x", "y", "polygon"});
   file.write_all("x,y,polygon", csv_names(fields), "\n");
-  for (std::size_t i = 0; i < shape.points.size(); ++i) {
+  for (std::size_t i = 0; i < shape.polygon_of.size(); ++i) {
     if (i % 16384 == 0) stop_if_interrupted();
     file.write_all(shape.points[i].x, ",", shape.points[i].y, ",");
     if (shape.polygon_of[i]) file.write_number(std::uint64_t{*shape.polygon_of[i]} + 1);

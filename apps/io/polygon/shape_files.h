@@ -27,9 +27,9 @@
 namespace rbpa::app {
 
 struct Shape {
-  std::span<const Point> points;
+  std::span<const Point> points;  ///< points of the input, then further corners of the polygons if there are any
   std::span<const Polygon> polygons;
-  /// For each point the index of its polygon; nothing for a point in no polygon.
+  /// For each point of the input the index of its polygon; nothing for a point in no polygon.
   std::span<const std::optional<std::uint32_t>> polygon_of;
   std::optional<Crs> crs = std::nullopt;      ///< the coordinate system, if it is known
   bool degrees = false;                       ///< the points are longitudes and latitudes, even if `crs` is unknown

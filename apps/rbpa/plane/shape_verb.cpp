@@ -12,6 +12,7 @@
 #include "io/polygon/summaries.h"
 #include "picture/picture.h"
 #include "plane/ogr_outputs.h"
+#include "plane/shape_outputs.h"
 #include "rbpa/plane/groups.h"
 #include "rbpa/plane/link_triangles.h"
 #include "rbpa/plane/outline_polygons.h"
@@ -23,18 +24,14 @@
 namespace rbpa::app {
 namespace {
 
-bool is_text_geometry(Format format) { return format == Format::wkt || format == Format::ewkt; }
-
 struct Files {
   std::vector<Target> targets;
   std::optional<Target> isolated = std::nullopt;  ///< file for the points in no polygon
 
-  /// Returns the first of `targets` in the format, otherwise `isolated` if it is in the format, otherwise null.
-  const Target* find(Format format) const {
-    const auto is_one = [&](const Target& target) { return target.format == format; };
-    const auto first = std::find_if(targets.begin(), targets.end(), is_one);
-    if (first != targets.end()) return &*first;
-    return isolated && is_one(*isolated) ? &*isolated : nullptr;
+  std::vector<Target> all() const {
+    std::vector<Target> all = targets;
+    if (isolated) all.push_back(*isolated);
+    return all;
   }
   /// Returns whether any file lists points with their fields. A GeoPackage lists isolated points.
   bool have_fields() const {
@@ -49,24 +46,6 @@ struct Files {
   }
 };
 
-/// Returns the prefix that EWKT adds to WKT, such as "SRID=28992;". Requires: require_srid() has not thrown.
-std::string srid_of(const Shape& shape) { return "SRID=" + *shape.crs->srid() + ";"; }
-
-/// Throws WrongUsage if a file is EWKT and the points have no EPSG code: EWKT names the coordinate system by its code.
-void require_srid(const Files& files, const std::optional<Crs>& crs) {
-  const Target* first = files.find(Format::ewkt);
-  if (first == nullptr || (crs && crs->srid())) return;
-  bad_usage(first->path == "-" ? "-o -" : first->path,
-            "points in " + (crs ? crs->text() : "an unknown coordinate system"),
-            "one with an EPSG code, which EWKT contains (--crs EPSG:28992, or the ending wkt)");
-}
-
-void write_shape(OutputFile& file, Format format, const Shape& shape) {
-  if (format == Format::csv) return write_points_csv(file, shape);
-  if (format == Format::ewkt) file.write(srid_of(shape));
-  write_polygons(file, format == Format::geojson ? Format::geojson : Format::wkt, shape);
-}
-
 void write_isolated(OutputFile& file, Format format, const Shape& shape) {
   if (format == Format::geojson) return write_isolated_geojson(file, shape);
   if (format == Format::ewkt) file.write(srid_of(shape));
@@ -75,32 +54,11 @@ void write_isolated(OutputFile& file, Format format, const Shape& shape) {
 
 void write_files(ComplexRun& run, const Files& files, const Shape& shape, const AlphaComplex& complex) {
   const ProgressLine line = run.writing();
-  std::optional<Drawing> drawing;
-  for (const Target& target : files.targets) {
-    stop_if_interrupted();
-    if (is_ogr(target.format)) {
-      add_ogr(run, target, ogr_polygons(target.format, shape));
-      continue;
-    }
-    run.add(target.path, [&](OutputFile& file) {
-      if (!is_picture(target.format)) return write_shape(file, target.format, shape);
-      if (!drawing) drawing = drawing_of(run.points(), shape.polygons, complex.isolated);
-      write_picture(file, target.format, *drawing, run.request.width);
-    });
-  }
+  add_shapes(run, files.targets, shape, complex.isolated, run.request.width);
   if (!files.isolated) return;
   const auto& [path, format] = *files.isolated;
   if (is_ogr(format)) return add_ogr(run, *files.isolated, ogr_isolated(format, shape));
   run.add(path, [&, format = format](OutputFile& file) { write_isolated(file, format, shape); });
-}
-
-/// Prints a warning, even with --quiet, if readers of a GeoJSON file may take the coordinates for degrees although they
-/// are not.
-void caution(const Files& files, const Shape& shape) {
-  const Target* first = files.find(Format::geojson);
-  if (first == nullptr) return;
-  if (const std::optional<std::string> why = geojson_caution(shape))
-    say("rbpa", output_name(first->path) + ": " + *why);
 }
 
 /// Returns the peak memory of a run in bytes for each point, without the memory of the point itself. The numbers are
@@ -129,7 +87,7 @@ void run_shape(const ShapeArguments& arguments) {
   request.source.keeps = with_summaries(listed, summaries);
 
   ComplexRun run(request, arguments);
-  require_srid(files, run.file.crs);
+  require_srid(files.all(), run.file.crs);
   std::vector<PointColumn>& columns = run.file.kept;  // listed columns first, then columns that are only summarized
   const auto end = std::stable_partition(columns.begin(), columns.end(),
                                          [&](const PointColumn& column) { return listed && listed->has(column.name); });
@@ -167,7 +125,7 @@ void run_shape(const ShapeArguments& arguments) {
     run.stats.of_polygons = totals;
   }
   run.finish();
-  caution(files, shape);
+  caution(files.all(), shape);
 
   if (made.empty())
     say("rbpa",

@@ -38,6 +38,13 @@ void run_shape(const ShapeArguments& arguments);
 /// Runs `rbpa shape` for each group of the points. Requires: arguments.has_groups().
 void run_group_shapes(const ShapeArguments& arguments);
 
+/// The arguments of `rbpa discs`, which measures the union of discs around points.
+struct DiscsArguments : PointArguments, OutputArguments {
+  std::string radius, corners = "64", width = "1200";
+  RunArguments run;
+};
+void run_discs(const DiscsArguments& arguments);
+
 /// The arguments of verbs that compute all radii.
 struct RadiiArguments : PointArguments {
   std::optional<std::string> stats;
@@ -171,6 +178,7 @@ void run_stream(const StreamArguments& arguments);
 CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments);
 CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments);
 CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments);
+CLI::App* add_discs(CLI::App& app, DiscsArguments& arguments);
 CLI::App* add_fill(CLI::App& app, FillArguments& arguments);
 CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments);
 CLI::App* add_solid(CLI::App& app, SolidArguments& arguments);

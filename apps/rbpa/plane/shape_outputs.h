@@ -1,0 +1,31 @@
+// What: adds files of polygons, and of the points that belong to them, to the output files of a run.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/polygon/shape_files.h"
+#include "shared/run.h"
+
+namespace rbpa::app {
+
+inline bool is_text_geometry(Format format) { return format == Format::wkt || format == Format::ewkt; }
+
+/// Returns the prefix that EWKT adds to WKT, such as "SRID=28992;". Requires: require_srid() has not thrown.
+std::string srid_of(const Shape& shape);
+
+/// Throws WrongUsage if a target is EWKT and the points have no EPSG code, by which EWKT names the coordinate system.
+void require_srid(const std::vector<Target>& targets, const std::optional<Crs>& crs);
+
+/// Adds a file for each target. Pictures also show the isolated points. Throws Cancelled; as Run::add() and add_ogr().
+void add_shapes(Run& run, const std::vector<Target>& targets, const Shape& shape,
+                std::span<const std::uint32_t> isolated, int width);
+
+/// Prints a warning, even with --quiet, if readers of a GeoJSON file may take the coordinates for degrees although they
+/// are not.
+void caution(const std::vector<Target>& targets, const Shape& shape);
+
+}  // namespace rbpa::app
