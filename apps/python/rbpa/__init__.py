@@ -25,6 +25,7 @@ Contents:
     solid_filtration(points)             persistence of components, tunnels, voids in space     -> SolidFiltration
     union_of_balls(points, radius)       volume and area, in space                              -> BallUnion
     balls(centers, radii, probe=0)       balls of several radii: volumes, areas, contacts       -> Balls
+    discs(centers, radii)                discs in the plane: area, boundary, components, holes  -> Discs
     follow_voids(frames)                 voids of balls, followed from frame to frame           -> VoidTracks
     rbpa.molecules                       atoms of files with names and frames, and their radii
     estimate_normals(points)             normals of points in space
@@ -56,6 +57,7 @@ from rbpa._balls import BallContacts, BallInterfaces, BallMouth, Balls, BallVoid
 from rbpa._core import Cancelled, ContractViolation, InvalidInput
 from rbpa._core import version as __version__
 from rbpa._delaunay import Delaunay, DelaunayInSpace
+from rbpa._discs import DiscCurve, Discs, discs
 from rbpa._filtration import Filtration, Plateau, Representative, filtration
 from rbpa._groups import AlphaShapes, alpha_shapes, concave_hulls
 from rbpa._periodic_solid import PeriodicPart, PeriodicSolid, periodic_solid
@@ -70,11 +72,11 @@ from rbpa._void_tracks import VoidEvent, VoidTracks, follow_voids
 
 __all__ = [
     "AlphaShape", "AlphaShapes", "Delaunay", "DelaunayInSpace", "Filtration", "Plateau", "Polygon", "Polygons", "Representative",
-    "BallContacts", "BallFiltration", "BallInterfaces", "BallMouth", "Balls", "BallUnion", "BallVoid", "DanglingFaces", "FullComplex", "PeriodicPart", "PeriodicSolid", "Solid", "SolidVoid",
+    "BallContacts", "BallFiltration", "BallInterfaces", "BallMouth", "Balls", "BallUnion", "BallVoid", "DanglingFaces", "DiscCurve", "Discs", "FullComplex", "PeriodicPart", "PeriodicSolid", "Solid", "SolidVoid",
     "SolidFiltration", "SolidPlateau", "SolidRepresentative", "VoidEvent", "VoidTracks", "VoidTree",
     "NotWatertight", "Surface", "SurfaceComponent", "SurfaceHole", "SurfaceRepair",
     "Cancelled", "ContractViolation", "InvalidInput", "PointFile", "__version__",
-    "alpha_shape", "alpha_shapes", "concave_hull", "concave_hulls", "filtration", "read_points",
+    "alpha_shape", "alpha_shapes", "concave_hull", "concave_hulls", "discs", "filtration", "read_points",
     "estimate_normals", "outliers", "scale_space", "surface", "surface_of",
     "balls", "follow_voids", "periodic_solid", "solid", "solid_filtration", "union_of_balls",
 ]  # fmt: skip

@@ -1,0 +1,135 @@
+"""Unions of discs in the plane: coverage by stations, sensors, trees."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+from rbpa import _core
+from rbpa._core import InvalidInput
+from rbpa._input import Floats, Indices, Progress, as_number, as_numbers, as_points, as_threads
+from rbpa._polygons import Polygons
+from rbpa._result import Result, freeze, short_repr
+
+
+def discs(
+    centers: Any,
+    radii: npt.ArrayLike,
+    *,
+    corners: int = 64,
+    threads: Optional[int] = None,
+    progress: Progress = None,
+) -> Discs:
+    """Measures the union of discs: area, length of the boundary, the share of each disc, components and holes. Decides
+    exactly which discs meet, and which curves bound holes; sizes are rounded.
+
+    Parameters
+    ----------
+    centers : array_like of shape (n, 2), or points of the plane as for `alpha_shape`
+        Finite coordinates; a float64 array in C order must not be changed while the result is in use.
+    radii : array_like of shape (n,), or a number
+        The radius of each disc, at least 0, in the units of the centers.
+    corners : int
+        The number of corners of a whole circle in `polygons`, at least 3.
+    threads, progress
+        As for `alpha_shape`.
+
+    Raises
+    ------
+    InvalidInput
+        A ValueError that names the fault: another shape, a radius that is negative.
+    Cancelled
+        `progress` returned False.
+
+    Examples
+    --------
+    >>> ring = np.exp(2j * np.pi * np.arange(6) / 6)     # six discs around a hole
+    >>> covered = rbpa.discs(np.column_stack([ring.real, ring.imag]), 0.6)
+    >>> covered
+    <rbpa.Discs of 6 discs: area 6.24565, 1 components, 1 holes>
+    >>> covered.boundary[1].is_hole, len(covered.boundary[1].discs), round(covered.boundary[1].area, 6)
+    (True, 6, -0.606223)
+    """
+    array = as_points(centers, "centers")
+    sizes = as_numbers(radii, "radii", "numbers of at least 0, one for each center")
+    if sizes.ndim == 0:
+        sizes = np.full(len(array), sizes)
+    if sizes.shape != array.shape[:1]:
+        raise InvalidInput(f"radii: found an array of shape {sizes.shape}, expected {array.shape[:1]}, one for each center")
+    whole = int(as_number(corners, "corners", "a whole number, at least 3"))
+    if whole != corners or whole < 3:
+        raise InvalidInput(f"corners: found {corners!r}, expected a whole number, at least 3")
+    made = _core.measure_discs(array, sizes, whole, as_threads(threads), progress)
+    return Discs(array, sizes, made)
+
+
+class DiscCurve(NamedTuple):
+    """A closed curve of the boundary of a union of discs, `Discs.boundary`. The union is on its left: the outer curve of
+    a component is passed counter-clockwise, the curve of a hole clockwise. Arrays are read-only, with a row for each
+    arc."""
+
+    discs: Indices
+    """The disc of each arc."""
+    begins: Floats
+    """The angle at which each arc begins, in radians from the direction of x; arcs are passed counter-clockwise around
+    their discs."""
+    angles: Floats
+    """The angle of each arc, from 0 to 2π."""
+    component: int
+    """The number of the component of the union; discs that only touch are in different components."""
+    is_hole: bool
+    area: float
+    """The area that the curve encloses, negative for a hole."""
+    length: float
+
+    def __repr__(self) -> str:
+        return short_repr(self)
+
+
+class Discs(Result):
+    """A union of discs in the plane, as returned by `discs`. Arrays are read-only.
+
+    Attributes
+    ----------
+    centers : float64 array of shape (n, 2)
+    radii : float64 array of shape (n,)
+    area, length : float
+        The area of the union, and the length of its boundary.
+    areas, lengths : float64 array of shape (n,)
+        The area of each disc's part of the union, within the disc's power cell, and the length of its circle on the
+        boundary, exactly 0 for a covered circle. The sums over all discs are `area` and `length`.
+    components : int32 array of shape (n,)
+        The number of each disc's component of the union, or -1 for a disc that has no part of the union.
+    hidden : int32 array of shape (h,)
+        The discs that have no part of the union.
+    boundary : list of DiscCurve
+        The outer curve of each component, followed by those of its holes.
+    polygons : Polygons
+        The components as polygons with holes, with corners on the circles: parts of the union, up to rounding.
+    """
+
+    centers: Floats
+    radii: Floats
+    area: float
+    length: float
+    areas: Floats
+    lengths: Floats
+    components: Indices
+    hidden: Indices
+    boundary: list[DiscCurve]
+    polygons: Polygons
+
+    def __init__(self, centers: Floats, radii: Floats, made: dict[str, Any]) -> None:
+        curves = [DiscCurve(*curve) for curve in made.pop("curves")]
+        freeze(*(array for curve in curves for array in (curve.discs, curve.begins, curve.angles)))
+        polygons = Polygons(made.pop("corners"), made.pop("polygons"))
+        super().__init__({**made, "boundary": curves, "polygons": polygons}, centers=centers, radii=radii)
+
+    def __len__(self) -> int:
+        return len(self.centers)
+
+    def __repr__(self) -> str:
+        holes = sum(curve.is_hole for curve in self.boundary)
+        return f"<rbpa.Discs of {len(self)} discs: area {self.area:.6g}, {len(self.boundary) - holes} components, {holes} holes>"
