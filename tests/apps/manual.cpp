@@ -116,7 +116,7 @@ TEST_SUITE("manual") {
     CHECK(
         help.find("  shape                       Make polygons with holes of the alpha solid, valid under OGC Simple\n"
                   "                              Features\n"
-                  "  fill  ") != std::string::npos);
+                  "  discs  ") != std::string::npos);
     CHECK(folder.rbpa("--completion zsh")
               .out.find("'shape:Make polygons with holes of the alpha solid, valid under "
                         "OGC Simple Features'") != std::string::npos);

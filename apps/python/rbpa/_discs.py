@@ -123,7 +123,8 @@ class Discs(Result):
 
     def __init__(self, centers: Floats, radii: Floats, made: dict[str, Any]) -> None:
         curves = [DiscCurve(*curve) for curve in made.pop("curves")]
-        freeze(*(array for curve in curves for array in (curve.discs, curve.begins, curve.angles)))
+        for curve in curves:
+            freeze(curve.discs, curve.begins, curve.angles)
         polygons = Polygons(made.pop("corners"), made.pop("polygons"))
         super().__init__({**made, "boundary": curves, "polygons": polygons}, centers=centers, radii=radii)
 
