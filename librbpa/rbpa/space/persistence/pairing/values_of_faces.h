@@ -79,7 +79,7 @@ void find_values_of_edges(const Rule& rule, Threads& threads, const GoOn& go_on,
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t edge = filtration.edges_of[i][k];
       alpha[edge] = std::min(alpha[edge], filtration.triangle_alpha[i]);
-      if ((conflicts[i] >> k & 1U) != 0) is_alone[edge] = 0;
+      if ((unsigned{conflicts[i]} >> k & 1U) != 0) is_alone[edge] = 0;
     }
   }
   for_each_part(threads, alpha.size(), faces_at_a_time, [&](std::size_t begin, std::size_t end) {
