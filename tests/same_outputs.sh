@@ -54,6 +54,7 @@ plane() {
 }
 plane_all() {
   plane "$1"
+  same rbpa discs "$1" --radius 1 --threads 2 -o out/x.csv -o out/x.wkt
   same rbpa mesh "$1" --alpha inf --threads 2 -o out/x.off -o out/x.obj -o out/x.vtu
   same rbpa mesh "$1" --alpha auto --complex full -o out/x.npy -o out/x.svg
   same rbpa mesh "$1" --alpha min --cover 0.9 --compact -o out/x.png -o out/x.off

@@ -1,5 +1,6 @@
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,28 +16,36 @@ namespace {
 
 /// Returns the entries of `member` of all frames, one frame after another.
 template <typename Item>
-std::vector<Item> joined(const std::vector<BallMeasures>& frames, std::vector<Item> BallMeasures::*member) {
+std::vector<Item> joined(const std::vector<PeriodicBallMeasures>& frames, std::vector<Item> BallMeasures::*member) {
   std::vector<Item> all;
-  for (const BallMeasures& frame : frames) all.insert(all.end(), (frame.*member).begin(), (frame.*member).end());
+  for (const PeriodicBallMeasures& frame : frames)
+    all.insert(all.end(), (frame.*member).begin(), (frame.*member).end());
   return all;
 }
 
 /// Measures the balls of each frame: `centers` has shape (frames, n, 3), and `radii` has shape (frames, n), or (1, n)
-/// for all frames. Arrays of the result that have a row for each ball contain one frame after another.
-py::dict measured(const Doubles& centers, const Doubles& radii, double probe, bool contacts, bool derivatives,
-                  unsigned threads, const py::object& progress) {
+/// for all frames. `cells` has shape (frames, 3, 3), (1, 3, 3) for all frames, or (0, 3, 3). Arrays of the result that
+/// have a row for each ball contain one frame after another.
+py::dict measured(const Doubles& centers, const Doubles& radii, const Doubles& cells, double probe, bool contacts,
+                  bool derivatives, unsigned threads, const py::object& progress) {
   require_shape(centers.ndim() == 3 && centers.shape(2) == 3, centers, "centers", "(frames, n, 3)");
   require_shape(radii.ndim() == 2 && radii.shape(1) == centers.shape(1) &&
                     (radii.shape(0) == 1 || radii.shape(0) == centers.shape(0)),
                 radii, "radii", "(frames, n) or (1, n)");
+  require_shape(cells.ndim() == 3 && cells.shape(1) == 3 && cells.shape(2) == 3 &&
+                    (cells.shape(0) <= 1 || cells.shape(0) == centers.shape(0)),
+                cells, "cells", "(frames, 3, 3), (1, 3, 3) or (0, 3, 3)");
+  const auto* edges = reinterpret_cast<const std::array<Point3, 3>*>(cells.data());
   const auto count = static_cast<std::size_t>(centers.shape(1));
   const std::span<const Point3> all(reinterpret_cast<const Point3*>(centers.data()),
                                     static_cast<std::size_t>(centers.size()) / 3);
   const std::span<const double> all_radii = line_of(radii);
   std::vector<BallFrame> frames;
   for (std::size_t f = 0; f < static_cast<std::size_t>(centers.shape(0)); ++f)
-    frames.push_back({all.subspan(f * count, count), all_radii.subspan(radii.shape(0) == 1 ? 0 : f * count, count)});
-  std::vector<BallMeasures> made = watched(all.size(), progress, [&](Watch& watch) {
+    frames.push_back(
+        {all.subspan(f * count, count), all_radii.subspan(radii.shape(0) == 1 ? 0 : f * count, count),
+         cells.shape(0) == 0 ? std::nullopt : std::optional(RepeatingCell{edges[cells.shape(0) == 1 ? 0 : f]})});
+  std::vector<PeriodicBallMeasures> made = watched(all.size(), progress, [&](Watch& watch) {
     return measure_ball_frames(frames, {.probe = probe,
                                         .contacts = contacts,
                                         .derivatives = derivatives,
@@ -52,11 +61,12 @@ py::dict measured(const Doubles& centers, const Doubles& radii, double probe, bo
   result["volume_gradient"] = rows<double>(joined(made, &BallMeasures::volume_gradient));
   result["area_gradient"] = rows<double>(joined(made, &BallMeasures::area_gradient));
   py::list hidden, all_contacts;
-  for (BallMeasures& frame : made) {
+  for (PeriodicBallMeasures& frame : made) {
     hidden.append(line<std::int32_t>(std::move(frame.hidden)));
     all_contacts.append(py::make_tuple(
         column<std::int32_t>(frame.contacts, &BallContact::balls), column<double>(frame.contacts, &BallContact::area),
-        column<double>(frame.contacts, &BallContact::arc), column<double>(frame.contacts, &BallContact::distance)));
+        column<double>(frame.contacts, &BallContact::arc), column<double>(frame.contacts, &BallContact::distance),
+        rows<std::int32_t>(std::move(frame.contact_offsets))));
   }
   result["hidden"] = std::move(hidden);
   result["contacts"] = std::move(all_contacts);
@@ -94,9 +104,25 @@ py::list voids_of(std::vector<BallVoid>&& voids, const RegularTriangulation& reg
   return list;
 }
 
-/// Returns two lists: the voids, and the pockets if `pockets`.
-py::list ball_voids_of(const Doubles& centers, const Doubles& radii, bool pockets, unsigned threads) {
+/// Returns two lists: the voids, and the pockets if `pockets`. `cells` has shape (1, 3, 3), or (0, 3, 3) without a
+/// cell; in a cell there are no pockets.
+py::list ball_voids_of(const Doubles& centers, const Doubles& radii, const Doubles& cells, bool pockets,
+                       unsigned threads) {
   const auto input = points3_of(centers, "centers");
+  if (cells.shape(0) > 0) {
+    PeriodicBallVoids made = watched(input.size(), py::none(), [&](Watch& watch) {
+      return periodic_ball_voids(input, line_of(radii), {*reinterpret_cast<const std::array<Point3, 3>*>(cells.data())},
+                                 {.threads = threads, .progress = watch.progress()});
+    });
+    for (auto& row : made.regular.simplices)
+      for (std::uint32_t& corner : row) corner = made.of[corner];
+    for (BallVoid& hollow : made.voids)
+      for (LiningBall& lining : hollow.balls) lining.ball = made.of[lining.ball];
+    py::list both;
+    both.append(voids_of(std::move(made.voids), made.regular));
+    both.append(py::list());
+    return both;
+  }
   RegularTriangulation regular;
   BallVoids made = watched(input.size(), py::none(), [&](Watch& watch) {
     regular = regular_triangulation(input, line_of(radii), {.threads = threads, .progress = watch.progress()});
@@ -128,10 +154,11 @@ py::dict ball_interfaces_of(const Doubles& centers, const Doubles& radii, const 
 
 void bind_balls(py::module_& module) {
   using py::arg;
-  module.def("measure_balls", &measured, as_is("centers"), as_is("radii"), arg("probe"), arg("contacts"),
-             arg("derivatives"), arg("threads"), arg("progress"));
+  module.def("measure_balls", &measured, as_is("centers"), as_is("radii"), as_is("cells"), arg("probe"),
+             arg("contacts"), arg("derivatives"), arg("threads"), arg("progress"));
   module.def("regular_triangulation", &tetrahedra_of, as_is("centers"), as_is("radii"));
-  module.def("ball_voids", &ball_voids_of, as_is("centers"), as_is("radii"), arg("pockets"), arg("threads"));
+  module.def("ball_voids", &ball_voids_of, as_is("centers"), as_is("radii"), as_is("cells"), arg("pockets"),
+             arg("threads"));
   module.def("ball_interfaces", &ball_interfaces_of, as_is("centers"), as_is("radii"), as_is("groups"), arg("threads"));
 }
 

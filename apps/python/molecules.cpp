@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "io/cloud/atom_frames.h"
+#include "io/cloud/atoms.h"
 #include "io/cloud/ball_radii.h"
 #include "io/cloud/chemical_elements.h"
 #include "io/interrupt.h"
@@ -26,6 +28,7 @@ struct Frames {
   AtomFrame first = {};
   std::vector<Point3> positions = {};
   std::vector<double> radii = {};  // empty if the file has no radii
+  std::vector<double> boxes = {};  // the nine numbers of each frame whose cell repeats along all edges
   std::vector<std::size_t> numbers = {};
   std::vector<std::string> warnings = {};
 };
@@ -47,6 +50,8 @@ Frames read_frames(app::AtomFrames& file) {
                           " (read one frame at a time)");
     }
     result.numbers.push_back(frame.number);
+    if (const app::UnitCell& cell = frame.cell; cell.edges && cell.repeats == std::array{true, true, true})
+      for (const auto& edge : *cell.edges) result.boxes.insert(result.boxes.end(), edge.begin(), edge.end());
     for (const AtomRow& row : frame.rows) {
       result.positions.push_back(row.center);
       if (frame.has_radii) result.radii.push_back(row.radius);
@@ -54,6 +59,17 @@ Frames read_frames(app::AtomFrames& file) {
   }
   result.warnings = file.warnings();
   return result;
+}
+
+/// Returns the edges of a cell as three rows, or None. Requires: six numbers.
+std::optional<std::vector<std::vector<double>>> edges_of_cell(const std::vector<double>& lengths_and_angles) {
+  std::array<double, 6> numbers{};
+  std::copy_n(lengths_and_angles.begin(), std::min<std::size_t>(lengths_and_angles.size(), 6), numbers.begin());
+  const auto edges = app::edges_of_cell(numbers);
+  if (!edges) return std::nullopt;
+  std::vector<std::vector<double>> rows;
+  for (const auto& edge : *edges) rows.emplace_back(edge.begin(), edge.end());
+  return rows;
 }
 
 /// Returns a column of texts as a pair: for each atom the position of its text in a list, and the list.
@@ -86,6 +102,8 @@ py::dict read_atoms(const py::bytes& path, const MaybeText& format, const std::s
     py::dict result;
     result["positions"] = rows<double>(std::move(made.positions));
     result["radii"] = first.has_radii ? py::object(line<double>(std::move(made.radii))) : py::object(py::none());
+    const bool has_boxes = !made.numbers.empty() && made.boxes.size() == 9 * made.numbers.size();
+    result["box"] = has_boxes ? py::object(line<double>(std::move(made.boxes))) : py::object(py::none());
     result["frames"] = made.numbers;
     result["warnings"] = made.warnings;
     py::dict left_out, columns;
@@ -142,6 +160,7 @@ Doubles atom_radii(const std::vector<AtomKind>& kinds, const std::string& choice
 
 void bind_molecules(py::module_& module) {
   using py::arg;
+  module.def("edges_of_cell", &edges_of_cell, arg("lengths_and_angles"));
   module.def("read_atoms", &read_atoms, arg("path"), arg("format"), arg("models"), arg("waters"), arg("ligands"),
              arg("hydrogens"), arg("alternates"), arg("where"), arg("radius"));
   module.def("atom_radii", &atom_radii, arg("kinds"), arg("choice"), arg("otherwise"), arg("overrides"));

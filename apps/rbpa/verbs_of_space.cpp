@@ -241,6 +241,11 @@ CLI::App* add_balls(CLI::App& app, BallsArguments& arguments) {
                   "Measure these models, or frames, of the file: numbers from 1 (default 1). Rows have their frame if "
                   "there may be several")
       ->type_name("all|1,3,10-20");
+  verb.add_option("--box", arguments.box,
+                  "Measure the balls of a box that repeats with all their images, per box: its sides, one length for "
+                  "all, or lengths and angles of a cell, the angles in degrees; auto: the cell of each frame in the "
+                  "file")
+      ->type_name("LX,LY,LZ|A,B,C,ALPHA,BETA,GAMMA|auto");
   verb.add_option("--where", arguments.where,
                   "Take only atoms that fulfill a condition on their columns: \"chain == 'A' and resseq < 100\"")
       ->type_name("CONDITION");

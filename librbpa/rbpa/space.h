@@ -9,6 +9,7 @@
 #include "rbpa/space/balls/measure_balls.h"
 #include "rbpa/space/balls/measure_discs.h"
 #include "rbpa/space/balls/measure_solid.h"
+#include "rbpa/space/balls/periodic_balls.h"
 #include "rbpa/space/balls/periodic_topology.h"
 #include "rbpa/space/balls/regular_triangulation.h"
 #include "rbpa/space/balls/union_of_balls.h"

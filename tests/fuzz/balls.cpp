@@ -1,5 +1,5 @@
 // Balls: any centers on a grid with any radii have a regular triangulation without a conflict, which does not depend on
-//        their order; and the parts of their union add up, are within bounds, and scale exactly.
+//        their order; and the parts of their union, and of that of discs, add up, are within bounds, and scale exactly.
 // An input is a byte with the bits of coordinates and radii, a byte for the unit, then four bytes a ball: x, y, z,
 // radius. Few bits make nested, tangent, equal and cospherical balls.
 #include <algorithm>
@@ -13,6 +13,7 @@
 
 #include "fuzz/target.h"
 #include "rbpa/space/balls/measure_balls.h"
+#include "rbpa/space/balls/measure_discs.h"
 #include "rbpa/space/balls/union_of_balls.h"
 
 namespace {
@@ -130,6 +131,34 @@ void check_measures(const Balls& balls, const BallMeasures& found, double unit) 
   }
 }
 
+/// Checks the discs whose centers are those of the balls without z.
+void check_discs(const Balls& balls, const Balls& reversed) {
+  const auto measured = [](const Balls& of) {
+    std::vector<rbpa::Point> centers;
+    for (const Point3& p : of.centers) centers.push_back({p.x, p.y});
+    return rbpa::measure_discs(centers, of.radii);
+  };
+  const rbpa::DiscMeasures found = measured(balls), other = measured(reversed);
+  double squares = 0, radii = 0, area = 0, length = 0, largest = 0;
+  for (const double r : balls.radii) {
+    squares += r * r;
+    radii += r;
+    largest = std::max(largest, std::numbers::pi * r * r);
+  }
+  for (const rbpa::DiscCurve& curve : found.boundary) {
+    area += curve.area;
+    length += curve.length;
+    fuzz::require(curve.is_hole ? curve.area <= 1e-11 * squares : curve.area >= -1e-11 * squares,
+                  "outer curves are counter-clockwise, those of holes clockwise");
+  }
+  fuzz::require(std::abs(area - found.area) <= 1e-11 * squares && std::abs(length - found.length) <= 1e-11 * radii,
+                "curves add up");
+  fuzz::require(found.area >= largest * (1 - 1e-12) && found.area <= std::numbers::pi * squares * (1 + 1e-12),
+                "a union of discs is within its bounds");
+  fuzz::require(found.boundary.size() == other.boundary.size() && std::abs(found.area - other.area) <= 1e-11 * squares,
+                "the order of discs does not matter");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -148,6 +177,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
   const RegularTriangulation regular = rbpa::regular_triangulation(balls.centers, balls.radii);
   check_triangulation(balls, regular);
+  check_discs(balls, reversed);
   const RegularTriangulation other = rbpa::regular_triangulation(reversed.centers, reversed.radii);
   fuzz::require(by_balls(balls, regular.simplices) == by_balls(reversed, other.simplices) &&
                     by_balls(balls, regular.flat) == by_balls(reversed, other.flat),

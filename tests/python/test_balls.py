@@ -329,3 +329,43 @@ def test_frames_have_lists_of_voids_and_arcs_are_counted():
         chain.filtration()
     with pytest.raises(rbpa.InvalidInput, match=r"groups: found an array of shape \(2,\), expected \(3,\)"):
         rbpa.balls(chain.centers[0], 0.75).interfaces([1, 2])
+
+
+def test_a_box_repeats_the_balls_with_all_images():
+    centers, radii = some(11, 60)
+    radii += 0.05
+    made = rbpa.balls(centers, radii, box=1)
+    shifts = numpy.array([(x, y, z) for x in range(-1, 2) for y in range(-1, 2) for z in range(-1, 2)], float)
+    shifts = shifts[numpy.argsort(numpy.abs(shifts).sum(1), kind="stable")]  # the balls themselves first
+    images = rbpa.balls((centers[None] + shifts[:, None]).reshape(-1, 3), numpy.tile(radii, 27))
+    assert made.areas.tolist() == pytest.approx(images.areas[:60].tolist(), abs=1e-12)
+    assert made.volume == pytest.approx(images.volumes[:60].sum(), rel=1e-12)
+    moved = centers[made.contacts.balls[:, 1]] + made.contacts.offsets - centers[made.contacts.balls[:, 0]]
+    assert numpy.linalg.norm(moved, axis=1).tolist() == pytest.approx(made.contacts.distances.tolist(), rel=1e-12)
+    for same in ([1, 1, 1], [1, 1, 1, 90, 90, 90], numpy.eye(3)):
+        assert rbpa.balls(centers, radii, box=same).area == made.area
+    leaning = rbpa.balls(centers, radii, box=[[1, 0, 0], [1, 1, 0], [0, 0, 1]])  # the same lattice
+    assert leaning.area == pytest.approx(made.area, rel=1e-12)
+    two = rbpa.balls(numpy.stack([centers, centers]), radii, box=[[1, 1, 1], [1, 1, 2]])
+    assert two.area[0] == made.area and two.area[1] > made.area and two.without_probe is two
+    assert pickle.loads(pickle.dumps(made)).cells.tolist() == [numpy.eye(3).tolist()]
+
+
+def test_voids_in_a_box_are_listed_once():
+    lattice = rbpa.balls([[0, 0, 0]], [0.75], box=1)
+    (void,) = lattice.voids
+    assert void.volume == pytest.approx(1 - lattice.volume, rel=1e-12)
+    assert void.radius == pytest.approx(math.sqrt(0.75) - 0.75, rel=1e-12) and set(void.balls) == {0}
+    frames = rbpa.balls(numpy.zeros((2, 1, 3)), [0.75], box=[[1, 1, 1], [1, 1, 9]])
+    assert [len(voids) for voids in frames.voids] == [1, 0]
+    for name in ("pockets", "simplices"):
+        with pytest.raises(rbpa.InvalidInput, match="in a box that repeats"):
+            getattr(lattice, name)
+    with pytest.raises(rbpa.InvalidInput, match="filtration: found balls in a box"):
+        lattice.filtration()
+
+
+@pytest.mark.parametrize("box", [[1, 2], [0, 1, 1], [1, 1, 1, 90, 90, 180], "x", numpy.zeros((3, 3))])
+def test_wrong_boxes_are_refused(box):
+    with pytest.raises(rbpa.InvalidInput):
+        rbpa.balls([[0, 0, 0]], [1], box=box)

@@ -91,6 +91,19 @@ double AtomSelection::number(const Atom& atom, std::size_t k) const {
   return source_.number(atom, places_[k], of_where);
 }
 
+std::optional<std::array<std::array<double, 3>, 3>> edges_of_cell(const std::array<double, 6>& lengths_and_angles) {
+  const auto& [a, b, c, alpha, beta, gamma] = lengths_and_angles;
+  for (const double length : {a, b, c})
+    if (!(length > 0 && std::isfinite(length))) return std::nullopt;
+  for (const double angle : {alpha, beta, gamma})
+    if (!(angle > 0 && angle < 180)) return std::nullopt;
+  const double cos_a = cosine(alpha), cos_b = cosine(beta), cos_c = cosine(gamma);
+  const double sin_c = std::sqrt(1 - cos_c * cos_c), y = (cos_a - cos_b * cos_c) / sin_c;
+  const double height = 1 - cos_b * cos_b - y * y;
+  if (!(height > 0)) return std::nullopt;
+  return {{{{a, 0, 0}, {b * cos_c, b * sin_c, 0}, {c * cos_b, c * y, c * std::sqrt(height)}}}};
+}
+
 UnitCell unit_cell(const std::string& record, const std::array<std::string_view, 6>& values) {
   if (std::all_of(values.begin(), values.end(), [](std::string_view value) { return value.empty(); })) return {};
   std::array<double, 6> numbers{};
@@ -102,13 +115,8 @@ UnitCell unit_cell(const std::string& record, const std::array<std::string_view,
   }
   const auto& [a, b, c, alpha, beta, gamma] = numbers;
   if (a == 1 && b == 1 && c == 1) return {.fault = record + " of 1 x 1 x 1, which stands for none"};
-  const auto is_angle = [](double degrees) { return degrees > 0 && degrees < 180; };
-  const double cos_a = cosine(alpha), cos_b = cosine(beta), cos_c = cosine(gamma);
-  const double sin_c = std::sqrt(1 - cos_c * cos_c), y = (cos_a - cos_b * cos_c) / sin_c;
   UnitCell cell;
-  if (const double height = 1 - cos_b * cos_b - y * y;
-      is_angle(alpha) && is_angle(beta) && is_angle(gamma) && height > 0)
-    cell.edges = {{{a, 0, 0}, {b * cos_c, b * sin_c, 0}, {c * cos_b, c * y, c * std::sqrt(height)}}};
+  cell.edges = edges_of_cell(numbers);
   if (alpha == 90 && beta == 90 && gamma == 90)
     cell.sides = {{a, b, c}};
   else

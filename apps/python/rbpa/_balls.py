@@ -21,6 +21,7 @@ def balls(
     radii: Union[npt.ArrayLike, str, None] = None,
     probe: float = 0.0,
     *,
+    box: Optional[npt.ArrayLike] = None,
     threads: Optional[int] = None,
     progress: Progress = None,
 ) -> Balls:
@@ -38,6 +39,10 @@ def balls(
         otherwise Bondi's; "bondi" and "protor" choose radii by element and name (`molecules.radii`).
     probe : float
         The length that is added to each radius: 1.4 for water, in angstroms.
+    box : array_like, optional
+        The box if it repeats (periodic boundary conditions): a length or three sides; lengths and angles in degrees,
+        (a, b, c, alpha, beta, gamma); or the three edges as rows, shape (3, 3). An array with a first axis for frames
+        has a box for each. Sizes are then those of the balls and all their images, per box; centers may be outside.
     threads
         As for `solid`.
     progress : callable, optional
@@ -73,7 +78,29 @@ def balls(
         sizes = np.full(array.shape[-2], sizes)
     if sizes.shape not in (array.shape[-2:-1], array.shape[:-1]):
         raise InvalidInput(f"radii: found an array of shape {sizes.shape}, expected {array.shape[-2:-1]}, one for each center")
-    return Balls(array, sizes, as_number(probe, "probe", "a finite number"), threads, progress)
+    frames = array.shape[0] if array.ndim == 3 else None
+    return Balls(array, sizes, as_number(probe, "probe", "a finite number"), _cells_of(box, frames), threads, progress)
+
+
+def _cells_of(box: Optional[npt.ArrayLike], frames: Optional[int]) -> Floats:
+    """Returns the edges of the boxes: shape (1, 3, 3) for all frames, (frames, 3, 3), or (0, 3, 3) without a box."""
+    if box is None:
+        return np.empty((0, 3, 3))
+    given = as_numbers(box, "box", "three sides, lengths and angles, or edges")
+    if given.ndim == 0:
+        given = np.full(3, given)
+    is_one = given.shape in ((3,), (6,), (3, 3))
+    if not is_one and (given.shape[0] != frames or given.shape[1:] not in ((3,), (6,), (3, 3))):
+        raise InvalidInput(f"box: found an array of shape {given.shape}, expected (3,), (6,) or (3, 3), or one for each frame")
+    if given.shape == (3, 3) and frames == 3:
+        raise InvalidInput("box: found an array of shape (3, 3) for 3 frames, expected (1, 3, 3), the edges of all, or (3, 3, 3)")
+    each = given[None] if is_one else given
+    if each.shape[1:] == (3, 3):
+        return np.ascontiguousarray(each)
+    edges = [_core.edges_of_cell([*row, *([90.0] * (6 - len(row)))]) for row in each.tolist()]
+    if None in edges:
+        raise InvalidInput(f"box: found {each[edges.index(None)].tolist()}, expected lengths above 0, and angles of a cell with a volume")
+    return np.array(edges, float).reshape(-1, 3, 3)
 
 
 class BallContacts(NamedTuple):
@@ -82,12 +109,15 @@ class BallContacts(NamedTuple):
 
     `balls` has shape (m, 2). `areas` are the areas of the shared parts of discs, `arcs` the total lengths of the arcs
     of the common circles on the surface of the union, or 0, and `distances` the distances of the two centers.
+    `offsets` has shape (m, 3): in a box, the number of edges by which the second ball is moved to touch the first one;
+    without a box, shape (0, 3).
     """
 
     balls: Indices
     areas: Floats
     arcs: Floats
     distances: Floats
+    offsets: Indices
 
     def __repr__(self) -> str:
         return short_repr(self)
@@ -165,6 +195,8 @@ class Balls(Result):
     radii : float64 array of shape (n,)
         The radii without the probe.
     probe : float
+    cells : float64 array of shape (1, 3, 3), or (frames, 3, 3)
+        The edges of the boxes, as rows; shape (0, 3, 3) without a box.
     volume, area : float
         Sizes of the union of the balls with the probe, in cubed and squared units of the centers.
     volumes, areas : float64 array of shape (n,)
@@ -179,6 +211,7 @@ class Balls(Result):
     centers: Floats
     radii: Floats
     probe: float
+    cells: Floats
     volume: Any
     area: Any
     volumes: Floats
@@ -186,8 +219,16 @@ class Balls(Result):
     arcs: Indices
     hidden: Any
 
-    def __init__(self, centers: Floats, radii: Floats, probe: float, threads: Optional[int] = None, progress: Progress = None) -> None:
-        super().__init__({"probe": probe}, centers=centers, radii=radii)
+    def __init__(
+        self,
+        centers: Floats,
+        radii: Floats,
+        probe: float,
+        cells: Floats,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> None:
+        super().__init__({"probe": probe, "cells": cells}, centers=centers, radii=radii)
         made = self._measured(False, threads, progress)
         self.__dict__.update({name: made[name] for name in ("volume", "area", "volumes", "areas", "arcs", "hidden")})
 
@@ -196,7 +237,7 @@ class Balls(Result):
         self._require_unchanged()
         shape = self.centers.shape
         centers = self.centers if self.centers.ndim == 3 else self.centers[None]
-        made = _core.measure_balls(centers, np.atleast_2d(self.radii), self.probe, further, further, as_threads(threads), progress)
+        made = _core.measure_balls(centers, np.atleast_2d(self.radii), self.cells, self.probe, further, further, as_threads(threads), progress)
         made["contacts"] = [BallContacts(*contacts) for contacts in made["contacts"]]
         freeze(*made["hidden"], *(array for contacts in made["contacts"] for array in contacts))
         for name in ("volumes", "areas", "arcs"):
@@ -226,13 +267,14 @@ class Balls(Result):
     def without_probe(self) -> Balls:
         """The union of the balls without the probe: for atoms, with the van der Waals volume and area. Measures
         again."""
-        return self if self.probe == 0 else Balls(self.centers, self.radii, 0.0)
+        return self if self.probe == 0 else Balls(self.centers, self.radii, 0.0, self.cells)
 
     @cached_property
     def simplices(self) -> Any:
         """The tetrahedra of the regular triangulation of the balls with the probe: int32 array of shape (m, 4). Costs
         the triangulation."""
         self._require_unchanged()
+        self._require_no_box("simplices")
         frames = self.centers if self.centers.ndim == 3 else self.centers[None]
         radii = np.broadcast_to(self.radii + self.probe, frames.shape[:2])
         found = [_core.regular_triangulation(frame, np.ascontiguousarray(row)) for frame, row in zip(frames, radii)]
@@ -240,11 +282,20 @@ class Balls(Result):
         return found if self.centers.ndim == 3 else found[0]
 
     def _of_one_frame(self, what: str) -> Floats:
-        """Returns the radii with the probe. Raises InvalidInput for several frames."""
+        """Returns the radii with the probe. Raises InvalidInput for several frames, and for a box."""
         self._require_unchanged()
+        self._require_no_box(what)
         if self.centers.ndim == 3:
             raise InvalidInput(f"{what}: found {len(self.centers)} frames, expected one (rbpa.balls(centers[i], radii, probe).{what})")
         return np.ascontiguousarray(self.radii + self.probe)
+
+    def _require_no_box(self, what: str) -> None:
+        if len(self.cells):
+            raise InvalidInput(f"{what}: found balls in a box that repeats, expected balls without a box")
+
+    def _cell_of_each(self, frames: int) -> list[Floats]:
+        """Returns the box of each frame: shape (1, 3, 3), or (0, 3, 3) without a box."""
+        return [self.cells[i : i + 1] for i in range(frames)] if len(self.cells) == frames else [self.cells] * frames
 
     def _found(self, pockets: bool) -> Any:
         """Returns the pockets if `pockets`, otherwise the voids; for several frames, a list for each frame."""
@@ -252,8 +303,8 @@ class Balls(Result):
         frames = self.centers if self.centers.ndim == 3 else self.centers[None]
         radii = np.broadcast_to(self.radii + self.probe, frames.shape[:2])
         all_frames = []
-        for frame, row in zip(frames, radii):
-            rows = _core.ball_voids(frame, np.ascontiguousarray(row), pockets, as_threads(None))[pockets]
+        for frame, row, cell in zip(frames, radii, self._cell_of_each(len(frames))):
+            rows = _core.ball_voids(frame, np.ascontiguousarray(row), cell, pockets, as_threads(None))[pockets]
             found = [BallVoid._make((*one[:-1], [BallMouth(*mouth) for mouth in one[-1]])) for one in rows]
             for part in (part for one in found for part in (one, *one.mouths)):
                 freeze(*(value for value in part if isinstance(value, np.ndarray)))
@@ -263,13 +314,15 @@ class Balls(Result):
     @cached_property
     def voids(self) -> Any:
         """The voids that the balls with the probe enclose, a list of `BallVoid`, the largest first; for frames, a list
-        of lists. Computed at the first access."""
+        of lists. In a box that repeats each void is listed once, at any of its images; what percolates is no void.
+        Computed at the first access."""
         return self._found(False)
 
     @cached_property
     def pockets(self) -> Any:
         """The pockets of the balls with the probe, with their mouths, in the form of `voids`. Computed at the first
         access."""
+        self._require_no_box("pockets")
         return self._found(True)
 
     def filtration(self, *, roots: bool = False, threads: Optional[int] = None) -> BallFiltration:

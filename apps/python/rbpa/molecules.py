@@ -101,6 +101,8 @@ class Atoms:
     Attributes
     ----------
     positions : float64 array of shape (n, 3), or (frames, n, 3)
+    box : float64 array of shape (3, 3), or (frames, 3, 3), or None
+        The edges of the cell that repeats, as rows; None if the file does not have one for each frame.
     elements, names, residues, insertion_codes, chains : arrays of str
         Symbols of elements, as "Ca"; names of atoms and of their residues. What the file does not have is an empty text.
     residue_numbers, serials, occupancies, charges : float64 arrays
@@ -113,6 +115,7 @@ class Atoms:
     """
 
     positions: Floats
+    box: Optional[Floats]
     elements: Texts
     names: Texts
     residues: Texts
@@ -129,7 +132,8 @@ class Atoms:
     def __init__(self, made: dict[str, Any], frames: tuple[int, ...]) -> None:
         self._columns = {name: _field(values) for name, values in made.pop("columns").items()}
         shape = (*frames, len(self._columns["names"]))
-        radii, positions = made.pop("radii"), made.pop("positions")
+        radii, positions, box = made.pop("radii"), made.pop("positions"), made.pop("box")
+        self.box = None if box is None else box.reshape(*frames, 3, 3)
         self._radii: Optional[Floats] = None if radii is None else radii.reshape(shape)
         self.__dict__.update(made, positions=positions.reshape(*shape, 3), **self._columns)
 

@@ -152,7 +152,8 @@ void run_solid(const SolidArguments& arguments);
 /// The arguments of `rbpa balls`, which measures the union of balls around atoms.
 struct BallsArguments : OutputArguments {
   std::string atoms;  ///< path of the file; "-" means standard input
-  std::optional<std::string> format, where, models, radii, radius_default, contacts, interfaces, voids, pockets, group;
+  std::optional<std::string> format, where, models, radii, radius_default, box, contacts, interfaces, voids, pockets,
+      group;
   std::string probe = "0";
   bool waters = false, no_ligands = false, no_hydrogens = false, alternates = false, json = false;
   RunArguments run;

@@ -67,7 +67,7 @@ void BallRows::end_row(Values... values) {
 }
 
 BallRows::BallRows(OutputFile& file, Of of, AtomGroups groups, const std::string& column, bool has_frames,
-                   const AtomFrame& texts, bool are_atoms)
+                   const AtomFrame& texts, bool are_atoms, bool has_cells)
     : file_(file),
       of_(of),
       groups_(groups),
@@ -84,6 +84,8 @@ BallRows::BallRows(OutputFile& file, Of of, AtomGroups groups, const std::string
     end_row("area_a", "area_b", "contact_area");
   else if (of == Of::atoms)
     end_row(is_atom ? "radius" : "atoms", "area", "volume", "buried");
+  else if (is_atom && has_cells)
+    end_row("area", "arc", "distance", "offset_a", "offset_b", "offset_c");
   else if (is_atom)
     end_row("area", "arc", "distance");
   else
@@ -146,10 +148,16 @@ void BallRows::write_contacts(const MeasuredAtoms& frame) {
   };
   const Grouped groups = grouped(frame.rows);
   std::map<std::array<std::uint32_t, 2>, Sum> sums;  // of contacts between different groups
-  for (const BallContact& contact : frame.balls.contacts) {
+  for (std::size_t k = 0; k < frame.balls.contacts.size(); ++k) {
+    const BallContact& contact = frame.balls.contacts[k];
     if (groups_ == AtomGroups::none) {
       begin_row(frame, contact.balls);
-      end_row(contact.area, contact.arc, contact.distance);
+      put(contact.area);
+      put(contact.arc);
+      put(contact.distance);
+      if (frame.cell)
+        for (const std::int32_t offset : frame.balls.contact_offsets[k]) put(std::to_string(offset));
+      end_row();
       continue;
     }
     const auto [a, b] = std::minmax(groups.of[contact.balls[0]], groups.of[contact.balls[1]]);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@
 #include "io/cloud/ball_radii.h"
 #include "rbpa/space/balls/ball_interfaces.h"
 #include "rbpa/space/balls/ball_voids.h"
-#include "rbpa/space/balls/measure_balls.h"
+#include "rbpa/space/balls/periodic_balls.h"
 #include "rbpa/space/balls/regular_triangulation.h"
 
 namespace rbpa::app {
@@ -32,11 +33,14 @@ struct BallTotals {
 
 struct MeasuredAtoms : BallTotals {
   std::vector<AtomRow> rows = {};
-  std::vector<double> radii = {};   ///< radii without the probe
-  BallMeasures balls = {};          ///< measures with the probe; with contacts if contacts are written
-  BallInterfaces interfaces = {};   ///< interfaces of the groups with the probe, if interfaces are written
-  BallVoids voids = {};             ///< voids with the probe, if voids or pockets are written
-  RegularTriangulation cells = {};  ///< triangulation that has the tetrahedra of the voids
+  std::vector<double> radii = {};                    ///< radii without the probe
+  std::optional<RepeatingCell> cell = std::nullopt;  ///< the cell, if it repeats
+  PeriodicBallMeasures balls = {};                   ///< measures with the probe; with contacts if contacts are written
+  BallInterfaces interfaces = {};           ///< interfaces of the groups with the probe, if interfaces are written
+  BallVoids voids = {};                     ///< voids with the probe, if voids or pockets are written
+  RegularTriangulation cells = {};          ///< triangulation that has the tetrahedra of the voids
+  std::vector<Point3> corners = {};         ///< positions of the balls of the triangulation
+  std::vector<std::uint32_t> atom_of = {};  ///< the atom of each ball of the triangulation
 };
 
 /// A column of the names of atoms, with a text or a number for each atom.
@@ -52,9 +56,10 @@ class BallRows {
   enum class Of { atoms, contacts, interfaces };
 
   /// Begins the table. `texts` is the object into which all frames are read, `column` the name of the column of groups.
-  /// `are_atoms` tells whether rows have the names of atoms. Keeps references to `file` and `texts`.
+  /// `are_atoms` tells whether rows have the names of atoms, `has_cells` whether frames have cells: contacts of atoms
+  /// then have offsets. Keeps references to `file` and `texts`.
   BallRows(OutputFile& file, Of of, AtomGroups groups, const std::string& column, bool has_frames,
-           const AtomFrame& texts, bool are_atoms);
+           const AtomFrame& texts, bool are_atoms, bool has_cells);
 
   void write(const MeasuredAtoms& frame) {
     of_ == Of::atoms ? write_atoms(frame) : of_ == Of::contacts ? write_contacts(frame) : write_interfaces(frame);

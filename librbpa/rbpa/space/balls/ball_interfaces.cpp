@@ -29,7 +29,7 @@ struct GroupBalls {
       radii.push_back(all_radii[i]);
     }
   }
-  BallFrame frame() const { return {centers, radii}; }
+  BallFrame frame() const { return {.centers = centers, .radii = radii}; }
 };
 
 /// Returns the box around balls whose radii include the probe, rounded outward.
@@ -46,7 +46,8 @@ space::Box box_around(const GroupBalls& part, double probe) {
   return box;
 }
 
-std::vector<BallMeasures> measured(const std::vector<GroupBalls>& parts, MeasureBallsOptions options, bool contacts) {
+std::vector<PeriodicBallMeasures> measured(const std::vector<GroupBalls>& parts, MeasureBallsOptions options,
+                                           bool contacts) {
   std::vector<BallFrame> frames;
   for (const GroupBalls& part : parts) frames.push_back(part.frame());
   options.contacts = contacts;
@@ -76,7 +77,7 @@ BallInterfaces ball_interfaces(std::span<const Point3> centers, std::span<const 
     parts.emplace_back(std::move(of_group), centers, radii);
     boxes.push_back(box_around(parts.back(), options.probe));
   }
-  const std::vector<BallMeasures> alone = measured(parts, options, false);
+  const std::vector<PeriodicBallMeasures> alone = measured(parts, options, false);
   BallInterfaces result;
   result.areas_alone.resize(centers.size());
   for (std::size_t g = 0; g < parts.size(); ++g)
@@ -93,7 +94,7 @@ BallInterfaces ball_interfaces(std::span<const Point3> centers, std::span<const 
                  std::back_inserter(both));
       unions.emplace_back(std::move(both), centers, radii);
     }
-  const std::vector<BallMeasures> together = measured(unions, options, true);
+  const std::vector<PeriodicBallMeasures> together = measured(unions, options, true);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const auto [a, b] = pairs[i];
     const std::vector<std::uint32_t>& balls = unions[i].balls;

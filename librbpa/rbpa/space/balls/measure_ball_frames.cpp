@@ -8,10 +8,19 @@
 #include "rbpa/base/parallel/threads.h"
 
 namespace rbpa {
+namespace {
 
-std::vector<BallMeasures> measure_ball_frames(std::span<const BallFrame> frames, const MeasureBallsOptions& options) {
-  if (frames.size() == 1) return {measure_balls(frames[0].centers, frames[0].radii, options)};
-  std::vector<BallMeasures> result(frames.size());
+PeriodicBallMeasures measured(const BallFrame& frame, const MeasureBallsOptions& options) {
+  if (frame.cell) return measure_periodic_balls(frame.centers, frame.radii, *frame.cell, options);
+  return {measure_balls(frame.centers, frame.radii, options), {}};
+}
+
+}  // namespace
+
+std::vector<PeriodicBallMeasures> measure_ball_frames(std::span<const BallFrame> frames,
+                                                      const MeasureBallsOptions& options) {
+  if (frames.size() == 1) return {measured(frames[0], options)};
+  std::vector<PeriodicBallMeasures> result(frames.size());
   Threads threads(options.threads);
   MeasureBallsOptions of_one = options;
   of_one.threads =
@@ -25,7 +34,7 @@ std::vector<BallMeasures> measure_ball_frames(std::span<const BallFrame> frames,
     };
   for_each_index(threads, frames.size(), [&](std::size_t i) {
     try {
-      result[i] = measure_balls(frames[i].centers, frames[i].radii, of_one);
+      result[i] = measured(frames[i], of_one);
     } catch (const InvalidInput& e) {
       throw InvalidInput("frame " + std::to_string(i) + ": " + e.what());
     }

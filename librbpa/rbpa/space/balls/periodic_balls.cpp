@@ -1,0 +1,187 @@
+#include "rbpa/space/balls/periodic_balls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "rbpa/base/error.h"
+#include "rbpa/base/exact/exact_sum.h"
+#include "rbpa/base/run/input.h"
+#include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/predicate/vector3.h"
+
+namespace rbpa {
+namespace {
+
+using Offset = std::array<std::int32_t, 3>;
+using Vector = space::Vector3<double>;
+constexpr double most_layers = 100;  // of images on each side
+
+/// The balls of a cell and their images: those that may meet a ball of the cell, or all of the cells around.
+class Images {
+ public:
+  enum class Which { meeting, cells_around };
+
+  Images(std::span<const Point3> centers, std::span<const double> radii, const RepeatingCell& cell, double probe,
+         Which which)
+      : cell_(cell), which_(which) {
+    find_normals();
+    double greatest = 0;
+    for (const double radius : radii) greatest = std::max(greatest, radius + probe);
+    std::vector<Vector> place;  // in the cell: 0 to 1 along each edge
+    for (std::size_t i = 0; i < centers.size(); ++i) {
+      Offset offset{};  // of the own image in the cell
+      std::array<double, 3> along = along_edges(centers[i]);
+      for (std::size_t k = 0; k < 3; ++k)
+        if (cell.repeats[k]) {
+          if (!(std::abs(along[k]) < 0x1p30))
+            throw InvalidInput("center " + std::to_string(i) + " is too many cells away, expected fewer than 2^30");
+          offset[k] = -static_cast<std::int32_t>(std::floor(along[k]));
+          along[k] += offset[k];
+        }
+      add(centers[i], radii[i], static_cast<std::uint32_t>(i), offset);
+      place.push_back({along[0], along[1], along[2]});
+    }
+    for (std::uint32_t i = 0; i < centers.size(); ++i)
+      add_images(i, {place[i].x, place[i].y, place[i].z}, radii[i] + probe + greatest);
+  }
+
+  std::vector<Point3> centers = {};
+  std::vector<double> radii = {};
+  std::vector<std::uint32_t> of = {};  // input ball of each image
+  std::vector<Offset> offsets = {};    // number of edges by which each image is moved from the input ball
+
+ private:
+  /// Fills in normals_: the product of normal k with a vector is the number of edges k in the vector.
+  void find_normals() {
+    const auto& [a, b, c] = cell_.edges;
+    for (const Point3& edge : cell_.edges)
+      if (!is_finite(edge)) throw InvalidInput("found a cell with infinite edges, expected finite ones");
+    const std::array<Vector, 3> e = {Vector{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      normals_[k] = space::cross(e[(k + 1) % 3], e[(k + 2) % 3]);
+      const double volume = space::dot(normals_[k], e[k]);
+      if (!(std::abs(volume) > 0) || std::isinf(volume))
+        throw InvalidInput("found a cell without a volume, expected three edges in different directions");
+      normals_[k] = {normals_[k].x / volume, normals_[k].y / volume, normals_[k].z / volume};
+    }
+  }
+  std::array<double, 3> along_edges(const Point3& p) const {
+    std::array<double, 3> along{};
+    for (std::size_t k = 0; k < 3; ++k) along[k] = space::dot(normals_[k], Vector{p.x, p.y, p.z});
+    return along;
+  }
+
+  void add(const Point3& center, double radius, std::uint32_t ball, const Offset& offset) {
+    Point3 moved = center;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Point3& edge = cell_.edges[k];
+      moved.x += offset[k] * edge.x;
+      moved.y += offset[k] * edge.y;
+      moved.z += offset[k] * edge.z;
+    }
+    centers.push_back(moved);
+    radii.push_back(radius);
+    of.push_back(ball);
+    offsets.push_back(offset);
+  }
+
+  /// Adds the images of ball i, which is at `place`, that are less than `reach` away from the cell.
+  void add_images(std::uint32_t i, const std::array<double, 3>& place, double reach) {
+    std::array<std::int32_t, 3> low{}, high{};
+    for (std::size_t k = 0; k < 3; ++k)
+      if (cell_.repeats[k]) {
+        const double margin = reach * std::sqrt(space::dot(normals_[k], normals_[k])) + 0x1p-30;
+        if (!(margin < most_layers))
+          throw InvalidInput("radius " + std::to_string(i) + " is " + text(radii[i]) +
+                             ", expected at most 50 times the distance of opposite faces of the cell");
+        const bool is_whole = which_ == Which::cells_around;
+        low[k] = is_whole ? -1 : static_cast<std::int32_t>(std::ceil(-margin - place[k]));
+        high[k] = is_whole ? 1 : static_cast<std::int32_t>(std::floor(1 + margin - place[k]));
+      }
+    const Point3 own = centers[i];
+    const Offset first = offsets[i];
+    for (std::int32_t x = low[0]; x <= high[0]; ++x)
+      for (std::int32_t y = low[1]; y <= high[1]; ++y)
+        for (std::int32_t z = low[2]; z <= high[2]; ++z)
+          if (x != 0 || y != 0 || z != 0) {
+            add(own, radii[i], i, {x, y, z});
+            for (std::size_t k = 0; k < 3; ++k) offsets.back()[k] += first[k];
+          }
+  }
+
+  const RepeatingCell& cell_;
+  Which which_;
+  std::array<Vector, 3> normals_{};
+};
+
+}  // namespace
+
+PeriodicBallMeasures measure_periodic_balls(std::span<const Point3> centers, std::span<const double> radii,
+                                            const RepeatingCell& cell, const MeasureBallsOptions& options) {
+  space::check_centers(centers, radii);
+  const Images all(centers, radii, cell, options.probe, Images::Which::meeting);
+  PeriodicBallMeasures result;
+  static_cast<BallMeasures&>(result) = measure_balls(all.centers, all.radii, options);
+  const auto own = static_cast<std::uint32_t>(centers.size());
+  ExactSum volume, area;
+  for (std::size_t i = 0; i < own; ++i) {
+    volume.add(result.volumes[i]);
+    area.add(result.areas[i]);
+  }
+  result.volume = volume.rounded();
+  result.area = area.rounded();
+  for (auto* values : {&result.volumes, &result.areas}) values->resize(own);
+  result.arcs.resize(own);
+  std::erase_if(result.hidden, [&](std::uint32_t i) { return i >= own; });
+  if (options.derivatives)
+    for (auto* values : {&result.volume_gradient, &result.area_gradient}) values->resize(own);
+  std::vector<std::pair<BallContact, Offset>> contacts;
+  for (BallContact contact : std::exchange(result.contacts, {})) {
+    auto& [a, b] = contact.balls;
+    if (a >= own) continue;  // between images
+    Offset offset{};
+    for (std::size_t k = 0; k < 3; ++k) offset[k] = all.offsets[b][k] - all.offsets[a][k];
+    const bool is_own = b < own;
+    b = all.of[b];
+    if (is_own || a < b || (a == b && offset > Offset{})) contacts.emplace_back(contact, offset);
+  }
+  std::sort(contacts.begin(), contacts.end(), [](const auto& c, const auto& d) {
+    return std::pair(c.first.balls, c.second) < std::pair(d.first.balls, d.second);
+  });
+  for (const auto& [contact, offset] : contacts) {
+    result.contacts.push_back(contact);
+    result.contact_offsets.push_back(offset);
+  }
+  return result;
+}
+
+PeriodicBallVoids periodic_ball_voids(std::span<const Point3> centers, std::span<const double> radii,
+                                      const RepeatingCell& cell, const BallVoidsOptions& options) {
+  space::check_balls(centers, radii);
+  Images all(centers, radii, cell, 0, Images::Which::cells_around);
+  PeriodicBallVoids result;
+  result.regular =
+      regular_triangulation(all.centers, all.radii, {.threads = options.threads, .progress = options.progress});
+  BallVoidsOptions without_pockets = options;
+  without_pockets.pockets = false;
+  for (BallVoid& hollow : ball_voids(all.centers, all.radii, result.regular, without_pockets).voids) {
+    // Take the image of the void whose ball of lowest index, at its lowest offset, is in the cell: images with numbers
+    // below that of balls are the balls themselves.
+    const auto lower = [&](const LiningBall& a, const LiningBall& b) {
+      return std::pair(all.of[a.ball], all.offsets[a.ball]) < std::pair(all.of[b.ball], all.offsets[b.ball]);
+    };
+    const auto lowest = std::min_element(hollow.balls.begin(), hollow.balls.end(), lower);
+    if (lowest == hollow.balls.end() || lowest->ball >= centers.size()) continue;
+    result.volume += hollow.volume;
+    result.area += hollow.area;
+    result.voids.push_back(std::move(hollow));
+  }
+  result.positions = std::move(all.centers);
+  result.of = std::move(all.of);
+  return result;
+}
+
+}  // namespace rbpa

@@ -1,0 +1,91 @@
+// `rbpa balls --box`: sizes of balls in a box that repeats, given or in the file, frame by frame, and wrong calls.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "support/program.h"
+
+using namespace apps_test;
+using Json = nlohmann::json;
+using doctest::Approx;
+using std::numbers::pi;
+
+namespace {
+
+/// Returns a frame of LAMMPS with one atom at the origin, in a box with the sides 1, 1 and z.
+std::string frame(int number, const std::string& z, const std::string& repeats = "pp pp pp") {
+  return "ITEM: TIMESTEP\n" + std::to_string(number) + "\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS " + repeats +
+         "\n0 1\n0 1\n0 " + z + "\nITEM: ATOMS id type x y z\n1 1 0 0 0\n";
+}
+
+const std::string ball = " --radii column:r --json -q";
+
+}  // namespace
+
+TEST_SUITE("balls in a box") {
+  TEST_CASE("a box is one length, three sides, lengths and angles, or that of each frame of the file") {
+    const Folder folder;
+    folder.file("one.csv", "x,y,z,r\n0.3,7.1,-2,0.6\n");
+    folder.file("f.dump", frame(0, "1") + frame(1, "2") + frame(2, "1", "pp pp ff"));
+    const double whole = 4 * pi * 0.36, cap = 2 * pi * 0.6 * 0.1;
+    const auto area = [&](const std::string& arguments, std::size_t number = 0) {
+      const Outcome outcome = folder.rbpa("balls " + arguments);
+      CAPTURE(outcome.err);
+      REQUIRE(outcome.code == 0);
+      return Json::parse(outcome.out)["frames"][number]["area"].get<double>();
+    };
+    CHECK(area("one.csv --box 1" + ball) == Approx(whole - 6 * cap));
+    CHECK(area("one.csv --box 1,2,1" + ball) == Approx(whole - 4 * cap));
+    CHECK(area("one.csv --box 1,1,1,90,90,90" + ball) == Approx(whole - 6 * cap));
+    const double six_in_a_plane = area("one.csv --box 1,1,2,90,90,60" + ball);
+    CHECK(six_in_a_plane == Approx(area("one.csv --box 1,1,2,90,90,120" + ball)));
+    CHECK(six_in_a_plane > whole - 6 * cap);  // caps overlap
+    const std::string frames = "f.dump --radius-default 0.6 --models all --box auto --json -q";
+    CHECK(area(frames, 0) == Approx(whole - 6 * cap));
+    CHECK(area(frames, 1) == Approx(whole - 4 * cap));
+    CHECK(area(frames, 2) == Approx(whole - 4 * cap));  // does not repeat along z
+  }
+
+  TEST_CASE("contacts have the offset of the second ball, and voids are listed once") {
+    const Folder folder;
+    folder.file("one.csv", "x,y,z,r\n0,0,0,0.75\n");
+    REQUIRE(folder.rbpa("balls one.csv --radii column:r --box 1 --contacts c.csv --voids v.csv -q").code == 0);
+    const std::string contacts = folder.content("c.csv");
+    CHECK(contacts.starts_with("point_a,point_b,area,arc,distance,offset_a,offset_b,offset_c\n0,0,"));
+    CHECK(contacts.find(",1,0,0,1\n") != std::string::npos);
+    const std::string voids = folder.content("v.csv");
+    CHECK(std::count(voids.begin(), voids.end(), '\n') == 2);
+    CHECK(voids.find(",\"0 0 0 0 0 0 0 0\"\n") != std::string::npos);  // eight images are around it
+  }
+
+  TEST_CASE("a box that atoms do not fit into is reported; a missing one and wrong calls are refused") {
+    const Folder folder;
+    folder.file("two.csv", "x,y,z,r\n0,0,0,1\n30,0,0,1\n");
+    folder.file("two.pdb", "ATOM      1  CA  ALA A   1       0.000   0.000   0.000  1.00  0.00           C\n");
+    folder.file("flat.dump", frame(0, "0"));
+    CHECK(folder.rbpa("balls two.csv --radii column:r --box 10")
+              .err.find("atoms reach over 30 x 0 x 0, more than the box, which reaches over 10 x 10 x 10") !=
+          std::string::npos);
+    CHECK(folder.rbpa("balls two.csv --radii column:r --box 40").err.find("reach over") == std::string::npos);
+    const std::pair<const char*, const char*> calls[] = {
+        {"two.csv --radii column:r --box 1,2", "--box: found '1,2', expected the sides"},
+        {"two.csv --radii column:r --box 0", "--box: found '0', expected the sides"},
+        {"two.csv --radii column:r --box 1,1,1,90,90,180", "--box: found '1,1,1,90,90,180'"},
+        {"two.csv --radii column:r --box auto", "--box auto"},
+        {"two.csv --radii column:r --box 0.01", "two.csv: radius 0 is 1, expected at most 50 times the distance"},
+        {"two.pdb --box auto", "two.pdb: found no cell in frame 1, expected a cell for --box auto"},
+        {"flat.dump --radius-default 1 --box auto", "flat.dump: found BOX BOUNDS without a volume"},
+        {"two.pdb --box 9 --pockets p.csv", "--pockets cannot be combined with --box"}};
+    for (const auto& [call, message] : calls) {
+      CAPTURE(call);
+      const Outcome outcome = folder.rbpa("balls " + std::string(call));
+      CHECK(outcome.code != 0);
+      CHECK_MESSAGE(outcome.err.find(message) != std::string::npos, outcome.err);
+    }
+  }
+}
