@@ -104,25 +104,9 @@ py::list voids_of(std::vector<BallVoid>&& voids, const RegularTriangulation& reg
   return list;
 }
 
-/// Returns two lists: the voids, and the pockets if `pockets`. `cells` has shape (1, 3, 3), or (0, 3, 3) without a
-/// cell; in a cell there are no pockets.
-py::list ball_voids_of(const Doubles& centers, const Doubles& radii, const Doubles& cells, bool pockets,
-                       unsigned threads) {
+/// Returns two lists: the voids, and the pockets if `pockets`.
+py::list ball_voids_of(const Doubles& centers, const Doubles& radii, bool pockets, unsigned threads) {
   const auto input = points3_of(centers, "centers");
-  if (cells.shape(0) > 0) {
-    PeriodicBallVoids made = watched(input.size(), py::none(), [&](Watch& watch) {
-      return periodic_ball_voids(input, line_of(radii), {*reinterpret_cast<const std::array<Point3, 3>*>(cells.data())},
-                                 {.threads = threads, .progress = watch.progress()});
-    });
-    for (auto& row : made.regular.simplices)
-      for (std::uint32_t& corner : row) corner = made.of[corner];
-    for (BallVoid& hollow : made.voids)
-      for (LiningBall& lining : hollow.balls) lining.ball = made.of[lining.ball];
-    py::list both;
-    both.append(voids_of(std::move(made.voids), made.regular));
-    both.append(py::list());
-    return both;
-  }
   RegularTriangulation regular;
   BallVoids made = watched(input.size(), py::none(), [&](Watch& watch) {
     regular = regular_triangulation(input, line_of(radii), {.threads = threads, .progress = watch.progress()});
@@ -157,8 +141,7 @@ void bind_balls(py::module_& module) {
   module.def("measure_balls", &measured, as_is("centers"), as_is("radii"), as_is("cells"), arg("probe"),
              arg("contacts"), arg("derivatives"), arg("threads"), arg("progress"));
   module.def("regular_triangulation", &tetrahedra_of, as_is("centers"), as_is("radii"));
-  module.def("ball_voids", &ball_voids_of, as_is("centers"), as_is("radii"), as_is("cells"), arg("pockets"),
-             arg("threads"));
+  module.def("ball_voids", &ball_voids_of, as_is("centers"), as_is("radii"), arg("pockets"), arg("threads"));
   module.def("ball_interfaces", &ball_interfaces_of, as_is("centers"), as_is("radii"), as_is("groups"), arg("threads"));
 }
 

@@ -10,6 +10,7 @@
 #include "io/interrupt.h"
 #include "io/number.h"
 #include "io/polygon/shape_files.h"
+#include "io/sort.h"
 #include "plane/shape_outputs.h"
 #include "rbpa/base/error.h"
 #include "rbpa/plane/outline_polygons.h"
@@ -64,6 +65,11 @@ std::vector<double> radii_of(const DiscsRequest& request, PointFile& file, const
   return radii;
 }
 
+std::size_t number_of_distinct(std::vector<Point> points) {
+  sort(points);
+  return static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
+}
+
 PointColumn column_of(std::string name, const std::vector<double>& values) {
   PointColumn column{.name = std::move(name)};
   for (const double value : values) column.append(value);
@@ -79,7 +85,8 @@ void run_discs(const DiscsArguments& arguments) {
   PointFile file = run.read([&] { return run.read_points(request.source); });
   require_srid(request.targets, file.crs);
   const std::vector<double> radii = radii_of(request, file, run.input());
-  stats.points = stats.distinct = file.points.size();
+  stats.points = file.points.size();
+  stats.distinct = number_of_distinct(file.points);
   stats.read_seconds = run.lap();
   DiscMeasures measures;
   DiscPolygons made;
@@ -94,12 +101,13 @@ void run_discs(const DiscsArguments& arguments) {
   }
   stats.build_seconds = run.lap();
   // Discs of radius 0 that are alone have no polygon.
-  std::vector<std::optional<std::uint32_t>> polygon_of_component, polygon_of(radii.size());
-  std::uint32_t polygons = 0;
-  for (const DiscCurve& curve : measures.boundary)
-    if (!curve.is_hole) polygon_of_component.push_back(curve.length > 0 ? std::optional(polygons++) : std::nullopt);
-  for (std::size_t i = 0; i < radii.size(); ++i)
-    if (measures.components[i] != DiscMeasures::none) polygon_of[i] = polygon_of_component[measures.components[i]];
+  std::vector<std::optional<std::uint32_t>> polygon_of(radii.size());
+  const std::vector<std::uint32_t>& with_polygon = made.components;  // ascending
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    const auto found = std::lower_bound(with_polygon.begin(), with_polygon.end(), measures.components[i]);
+    if (found != with_polygon.end() && *found == measures.components[i])
+      polygon_of[i] = static_cast<std::uint32_t>(found - with_polygon.begin());
+  }
   const std::vector<PointColumn> columns = {column_of("radius", radii), column_of("area", measures.areas),
                                             column_of("length", measures.lengths)};
   std::vector<Point> points = std::move(file.points);
@@ -120,16 +128,14 @@ void run_discs(const DiscsArguments& arguments) {
   const PolygonTotals totals = total(made.polygons);
   if (arguments.stats) {
     stats.polygons = made.polygons.size();
-    stats.of_polygons = totals;
+    stats.of_polygons = {totals.holes, measures.area, measures.length};
     run.add(*arguments.stats, [&](OutputFile& output) { write_stats(output, stats); });
   }
-  if (file.degrees)
-    run.warning("points are longitudes and latitudes: discs with radii in degrees are no circles on the ground");
   run.publish();
   caution(request.targets, shape);
-  run.summarize(text_of_points(radii.size(), 0) + ", " + text_of_polygons(made.polygons.size(), totals.holes) +
-                ", area " + rounded(measures.area, 6) + ", boundary " + rounded(measures.length, 6) +
-                list_of(request.targets));
+  run.summarize(text_of_points(stats.points, stats.points - stats.distinct) + ", " +
+                text_of_polygons(made.polygons.size(), totals.holes) + ", area " + rounded(measures.area, 6) +
+                ", boundary " + rounded(measures.length, 6) + list_of(request.targets));
 }
 
 }  // namespace rbpa::app

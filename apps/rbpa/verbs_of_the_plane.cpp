@@ -182,10 +182,10 @@ CLI::App* add_discs(CLI::App& app, DiscsArguments& arguments) {
       "  rbpa discs stations.csv --columns x,y --radius 500 -o covered.geojson\n"
       "  rbpa discs trees.csv --radius column:crown -o crowns.csv -o crowns.wkt\n\n"
       "GeoJSON and WKT have the components as polygons with holes, whose corners are on the circles; the printed area "
-      "and boundary are those of the discs themselves. CSV has a line for each disc: its radius; the area of the "
-      "nearest part of the union, by power; the length of its circle on the boundary; and the number of its polygon, "
-      "which is empty for a disc inside of others. Which discs meet is decided exactly. Discs that only touch are in "
-      "different polygons.\n" +
+      "and boundary are those of the discs themselves. CSV has a line for each disc: the number of its polygon, its "
+      "radius, the area of its part of the union, which is the part in its power cell, and the length of its circle on "
+      "the boundary; a disc without a part has no number. Which discs meet is decided exactly. Discs that only touch "
+      "are in different polygons.\n" +
       std::string(exit_codes));
   return &verb;
 }

@@ -26,7 +26,8 @@ TEST_SUITE("discs") {
     folder.file("t.csv", table);
     const Outcome outcome = folder.rbpa("discs t.csv --radius column:r --corners 8 -o o.geojson -o o.csv -o o.png");
     CHECK(outcome.err ==
-          "rbpa: 5 points, 2 polygons with 0 holes, area 18.3962, boundary 22.2418 -> o.geojson, o.csv, o.png\n");
+          "rbpa: 5 points (1 duplicate), 2 polygons with 0 holes, area 18.3962, boundary 22.2418 -> o.geojson, o.csv, "
+          "o.png\n");
     const Json features = Json::parse(folder.content("o.geojson"))["features"];
     REQUIRE(features.size() == 2);
     CHECK(features[0]["properties"]["points"] == 2);
@@ -48,7 +49,7 @@ TEST_SUITE("discs") {
           std::string::npos);
     CHECK(folder.content("r.wkt") == "MULTIPOLYGON EMPTY\n");
     folder.file("degrees.csv", "lon,lat\n4,52\n5,52\n");
-    CHECK(folder.rbpa("discs degrees.csv --radius 1 -o r.csv").err.find("no circles on the ground") !=
+    CHECK(folder.rbpa("discs degrees.csv --radius 1 -o r.csv").err.find("coordinates are degrees") !=
           std::string::npos);
   }
 

@@ -351,18 +351,19 @@ def test_a_box_repeats_the_balls_with_all_images():
     assert pickle.loads(pickle.dumps(made)).cells.tolist() == [numpy.eye(3).tolist()]
 
 
-def test_voids_in_a_box_are_listed_once():
+def test_what_a_box_does_not_have_is_refused():
     lattice = rbpa.balls([[0, 0, 0]], [0.75], box=1)
-    (void,) = lattice.voids
-    assert void.volume == pytest.approx(1 - lattice.volume, rel=1e-12)
-    assert void.radius == pytest.approx(math.sqrt(0.75) - 0.75, rel=1e-12) and set(void.balls) == {0}
-    frames = rbpa.balls(numpy.zeros((2, 1, 3)), [0.75], box=[[1, 1, 1], [1, 1, 9]])
-    assert [len(voids) for voids in frames.voids] == [1, 0]
-    for name in ("pockets", "simplices"):
+    for name in ("voids", "pockets", "simplices"):
         with pytest.raises(rbpa.InvalidInput, match="in a box that repeats"):
             getattr(lattice, name)
     with pytest.raises(rbpa.InvalidInput, match="filtration: found balls in a box"):
         lattice.filtration()
+    edges = numpy.eye(3)
+    three = rbpa.balls(numpy.zeros((3, 1, 3)), [0.75], box=edges[None])
+    edges *= 2  # the box was copied
+    assert three.area.tolist() == [lattice.area] * 3 and three.cells.tolist() == [numpy.eye(3).tolist()]
+    with pytest.raises(rbpa.InvalidInput, match=r"expected \(1, 3, 3\), the edges of all"):
+        rbpa.balls(numpy.zeros((3, 1, 3)), [0.75], box=numpy.eye(3))
 
 
 @pytest.mark.parametrize("box", [[1, 2], [0, 1, 1], [1, 1, 1, 90, 90, 180], "x", numpy.zeros((3, 3))])

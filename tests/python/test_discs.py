@@ -62,12 +62,28 @@ def test_parts_add_up_and_hidden_discs_have_none():
         (([[0, 0]], -1), "radius 0 is -1"),
         (([[0, 0]], "x"), "radii: found 'x'"),
         (([[0, 0, 0]], 1), r"centers: found an array of shape \(1, 3\)"),
-        (([[0, math.nan]], 1), "found|point 0"),
+        (([[0, math.nan]], 1), r"center 0 is \(0, nan\)"),
         (([[0, 0]], math.inf), "radius 0 is inf"),
     ],
 )
 def test_wrong_discs_are_refused(arguments, message):
     with pytest.raises(rbpa.InvalidInput, match=message):
         rbpa.discs(*arguments)
-    with pytest.raises(rbpa.InvalidInput, match="corners: found 2.5"):
-        rbpa.discs([[0, 0]], 1, corners=2.5)
+    for corners in (2.5, 2, math.inf, math.nan, 2**40):
+        with pytest.raises(rbpa.InvalidInput, match="corners: found"):
+            rbpa.discs([[0, 0]], 1, corners=corners)
+
+
+def test_discs_through_one_point_touch_or_fill_it():
+    inside = rbpa.discs([[1, 0], [0, 2], [0, 3]], [1, 2, 3])  # 1 is in 2, all pass the origin
+    assert inside.hidden.tolist() == [1] and inside.lengths[1] == 0
+    point = rbpa.discs([[1, 0], [1, 2], [3, 2]], [2, 0, 2])
+    assert point.components.tolist() == [0, 1, 0] and len(point.polygons) == 1
+    twice = rbpa.discs([[4, 6], [4, 4], [2, 6], [6, 6]], [1, 1, 2, 2], corners=16)  # two touch within a component
+    for corners in (3, 8, 64):
+        for made in (inside, point, twice):
+            assert rbpa.discs(made.centers, made.radii, corners=corners).polygons.to_shapely().is_valid
+    for size in (2, 3, 7):
+        x, y = numpy.meshgrid(numpy.arange(size), numpy.arange(size))
+        grid = rbpa.discs(numpy.column_stack([x.ravel(), y.ravel()]), math.sqrt(0.5))
+        assert grid.polygons.to_shapely().is_valid and len(grid.polygons) == 1 and not grid.polygons[0].holes

@@ -90,13 +90,13 @@ def _cells_of(box: Optional[npt.ArrayLike], frames: Optional[int]) -> Floats:
     if given.ndim == 0:
         given = np.full(3, given)
     is_one = given.shape in ((3,), (6,), (3, 3))
-    if not is_one and (given.shape[0] != frames or given.shape[1:] not in ((3,), (6,), (3, 3))):
+    if not is_one and (given.ndim < 2 or given.shape[0] not in (1, frames) or given.shape[1:] not in ((3,), (6,), (3, 3))):
         raise InvalidInput(f"box: found an array of shape {given.shape}, expected (3,), (6,) or (3, 3), or one for each frame")
     if given.shape == (3, 3) and frames == 3:
         raise InvalidInput("box: found an array of shape (3, 3) for 3 frames, expected (1, 3, 3), the edges of all, or (3, 3, 3)")
     each = given[None] if is_one else given
     if each.shape[1:] == (3, 3):
-        return np.ascontiguousarray(each)
+        return np.array(each, np.float64, order="C")
     edges = [_core.edges_of_cell([*row, *([90.0] * (6 - len(row)))]) for row in each.tolist()]
     if None in edges:
         raise InvalidInput(f"box: found {each[edges.index(None)].tolist()}, expected lengths above 0, and angles of a cell with a volume")
@@ -293,18 +293,14 @@ class Balls(Result):
         if len(self.cells):
             raise InvalidInput(f"{what}: found balls in a box that repeats, expected balls without a box")
 
-    def _cell_of_each(self, frames: int) -> list[Floats]:
-        """Returns the box of each frame: shape (1, 3, 3), or (0, 3, 3) without a box."""
-        return [self.cells[i : i + 1] for i in range(frames)] if len(self.cells) == frames else [self.cells] * frames
-
     def _found(self, pockets: bool) -> Any:
         """Returns the pockets if `pockets`, otherwise the voids; for several frames, a list for each frame."""
         self._require_unchanged()
         frames = self.centers if self.centers.ndim == 3 else self.centers[None]
         radii = np.broadcast_to(self.radii + self.probe, frames.shape[:2])
         all_frames = []
-        for frame, row, cell in zip(frames, radii, self._cell_of_each(len(frames))):
-            rows = _core.ball_voids(frame, np.ascontiguousarray(row), cell, pockets, as_threads(None))[pockets]
+        for frame, row in zip(frames, radii):
+            rows = _core.ball_voids(frame, np.ascontiguousarray(row), pockets, as_threads(None))[pockets]
             found = [BallVoid._make((*one[:-1], [BallMouth(*mouth) for mouth in one[-1]])) for one in rows]
             for part in (part for one in found for part in (one, *one.mouths)):
                 freeze(*(value for value in part if isinstance(value, np.ndarray)))
@@ -314,8 +310,8 @@ class Balls(Result):
     @cached_property
     def voids(self) -> Any:
         """The voids that the balls with the probe enclose, a list of `BallVoid`, the largest first; for frames, a list
-        of lists. In a box that repeats each void is listed once, at any of its images; what percolates is no void.
-        Computed at the first access."""
+        of lists. Computed at the first access."""
+        self._require_no_box("voids")
         return self._found(False)
 
     @cached_property

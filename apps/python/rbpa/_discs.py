@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, as_number, as_numbers, as_points, as_threads
+from rbpa._input import Floats, Indices, Progress, as_numbers, as_points, as_threads
 from rbpa._polygons import Polygons
 from rbpa._result import Result, freeze, short_repr
 
@@ -32,7 +32,7 @@ def discs(
     radii : array_like of shape (n,), or a number
         The radius of each disc, at least 0, in the units of the centers.
     corners : int
-        The number of corners of a whole circle in `polygons`, at least 3.
+        The number of corners of a whole circle in `polygons`, from 3 to 100000.
     threads, progress
         As for `alpha_shape`.
 
@@ -48,7 +48,7 @@ def discs(
     >>> ring = np.exp(2j * np.pi * np.arange(6) / 6)     # six discs around a hole
     >>> covered = rbpa.discs(np.column_stack([ring.real, ring.imag]), 0.6)
     >>> covered
-    <rbpa.Discs of 6 discs: area 6.24565, 1 components, 1 holes>
+    <rbpa.Discs of 6: area 6.24565, components 1, holes 1>
     >>> covered.boundary[1].is_hole, len(covered.boundary[1].discs), round(covered.boundary[1].area, 6)
     (True, 6, -0.606223)
     """
@@ -58,10 +58,9 @@ def discs(
         sizes = np.full(len(array), sizes)
     if sizes.shape != array.shape[:1]:
         raise InvalidInput(f"radii: found an array of shape {sizes.shape}, expected {array.shape[:1]}, one for each center")
-    whole = int(as_number(corners, "corners", "a whole number, at least 3"))
-    if whole != corners or whole < 3:
-        raise InvalidInput(f"corners: found {corners!r}, expected a whole number, at least 3")
-    made = _core.measure_discs(array, sizes, whole, as_threads(threads), progress)
+    if not isinstance(corners, (int, np.integer)) or not 3 <= corners <= 100_000:
+        raise InvalidInput(f"corners: found {corners!r}, expected a whole number from 3 to 100000")
+    made = _core.measure_discs(array, sizes, int(corners), as_threads(threads), progress)
     return Discs(array, sizes, made)
 
 
@@ -107,7 +106,8 @@ class Discs(Result):
     boundary : list of DiscCurve
         The outer curve of each component, followed by those of its holes.
     polygons : Polygons
-        The components as polygons with holes, with corners on the circles: parts of the union, up to rounding.
+        The components as polygons with holes, with corners on the circles: parts of the union, and valid, up to the
+        rounding of corners where circles nearly touch.
     """
 
     centers: Floats
@@ -133,4 +133,4 @@ class Discs(Result):
 
     def __repr__(self) -> str:
         holes = sum(curve.is_hole for curve in self.boundary)
-        return f"<rbpa.Discs of {len(self)} discs: area {self.area:.6g}, {len(self.boundary) - holes} components, {holes} holes>"
+        return f"<rbpa.Discs of {len(self)}: area {self.area:.6g}, components {len(self.boundary) - holes}, holes {holes}>"

@@ -102,7 +102,7 @@ class Atoms:
     ----------
     positions : float64 array of shape (n, 3), or (frames, n, 3)
     box : float64 array of shape (3, 3), or (frames, 3, 3), or None
-        The edges of the cell that repeats, as rows; None if the file does not have one for each frame.
+        The edges of the cell, as rows; None unless the file has one for each frame, which repeats along all edges.
     elements, names, residues, insertion_codes, chains : arrays of str
         Symbols of elements, as "Ca"; names of atoms and of their residues. What the file does not have is an empty text.
     residue_numbers, serials, occupancies, charges : float64 arrays

@@ -85,7 +85,7 @@ BallRows::BallRows(OutputFile& file, Of of, AtomGroups groups, const std::string
   else if (of == Of::atoms)
     end_row(is_atom ? "radius" : "atoms", "area", "volume", "buried");
   else if (is_atom && has_cells)
-    end_row("area", "arc", "distance", "offset_a", "offset_b", "offset_c");
+    end_row("area", "arc", "distance", "offset_1", "offset_2", "offset_3");
   else if (is_atom)
     end_row("area", "arc", "distance");
   else
@@ -197,6 +197,7 @@ Json json_of(double probe, const BallRadii& radii, const std::vector<BallTotals>
                                 {"left_out", left_out},
                                 {"atoms", frame.kept},
                                 {"buried", frame.buried},
+                                {"cell_volume", frame.cell_volume ? Json(*frame.cell_volume) : Json()},
                                 {"volume", frame.volume},
                                 {"area", frame.area},
                                 {"volume_vdw", frame.volume_without_probe},

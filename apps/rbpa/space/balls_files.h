@@ -29,6 +29,7 @@ struct BallTotals {
   AtomCounts counts = {};
   std::size_t kept = 0, buried = 0;  ///< numbers of atoms, and of atoms without an area
   double volume = 0, area = 0, volume_without_probe = 0, area_without_probe = 0;
+  std::optional<double> cell_volume = std::nullopt;  ///< of the box that repeats
 };
 
 struct MeasuredAtoms : BallTotals {
@@ -36,11 +37,9 @@ struct MeasuredAtoms : BallTotals {
   std::vector<double> radii = {};                    ///< radii without the probe
   std::optional<RepeatingCell> cell = std::nullopt;  ///< the cell, if it repeats
   PeriodicBallMeasures balls = {};                   ///< measures with the probe; with contacts if contacts are written
-  BallInterfaces interfaces = {};           ///< interfaces of the groups with the probe, if interfaces are written
-  BallVoids voids = {};                     ///< voids with the probe, if voids or pockets are written
-  RegularTriangulation cells = {};          ///< triangulation that has the tetrahedra of the voids
-  std::vector<Point3> corners = {};         ///< positions of the balls of the triangulation
-  std::vector<std::uint32_t> atom_of = {};  ///< the atom of each ball of the triangulation
+  BallInterfaces interfaces = {};   ///< interfaces of the groups with the probe, if interfaces are written
+  BallVoids voids = {};             ///< voids with the probe, if voids or pockets are written
+  RegularTriangulation cells = {};  ///< triangulation that has the tetrahedra of the voids
 };
 
 /// A column of the names of atoms, with a text or a number for each atom.

@@ -92,7 +92,9 @@ BallsRequest parse(const BallsArguments& arguments) {
   if (arguments.box) {
     if (*arguments.box == "auto") require_molecule(request.format, "--box auto", "without a cell");
     request.box = parse_cell(*arguments.box);
-    refuse_given({{arguments.interfaces.has_value(), "--interfaces"}, {arguments.pockets.has_value(), "--pockets"}},
+    refuse_given({{arguments.interfaces.has_value(), "--interfaces"},
+                  {arguments.voids.has_value(), "--voids"},
+                  {arguments.pockets.has_value(), "--pockets"}},
                  "cannot be combined with --box");
   }
   if (arguments.group) request.groups = parse_groups(*arguments.group, request.choice);
@@ -245,6 +247,7 @@ void BallsRun::measure(std::vector<MeasuredAtoms>& some) {
       some[f].volume = with[f].volume;
       some[f].area = with[f].area;
       some[f].buried = static_cast<std::size_t>(std::count(with[f].areas.begin(), with[f].areas.end(), 0.0));
+      if (some[f].cell) some[f].cell_volume = some[f].cell->volume();
       some[f].balls = std::move(with[f]);
       if (arguments_.interfaces)
         some[f].interfaces =

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -38,18 +37,6 @@ void find_voids(MeasuredAtoms& frame, double probe, bool pockets, MaxThreads thr
     radii.push_back(frame.radii[i] + probe);
   }
   const auto progress = [](const Progress&) { return !interrupted(); };
-  if (frame.cell) {
-    PeriodicBallVoids found =
-        periodic_ball_voids(centers, radii, *frame.cell, {.threads = threads, .progress = progress});
-    frame.voids.voids = std::move(found.voids);
-    frame.cells = std::move(found.regular);
-    frame.corners = std::move(found.positions);
-    frame.atom_of = std::move(found.of);
-    return;
-  }
-  frame.corners = centers;
-  frame.atom_of.resize(centers.size());
-  std::iota(frame.atom_of.begin(), frame.atom_of.end(), 0U);
   frame.cells = regular_triangulation(centers, radii, {.threads = threads, .progress = progress});
   frame.voids = ball_voids(centers, radii, frame.cells, {.pockets = pockets, .threads = threads, .progress = progress});
 }
@@ -92,7 +79,7 @@ void BallVoidRows::write_row(const MeasuredAtoms& frame, const BallVoid& hollow,
   }
   const char* before = ",\"";
   for (const LiningBall& lining : hollow.balls) {
-    file_.write_all(before, std::uint64_t{frame.rows[frame.atom_of[lining.ball]].index});
+    file_.write_all(before, std::uint64_t{frame.rows[lining.ball].index});
     before = " ";
   }
   file_.write("\"\n");
@@ -112,7 +99,7 @@ void BallVoidRows::write_json(const MeasuredAtoms& frame, const BallVoid& hollow
   }
   Json points = Json::array(), areas = Json::array();
   for (const LiningBall& lining : hollow.balls) {
-    points.push_back(frame.rows[frame.atom_of[lining.ball]].index);
+    points.push_back(frame.rows[lining.ball].index);
     areas.push_back(lining.area);
   }
   one["points"] = std::move(points);
@@ -130,7 +117,7 @@ void BallVoidRows::write_surface(const MeasuredAtoms& frame, const BallVoid& hol
     for (const std::uint32_t ball : triangle) {
       if (!vertex.try_emplace(ball, vertices_ + 1).second) continue;
       ++vertices_;
-      const Point3& p = frame.corners[ball];
+      const Point3& p = frame.rows[ball].center;
       file_.write_all("v ", p.x, " ", p.y, " ", p.z, "\n");
     }
   for (const auto& [a, b, c] : triangles)

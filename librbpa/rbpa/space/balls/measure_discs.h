@@ -69,13 +69,15 @@ RBPA_API DiscMeasures measure_discs(std::span<const Point> centers, std::span<co
 
 /// Polygons with corners on the circles of discs.
 struct DiscPolygons {
-  std::vector<Point> points;      ///< all corners; rings have indices of these
-  std::vector<Polygon> polygons;  ///< the components of the union in order, except discs of radius 0
+  std::vector<Point> points;              ///< all corners; rings have indices of these
+  std::vector<Polygon> polygons;          ///< the components of the union in order
+  std::vector<std::uint32_t> components;  ///< the number of the component of each polygon
 };
 
 /// Returns the components of a union of discs as polygons: a corner at the beginning of each arc, and corners within
-/// the arc, equally spaced, at most an angle of 2π / `corners` apart. The polygons are parts of the union, up to
-/// rounding, and valid: no two of their edges cross.
+/// the arc, equally spaced, at most an angle of 2π / `corners` apart. The polygons are parts of the union, and no two
+/// of their edges cross, up to the rounding of corners: where circles nearly touch, or three of them nearly meet in a
+/// point, corners may be equal. Holes and components whose corners are all within rounding of each other are left out.
 /// Requires: `measures` is measure_discs() of these discs; corners ≥ 3; fewer than 2^32 corners in all.
 /// Throws:   ContractViolation when this is visibly not so; Cancelled.
 RBPA_API DiscPolygons disc_polygons(const DiscMeasures& measures, std::span<const Point> centers,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -17,19 +18,16 @@ namespace {
 
 using Offset = std::array<std::int32_t, 3>;
 using Vector = space::Vector3<double>;
-constexpr double most_layers = 100;  // of images on each side
+constexpr double most_layers = 100;      // of images on each side
+constexpr double near_face = 0x1.7p-31;  // distance from a face, in edges, within which a ball belongs to the face
 
-/// The balls of a cell and their images: those that may meet a ball of the cell, or all of the cells around.
+/// The balls of a cell, and their images that may meet a ball of the cell.
 class Images {
  public:
-  enum class Which { meeting, cells_around };
-
-  Images(std::span<const Point3> centers, std::span<const double> radii, const RepeatingCell& cell, double probe,
-         Which which)
-      : cell_(cell), which_(which) {
+  Images(std::span<const Point3> centers, std::span<const double> radii, const RepeatingCell& cell, double probe)
+      : cell_(cell) {
     find_normals();
-    double greatest = 0;
-    for (const double radius : radii) greatest = std::max(greatest, radius + probe);
+    const double greatest = find_greatest(radii, probe);
     std::vector<Vector> place;  // in the cell: 0 to 1 along each edge
     for (std::size_t i = 0; i < centers.size(); ++i) {
       Offset offset{};  // of the own image in the cell
@@ -38,7 +36,8 @@ class Images {
         if (cell.repeats[k]) {
           if (!(std::abs(along[k]) < 0x1p30))
             throw InvalidInput("center " + std::to_string(i) + " is too many cells away, expected fewer than 2^30");
-          offset[k] = -static_cast<std::int32_t>(std::floor(along[k]));
+          // Balls that are equal modulo the cell come to the same face of it, whatever rounding does.
+          offset[k] = -static_cast<std::int32_t>(std::floor(along[k] + near_face));
           along[k] += offset[k];
         }
       add(centers[i], radii[i], static_cast<std::uint32_t>(i), offset);
@@ -58,15 +57,31 @@ class Images {
   void find_normals() {
     const auto& [a, b, c] = cell_.edges;
     for (const Point3& edge : cell_.edges)
-      if (!is_finite(edge)) throw InvalidInput("found a cell with infinite edges, expected finite ones");
+      if (!is_finite(edge)) throw InvalidInput("found edges of a cell that are not finite, expected finite ones");
     const std::array<Vector, 3> e = {Vector{a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z}};
     for (std::size_t k = 0; k < 3; ++k) {
       normals_[k] = space::cross(e[(k + 1) % 3], e[(k + 2) % 3]);
       const double volume = space::dot(normals_[k], e[k]);
-      if (!(std::abs(volume) > 0) || std::isinf(volume))
-        throw InvalidInput("found a cell without a volume, expected three edges in different directions");
+      const double size = std::sqrt(space::dot(normals_[k], normals_[k])) * std::sqrt(space::dot(e[k], e[k]));
+      if (!(std::abs(volume) > 0x1p-40 * size && size < std::numeric_limits<double>::infinity()))
+        throw InvalidInput(
+            "found a cell without a volume, or with one beyond the range of double, expected three edges in different "
+            "directions");
       normals_[k] = {normals_[k].x / volume, normals_[k].y / volume, normals_[k].z / volume};
     }
+  }
+  /// Returns the greatest radius with the probe. Throws InvalidInput if images would be too many.
+  double find_greatest(std::span<const double> radii, double probe) const {
+    double greatest = 0;
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+      greatest = std::max(greatest, radii[i] + probe);
+      for (std::size_t k = 0; k < 3; ++k)
+        if (cell_.repeats[k] &&
+            !(2 * (radii[i] + probe) * std::sqrt(space::dot(normals_[k], normals_[k])) < most_layers))
+          throw InvalidInput("radius " + std::to_string(i) + " is " + text(radii[i]) +
+                             ", expected at most 50 times the distance of opposite faces of the cell");
+    }
+    return greatest;
   }
   std::array<double, 3> along_edges(const Point3& p) const {
     std::array<double, 3> along{};
@@ -94,12 +109,8 @@ class Images {
     for (std::size_t k = 0; k < 3; ++k)
       if (cell_.repeats[k]) {
         const double margin = reach * std::sqrt(space::dot(normals_[k], normals_[k])) + 0x1p-30;
-        if (!(margin < most_layers))
-          throw InvalidInput("radius " + std::to_string(i) + " is " + text(radii[i]) +
-                             ", expected at most 50 times the distance of opposite faces of the cell");
-        const bool is_whole = which_ == Which::cells_around;
-        low[k] = is_whole ? -1 : static_cast<std::int32_t>(std::ceil(-margin - place[k]));
-        high[k] = is_whole ? 1 : static_cast<std::int32_t>(std::floor(1 + margin - place[k]));
+        low[k] = static_cast<std::int32_t>(std::ceil(-margin - place[k]));
+        high[k] = static_cast<std::int32_t>(std::floor(1 + margin - place[k]));
       }
     const Point3 own = centers[i];
     const Offset first = offsets[i];
@@ -113,16 +124,20 @@ class Images {
   }
 
   const RepeatingCell& cell_;
-  Which which_;
   std::array<Vector, 3> normals_{};
 };
 
 }  // namespace
 
+double RepeatingCell::volume() const {
+  const auto& [a, b, c] = edges;
+  return std::abs(space::dot(space::cross(Vector{a.x, a.y, a.z}, {b.x, b.y, b.z}), Vector{c.x, c.y, c.z}));
+}
+
 PeriodicBallMeasures measure_periodic_balls(std::span<const Point3> centers, std::span<const double> radii,
                                             const RepeatingCell& cell, const MeasureBallsOptions& options) {
   space::check_centers(centers, radii);
-  const Images all(centers, radii, cell, options.probe, Images::Which::meeting);
+  const Images all(centers, radii, cell, options.probe);
   PeriodicBallMeasures result;
   static_cast<BallMeasures&>(result) = measure_balls(all.centers, all.radii, options);
   const auto own = static_cast<std::uint32_t>(centers.size());
@@ -155,32 +170,6 @@ PeriodicBallMeasures measure_periodic_balls(std::span<const Point3> centers, std
     result.contacts.push_back(contact);
     result.contact_offsets.push_back(offset);
   }
-  return result;
-}
-
-PeriodicBallVoids periodic_ball_voids(std::span<const Point3> centers, std::span<const double> radii,
-                                      const RepeatingCell& cell, const BallVoidsOptions& options) {
-  space::check_balls(centers, radii);
-  Images all(centers, radii, cell, 0, Images::Which::cells_around);
-  PeriodicBallVoids result;
-  result.regular =
-      regular_triangulation(all.centers, all.radii, {.threads = options.threads, .progress = options.progress});
-  BallVoidsOptions without_pockets = options;
-  without_pockets.pockets = false;
-  for (BallVoid& hollow : ball_voids(all.centers, all.radii, result.regular, without_pockets).voids) {
-    // Take the image of the void whose ball of lowest index, at its lowest offset, is in the cell: images with numbers
-    // below that of balls are the balls themselves.
-    const auto lower = [&](const LiningBall& a, const LiningBall& b) {
-      return std::pair(all.of[a.ball], all.offsets[a.ball]) < std::pair(all.of[b.ball], all.offsets[b.ball]);
-    };
-    const auto lowest = std::min_element(hollow.balls.begin(), hollow.balls.end(), lower);
-    if (lowest == hollow.balls.end() || lowest->ball >= centers.size()) continue;
-    result.volume += hollow.volume;
-    result.area += hollow.area;
-    result.voids.push_back(std::move(hollow));
-  }
-  result.positions = std::move(all.centers);
-  result.of = std::move(all.of);
   return result;
 }
 

@@ -1,11 +1,10 @@
 // What:   computes volume and surface area of a union of balls in a cell that repeats, as in a crystal or a simulation
-//         under periodic boundary conditions, the part of each ball, the contacts, and the voids.
+//         under periodic boundary conditions, the part of each ball, and the contacts.
 // How:    measure_balls() measures the balls with all images that may meet them; the measures of images are left out.
-//         ball_voids() finds the voids of the cell and all cells around it. docs/explanation/space.md, section 27.
+//         docs/explanation/space.md, section 27.
 // Law:    centers are moved into the cell by multiples of its edges, and so are images: both are rounded. For the
 //         rounded centers the law of measure_balls() holds.
-// Cost:   that of measure_balls() for the balls and the images that are as near to the cell as two radii; that of
-//         ball_voids() for 27 cells.
+// Cost:   that of measure_balls() for the balls and the images that are as near to the cell as two radii.
 #pragma once
 
 #include <array>
@@ -15,7 +14,6 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point3.h"
-#include "rbpa/space/balls/ball_voids.h"
 #include "rbpa/space/balls/measure_balls.h"
 
 namespace rbpa {
@@ -24,6 +22,7 @@ namespace rbpa {
 struct RepeatingCell {
   std::array<Point3, 3> edges{};                     ///< three vectors in any directions, with a volume
   std::array<bool, 3> repeats = {true, true, true};  ///< whether the cell repeats along each of them
+  RBPA_API double volume() const;                    ///< rounded
 };
 
 struct PeriodicBallMeasures : BallMeasures {
@@ -34,28 +33,13 @@ struct PeriodicBallMeasures : BallMeasures {
 
 /// Measures the balls of one cell: volume and area are those of the union of the balls and all images, per cell.
 /// Centers may be outside of the cell. A contact is listed once, at its ball of lower index; the two balls of a contact
-/// may be images of one. If balls of a cell are equal to images of others, rounding decides which of them is measured.
+/// may be images of one. Balls that are
+/// equal modulo the cell share their part of the union, as rounding decides.
 /// Requires: what measure_balls() requires; a cell with a volume, whose edges and centers are finite; no radius with
 ///           the probe above 50 times the distance of opposite faces.
 /// Throws:   InvalidInput that names the violated requirement; what measure_balls() throws; Cancelled.
 RBPA_API PeriodicBallMeasures measure_periodic_balls(std::span<const Point3> centers, std::span<const double> radii,
                                                      const RepeatingCell& cell,
                                                      const MeasureBallsOptions& options = {});
-
-/// One image of each void of the balls in a cell that repeats.
-struct PeriodicBallVoids {
-  std::vector<Point3> positions;  ///< centers of the images of the balls
-  std::vector<std::uint32_t> of;  ///< the ball of each image
-  RegularTriangulation regular;   ///< triangulation of the images
-  std::vector<BallVoid> voids;    ///< as in BallVoids, with numbers of images as corners and balls
-  double volume = 0, area = 0;    ///< sums over the voids
-};
-
-/// Finds the voids, per cell. A void that does not fit between one cell below and one cell above its ball of lowest
-/// index is not found; such are channels, which percolate. BallVoidsOptions::pockets is ignored.
-/// Requires: what measure_periodic_balls() requires; radii of at least 0.
-/// Throws:   as measure_periodic_balls().
-RBPA_API PeriodicBallVoids periodic_ball_voids(std::span<const Point3> centers, std::span<const double> radii,
-                                               const RepeatingCell& cell, const BallVoidsOptions& options = {});
 
 }  // namespace rbpa

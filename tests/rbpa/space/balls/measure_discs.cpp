@@ -239,6 +239,28 @@ TEST_CASE("hidden discs are inside others, equal to others, or meet no cell of t
   CHECK(found.areas[4] == 0);
 }
 
+TEST_CASE("circles that meet in one point leave no hole, and discs that touch there are hidden or alone") {
+  Discs inside;
+  inside.add(1, 0, 1);
+  inside.add(0, 2, 2);  // in the next one, through the origin like all
+  inside.add(0, 3, 3);
+  CHECK(inside.measured().hidden == std::vector<std::uint32_t>{1});
+  CHECK(inside.measured().lengths[1] == 0);
+  Discs point;
+  point.add(1, 0, 2);
+  point.add(1, 2, 0);
+  point.add(3, 2, 2);
+  CHECK(point.measured().components == std::vector<std::uint32_t>{0, 1, 0});
+  Discs touching;  // the first two touch in (4, 5), which two curves share
+  touching.add(4, 6, 1);
+  touching.add(4, 4, 1);
+  touching.add(2, 6, 2);
+  touching.add(6, 6, 2);
+  const DiscMeasures found = touching.measured();
+  check(touching, found, 1e-12);
+  CHECK(found.components == std::vector<std::uint32_t>{0, 0, 0, 0});
+}
+
 TEST_CASE("a component in a hole, and a hole in that, are distinguished") {
   Discs discs;
   const auto ring = [&](double distance, int count, double radius) {
@@ -316,6 +338,9 @@ TEST_CASE("polygons of discs are within the discs and approach their areas") {
     const rbpa::PolygonTotals totals = rbpa::total(made.polygons);
     CHECK(totals.area < found.area);
     CHECK(totals.perimeter < found.length);
+    for (const rbpa::Polygon& polygon : made.polygons)
+      for (std::size_t h = 1; h < polygon.holes.size(); ++h)
+        CHECK(made.points[polygon.holes[h - 1].points[0]] <= made.points[polygon.holes[h].points[0]]);
     CHECK(found.area - totals.area < last / 30);
     last = found.area - totals.area;
   }

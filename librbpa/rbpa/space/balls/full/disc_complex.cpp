@@ -86,27 +86,68 @@ void DiscComplex::close_outside(std::size_t discs) {
 /// Decides which simplices are in the complex.
 void DiscComplex::decide(std::span<const Point3> centers, std::span<const double> radii, Steps& step) {
   const auto disc = [&](std::uint32_t i) { return Ball{centers[i], radii[i]}; };
-  has_triangle_.assign(triangles_, 0);
+  triangle_.assign(triangles_, out);
   for (std::uint32_t h = 0; h < face_.size(); ++h) {
     step();
-    if (face_[h] != none && h < before_[h] && h < before_[before_[h]])
-      has_triangle_[face_[h]] = least_power_sign(disc(from(h)), disc(to(h)), disc(apex(h))) <= 0 ? 1 : 0;
+    if (face_[h] == none || h > before_[h] || h > before_[before_[h]]) continue;
+    const int sign = least_power_sign(disc(from(h)), disc(to(h)), disc(apex(h)));
+    triangle_[face_[h]] = sign < 0 ? in : sign == 0 ? point : out;
   }
   has_edge_.assign(ends_.size(), 0);
-  std::vector<std::uint8_t> is_in_edge(centers.size(), 0);
+  meshops::DisjointSets components(centers.size());
+  std::vector<std::uint32_t> touching;  // edges of discs that only touch, in a point that no other disc covers
   for (std::uint32_t e = 0; e < ends_.size(); ++e) {
     step();
     const auto [a, b] = ends_[e];
     const auto conflicts = [&, a = a, b = b](std::uint32_t h) {
       return face_[h] != none && is_conflict(disc(a), disc(b), disc(apex(h)));
     };
-    if (has_face(2 * e) || has_face(2 * e + 1) ||
-        (least_power_sign(disc(a), disc(b)) < 0 && !conflicts(2 * e) && !conflicts(2 * e + 1)))
-      has_edge_[e] = is_in_edge[a] = is_in_edge[b] = 1;
+    const int sign = has_face(2 * e) || has_face(2 * e + 1) ? -1 : least_power_sign(disc(a), disc(b));
+    if (has_face(2 * e) || has_face(2 * e + 1) || (sign <= 0 && !conflicts(2 * e) && !conflicts(2 * e + 1))) {
+      if (sign < 0) {
+        has_edge_[e] = 1;
+        components.join(a, b);
+      } else {
+        touching.push_back(e);
+      }
+    }
     if (is_conflict(disc(a), disc(b))) has_disc_[a] = 0;
     if (is_conflict(disc(b), disc(a))) has_disc_[b] = 0;
   }
-  for (std::size_t i = 0; i < centers.size(); ++i) has_disc_[i] |= is_in_edge[i];
+  for (const std::uint32_t e : touching)
+    if (components.find(ends_[e][0]) == components.find(ends_[e][1])) has_edge_[e] = 1;
+  fill_points(step);
+  for (std::uint32_t h = 0; h < face_.size(); ++h)
+    if (has_edge(h)) has_disc_[from(h)] = 1;
+}
+
+/// Adds the regions of the complement that are single points: all their triangles have the power 0.
+void DiscComplex::fill_points(Steps& step) {
+  if (std::find(triangle_.begin(), triangle_.end(), point) == triangle_.end()) return;
+  const auto outside = static_cast<std::uint32_t>(triangles_);
+  meshops::DisjointSets regions(triangles_ + 1);
+  for (std::uint32_t e = 0; e < ends_.size(); ++e) {
+    step();
+    if (has_edge_[e] != 0) continue;
+    const std::uint32_t left = face_[2 * e], right = face_[2 * e + 1];
+    regions.join(left == none ? outside : left, right == none ? outside : right);
+  }
+  std::vector<std::uint8_t> is_point(triangles_ + 1, 1);
+  is_point[regions.find(outside)] = 0;
+  for (std::uint32_t t = 0; t < triangles_; ++t)
+    if (triangle_[t] != point) is_point[regions.find(t)] = 0;
+  for (std::uint32_t t = 0; t < triangles_; ++t)
+    if (is_point[regions.find(t)] != 0) triangle_[t] = in;
+  for (std::uint32_t e = 0; e < ends_.size(); ++e)
+    if (has_face(2 * e)) has_edge_[e] = 1;
+}
+
+bool DiscComplex::is_point_after(std::uint32_t h) const {
+  do {
+    if (face_[h] == none || triangle_[face_[h]] != point) return false;
+    h = before_[h] ^ 1U;
+  } while (!has_edge(h));
+  return true;
 }
 
 /// Returns the curves in any order. Sets `lowest` to the lowest disc of the component of each disc, or none.

@@ -1,10 +1,12 @@
 // What: the dual complex of discs in the plane, and the closed curves of arcs that bound the union of the discs.
-// How:  a triangle is in the complex if the power of its orthocenter is at most 0. An edge is in it if a triangle of
-//       the complex has the edge, or if its power is below 0 and no corner beside it conflicts: discs that only touch
-//       are not connected. Around a disc, the arc between two consecutive edges of the complex is on the boundary
-//       unless a triangle of the complex is between them. Components of the complex and regions of its complement form
-//       a tree, with the unbounded region as root; each curve is a link of the tree, and separates a component from a
-//       region. The link toward the root is the outer curve of its component, the others bound holes.
+// How:  simplices are in the complex if the power of their orthocenter is below 0, and no disc beside them conflicts;
+//       so discs that only touch are not connected. Two additions change no area: discs of one component that touch
+//       have an edge, which separates what is on both sides; and triangles whose circles meet in one point, with
+//       nothing else between the edges around them, fill it. Around a disc, the arc between two consecutive edges of
+//       the complex is on the boundary unless a triangle of the complex is between them. Components of the complex and
+//       regions of its complement form a tree, with the unbounded region as root; each curve is a link of the tree,
+//       and separates a component from a region. The link toward the root is the outer curve of its component, the
+//       others bound holes.
 // Law:  exact.
 // Cost: linear; n log n in the edges to number them.
 #pragma once
@@ -47,7 +49,9 @@ class DiscComplex {
   bool has_edge(std::uint32_t h) const { return has_edge_[h / 2] != 0; }
   bool has_disc(std::uint32_t i) const { return has_disc_[i] != 0; }
   /// Returns whether the triangle on the left of h is in the complex.
-  bool has_face(std::uint32_t h) const { return face_[h] != none && has_triangle_[face_[h]] != 0; }
+  bool has_face(std::uint32_t h) const { return face_[h] != none && triangle_[face_[h]] == in; }
+  /// Returns whether the arc from edge h to the next one around its origin is a single point, in which circles meet.
+  bool is_point_after(std::uint32_t h) const;
   /// Returns the corner of the face of h across from h. Requires: h has a face.
   std::uint32_t apex(std::uint32_t h) const { return from(before_[h]); }
   /// Returns the previous halfedge of the same face.
@@ -67,12 +71,16 @@ class DiscComplex {
   void number_edges(std::span<const Point3> centers, std::span<const std::array<std::uint32_t, 4>> flat, Steps& step);
   void close_outside(std::size_t discs);
   void decide(std::span<const Point3> centers, std::span<const double> radii, Steps& step);
+  void fill_points(Steps& step);
   std::vector<ArcCurve> traced(std::vector<std::uint32_t>& lowest, Steps& step) const;
 
   std::vector<std::array<std::uint32_t, 2>> ends_;  // of each edge, ascending
   std::vector<std::uint32_t> face_, before_;        // of each halfedge
   std::size_t triangles_ = 0;
-  std::vector<std::uint8_t> has_triangle_, has_edge_, has_disc_;
+  /// Whether a triangle is in the complex; `point` if it is not and has the power 0: its circles meet in one point.
+  enum Triangles : std::uint8_t { out, point, in };
+  std::vector<Triangles> triangle_;
+  std::vector<std::uint8_t> has_edge_, has_disc_;
   std::vector<std::uint32_t> halfedge_;  // of each disc: one that begins there, or none
 };
 
