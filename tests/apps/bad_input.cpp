@@ -198,7 +198,8 @@ TEST_SUITE("wrong usage") {
     CHECK(folder.rbpa("").code == 2);
     CHECK(folder.rbpa("info p.xy --stats -").code == 2);
     refuses(folder, "mehs p.xy --alpha 1 -o m.off", 2,
-            "found 'mehs', expected one of mesh, alpha, shape, discs, fill, surface, solid, balls, stream, info, report (see "
+            "found 'mehs', expected one of mesh, alpha, shape, discs, fill, surface, solid, balls, stream, info, "
+            "report (see "
             "rbpa "
             "--help)");
     for (const std::string before : {"", "--alpha 1 "})  // with and without required options
