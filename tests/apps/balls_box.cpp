@@ -79,9 +79,10 @@ TEST_SUITE("balls in a box") {
         {"flat.dump --radius-default 1 --box auto", "flat.dump: found BOX BOUNDS without a volume"},
         {"two.pdb --box 9 --pockets p.csv", "--pockets cannot be combined with --box"},
         {"two.pdb --box 9 --voids v.csv", "--voids cannot be combined with --box"}};
-    for (const auto& [call, message] : calls) {
+    for (const auto& row : calls) {
+      const std::string call = row.first, message = row.second;
       CAPTURE(call);
-      const Outcome outcome = folder.rbpa("balls " + std::string(call));
+      const Outcome outcome = folder.rbpa("balls " + call);
       CHECK(outcome.code != 0);
       CHECK_MESSAGE(outcome.err.find(message) != std::string::npos, outcome.err);
     }

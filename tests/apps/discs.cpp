@@ -68,9 +68,10 @@ TEST_SUITE("discs") {
         {"t.csv --radius 1 --corners 2", "--corners: found '2', expected a whole number of corners from 3 to 100000"},
         {"missing.csv --radius column:r", "missing.csv: found point 1 without a value of 'r', expected a radius"},
         {"negative.csv --radius column:r", "negative.csv: radius 1 is -3, expected a finite number of at least 0"}};
-    for (const auto& [call, message] : calls) {
+    for (const auto& row : calls) {
+      const std::string call = row.first, message = row.second;
       CAPTURE(call);
-      const Outcome outcome = folder.rbpa("discs " + std::string(call) + " -o o.wkt");
+      const Outcome outcome = folder.rbpa("discs " + call + " -o o.wkt");
       CHECK(outcome.code != 0);
       CHECK(outcome.err.find(message) != std::string::npos);
       CHECK(!folder.has("o.wkt"));

@@ -71,14 +71,14 @@ class Images {
     }
   }
   /// Returns the greatest radius with the probe. Throws InvalidInput if images would be too many.
-  double find_greatest(std::span<const double> radii, double probe) const {
+  double find_greatest(std::span<const double> of_balls, double probe) const {
     double greatest = 0;
-    for (std::size_t i = 0; i < radii.size(); ++i) {
-      greatest = std::max(greatest, radii[i] + probe);
+    for (std::size_t i = 0; i < of_balls.size(); ++i) {
+      greatest = std::max(greatest, of_balls[i] + probe);
       for (std::size_t k = 0; k < 3; ++k)
         if (cell_.repeats[k] &&
-            !(2 * (radii[i] + probe) * std::sqrt(space::dot(normals_[k], normals_[k])) < most_layers))
-          throw InvalidInput("radius " + std::to_string(i) + " is " + text(radii[i]) +
+            !(2 * (of_balls[i] + probe) * std::sqrt(space::dot(normals_[k], normals_[k])) < most_layers))
+          throw InvalidInput("radius " + std::to_string(i) + " is " + text(of_balls[i]) +
                              ", expected at most 50 times the distance of opposite faces of the cell");
     }
     return greatest;
