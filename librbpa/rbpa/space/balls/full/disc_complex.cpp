@@ -4,7 +4,6 @@
 #include <tuple>
 #include <utility>
 
-#include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/arrays/grouped.h"
 #include "rbpa/space/predicate/orientation.h"
 #include "rbpa/space/predicate/orthosphere.h"
@@ -102,14 +101,14 @@ void DiscComplex::decide(std::span<const Point3> centers, std::span<const double
     const auto conflicts = [&, a = a, b = b](std::uint32_t h) {
       return face_[h] != none && is_conflict(disc(a), disc(b), disc(apex(h)));
     };
-    const int sign = has_face(2 * e) || has_face(2 * e + 1) ? -1 : least_power_sign(disc(a), disc(b));
-    if (has_face(2 * e) || has_face(2 * e + 1) || (sign <= 0 && !conflicts(2 * e) && !conflicts(2 * e + 1))) {
-      if (sign < 0) {
-        has_edge_[e] = 1;
-        components.join(a, b);
-      } else {
-        touching.push_back(e);
-      }
+    const bool has_triangle = has_face(2 * e) || has_face(2 * e + 1);
+    const int sign = has_triangle ? -1 : least_power_sign(disc(a), disc(b));
+    const bool is_alone = !has_triangle && sign <= 0 && !conflicts(2 * e) && !conflicts(2 * e + 1);
+    if (has_triangle || (is_alone && sign < 0)) {
+      has_edge_[e] = 1;
+      components.join(a, b);
+    } else if (is_alone) {
+      touching.push_back(e);
     }
     if (is_conflict(disc(a), disc(b))) has_disc_[a] = 0;
     if (is_conflict(disc(b), disc(a))) has_disc_[b] = 0;
@@ -121,19 +120,22 @@ void DiscComplex::decide(std::span<const Point3> centers, std::span<const double
     if (has_edge(h)) has_disc_[from(h)] = 1;
 }
 
+/// Returns the regions of the complement: sets of the numbers that region_of() returns.
+meshops::DisjointSets DiscComplex::regions(Steps& step) const {
+  meshops::DisjointSets regions(triangles_ + 1);
+  for (std::uint32_t h = 0; h < face_.size(); h += 2) {
+    step();
+    if (!has_edge(h)) regions.join(region_of(h), region_of(h + 1));
+  }
+  return regions;
+}
+
 /// Adds the regions of the complement that are single points: all their triangles have the power 0.
 void DiscComplex::fill_points(Steps& step) {
   if (std::find(triangle_.begin(), triangle_.end(), point) == triangle_.end()) return;
-  const auto outside = static_cast<std::uint32_t>(triangles_);
-  meshops::DisjointSets regions(triangles_ + 1);
-  for (std::uint32_t e = 0; e < ends_.size(); ++e) {
-    step();
-    if (has_edge_[e] != 0) continue;
-    const std::uint32_t left = face_[2 * e], right = face_[2 * e + 1];
-    regions.join(left == none ? outside : left, right == none ? outside : right);
-  }
+  meshops::DisjointSets regions = this->regions(step);
   std::vector<std::uint8_t> is_point(triangles_ + 1, 1);
-  is_point[regions.find(outside)] = 0;
+  is_point[regions.find(region_of(none))] = 0;
   for (std::uint32_t t = 0; t < triangles_; ++t)
     if (triangle_[t] != point) is_point[regions.find(t)] = 0;
   for (std::uint32_t t = 0; t < triangles_; ++t)
@@ -154,15 +156,10 @@ bool DiscComplex::is_point_after(std::uint32_t h) const {
 /// ArcCurve::component is that disc, and `region` a triangle of the region; for the unbounded region, it is the number
 /// of triangles.
 std::vector<ArcCurve> DiscComplex::traced(std::vector<std::uint32_t>& lowest, Steps& step) const {
-  const auto outside = static_cast<std::uint32_t>(triangles_);
-  meshops::DisjointSets components(has_disc_.size()), regions(triangles_ + 1);
-  const auto region = [&](std::uint32_t h) { return h == none || face_[h] == none ? outside : face_[h]; };
-  for (std::uint32_t e = 0; e < ends_.size(); ++e) {
+  meshops::DisjointSets components(has_disc_.size()), regions = this->regions(step);
+  for (std::uint32_t h = 0; h < face_.size(); h += 2) {
     step();
-    if (has_edge_[e] != 0)
-      components.join(ends_[e][0], ends_[e][1]);
-    else
-      regions.join(region(2 * e), region(2 * e + 1));
+    if (has_edge(h)) components.join(from(h), to(h));
   }
   std::vector<ArcCurve> curves;
   std::vector<std::uint8_t> is_done(face_.size(), 0), is_in_edge(has_disc_.size(), 0);
@@ -184,20 +181,20 @@ std::vector<ArcCurve> DiscComplex::traced(std::vector<std::uint32_t>& lowest, St
         [&](std::uint32_t a, std::uint32_t b) { return std::pair(from(a), to(a)) < std::pair(from(b), to(b)); });
     std::rotate(curve.halfedges.begin(), first, curve.halfedges.end());
     curve.disc = from(curve.halfedges.front());
-    curve.region = regions.find(region(start));
+    curve.region = regions.find(region_of(start));
   }
   for (std::uint32_t i = 0; i < has_disc_.size(); ++i) {
     step();
     if (!has_disc(i) || is_in_edge[i] != 0) continue;
     ArcCurve& curve = curves.emplace_back();
     curve.disc = i;
-    curve.region = regions.find(region(halfedge_[i]));
+    curve.region = regions.find(region_of(halfedge_[i]));
   }
   lowest.assign(has_disc_.size(), none);
   for (std::uint32_t i = 0; i < has_disc_.size(); ++i)
     if (has_disc(i)) lowest[i] = components.find(i);
   for (ArcCurve& curve : curves) curve.component = lowest[curve.disc];
-  const std::uint32_t unbounded = regions.find(outside);
+  const std::uint32_t outside = region_of(none), unbounded = regions.find(outside);
   for (ArcCurve& curve : curves)
     if (curve.region == unbounded) curve.region = outside;
   return curves;

@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/space/balls/regular_triangulation.h"
@@ -54,8 +55,6 @@ class DiscComplex {
   bool is_point_after(std::uint32_t h) const;
   /// Returns the corner of the face of h across from h. Requires: h has a face.
   std::uint32_t apex(std::uint32_t h) const { return from(before_[h]); }
-  /// Returns the previous halfedge of the same face.
-  std::uint32_t before(std::uint32_t h) const { return before_[h]; }
   /// Returns the next edge of the complex counter-clockwise around the origin of h.
   std::uint32_t next_around(std::uint32_t h) const {
     do h = before_[h] ^ 1U;
@@ -71,6 +70,11 @@ class DiscComplex {
   void number_edges(std::span<const Point3> centers, std::span<const std::array<std::uint32_t, 4>> flat, Steps& step);
   void close_outside(std::size_t discs);
   void decide(std::span<const Point3> centers, std::span<const double> radii, Steps& step);
+  /// Returns the triangle on the left of h; the number of triangles if there is none, or h is `none`.
+  std::uint32_t region_of(std::uint32_t h) const {
+    return h == none || face_[h] == none ? static_cast<std::uint32_t>(triangles_) : face_[h];
+  }
+  meshops::DisjointSets regions(Steps& step) const;
   void fill_points(Steps& step);
   std::vector<ArcCurve> traced(std::vector<std::uint32_t>& lowest, Steps& step) const;
 
