@@ -86,7 +86,7 @@ void run_discs(const DiscsArguments& arguments) {
   require_srid(request.targets, file.crs);
   const std::vector<double> radii = radii_of(request, file, run.input());
   stats.points = file.points.size();
-  stats.distinct = number_of_distinct(file.points);
+  if (!request.run.quiet || arguments.stats) stats.distinct = number_of_distinct(file.points);
   stats.read_seconds = run.lap();
   DiscMeasures measures;
   DiscPolygons made;
