@@ -1,8 +1,6 @@
 #include "rbpa/space/balls/ball_voids.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -13,18 +11,13 @@
 #include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
-#include "rbpa/space/balls/full/faces_within.h"
+#include "rbpa/space/balls/full/hollows.h"
 #include "rbpa/space/balls/full/orthoball.h"
-#include "rbpa/space/balls/full/outside_of_balls.h"
-#include "rbpa/space/balls/full/slices.h"
-#include "rbpa/space/predicate/orientation.h"
 #include "rbpa/space/predicate/outer_faces.h"
-#include "rbpa/space/predicate/spread.h"
 
 namespace rbpa {
 namespace {
 
-using space::Ball;
 constexpr std::uint32_t none = RegularTriangulation::none;
 
 /// The triangle of a tetrahedron across from one of its corners.
@@ -42,51 +35,36 @@ class Finder {
         regular_(regular),
         go_on_(go_on_of(options.progress, centers.size())),
         threads_(threads_for(centers.size(), options.threads)),
-        cells_(centers, regular),
-        faces_(cells_, radii, threads_, go_on_),
-        stars_(cells_),
-        scale_(space::spread(centers, radii)),
-        scaled_centers_(space::scaled(centers, scale_, copy_of_centers_)),
-        scaled_radii_(space::scaled(radii, scale_, copy_of_radii_)),
-        power_cells_{{}, regular.simplices, stars_},
+        hollows_(centers, radii, regular, threads_, go_on_),
+        faces_(hollows_.faces()),
         is_outside_(regular.simplices.size(), 0) {
-    for (std::size_t i = 0; i < centers.size(); ++i)
-      power_cells_.balls.push_back({scaled_centers_[i], scaled_radii_[i]});
     find_outside(options.pockets);
   }
 
   BallVoids find() {
     std::vector<BallVoid> all = regions();
-    const space::RegionMeasures measures =
-        space::outside_of_balls({cells_, scaled_centers_, scaled_radii_, region_, all.size(),
-                                 [&](std::uint32_t t, std::size_t k) { return faces_.has_triangle(t, k); },
-                                 [&](std::span<const space::EdgeAt> ring) { return faces_.has_edge(ring); },
-                                 [&](std::uint32_t i) { return has_vertex(i); }},
-                                threads_, go_on_);
-    for (const space::RegionShare& share : measures.shares)
-      all[share.region].balls.push_back({share.ball, unscaled(share.area, 2)});
+    const space::RegionMeasures measures = hollows_.measure(region_, all.size(), threads_, go_on_);
+    for (const space::RegionShare& share : measures.shares) all[share.region].balls.push_back({share.ball, share.area});
     CheckpointOfThreads checkpoint(go_on_);
     for_each_index(threads_, all.size(), [&](std::size_t i) {
       checkpoint();
       BallVoid& of = all[i];
-      of.volume_of_tetrahedra = unscaled(measures.all[i].tetrahedra, 3);
-      of.volume = unscaled(measures.all[i].volume, 3);
-      of.area = unscaled(measures.all[i].area, 2);
+      of.volume_of_tetrahedra = measures.all[i].tetrahedra;
+      of.volume = measures.all[i].volume;
+      of.area = measures.all[i].area;
       const std::vector<std::uint32_t> around = corners(of);
       find_mouths(of, around);
       if (of.mouths.empty()) {  // rounding may leave sizes just below 0
         of.volume = std::max(of.volume, 0.0);
         for (LiningBall& ball : of.balls) ball.area = std::max(ball.area, 0.0);
       }
-      find_largest_ball(of, around);
+      hollows_.find_largest_ball(of, around, region_);
     });
     return sorted(std::move(all));
   }
 
  private:
-  Ball ball(std::uint32_t t, std::size_t k) const { return {cells_.position(t, k), radii_[regular_.simplices[t][k]]}; }
-  double unscaled(double value, int degree) const { return std::ldexp(value, -degree * scale_.exponent); }
-  Point3 unscaled(const Point3& p) const { return {unscaled(p.x, 1), unscaled(p.y, 1), unscaled(p.z, 1)}; }
+  double unscaled(double value, int degree) const { return hollows_.unscaled(value, degree); }
   std::uint32_t beyond(const Face& face) const { return regular_.neighbors[face.tetrahedron][face.across]; }
   bool is_open(const Face& face) const { return !faces_.has_triangle(face.tetrahedron, face.across); }
   Triangle corners(const Face& face) const {
@@ -97,7 +75,8 @@ class Finder {
   bool flows(const Face& face) const {
     const auto [a, b, c] = space::outer_faces[face.across];
     const std::uint32_t t = face.tetrahedron;
-    return space::is_conflict(ball(t, a), ball(t, b), ball(t, c), ball(t, face.across));
+    const auto ball = [&](std::size_t k) { return hollows_.ball(t, k); };
+    return space::is_conflict(ball(a), ball(b), ball(c), ball(face.across));
   }
 
   /// Marks the tetrahedra that are connected to infinity through triangles outside of the complex; if `by_flow`, only
@@ -144,27 +123,6 @@ class Finder {
     return all;
   }
 
-  /// Returns the scaled balls at the corners of a triangle or tetrahedron.
-  template <std::size_t corners>
-  std::array<Ball, corners> balls_of(const std::array<std::uint32_t, corners>& simplex) const {
-    std::array<Ball, corners> balls{};
-    for (std::size_t k = 0; k < corners; ++k) balls[k] = power_cells_.balls[simplex[k]];
-    return balls;
-  }
-
-  /// Returns whether x, in scaled coordinates, is outside of all balls and in the region. Fast if `near` is near.
-  bool is_free(const Point3& x, std::uint32_t near, std::uint32_t region) const {
-    if (!(power_cells_.power(x, power_cells_.ball_at(x, near)) > 0)) return false;
-    std::uint32_t t = stars_[near].front();
-    for (std::uint8_t k = 0; k < 4 && t != none;) {
-      const auto [a, b, c] = corners(Face{t, k});
-      const bool is_beyond = space::orientation(scaled_centers_[a], scaled_centers_[b], scaled_centers_[c], x) > 0;
-      if (is_beyond) t = regular_.neighbors[t][k];
-      k = is_beyond ? 0 : static_cast<std::uint8_t>(k + 1);
-    }
-    return t != none && region_[t] == region;
-  }
-
   /// Returns the balls at corners of simplices, ascending.
   template <typename Simplices>
   static std::vector<std::uint32_t> corners_of(const Simplices& simplices) {
@@ -180,65 +138,6 @@ class Finder {
     return corners_of(rows);
   }
 
-  /// Tries orthocenters and touching balls, until the triangulation of the balls grown by the best radius found has no
-  /// orthocenter of positive power in the void.
-  void find_largest_ball(BallVoid& of, std::span<const std::uint32_t> around) const {
-    std::vector<Point3> centers;
-    std::vector<double> radii;
-    for (const std::uint32_t i : around) {
-      centers.push_back(scaled_centers_[i]);
-      radii.push_back(scaled_radii_[i]);
-    }
-    Ball best;
-    const auto consider = [&](const std::array<Ball, 4>& balls, std::uint32_t near, double grown) {
-      const space::Orthoball found = space::orthoball(balls);
-      for (const Point3& x : {found.touching.center, found.center}) {
-        if (!(found.power > 0) || !is_finite(x)) continue;
-        double radius = std::numeric_limits<double>::infinity();
-        for (const Ball& ball : balls) radius = std::min(radius, space::distance(x, ball.center) - ball.radius + grown);
-        if (radius <= best.radius || !is_free(x, near, region_[of.tetrahedra.front()])) continue;
-        for (std::size_t i = 0; i < radii.size(); ++i)
-          radius = std::min(radius, space::distance(x, centers[i]) - radii[i]);
-        if (radius > best.radius) best = {x, radius};
-      }
-      return found.power;
-    };
-    for (const std::uint32_t t : of.tetrahedra)
-      of.power =
-          std::max(of.power, unscaled(consider(balls_of(regular_.simplices[t]), regular_.simplices[t][0], 0), 2));
-    for (double grown = -1; best.radius > grown * (1 + 0x1p-40);) {
-      grown = best.radius;
-      std::vector<double> wider = radii;
-      for (double& radius : wider) radius += grown;
-      for (const auto& row : regular_triangulation(centers, wider, {.neighbors = false, .threads = 1}).simplices) {
-        std::array<Ball, 4> balls{};
-        for (std::size_t k = 0; k < 4; ++k) balls[k] = {centers[row[k]], wider[row[k]]};
-        consider(balls, around[row[0]], grown);
-      }
-    }
-    of.center = unscaled(best.center);
-    of.radius = unscaled(best.radius, 1);
-  }
-
-  bool has_edge(std::uint32_t a, std::uint32_t b) const {
-    std::vector<space::EdgeAt> ring;
-    for (const std::uint32_t t : stars_[a]) {
-      const auto& row = regular_.simplices[t];
-      const auto place = [&](std::uint32_t i) {
-        return static_cast<std::uint8_t>(std::find(row.begin(), row.end(), i) - row.begin());
-      };
-      if (place(b) < 4) ring.push_back({t, place(a), place(b)});
-    }
-    return faces_.has_edge(ring);
-  }
-
-  bool has_vertex(std::uint32_t i) const {
-    for (const std::uint32_t t : stars_[i])
-      for (const std::uint32_t other : regular_.simplices[t])
-        if (other != i && has_edge(i, other)) return true;
-    return space::is_center_in_cell(cells_, radii_, i, stars_[i]);
-  }
-
   void find_mouths(BallVoid& of, std::span<const std::uint32_t> around) const {
     std::vector<Face> open;
     for (const std::uint32_t t : of.tetrahedra)
@@ -251,7 +150,7 @@ class Finder {
       for (std::size_t k = 0; k < 3; ++k) {
         const auto edge = std::minmax(triangle[k], triangle[(k + 1) % 3]);
         const auto [at, is_new] = first_at.emplace(edge, i);
-        if (!is_new && !has_edge(edge.first, edge.second)) sets.join(at->second, i);
+        if (!is_new && !hollows_.has_edge(edge.first, edge.second)) sets.join(at->second, i);
       }
     }
     const space::Grouped mouths(open.size(), open.size(), [&](std::uint32_t i) { return sets.find(i); });
@@ -270,14 +169,14 @@ class Finder {
     for (const std::uint32_t i : items) {
       const Triangle triangle = from_least(corners(open[i]));
       mouth.triangles.push_back(triangle);
-      const space::Slice slice = power_cells_.slice(triangle);
+      const space::Slice slice = hollows_.scaled_cells().slice(triangle);
       mouth.area_of_triangles += unscaled(slice.area, 2);
       mouth.area += unscaled(slice.outside, 2);
       mouth.perimeter += unscaled(slice.perimeter, 1);
       const space::Orthoball closing = closing_ball(open[i]);
       if (const double power = unscaled(closing.power, 2); power > mouth.power) {
         mouth.power = power;
-        mouth.center = unscaled(is_finite(closing.touching.center) ? closing.touching.center : closing.center);
+        mouth.center = hollows_.unscaled(is_finite(closing.touching.center) ? closing.touching.center : closing.center);
       }
     }
     std::sort(mouth.triangles.begin(), mouth.triangles.end());
@@ -296,9 +195,9 @@ class Finder {
       const auto& back = regular_.neighbors[outside];
       const auto k = std::find(back.begin(), back.end(), face.tetrahedron) - back.begin();
       if (flows({outside, static_cast<std::uint8_t>(k)}))
-        return space::orthoball(balls_of(regular_.simplices[outside]));
+        return space::orthoball(hollows_.scaled_balls(regular_.simplices[outside]));
     }
-    return space::orthoball(balls_of(corners(face)));
+    return space::orthoball(hollows_.scaled_balls(corners(face)));
   }
 
   /// Returns whether an item comes before another one: by descending size, then by the coordinates of its corners.
@@ -334,15 +233,8 @@ class Finder {
   const RegularTriangulation& regular_;
   GoOn go_on_;
   Threads threads_;
-  space::Triangulated cells_;
-  space::FacesWithin faces_;
-  space::PointStars stars_;
-  space::Spread scale_;
-  std::vector<Point3> copy_of_centers_;
-  std::vector<double> copy_of_radii_;
-  std::span<const Point3> scaled_centers_;
-  std::span<const double> scaled_radii_;
-  space::PowerCells power_cells_;
+  space::Hollows hollows_;
+  const space::FacesWithin& faces_;
   std::vector<std::uint8_t> is_outside_;
   std::vector<std::uint32_t> region_;  // region of each tetrahedron
 };

@@ -55,7 +55,8 @@ struct BallMouth {
 
 /// A void or pocket of a union of balls.
 struct BallVoid {
-  std::vector<std::uint32_t> tetrahedra;  ///< positions in RegularTriangulation::simplices, ascending
+  /// Positions in RegularTriangulation::simplices, ascending; empty in a cell that repeats.
+  std::vector<std::uint32_t> tetrahedra;
   double volume_of_tetrahedra = 0;
   /// Volume outside of the balls, and area of their spheres there. The part of a ball that reaches through a mouth is
   /// counted with the tetrahedra at the ball's center, so both sizes may be below 0 for a shallow pocket.
@@ -67,6 +68,9 @@ struct BallVoid {
   double radius = 0;  ///< 0, with the center at the origin, if rounding leaves no room
   double power = 0;   ///< the least power p such that balls with the squared radii R² + p fill the void or pocket
   std::vector<BallMouth> mouths;  ///< none for a void; by descending power, then by coordinates
+  /// In a cell that repeats, the number of independent directions in which it percolates: 0 = closed, 1 = channel, 2 =
+  /// layer, 3 = network. Otherwise 0.
+  unsigned dimension = 0;
 };
 
 /// The voids, and the pockets that have mouths, each by descending volume_of_tetrahedra, then by coordinates.

@@ -173,9 +173,9 @@ RegionMeasures outside_of_balls(const BallRegions& regions, Threads& threads, co
                                        [&](std::uint32_t corner) { return regions.cells.point(corner) == sum.ball; });
       const double r = regions.radii[*vertex];
       const double part = r * (r * (pi * static_cast<double>(sum.turns) - sum.angles) + sum.arcs);
-      result.shares.push_back({region, sum.ball, part});
+      result.shares.push_back({region, sum.ball, part, (r * part + sum.contacts) / 3});
       area.add(part);
-      covered.add((r * part + sum.contacts) / 3);
+      covered.add(result.shares.back().volume);
     }
     RegionMeasure& measure = result.all[region];
     measure.area = area.rounded();

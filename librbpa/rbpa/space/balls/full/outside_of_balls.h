@@ -45,10 +45,11 @@ struct RegionMeasure {
   double area = 0;        ///< area of the balls' surface there
 };
 
-/// The part of a sphere that is in a region and outside of the other balls.
+/// The part of a ball at a region.
 struct RegionShare {
   std::uint32_t region, ball;
-  double area;
+  double area;    ///< area of the sphere that is in the region and outside of the other balls
+  double volume;  ///< what the ball takes from the volume of the tetrahedra; may be below 0
 };
 
 struct RegionMeasures {
