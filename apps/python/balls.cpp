@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "rbpa/space/balls/ball_interfaces.h"
 #include "rbpa/space/balls/ball_voids.h"
 #include "rbpa/space/balls/measure_ball_frames.h"
+#include "rbpa/space/balls/periodic_voids.h"
+#include "rbpa/space/balls/pore_sizes.h"
 #include "rbpa/space/balls/regular_triangulation.h"
 
 namespace rbpa::python {
@@ -96,19 +99,23 @@ py::list voids_of(std::vector<BallVoid>&& voids, const RegularTriangulation& reg
     for (const std::uint32_t t : of.tetrahedra) simplices.push_back(regular.simplices[t]);
     py::list mouths;
     for (BallMouth& mouth : of.mouths) mouths.append(tuple_of(std::move(mouth)));
-    list.append(py::make_tuple(of.volume, of.area, of.volume_of_tetrahedra, rows<std::int32_t>(std::move(simplices)),
-                               column<std::int32_t>(of.balls, &LiningBall::ball),
-                               column<double>(of.balls, &LiningBall::area), tuple_of(of.center), of.radius, of.power,
-                               std::move(mouths)));
+    list.append(py::make_tuple(
+        of.volume, of.area, of.volume_of_tetrahedra, of.dimension, rows<std::int32_t>(std::move(simplices)),
+        column<std::int32_t>(of.balls, &LiningBall::ball), column<double>(of.balls, &LiningBall::area),
+        tuple_of(of.center), of.radius, of.power, std::move(mouths)));
   }
   return list;
 }
 
-/// Returns two lists: the voids, and the pockets if `pockets`.
-py::list ball_voids_of(const Doubles& centers, const Doubles& radii, bool pockets, unsigned threads) {
-  const auto input = points3_of(centers, "centers");
+/// Returns two lists: the voids, and the pockets if `pockets`. `cell` has the edges of a box, as rows, or no row.
+py::list ball_voids_of(const Doubles& centers, const Doubles& radii, const Doubles& cell, bool pockets,
+                       unsigned threads) {
+  const auto input = points3_of(centers, "centers"), edges = points3_of(cell, "cell");
   RegularTriangulation regular;
   BallVoids made = watched(input.size(), py::none(), [&](Watch& watch) {
+    if (edges.size() == 3)
+      return periodic_ball_voids(input, line_of(radii), {{edges[0], edges[1], edges[2]}},
+                                 {.threads = threads, .progress = watch.progress()});
     regular = regular_triangulation(input, line_of(radii), {.threads = threads, .progress = watch.progress()});
     return ball_voids(input, line_of(radii), regular,
                       {.pockets = pockets, .threads = threads, .progress = watch.progress()});
@@ -117,6 +124,19 @@ py::list ball_voids_of(const Doubles& centers, const Doubles& radii, bool pocket
   both.append(voids_of(std::move(made.voids), regular));
   both.append(voids_of(std::move(made.pockets), regular));
   return both;
+}
+
+/// Returns the arguments of rbpa.PoreSizes for a box with these edges as rows.
+std::tuple<double, double, double, std::tuple<double, double, double>> pore_sizes_of(const Doubles& centers,
+                                                                                     const Doubles& radii,
+                                                                                     const Doubles& cell,
+                                                                                     unsigned threads) {
+  const auto input = points3_of(centers, "centers"), edges = points3_of(cell, "cell");
+  const PoreSizes made = watched(input.size(), py::none(), [&](Watch& watch) {
+    return pore_sizes(input, line_of(radii), {{edges[0], edges[1], edges[2]}},
+                      {.threads = threads, .progress = watch.progress()});
+  });
+  return {made.included, made.passing, made.on_the_way, {made.along[0], made.along[1], made.along[2]}};
 }
 
 /// Returns the members of rbpa.BallInterfaces, with numbers of groups in place of labels.
@@ -141,7 +161,9 @@ void bind_balls(py::module_& module) {
   module.def("measure_balls", &measured, as_is("centers"), as_is("radii"), as_is("cells"), arg("probe"),
              arg("contacts"), arg("derivatives"), arg("threads"), arg("progress"));
   module.def("regular_triangulation", &tetrahedra_of, as_is("centers"), as_is("radii"));
-  module.def("ball_voids", &ball_voids_of, as_is("centers"), as_is("radii"), arg("pockets"), arg("threads"));
+  module.def("ball_voids", &ball_voids_of, as_is("centers"), as_is("radii"), as_is("cell"), arg("pockets"),
+             arg("threads"));
+  module.def("pore_sizes", &pore_sizes_of, as_is("centers"), as_is("radii"), as_is("cell"), arg("threads"));
   module.def("ball_interfaces", &ball_interfaces_of, as_is("centers"), as_is("radii"), as_is("groups"), arg("threads"));
 }
 

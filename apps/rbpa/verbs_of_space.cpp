@@ -269,7 +269,8 @@ CLI::App* add_balls(CLI::App& app, BallsArguments& arguments) {
           "--voids", arguments.voids,
           "Write the voids that the balls with the probe enclose, the largest first: volume of their tetrahedra "
           "and outside of the balls, area, center and radius of the largest ball that fits in, input indices of "
-          "the atoms around; obj has the surface of the tetrahedra: " +
+          "the atoms around; obj has the surface of the tetrahedra; with --box, csv and json have the number of "
+          "directions in which each percolates: " +
               endings(Use::voids))
       ->type_name("FILE");
   verb.add_option(
@@ -278,6 +279,11 @@ CLI::App* add_balls(CLI::App& app, BallsArguments& arguments) {
           "of the largest ball that fits into one: " +
               endings(Use::voids))
       ->type_name("FILE");
+  add_switch(
+      verb, "--pores", arguments.pores,
+      "Add to summary and JSON the radii of the largest ball that fits in between the balls without the probe, of "
+      "the largest that passes through a box that repeats, of the largest on its way, and of the largest that "
+      "passes along each edge (requires --box)");
   verb.add_option("--group", arguments.group,
                   "Sum up the rows of each residue, of each chain, or of each value in a column; contacts are then "
                   "those between different groups")

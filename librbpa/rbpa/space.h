@@ -12,6 +12,7 @@
 #include "rbpa/space/balls/periodic_balls.h"
 #include "rbpa/space/balls/periodic_topology.h"
 #include "rbpa/space/balls/periodic_voids.h"
+#include "rbpa/space/balls/pore_sizes.h"
 #include "rbpa/space/balls/regular_triangulation.h"
 #include "rbpa/space/balls/union_of_balls.h"
 #include "rbpa/space/balls/weighted_filtration.h"

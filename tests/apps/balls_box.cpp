@@ -60,11 +60,42 @@ TEST_SUITE("balls in a box") {
     CHECK(contacts.find(",1,0,0,1\n") != std::string::npos);
   }
 
+  TEST_CASE("voids of a box have the number of directions in which they percolate, frame by frame") {
+    const Folder folder;
+    folder.file("f.dump", frame(0, "1") + frame(1, "2") + frame(2, "3"));
+    REQUIRE(
+        folder.rbpa("balls f.dump --radius-default 0.4 --probe 0.35 --models all --box auto --voids v.json -q").code ==
+        0);
+    const Json voids = Json::parse(folder.content("v.json"));
+    REQUIRE(voids.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(voids[i]["frame"] == i + 1);
+      CHECK(voids[i]["dimension"] == (i == 0 ? 0 : 2));
+    }
+    const Outcome table = folder.rbpa("balls f.dump --radius-default 0.4 --probe 0.35 --box auto --voids v.csv");
+    REQUIRE(table.code == 0);
+    CHECK(table.err.find("with the probe: 1 closed void, 0 voids that percolate") != std::string::npos);
+    const std::string text = folder.content("v.csv");
+    CHECK(text.find("number,volume_between_points,volume_outside_balls,area,x,y,z,radius_max,dimension,points\n1,1,") ==
+          0);
+    CHECK(text.find(",0.5,0.5,0.5,0.11602540378443") != std::string::npos);
+    CHECK(text.find(",0,\"0\"\n") != std::string::npos);
+
+    const Outcome pores = folder.rbpa("balls f.dump --radius-default 0.4 --probe 0.35 --box auto --pores --json");
+    REQUIRE(pores.code == 0);
+    CHECK(pores.err.find("without the probe: a ball of radius 0.466025 fits in, one of 0.307107 passes") !=
+          std::string::npos);
+    const Json found = Json::parse(pores.out)["frames"][0]["pores"];
+    CHECK(found["radius_included"].get<double>() == Approx(std::sqrt(0.75) - 0.4));
+    CHECK(found["radii_along_edges"][2].get<double>() == Approx(std::sqrt(0.5) - 0.4));
+  }
+
   TEST_CASE("a box that atoms do not fit into is reported; a missing one and wrong calls are refused") {
     const Folder folder;
     folder.file("two.csv", "x,y,z,r\n0,0,0,1\n30,0,0,1\n");
     folder.file("two.pdb", "ATOM      1  CA  ALA A   1       0.000   0.000   0.000  1.00  0.00           C\n");
     folder.file("flat.dump", frame(0, "0"));
+    folder.file("flat.csv", "x,y,z,r\n0,0,0,0.4\n");
     CHECK(folder.rbpa("balls two.csv --radii column:r --box 10")
               .err.find("atoms reach over 30 x 0 x 0, more than the box, which reaches over 10 x 10 x 10") !=
           std::string::npos);
@@ -78,7 +109,9 @@ TEST_SUITE("balls in a box") {
         {"two.pdb --box auto", "two.pdb: found no cell in frame 1, expected a cell for --box auto"},
         {"flat.dump --radius-default 1 --box auto", "flat.dump: found BOX BOUNDS without a volume"},
         {"two.pdb --box 9 --pockets p.csv", "--pockets cannot be combined with --box"},
-        {"two.pdb --box 9 --voids v.csv", "--voids cannot be combined with --box"}};
+        {"two.pdb --pores", "--pores requires --box"},
+        {"two.pdb --box 9 --voids v.obj", "--voids: found the ending '.obj', expected one of .csv"},
+        {"flat.csv --radii column:r --box 1,1,3000 --voids v.csv", "flat.csv: found a cell so flat"}};
     for (const auto& row : calls) {
       const std::string call = row.first, message = row.second;
       CAPTURE(call);

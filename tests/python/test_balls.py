@@ -351,9 +351,22 @@ def test_a_box_repeats_the_balls_with_all_images():
     assert pickle.loads(pickle.dumps(made)).cells.tolist() == [numpy.eye(3).tolist()]
 
 
+def test_voids_of_a_box_percolate_or_are_closed():
+    (closed,) = rbpa.balls([[0, 0, 0]], [0.75], box=1).voids
+    assert closed.dimension == 0 and closed.mouths == [] and closed.balls.tolist() == [0] and len(closed.simplices) == 0
+    assert closed.center == pytest.approx((0.5, 0.5, 0.5)) and closed.radius == pytest.approx(0.75**0.5 - 0.75)
+    frames = rbpa.balls([[[0, 0, 0]], [[0.5, 0, 0]]], [0.75], box=[[1, 1, 1], [1, 1, 2]])
+    assert [[one.dimension for one in voids] for voids in frames.voids] == [[0], [2]]
+    for volume, voids, size in zip(frames.volume, frames.voids, (1, 2)):
+        assert volume + voids[0].volume == pytest.approx(size, rel=1e-12)
+    assert [sizes.passing for sizes in frames.pore_sizes] == pytest.approx([0, 1.25**0.5 - 0.75])
+    with pytest.raises(rbpa.InvalidInput, match="pore_sizes: found balls without a box"):
+        rbpa.balls([[0, 0, 0]], [1]).pore_sizes
+
+
 def test_what_a_box_does_not_have_is_refused():
     lattice = rbpa.balls([[0, 0, 0]], [0.75], box=1)
-    for name in ("voids", "pockets", "simplices"):
+    for name in ("pockets", "simplices"):
         with pytest.raises(rbpa.InvalidInput, match="in a box that repeats"):
             getattr(lattice, name)
     with pytest.raises(rbpa.InvalidInput, match="filtration: found balls in a box"):

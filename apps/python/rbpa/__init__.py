@@ -53,7 +53,7 @@ Errors: ``InvalidInput`` (a ValueError) names a value that is not as expected; `
 from rbpa import meshops as meshops
 from rbpa import molecules as molecules
 from rbpa._alpha_shape import AlphaShape, alpha_shape, concave_hull
-from rbpa._balls import BallContacts, BallInterfaces, BallMouth, Balls, BallVoid, balls
+from rbpa._balls import BallContacts, BallInterfaces, BallMouth, Balls, BallVoid, PoreSizes, balls
 from rbpa._core import Cancelled, ContractViolation, InvalidInput
 from rbpa._core import version as __version__
 from rbpa._delaunay import Delaunay, DelaunayInSpace
@@ -72,7 +72,7 @@ from rbpa._void_tracks import VoidEvent, VoidTracks, follow_voids
 
 __all__ = [
     "AlphaShape", "AlphaShapes", "Delaunay", "DelaunayInSpace", "Filtration", "Plateau", "Polygon", "Polygons", "Representative",
-    "BallContacts", "BallFiltration", "BallInterfaces", "BallMouth", "Balls", "BallUnion", "BallVoid", "DanglingFaces", "DiscCurve", "Discs", "FullComplex", "PeriodicPart", "PeriodicSolid", "Solid", "SolidVoid",
+    "BallContacts", "BallFiltration", "BallInterfaces", "BallMouth", "Balls", "BallUnion", "BallVoid", "DanglingFaces", "DiscCurve", "Discs", "FullComplex", "PeriodicPart", "PeriodicSolid", "PoreSizes", "Solid", "SolidVoid",
     "SolidFiltration", "SolidPlateau", "SolidRepresentative", "VoidEvent", "VoidTracks", "VoidTree",
     "NotWatertight", "Surface", "SurfaceComponent", "SurfaceHole", "SurfaceRepair",
     "Cancelled", "ContractViolation", "InvalidInput", "PointFile", "__version__",

@@ -148,11 +148,15 @@ class BallVoid(NamedTuple):
     """A void or pocket of a union of balls, `Balls.voids` and `Balls.pockets`. Arrays are read-only."""
 
     volume: float
-    """The volume outside of the balls; `area` is the area of the spheres of the balls that faces this volume."""
+    """The volume outside of the balls; `area` is the area of the spheres of the balls that faces this volume. In a box,
+    what percolates has the sizes that it has per box."""
     area: float
     volume_of_tetrahedra: float
+    dimension: int
+    """In a box, the number of independent directions in which it percolates: 0 for a closed void, 1 for a channel, 2 for
+    a layer, 3 for a network. Without a box 0."""
     simplices: Indices
-    """Shape (k, 4): the tetrahedra, as corners."""
+    """Shape (k, 4): the tetrahedra, as corners; none in a box."""
     balls: Indices
     """The balls that line the void or pocket, ascending; `areas` has the area of each ball's sphere that faces it."""
     areas: Floats
@@ -163,6 +167,23 @@ class BallVoid(NamedTuple):
     """The power at which balls with the squared radii R² + power fill the void or pocket."""
     mouths: list[BallMouth]
     """The mouths of a pocket, the widest first; none for a void."""
+
+    def __repr__(self) -> str:
+        return short_repr(self)
+
+
+class PoreSizes(NamedTuple):
+    """The pores between balls in a box that repeats, `Balls.pore_sizes`: radii of balls that meet no ball. Zeo++ states
+    diameters: D_i = 2 `included`, D_f = 2 `passing`, D_if = 2 `on_the_way`."""
+
+    included: float
+    """Of the largest ball that fits in; 0 if none does."""
+    passing: float
+    """Of the largest ball that can move to its image, the greatest of `along`."""
+    on_the_way: float
+    """Of the largest ball that fits in where the passing one can move."""
+    along: tuple[float, float, float]
+    """For each edge of the box, of the largest ball that can move to an image along this edge; 0 if none can."""
 
     def __repr__(self) -> str:
         return short_repr(self)
@@ -273,11 +294,8 @@ class Balls(Result):
     def simplices(self) -> Any:
         """The tetrahedra of the regular triangulation of the balls with the probe: int32 array of shape (m, 4). Costs
         the triangulation."""
-        self._require_unchanged()
         self._require_no_box("simplices")
-        frames = self.centers if self.centers.ndim == 3 else self.centers[None]
-        radii = np.broadcast_to(self.radii + self.probe, frames.shape[:2])
-        found = [_core.regular_triangulation(frame, np.ascontiguousarray(row)) for frame, row in zip(frames, radii)]
+        found = [_core.regular_triangulation(centers, radii) for centers, radii, _ in self._frames(self.radii + self.probe)]
         freeze(*found)
         return found if self.centers.ndim == 3 else found[0]
 
@@ -293,14 +311,19 @@ class Balls(Result):
         if len(self.cells):
             raise InvalidInput(f"{what}: found balls in a box that repeats, expected balls without a box")
 
-    def _found(self, pockets: bool) -> Any:
-        """Returns the pockets if `pockets`, otherwise the voids; for several frames, a list for each frame."""
+    def _frames(self, radii: Floats) -> list[tuple[Floats, Floats, Floats]]:
+        """Returns centers, radii, and the edges of the box, if there is one, of each frame."""
         self._require_unchanged()
         frames = self.centers if self.centers.ndim == 3 else self.centers[None]
-        radii = np.broadcast_to(self.radii + self.probe, frames.shape[:2])
+        rows = np.ascontiguousarray(np.broadcast_to(radii, frames.shape[:2]))
+        cells: Any = self.cells if len(self.cells) == len(frames) else [self.cells.reshape(-1, 3)] * len(frames)
+        return list(zip(frames, rows, cells))
+
+    def _found(self, pockets: bool) -> Any:
+        """Returns the pockets if `pockets`, otherwise the voids; for several frames, a list for each frame."""
         all_frames = []
-        for frame, row in zip(frames, radii):
-            rows = _core.ball_voids(frame, np.ascontiguousarray(row), pockets, as_threads(None))[pockets]
+        for frame in self._frames(self.radii + self.probe):
+            rows = _core.ball_voids(*frame, pockets, as_threads(None))[pockets]
             found = [BallVoid._make((*one[:-1], [BallMouth(*mouth) for mouth in one[-1]])) for one in rows]
             for part in (part for one in found for part in (one, *one.mouths)):
                 freeze(*(value for value in part if isinstance(value, np.ndarray)))
@@ -310,9 +333,17 @@ class Balls(Result):
     @cached_property
     def voids(self) -> Any:
         """The voids that the balls with the probe enclose, a list of `BallVoid`, the largest first; for frames, a list
-        of lists. Computed at the first access."""
-        self._require_no_box("voids")
+        of lists. In a box, what percolates is in the list, too. Computed at the first access."""
         return self._found(False)
+
+    @cached_property
+    def pore_sizes(self) -> Any:
+        """The sizes of the pores between the balls without the probe in a box that repeats, `PoreSizes`; for frames, a
+        list. Computed at the first access."""
+        if not len(self.cells):
+            raise InvalidInput("pore_sizes: found balls without a box, expected balls in a box that repeats (box=)")
+        found = [PoreSizes._make(_core.pore_sizes(*frame, as_threads(None))) for frame in self._frames(self.radii)]
+        return found if self.centers.ndim == 3 else found[0]
 
     @cached_property
     def pockets(self) -> Any:

@@ -155,7 +155,7 @@ struct BallsArguments : OutputArguments {
   std::optional<std::string> format, where, models, radii, radius_default, box, contacts, interfaces, voids, pockets,
       group;
   std::string probe = "0";
-  bool waters = false, no_ligands = false, no_hydrogens = false, alternates = false, json = false;
+  bool waters = false, no_ligands = false, no_hydrogens = false, alternates = false, pores = false, json = false;
   RunArguments run;
 };
 void run_balls(const BallsArguments& arguments);

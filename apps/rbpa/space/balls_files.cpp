@@ -204,6 +204,11 @@ Json json_of(double probe, const BallRadii& radii, const std::vector<BallTotals>
                                 {"area_vdw", frame.area_without_probe},
                                 {"volume_molecular", nullptr},  // not computed
                                 {"area_molecular", nullptr}});
+    if (frame.pores)
+      report["frames"].back()["pores"] = {{"radius_included", frame.pores->included},
+                                          {"radius_passing", frame.pores->passing},
+                                          {"radius_on_the_way", frame.pores->on_the_way},
+                                          {"radii_along_edges", frame.pores->along}};
   }
   return report;
 }

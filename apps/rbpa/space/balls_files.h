@@ -16,6 +16,7 @@
 #include "rbpa/space/balls/ball_interfaces.h"
 #include "rbpa/space/balls/ball_voids.h"
 #include "rbpa/space/balls/periodic_balls.h"
+#include "rbpa/space/balls/pore_sizes.h"
 #include "rbpa/space/balls/regular_triangulation.h"
 
 namespace rbpa::app {
@@ -30,6 +31,7 @@ struct BallTotals {
   std::size_t kept = 0, buried = 0;  ///< numbers of atoms, and of atoms without an area
   double volume = 0, area = 0, volume_without_probe = 0, area_without_probe = 0;
   std::optional<double> cell_volume = std::nullopt;  ///< of the box that repeats
+  std::optional<PoreSizes> pores = std::nullopt;     ///< between the balls without the probe
 };
 
 struct MeasuredAtoms : BallTotals {

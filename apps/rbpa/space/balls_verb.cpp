@@ -19,6 +19,8 @@
 #include "shared/verbs.h"
 #include "space/balls_files.h"
 #include "space/balls_voids.h"
+#include "space/periodic_report.h"
+#include "space/void_files.h"
 
 namespace rbpa::app {
 namespace {
@@ -92,17 +94,17 @@ BallsRequest parse(const BallsArguments& arguments) {
   if (arguments.box) {
     if (*arguments.box == "auto") require_molecule(request.format, "--box auto", "without a cell");
     request.box = parse_cell(*arguments.box);
-    refuse_given({{arguments.interfaces.has_value(), "--interfaces"},
-                  {arguments.voids.has_value(), "--voids"},
-                  {arguments.pockets.has_value(), "--pockets"}},
+    refuse_given({{arguments.interfaces.has_value(), "--interfaces"}, {arguments.pockets.has_value(), "--pockets"}},
                  "cannot be combined with --box");
   }
+  if (arguments.pores && !arguments.box) throw WrongUsage("--pores requires --box");
   if (arguments.group) request.groups = parse_groups(*arguments.group, request.choice);
   if (arguments.interfaces && !arguments.group) throw WrongUsage("--interfaces requires --group");
   for (const auto& [option, path] :
        {std::pair("--contacts", &arguments.contacts), {"--interfaces", &arguments.interfaces}})
     if (*path) target_of(option, **path, Use::rows);
   if (arguments.voids) request.voids = target_of("--voids", *arguments.voids, Use::voids).format;
+  if (arguments.voids && arguments.box) require_table_of_voids(*arguments.voids, request.voids);
   if (arguments.pockets) request.pockets = target_of("--pockets", *arguments.pockets, Use::voids).format;
   std::vector<std::string> reports =
       given({arguments.stats, arguments.contacts, arguments.interfaces, arguments.voids, arguments.pockets});
@@ -138,8 +140,9 @@ class BallsRun : public Run {
   bool are_atoms_ = true;
   bool has_frames_ = false;  // whether rows have the number of their frame
   std::vector<BallRows> tables_ = {};
-  std::vector<BallVoidRows> voids_ = {};  // files of voids and of pockets
-  std::size_t void_count_ = 0, pocket_count_ = 0;
+  std::vector<BallVoidRows> voids_ = {};     // files of voids and of pockets
+  std::array<std::size_t, 4> void_count_{};  // by the number of directions in which they percolate
+  std::size_t pocket_count_ = 0;
   std::vector<BallTotals> frames_ = {};
   std::atomic<std::size_t> done_ = 0;  // number of finished atoms
   double read_seconds_ = 0, measure_seconds_ = 0, write_seconds_ = 0;
@@ -168,8 +171,10 @@ void BallsRun::begin_tables(const AtomFrame& first) {
   for (const Target& target : request_.targets) begin(target.path, BallRows::Of::atoms);
   if (arguments_.contacts) begin(*arguments_.contacts, BallRows::Of::contacts);
   if (arguments_.interfaces) begin(*arguments_.interfaces, BallRows::Of::interfaces);
-  if (arguments_.voids) voids_.emplace_back(files().add(*arguments_.voids), request_.voids, has_frames_, false);
-  if (arguments_.pockets) voids_.emplace_back(files().add(*arguments_.pockets), request_.pockets, has_frames_, true);
+  if (arguments_.voids)
+    voids_.emplace_back(files().add(*arguments_.voids), request_.voids, has_frames_, request_.box.has_value(), false);
+  if (arguments_.pockets)
+    voids_.emplace_back(files().add(*arguments_.pockets), request_.pockets, has_frames_, false, true);
 }
 
 /// Prints a warning, unless quiet, if the atoms of a frame reach over more than the box along an axis of space.
@@ -253,7 +258,11 @@ void BallsRun::measure(std::vector<MeasuredAtoms>& some) {
         some[f].interfaces =
             ball_interfaces(centers[f], some[f].radii, tables_.back().groups_of(some[f].rows),
                             {.probe = request_.probe, .threads = options().threads, .progress = watch});
-      if (!voids_.empty()) find_voids(some[f], request_.probe, arguments_.pockets.has_value(), options().threads);
+      if (!voids_.empty())
+        find_voids(some[f], centers[f], request_.probe, arguments_.pockets.has_value(), options().threads);
+      if (arguments_.pores)
+        some[f].pores =
+            pore_sizes(centers[f], some[f].radii, *some[f].cell, {.threads = options().threads, .progress = watch});
     }
   } catch (const InvalidInput& e) {
     throw BadInput(input() + ": " + e.what());
@@ -274,7 +283,7 @@ std::vector<std::string> BallsRun::process() {
     for (const MeasuredAtoms& frame : some) {
       for (BallRows& table : tables_) table.write(frame);
       for (BallVoidRows& table : voids_) table.write(frame);
-      void_count_ += frame.voids.voids.size();
+      for (const BallVoid& hollow : frame.voids.voids) ++void_count_[hollow.dimension];
       pocket_count_ += frame.voids.pockets.size();
       frames_.push_back(frame);
       done_ += frame.kept;
@@ -298,8 +307,15 @@ void BallsRun::run() {
   publish();
   std::vector<std::string> lines = text_of(request_.probe, request_.radii, frames_, are_atoms_ ? "atom" : "point");
   if (!voids_.empty())
-    lines.push_back("with the probe: " + counted(void_count_, "void") +
+    lines.push_back("with the probe: " + (request_.box ? text_of_voids(void_count_) : counted(void_count_[0], "void")) +
                     (arguments_.pockets ? ", " + counted(pocket_count_, "pocket") : ""));
+  if (arguments_.pores && frames_.size() == 1) {
+    const PoreSizes& pores = *frames_[0].pores;
+    lines.push_back("without the probe: a ball of radius " + rounded(pores.included, 6) + " fits in, one of " +
+                    rounded(pores.passing, 6) + " passes, with " + rounded(pores.on_the_way, 6) +
+                    " on its way; along the edges " + rounded(pores.along[0], 6) + ", " + rounded(pores.along[1], 6) +
+                    ", " + rounded(pores.along[2], 6));
+  }
   std::vector<std::string> paths =
       given({arguments_.contacts, arguments_.interfaces, arguments_.voids, arguments_.pockets});
   for (auto target = request_.targets.rbegin(); target != request_.targets.rend(); ++target)

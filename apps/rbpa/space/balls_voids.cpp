@@ -9,6 +9,7 @@
 
 #include "io/interrupt.h"
 #include "rbpa/base/triangle.h"
+#include "rbpa/space/balls/periodic_voids.h"
 #include "space/void_files.h"
 
 namespace rbpa::app {
@@ -29,23 +30,23 @@ struct MouthSizes {
 
 }  // namespace
 
-void find_voids(MeasuredAtoms& frame, double probe, bool pockets, MaxThreads threads) {
-  std::vector<Point3> centers;
-  std::vector<double> radii;
-  for (std::size_t i = 0; i < frame.rows.size(); ++i) {
-    centers.push_back(frame.rows[i].center);
-    radii.push_back(frame.radii[i] + probe);
-  }
+void find_voids(MeasuredAtoms& frame, std::span<const Point3> centers, double probe, bool pockets, MaxThreads threads) {
+  std::vector<double> radii = frame.radii;
+  for (double& radius : radii) radius += probe;
   const auto progress = [](const Progress&) { return !interrupted(); };
+  if (frame.cell) {
+    frame.voids = periodic_ball_voids(centers, radii, *frame.cell, {.threads = threads, .progress = progress});
+    return;
+  }
   frame.cells = regular_triangulation(centers, radii, {.threads = threads, .progress = progress});
   frame.voids = ball_voids(centers, radii, frame.cells, {.pockets = pockets, .threads = threads, .progress = progress});
 }
 
-BallVoidRows::BallVoidRows(OutputFile& file, Format format, bool has_frames, bool of_pockets)
-    : file_(file), format_(format), has_frames_(has_frames), of_pockets_(of_pockets) {
+BallVoidRows::BallVoidRows(OutputFile& file, Format format, bool has_frames, bool has_cells, bool of_pockets)
+    : file_(file), format_(format), has_frames_(has_frames), has_cells_(has_cells), of_pockets_(of_pockets) {
   if (format == Format::csv)
     file.write_all(has_frames ? "frame," : "", volume_columns(ComplexKind::full), ",area,x,y,z,radius_max,",
-                   of_pockets ? "mouths,mouth_area,mouth_radius_max," : "", "points\n");
+                   has_cells ? "dimension," : "", of_pockets ? "mouths,mouth_area,mouth_radius_max," : "", "points\n");
 }
 
 void BallVoidRows::write(const MeasuredAtoms& frame) {
@@ -73,6 +74,7 @@ void BallVoidRows::write_row(const MeasuredAtoms& frame, const BallVoid& hollow,
   write_volumes(file_, number, hollow.volume_of_tetrahedra, hollow.volume);
   file_.write_all(",", hollow.area, ",", hollow.center.x, ",", hollow.center.y, ",", hollow.center.z, ",",
                   hollow.radius);
+  if (has_cells_) file_.write_all(",", hollow.dimension);
   if (of_pockets_) {
     const MouthSizes mouths(hollow);
     file_.write_all(",", hollow.mouths.size(), ",", mouths.area, ",", mouths.radius);
@@ -92,6 +94,7 @@ void BallVoidRows::write_json(const MeasuredAtoms& frame, const BallVoid& hollow
   one.update(Json{{"area", hollow.area},
                   {"center", {hollow.center.x, hollow.center.y, hollow.center.z}},
                   {"radius_max", hollow.radius}});
+  if (has_cells_) one["dimension"] = hollow.dimension;
   if (of_pockets_) {
     one["mouths"] = Json::array();
     for (const BallMouth& mouth : hollow.mouths)

@@ -13,18 +13,20 @@
 
 namespace rbpa::app {
 
-/// Finds the voids of the balls with the probe, and with `pockets` also the pockets. Throws InvalidInput, Cancelled.
-void find_voids(MeasuredAtoms& frame, double probe, bool pockets, MaxThreads threads);
+/// Finds the voids of the balls with the probe: in the cell, if the frame has one, or else with `pockets` also the
+/// pockets. Throws InvalidInput, Cancelled.
+void find_voids(MeasuredAtoms& frame, std::span<const Point3> centers, double probe, bool pockets, MaxThreads threads);
 
 /// Writes voids or pockets, frame by frame; pockets with their mouths.
-/// CSV:  a line for each void or pocket.
+/// CSV:  a line for each void or pocket; in cells with the number of directions in which it percolates.
 /// JSON: a list of the values of CSV without the number, and of the areas of the balls around.
 /// OBJ:  a group void_1, void_2 … for each (frame_1_void_1 … with several frames) with its own vertices: the surface of
 ///       the tetrahedra. Triangles face outward from the void, as if the void were a body.
 class BallVoidRows {
  public:
-  /// Begins the file. Keeps a reference to `file`. Requires: `format` is one of Use::voids.
-  BallVoidRows(OutputFile& file, Format format, bool has_frames, bool of_pockets);
+  /// Begins the file. Keeps a reference to `file`. Requires: `format` is one of Use::voids; for frames with cells it is
+  /// csv or json, and the rows are not those of pockets.
+  BallVoidRows(OutputFile& file, Format format, bool has_frames, bool has_cells, bool of_pockets);
 
   void write(const MeasuredAtoms& frame);
   void finish();
@@ -36,7 +38,7 @@ class BallVoidRows {
 
   OutputFile& file_;
   Format format_;
-  bool has_frames_, of_pockets_;
+  bool has_frames_, has_cells_, of_pockets_;
   std::size_t size_ = 0, vertices_ = 0;
 };
 

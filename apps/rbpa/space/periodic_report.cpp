@@ -50,12 +50,11 @@ Json json_of(const PeriodicPart& part, bool is_void, const PointNames& names) {
   return json;
 }
 
-/// Returns "1 closed void, 2 voids that percolate in 1 direction, 1 void that percolates in 3 directions".
-std::string text_of_voids(std::span<const PeriodicPart> voids) {
-  std::array<std::size_t, 4> count{};
-  for (const PeriodicPart& part : voids) ++count[part.dimension];
+}  // namespace
+
+std::string text_of_voids(const std::array<std::size_t, 4>& count) {
   std::string text = counted(count[0], "closed void");
-  if (count[0] == voids.size()) return text + ", 0 voids that percolate";
+  if (count[1] + count[2] + count[3] == 0) return text + ", 0 voids that percolate";
   for (std::size_t d = 1; d < count.size(); ++d)
     if (count[d] > 0)
       text += ", " + counted(count[d], "void") + (count[d] == 1 ? " that percolates in " : " that percolate in ") +
@@ -63,13 +62,13 @@ std::string text_of_voids(std::span<const PeriodicPart> voids) {
   return text;
 }
 
-}  // namespace
-
 std::string text_of_periodic(const PeriodicFacts& facts) {
   const PeriodicTopology& topology = *facts.topology;
+  std::array<std::size_t, 4> voids{};
+  for (const PeriodicPart& part : topology.voids) ++voids[part.dimension];
   return std::to_string(topology.tetrahedra) + (topology.tetrahedra == 1 ? " tetrahedron, " : " tetrahedra, ") +
-         counted(topology.solid_components.size(), "solid component") + ", " + text_of_voids(topology.voids) +
-         ", volume " + rounded(topology.volume, 6) + ", area " + rounded(topology.area, 6) + " (voids of the " +
+         counted(topology.solid_components.size(), "solid component") + ", " + text_of_voids(voids) + ", volume " +
+         rounded(topology.volume, 6) + ", area " + rounded(topology.area, 6) + " (voids of the " +
          (facts.walls == ComplexKind::full ? "full complex)" : "solid)");
 }
 

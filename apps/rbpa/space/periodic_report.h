@@ -1,6 +1,7 @@
 // What: reports on a periodic solid (`rbpa solid --box`) as text, JSON and a table.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -23,6 +24,10 @@ struct PeriodicFacts {
   std::optional<PeriodicTopology> topology = {};  ///< nullopt if the topology is not counted
   double read_seconds = 0, build_seconds = 0, count_seconds = 0, write_seconds = 0;
 };
+
+/// Returns "1 closed void, 2 voids that percolate in 1 direction, 1 void that percolates in 3 directions" for the
+/// numbers of voids of each dimension.
+std::string text_of_voids(const std::array<std::size_t, 4>& count);
 
 /// Returns "12 tetrahedra, 2 solid components, 1 closed void, 1 void that percolates in 3 directions, volume 2.5, area
 /// 8 (voids of the full complex)".

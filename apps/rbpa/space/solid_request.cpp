@@ -27,8 +27,6 @@ Point3 parse_box(const std::string& text) {
   return {sides.front(), sides[sides.size() / 2], sides.back()};
 }
 
-bool is_table_of_voids(Format format) { return format == Format::csv || format == Format::json; }
-
 /// Throws WrongUsage for options that cannot be combined with --box.
 void check_box(const SolidArguments& arguments, const SolidRequest& request) {
   if (request.alpha.rule == AlphaRule::plateau)
@@ -39,9 +37,7 @@ void check_box(const SolidArguments& arguments, const SolidRequest& request) {
                 {arguments.voids_above.has_value(), "--voids-above"},
                 {arguments.top.has_value(), "--top"}},
                "cannot be combined with --box");
-  if (request.voids && !is_table_of_voids(request.voids->format))
-    bad_usage("--voids", "the ending " + in_quotes(ending(request.voids->path)),
-              "one of " + endings(Use::voids, is_table_of_voids) + " with --box, as periodic voids may be unbounded");
+  if (request.voids) require_table_of_voids(request.voids->path, request.voids->format);
 }
 
 /// Parses --complex. The default is the full complex for --voids, --pockets and --box, as triangles without a

@@ -20,17 +20,17 @@ namespace {
 
 using space::Boxes;
 using space::PeriodicRegular;
-constexpr std::uint32_t none = PeriodicRegular::none;
 
 /// The parts of the tetrahedra outside of the dual complex, connected across triangles that are not in it.
-struct Parts {
+struct VoidParts {
   std::vector<BallVoid> all;           // with their tetrahedra, as tetrahedra of PeriodicRegular::cells
   std::vector<std::uint32_t> part_of;  // of each kept tetrahedron
 
-  Parts(const PeriodicRegular& regular, const space::FacesWithin& faces) : part_of(regular.kept.size(), none) {
+  VoidParts(const PeriodicRegular& regular, const space::FacesWithin& faces)
+      : part_of(regular.kept.size(), PeriodicRegular::none) {
     std::vector<Boxes> place(regular.kept.size());
     for (std::uint32_t first = 0; first < part_of.size(); ++first) {
-      if (part_of[first] != none || faces.has_tetrahedron(regular.kept[first])) continue;
+      if (part_of[first] != PeriodicRegular::none || faces.has_tetrahedron(regular.kept[first])) continue;
       BallVoid& of = all.emplace_back();
       space::Rank directions;
       std::vector<std::uint32_t> found = {first};
@@ -41,7 +41,7 @@ struct Parts {
           if (faces.has_triangle(regular.kept[i], k)) continue;
           const auto& [other, moved] = regular.neighbors[i][k];
           const Boxes there = {place[i][0] + moved[0], place[i][1] + moved[1], place[i][2] + moved[2]};
-          if (part_of[other] == none) {
+          if (part_of[other] == PeriodicRegular::none) {
             part_of[other] = part_of[i];
             place[other] = there;
             found.push_back(other);
@@ -58,7 +58,7 @@ struct Parts {
 };
 
 /// Returns a margin within which are all images that meet the largest balls with centers in these parts.
-double required_margin(const PeriodicRegular& regular, const Parts& parts) {
+double required_margin(const PeriodicRegular& regular, const VoidParts& parts) {
   double diameter = 0;
   for (const BallVoid& of : parts.all)
     for (const std::uint32_t t : of.tetrahedra)
@@ -69,24 +69,24 @@ double required_margin(const PeriodicRegular& regular, const Parts& parts) {
 }
 
 /// Returns an image of p in the cell, up to rounding.
-Point3 in_cell(Point3 p, const RepeatingCell& cell) {
+Point3 moved_into(Point3 p, const RepeatingCell& cell) {
   const std::array<double, 3> along = space::CellAxes(cell).along(p);
   for (const auto c : {&Point3::x, &Point3::y, &Point3::z})
     for (std::size_t k = 0; k < 3; ++k) p.*c -= std::floor(along[k]) * (cell.edges[k].*c);
   return p;
 }
 
-class Measurer {
+class VoidMeasurer {
  public:
-  Measurer(const PeriodicRegular& regular, const space::Hollows& hollows, Parts parts, Threads& threads,
-           const GoOn& go_on)
+  VoidMeasurer(const PeriodicRegular& regular, const space::Hollows& hollows, VoidParts parts, Threads& threads,
+               const GoOn& go_on)
       : regular_(regular), hollows_(hollows), parts_(std::move(parts)), threads_(threads), go_on_(go_on) {}
 
   std::vector<BallVoid> all() {
     std::vector<BallVoid>& all = parts_.all;
     measure(all);
     // Each place has an image in a kept tetrahedron: the largest ball is looked for only there.
-    std::vector<std::uint32_t> region(regular_.cells.simplices.size(), none);
+    std::vector<std::uint32_t> region(regular_.cells.simplices.size(), PeriodicRegular::none);
     for (std::uint32_t i = 0; i < all.size(); ++i)
       for (const std::uint32_t t : all[i].tetrahedra) region[t] = i;
     const space::Grouped images(regular_.ball.size(), regular_.ball.size(),
@@ -112,7 +112,7 @@ class Measurer {
   void measure(std::vector<BallVoid>& all) {
     std::vector<std::uint32_t> region(regular_.kept_as);
     for (std::uint32_t& of : region)
-      if (of != none) of = parts_.part_of[of];
+      if (of != PeriodicRegular::none) of = parts_.part_of[of];
     std::vector<ExactSum> tetrahedra(all.size()), outside(all.size()), area(all.size());
     for (std::size_t i = 0; i < all.size(); ++i)
       for (const std::uint32_t t : all[i].tetrahedra)
@@ -135,7 +135,7 @@ class Measurer {
 
   const PeriodicRegular& regular_;
   const space::Hollows& hollows_;
-  Parts parts_;
+  VoidParts parts_;
   Threads& threads_;
   const GoOn& go_on_;
 };
@@ -154,15 +154,15 @@ BallVoids periodic_ball_voids(std::span<const Point3> centers, std::span<const d
   for (double margin = 0;;) {
     const PeriodicRegular regular = space::periodic_regular(centers, radii, cell, margin, options);
     const space::Hollows hollows(regular.centers, regular.radii, regular.cells, threads, go_on);
-    Parts parts(regular, hollows.faces());
+    VoidParts parts(regular, hollows.faces());
     margin = required_margin(regular, parts);
     if (margin > regular.margin) continue;
-    result.voids = Measurer(regular, hollows, std::move(parts), threads, go_on).all();
+    result.voids = VoidMeasurer(regular, hollows, std::move(parts), threads, go_on).all();
     break;
   }
   for (BallVoid& of : result.voids) {
     of.tetrahedra.clear();
-    of.center = in_cell(of.center, cell);
+    of.center = moved_into(of.center, cell);
     result.volume += of.volume;
     result.area += of.area;
   }

@@ -17,7 +17,6 @@ using Image = PeriodicRegular::Image;
 using Row = std::array<std::uint32_t, 4>;
 constexpr std::array<double Point3::*, 3> coordinates = {&Point3::x, &Point3::y, &Point3::z};
 constexpr Boxes in_cell = {0, 0, 0};
-constexpr std::uint32_t none = PeriodicRegular::none;
 constexpr std::int32_t most_layers = 100;  // of images on each side of the cell
 constexpr double most_images = 0x1p26;
 
@@ -44,6 +43,7 @@ class Lattice {
 
   const CellAxes& axes() const { return axes_; }
   double volume() const { return RepeatingCell{edges_}.volume(); }
+  const std::array<std::array<std::int64_t, 3>, 3>& sums() const { return sums_; }
 
   /// Returns an image of p in the cell, up to rounding. Throws InvalidInput that names center i if p is too far away.
   Point3 wrapped(const Point3& p, std::size_t i) const {
@@ -82,18 +82,22 @@ class Lattice {
           const Point3 shorter = moved(edges_[i], offset);
           if (!(product(shorter, shorter) < product(edges_[i], edges_[i]))) continue;
           edges_[i] = shorter;
+          for (std::size_t k = 0; k < 3; ++k) sums_[i][k] += offset[j] * sums_[j][k];
           unchanged = 0;
         }
   }
 
   std::array<Point3, 3> edges_;
+  std::array<std::array<std::int64_t, 3>, 3> sums_ = {
+      {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // edges_ in edges of the cell
   CellAxes axes_;
   std::array<double, 3> step_{};
 };
 
-class Finder {
+class CellFinder {
  public:
-  Finder(std::span<const Point3> centers, std::span<const double> radii, const RepeatingCell& cell) : lattice_(cell) {
+  CellFinder(std::span<const Point3> centers, std::span<const double> radii, const RepeatingCell& cell)
+      : lattice_(cell) {
     std::vector<Point3> places;
     for (std::size_t i = 0; i < centers.size(); ++i) places.push_back(lattice_.wrapped(centers[i], i));
     order_.resize(centers.size());
@@ -119,6 +123,7 @@ class Finder {
                                            {.threads = options.threads, .progress = options.progress});
       if (is_linked()) break;
     }
+    found_.edges = lattice_.sums();
     for (std::uint32_t& ball : found_.ball) ball = order_[ball];
     return std::move(found_);
   }
@@ -163,12 +168,12 @@ class Finder {
 
   bool is_in_cell(std::uint32_t image) const { return found_.offsets[image] == in_cell; }
 
-  /// Returns the number of an image, none if it is not within the margin.
+  /// Returns the number of an image, or PeriodicRegular::none if it is not within the margin.
   std::uint32_t number_of(std::uint32_t ball, const Boxes& offset) const {
     const Copies& copies = copies_[ball];
     std::uint32_t number = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (offset[k] < copies.low[k] || offset[k] > copies.high[k]) return none;
+      if (offset[k] < copies.low[k] || offset[k] > copies.high[k]) return PeriodicRegular::none;
       number = number * static_cast<std::uint32_t>(copies.high[k] - copies.low[k] + 1) +
                static_cast<std::uint32_t>(offset[k] - copies.low[k]);
     }
@@ -181,7 +186,7 @@ class Finder {
     const Boxes moved = found_.offsets[row[0]];
     for (std::uint32_t& corner : row) {
       corner = number_of(found_.ball[corner], minus(found_.offsets[corner], moved));
-      if (corner == none) return {};
+      if (corner == PeriodicRegular::none) return {};
     }
     const auto at = std::lower_bound(kept_rows_.begin(), kept_rows_.end(), row);
     if (at == kept_rows_.end() || *at != row) return {};
@@ -205,12 +210,14 @@ class Finder {
 
   /// Finds the images of the tetrahedra at balls in the cell. Returns whether all are images of kept ones.
   bool has_stars() {
-    found_.kept_as.assign(found_.cells.simplices.size(), none);
+    found_.kept_as.assign(found_.cells.simplices.size(), PeriodicRegular::none);
     for (std::uint32_t t = 0; t < found_.kept_as.size(); ++t) {
       const Row &row = found_.cells.simplices[t], &beyond = found_.cells.neighbors[t];
       if (std::none_of(row.begin(), row.end(), [&](std::uint32_t corner) { return is_in_cell(corner); })) continue;
       found_.kept_as[t] = image_of(t).kept;
-      if (found_.kept_as[t] == none || std::find(beyond.begin(), beyond.end(), none) != beyond.end()) return false;
+      if (found_.kept_as[t] == PeriodicRegular::none ||
+          std::find(beyond.begin(), beyond.end(), PeriodicRegular::none) != beyond.end())
+        return false;
     }
     return true;
   }
@@ -221,7 +228,7 @@ class Finder {
       auto& row = found_.neighbors.emplace_back();
       for (std::size_t k = 0; k < 4; ++k) {
         row[k] = image_of(found_.cells.neighbors[t][k]);
-        if (row[k].kept == none) return false;
+        if (row[k].kept == PeriodicRegular::none) return false;
       }
     }
     for (std::uint32_t i = 0; i < found_.kept.size(); ++i)
@@ -260,7 +267,7 @@ class Finder {
 
 PeriodicRegular periodic_regular(std::span<const Point3> centers, std::span<const double> radii,
                                  const RepeatingCell& cell, double least_margin, const SolidOptions& options) {
-  return Finder(centers, radii, cell).find(least_margin, options);
+  return CellFinder(centers, radii, cell).find(least_margin, options);
 }
 
 }  // namespace rbpa::space

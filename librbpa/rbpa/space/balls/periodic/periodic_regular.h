@@ -23,14 +23,16 @@ namespace rbpa::space {
 struct PeriodicRegular {
   static constexpr std::uint32_t none = RegularTriangulation::none;
 
-  /// An image of kept tetrahedron `kept`, moved by numbers of edges.
+  /// An image of kept tetrahedron `kept`, moved by numbers of `edges`.
   struct Image {
     std::uint32_t kept = none;
     Boxes moved = {0, 0, 0};
   };
 
+  /// The edges by which images are moved: sums of edges of the cell, with these numbers of each.
+  std::array<std::array<std::int64_t, 3>, 3> edges{};
   std::vector<std::uint32_t> ball;  ///< input ball of each image
-  std::vector<Boxes> offsets;       ///< of each image from the cell, in edges; 0 for a ball in the cell
+  std::vector<Boxes> offsets;       ///< of each image from the cell, in `edges`; 0 for a ball in the cell
   std::vector<Point3> centers;      ///< of each image
   std::vector<double> radii;        ///< of each image
   RegularTriangulation cells;       ///< triangulation of the images, with neighbors; right near the cell
