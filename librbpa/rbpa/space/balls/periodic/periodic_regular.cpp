@@ -205,7 +205,7 @@ class CellFinder {
       volumes.add(volume<double>(found_.centers, simplices[t]) / lattice_.volume());
     }
     if (!(std::abs(volumes.rounded() - 1) < 0.5)) return false;
-    return has_stars() && has_neighbors() && has_balls();
+    return has_stars() && has_neighbors();
   }
 
   /// Finds the images of the tetrahedra at balls in the cell. Returns whether all are images of kept ones.
@@ -240,18 +240,6 @@ class CellFinder {
         if (std::none_of(back.begin(), back.end(), is_back)) return false;
       }
     return true;
-  }
-
-  /// Returns whether every ball is a corner of a kept tetrahedron, or is hidden or a duplicate in the cell.
-  bool has_balls() const {
-    std::vector<bool> is_done(places_.size(), false);
-    const auto finish = [&](std::uint32_t image) { is_done[found_.ball[image]] = true; };
-    for (const Row& row : kept_rows_) std::for_each(row.begin(), row.end(), finish);
-    for (const std::uint32_t image : found_.cells.hidden)
-      if (is_in_cell(image)) finish(image);
-    for (const Duplicate& duplicate : found_.cells.duplicates)
-      if (is_in_cell(duplicate.index)) finish(duplicate.index);
-    return std::find(is_done.begin(), is_done.end(), false) == is_done.end();
   }
 
   Lattice lattice_;
