@@ -37,6 +37,21 @@ def test_a_void_that_opens_splits_joins_and_closes_has_these_events(seed):
         tracks[0][0] = 7
 
 
+def test_voids_are_followed_across_the_sides_of_a_box_that_shears():
+    _, radii, centers = cage(5)
+    some = [*range(28, 32), *range(58, 62), *range(78, 82), *range(88, 92)]
+    boxes = numpy.array([[[5, 0, 0], [0.02 * f, 5, 0], [1, -0.03 * f, 7]] for f in some])
+    inside = numpy.einsum("fni,fij->fnj", centers[some] + [2.2, 3.1, 4.7], numpy.linalg.inv(boxes)) % 1  # in edges
+    frames = rbpa.balls(numpy.einsum("fni,fij->fnj", inside, boxes), radii[some], box=boxes)
+    closed = [[void for void in voids if void.dimension == 0] for voids in frames.voids]
+    assert [len(voids) - len(of) for voids, of in zip(frames.voids, closed)] == [1] * 16  # the space around
+    events = rbpa.follow_voids(closed).events
+    assert [(some[event.frame], event.kind) for event in events] == [(30, "joins"), (60, "splits"), (80, "dies"), (90, "born")]
+    alone = rbpa.balls(centers[some], radii[some])
+    sizes = [[void.volume for of in voids for void in of] for voids in (closed, alone.voids)]
+    assert sizes[0] == pytest.approx(sizes[1], rel=1e-9)
+
+
 def test_pockets_are_followed_too_and_an_order_of_frames_is_turned_around():
     _, radii, centers = cage(4)
     frames = rbpa.balls(centers[70:95], radii[70:95])
