@@ -1,6 +1,7 @@
 """Unions of balls with a radius each, atoms with names and radii, and frames."""
 
 import math
+import os
 import pathlib
 import pickle
 import shutil
@@ -11,6 +12,7 @@ import pytest
 import rbpa
 
 LYSOZYME = pathlib.Path(__file__).parents[1] / "data/mol3_2lyz.pdb"
+FURTHER = pathlib.Path(os.environ.get("RBPA_DATA_DIR", os.devnull))
 
 
 def some(seed, *shape):
@@ -287,6 +289,25 @@ def test_a_hollow_shell_has_one_void_that_all_line_and_a_pocket_where_a_ball_is_
     assert mouth.radius == pytest.approx(0.25) and mouth.area > 0 and len(mouth.balls) == 4 and void.volume < pocket.volume
     with pytest.raises(ValueError):
         void.areas[0] = 1
+
+
+def test_the_largest_pocket_of_lysozyme_is_its_active_cleft():
+    atoms = rbpa.molecules.read(LYSOZYME)
+    largest, *others = rbpa.balls(atoms, "bondi", 1.4).pockets
+    cleft = numpy.isin(atoms.residue_numbers, [35, 52, 57, 59, 62, 63, 98, 101, 103, 107, 108])
+    assert 2 * cleft[largest.balls].sum() > len(largest.balls) and {35, 52} & {*atoms.residue_numbers[largest.balls]}
+    assert all(cleft[pocket.balls].sum() < cleft[largest.balls].sum() for pocket in others)
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("name, ligand, others, share", [("mol3_4cup.cif", "ZYB", ["MOH"], 0.7), ("mol3_7cfn.cif", "FX0", ["CLR", "PLM"], 0.5)])
+def test_a_pocket_is_the_site_of_the_ligand_that_is_left_out(name, ligand, others, share):
+    if not (FURTHER / name).exists():
+        pytest.skip(f"there is no {name} in {FURTHER}")
+    atoms = rbpa.molecules.read(FURTHER / name)
+    bound, rest = atoms.positions[atoms.residues == ligand], atoms[~numpy.isin(atoms.residues, [ligand, *others])]
+    is_near = (numpy.linalg.norm(rest.positions[:, None] - bound, axis=2) < 4.5).any(axis=1)
+    assert max(is_near[pocket.balls].sum() for pocket in rbpa.balls(rest, "bondi", 1.4).pockets) > share * is_near.sum()
 
 
 def test_interfaces_are_what_areas_of_unions_leave():
