@@ -59,6 +59,7 @@ struct VoidParts {
 
 /// Returns a margin within which are all images that meet the largest balls with centers in these parts.
 double required_margin(const PeriodicRegular& regular, const VoidParts& parts) {
+  if (parts.all.empty()) return 0;
   double diameter = 0;
   for (const BallVoid& of : parts.all)
     for (const std::uint32_t t : of.tetrahedra)
