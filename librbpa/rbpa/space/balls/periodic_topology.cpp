@@ -28,6 +28,20 @@ Triangle outer_face(const PeriodicSolid& solid, std::uint32_t t, std::size_t k) 
   return space::outer_face(solid.simplices[t], k);
 }
 
+/// Returns by how many boxes the neighbor across from corner k of tetrahedron t must be moved to share the face with t.
+Boxes step_across(const PeriodicSolid& solid, std::uint32_t t, std::size_t k) {
+  const std::uint32_t common = solid.simplices[t][space::outer_faces[k][0]];
+  const auto& beyond = solid.simplices[solid.neighbors[t][k]];
+  if (std::find(beyond.begin(), beyond.end(), common) != beyond.end()) return nowhere;  // nearly always
+  const PeriodicVertex& here = solid.vertices[common];
+  for (const std::uint32_t corner : beyond) {
+    const PeriodicVertex& there = solid.vertices[corner];
+    if (there.point == here.point)
+      return {here.offset[0] - there.offset[0], here.offset[1] - there.offset[1], here.offset[2] - there.offset[2]};
+  }
+  return nowhere;
+}
+
 Point3 minus(const Point3& p, const std::array<std::int8_t, 3>& offset, const Point3& box) {
   return {p.x - offset[0] * box.x, p.y - offset[1] * box.y, p.z - offset[2] * box.z};
 }
@@ -61,8 +75,7 @@ class Hull {
     bounding_ = triangles_.size();
     for (const std::uint32_t t : tetrahedra)
       for (std::size_t k = 0; k < 4; ++k)
-        if (!is_bounding(t, k) && space::step_across(solid_, t, k) != nowhere)
-          triangles_.push_back(outer_face(solid_, t, k));
+        if (!is_bounding(t, k) && step_across(solid_, t, k) != nowhere) triangles_.push_back(outer_face(solid_, t, k));
   }
 
   std::span<const Triangle> bounding() const { return std::span(triangles_).first(bounding_); }
@@ -187,7 +200,13 @@ PeriodicTopology periodic_topology(const PeriodicSolid& delaunay, std::span<cons
   count_simplices(of, threads, go_on, topology);
 
   const auto is_bounding = [&](std::uint32_t t, std::size_t k) { return of.is_bounding(t, k); };
-  const space::Parts parts(delaunay, of.is_inside, of.faces ? &*of.faces : nullptr);
+  const space::Parts parts(
+      all,
+      [&](std::uint32_t t, std::size_t k) {
+        return space::TetrahedronImage{delaunay.neighbors[t][k], step_across(delaunay, t, k)};
+      },
+      [&](std::uint32_t t, std::size_t k) { return !of.is_bounding(t, k); },
+      [&](std::uint32_t t) { return !of.is_inside[t]; });
   Hull hull(delaunay);
   std::vector<std::uint32_t> tetrahedra;  // all tetrahedra inside the complex
   for (std::uint32_t t = 0; t < all; ++t)

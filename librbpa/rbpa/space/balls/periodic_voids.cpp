@@ -28,30 +28,16 @@ struct VoidParts {
 
   VoidParts(const PeriodicRegular& regular, const space::FacesWithin& faces)
       : part_of(regular.kept.size(), PeriodicRegular::none) {
-    std::vector<Boxes> place(regular.kept.size());
-    for (std::uint32_t first = 0; first < part_of.size(); ++first) {
-      if (part_of[first] != PeriodicRegular::none || faces.has_tetrahedron(regular.kept[first])) continue;
+    const space::Parts parts(
+        regular.kept.size(), [&](std::uint32_t i, std::size_t k) { return regular.neighbors[i][k]; },
+        [&](std::uint32_t i, std::size_t k) { return !faces.has_triangle(regular.kept[i], k); },
+        [](std::uint32_t) { return true; });
+    for (std::size_t part = 0; part < parts.size(); ++part) {
+      if (faces.has_tetrahedron(regular.kept[parts.tetrahedra(part).front()])) continue;
+      for (const std::uint32_t i : parts.tetrahedra(part)) part_of[i] = static_cast<std::uint32_t>(all.size());
       BallVoid& of = all.emplace_back();
-      space::Rank directions;
-      std::vector<std::uint32_t> found = {first};
-      part_of[first] = static_cast<std::uint32_t>(all.size() - 1);
-      for (std::size_t at = 0; at < found.size(); ++at) {
-        const std::uint32_t i = found[at];
-        for (std::size_t k = 0; k < 4; ++k) {
-          if (faces.has_triangle(regular.kept[i], k)) continue;
-          const auto& [other, moved] = regular.neighbors[i][k];
-          const Boxes there = {place[i][0] + moved[0], place[i][1] + moved[1], place[i][2] + moved[2]};
-          if (part_of[other] == PeriodicRegular::none) {
-            part_of[other] = part_of[i];
-            place[other] = there;
-            found.push_back(other);
-          }
-          const Boxes& known = place[other];
-          directions.add({there[0] - known[0], there[1] - known[1], there[2] - known[2]});
-        }
-      }
-      of.dimension = directions.value();
-      for (const std::uint32_t i : found) of.tetrahedra.push_back(regular.kept[i]);
+      of.dimension = parts.directions(part).value();
+      for (const std::uint32_t i : parts.tetrahedra(part)) of.tetrahedra.push_back(regular.kept[i]);
       std::sort(of.tetrahedra.begin(), of.tetrahedra.end());
     }
   }

@@ -91,7 +91,7 @@ std::vector<Gate> gates_of(const PeriodicRegular& regular) {
   std::vector<Gate> gates;
   for (std::uint32_t i = 0; i < regular.kept.size(); ++i)
     for (std::uint32_t k = 0; k < 4; ++k) {
-      const std::uint32_t other = regular.neighbors[i][k].kept;
+      const std::uint32_t other = regular.neighbors[i][k].t;
       if (other < i) continue;
       const std::uint32_t t = regular.kept[i], beyond = neighbors[t][k];
       const auto back = std::find(neighbors[beyond].begin(), neighbors[beyond].end(), t) - neighbors[beyond].begin();

@@ -13,7 +13,6 @@
 namespace rbpa::space {
 namespace {
 
-using Image = PeriodicRegular::Image;
 using Row = std::array<std::uint32_t, 4>;
 constexpr std::array<double Point3::*, 3> coordinates = {&Point3::x, &Point3::y, &Point3::z};
 constexpr Boxes in_cell = {0, 0, 0};
@@ -181,7 +180,7 @@ class CellFinder {
   }
 
   /// Returns the kept tetrahedron of which a tetrahedron is an image. Images have their corners in the same order.
-  Image image_of(std::uint32_t t) const {
+  TetrahedronImage image_of(std::uint32_t t) const {
     Row row = found_.cells.simplices[t];
     const Boxes moved = found_.offsets[row[0]];
     for (std::uint32_t& corner : row) {
@@ -214,7 +213,7 @@ class CellFinder {
     for (std::uint32_t t = 0; t < found_.kept_as.size(); ++t) {
       const Row &row = found_.cells.simplices[t], &beyond = found_.cells.neighbors[t];
       if (std::none_of(row.begin(), row.end(), [&](std::uint32_t corner) { return is_in_cell(corner); })) continue;
-      found_.kept_as[t] = image_of(t).kept;
+      found_.kept_as[t] = image_of(t).t;
       if (found_.kept_as[t] == PeriodicRegular::none ||
           std::find(beyond.begin(), beyond.end(), PeriodicRegular::none) != beyond.end())
         return false;
@@ -228,14 +227,14 @@ class CellFinder {
       auto& row = found_.neighbors.emplace_back();
       for (std::size_t k = 0; k < 4; ++k) {
         row[k] = image_of(found_.cells.neighbors[t][k]);
-        if (row[k].kept == PeriodicRegular::none) return false;
+        if (row[k].t == PeriodicRegular::none) return false;
       }
     }
     for (std::uint32_t i = 0; i < found_.kept.size(); ++i)
-      for (const Image& beyond : found_.neighbors[i]) {
-        const auto& back = found_.neighbors[beyond.kept];
-        const auto is_back = [&](const Image& other) {
-          return other.kept == i && other.moved == minus(in_cell, beyond.moved);
+      for (const TetrahedronImage& beyond : found_.neighbors[i]) {
+        const auto& back = found_.neighbors[beyond.t];
+        const auto is_back = [&](const TetrahedronImage& other) {
+          return other.t == i && other.moved == minus(in_cell, beyond.moved);
         };
         if (std::none_of(back.begin(), back.end(), is_back)) return false;
       }

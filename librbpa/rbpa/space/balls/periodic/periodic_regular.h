@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "rbpa/base/progress.h"
-#include "rbpa/space/balls/periodic/torus_rank.h"
+#include "rbpa/space/balls/periodic/parts.h"
 #include "rbpa/space/balls/periodic_balls.h"
 #include "rbpa/space/balls/regular_triangulation.h"
 
@@ -22,12 +22,6 @@ namespace rbpa::space {
 
 struct PeriodicRegular {
   static constexpr std::uint32_t none = RegularTriangulation::none;
-
-  /// An image of kept tetrahedron `kept`, moved by numbers of `edges`.
-  struct Image {
-    std::uint32_t kept = none;
-    Boxes moved = {0, 0, 0};
-  };
 
   /// The edges by which images are moved: sums of edges of the cell, with these numbers of each.
   std::array<std::array<std::int64_t, 3>, 3> edges{};
@@ -37,7 +31,8 @@ struct PeriodicRegular {
   std::vector<double> radii;        ///< of each image
   RegularTriangulation cells;       ///< triangulation of the images, with neighbors; right near the cell
   std::vector<std::uint32_t> kept;  ///< the tetrahedra of `cells` of which no other is an image; they fill one cell
-  std::vector<std::array<Image, 4>> neighbors;  ///< of each kept tetrahedron
+  /// For each kept tetrahedron, the neighbors across from its corners: images of kept ones, moved by numbers of `edges`.
+  std::vector<std::array<TetrahedronImage, 4>> neighbors;
   /// For each tetrahedron of `cells` with a corner in the cell, the position in `kept` of its image; else none.
   std::vector<std::uint32_t> kept_as;
   double margin = 0;  ///< all images are there that are at most this far from the cell
