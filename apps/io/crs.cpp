@@ -172,7 +172,7 @@ WktNode node_of(std::string_view item) {
           items_of(item.substr(bracket + 1, end - bracket - 1))};
 }
 
-std::string_view unquoted(std::string_view text) {
+std::string_view string_of(std::string_view text) {
   if (text.size() < 2 || text.front() != '"' || text.back() != '"') return text;
   return without_blanks_around(text.substr(1, text.size() - 2));
 }
@@ -186,7 +186,7 @@ std::optional<Crs> own_crs(const WktNode& node) {
   for (const std::string_view item : node.items) {
     const WktNode inner = node_of(item);
     if (!is_among(inner.keyword, {"AUTHORITY", "ID"}) || inner.items.size() < 2) continue;
-    if (auto crs = plane(crs_of(unquoted(inner.items[0]), unquoted(inner.items[1])))) return crs;
+    if (auto crs = plane(crs_of(string_of(inner.items[0]), string_of(inner.items[1])))) return crs;
   }
   return std::nullopt;
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint32_t none = TriangleArrays::none;
 
-double distance(const Point& p, const Point& q) { return hypotenuse(p.x - q.x, p.y - q.y); }
+double length_between(const Point& p, const Point& q) { return hypotenuse(p.x - q.x, p.y - q.y); }
 
 /// Sets the values of points that were inserted on the edges of a ring, between two given points.
 void interpolate_edges(std::span<const Point> points, const Ring& ring, std::size_t given, std::vector<double>& value) {
@@ -31,7 +31,8 @@ void interpolate_edges(std::span<const Point> points, const Ring& ring, std::siz
     while (at(b) >= given) ++b;
     const std::uint32_t from = at(a), to = at(b);
     for (std::size_t i = a + 1; i < b; ++i) {
-      const double before = distance(points[from], points[at(i)]), behind = distance(points[at(i)], points[to]);
+      const double before = length_between(points[from], points[at(i)]),
+                   behind = length_between(points[at(i)], points[to]);
       value[at(i)] = value[from] + (value[to] - value[from]) * (before / (before + behind));
     }
     a = b;

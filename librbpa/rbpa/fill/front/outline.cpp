@@ -114,9 +114,9 @@ struct CutRings {
 };
 
 /// A builder of CutRings from the rings of an outline and the added points of their edges.
-class Assembly {
+class OutlineAssembly {
  public:
-  Assembly(const Outline& outline, const CutEdges& edges)
+  OutlineAssembly(const Outline& outline, const CutEdges& edges)
       : outline_(outline), edges_(edges), number_(outline.places.size(), no_index), first_(edges.size()) {}
 
   /// Returns all rings. The places are those of the outline, with unchanged numbers, then the added points, in the
@@ -219,7 +219,7 @@ Outline outline_of(std::span<const Point> points, std::span<const Ring> rings, s
 void cut(Outline& outline, const SizeField& field, const GoOn& go_on) {
   Steps step(go_on);
   CutEdges edges(outline, field, step);
-  Assembly assembly(outline, edges);
+  OutlineAssembly assembly(outline, edges);
   const std::vector<std::vector<std::size_t>> groups = groups_of(outline);
   std::map<std::size_t, std::size_t> place_of_group;
   for (std::size_t g = 0; g < groups.size(); ++g) place_of_group[outline.rings[groups[g][0]].group] = g;

@@ -60,10 +60,10 @@ std::vector<Point3> in_space(std::span<const Point> centers) {
   return result;
 }
 
-/// Corners of polygons where an arc ends and the next one begins: the same point for both sides of a touch.
-class Corners {
+/// ArcCorners of polygons where an arc ends and the next one begins: the same point for both sides of a touch.
+class ArcCorners {
  public:
-  Corners(std::span<const Point> centers, std::span<const double> radii) : Corners(in_space(centers), radii) {}
+  ArcCorners(std::span<const Point> centers, std::span<const double> radii) : ArcCorners(in_space(centers), radii) {}
   /// Returns the point in which an arc of disc i ends and an arc of disc j begins. Requires: i ≠ j.
   Point between(std::uint32_t i, std::uint32_t j) const {
     const bool is_turned = i > j;
@@ -76,7 +76,7 @@ class Corners {
   }
 
  private:
-  Corners(const std::vector<Point3>& centers, std::span<const double> radii)
+  ArcCorners(const std::vector<Point3>& centers, std::span<const double> radii)
       : scale_(centers.empty() ? 0 : space::scale_exponent(centers, radii)), discs_(scaled(centers, radii, scale_)) {}
   int scale_;
   std::vector<Ball> discs_;
@@ -233,7 +233,7 @@ DiscPolygons disc_polygons(const DiscMeasures& measures, std::span<const Point> 
   meshops::require_one_each("disc_polygons", radii.size(), "radii", centers.size(), "centers");
   meshops::require(corners >= 3, "disc_polygons: fewer than three corners");
   Steps step(go_on);
-  const Corners common(centers, radii);
+  const ArcCorners common(centers, radii);
   DiscPolygons result;
   std::vector<Point>& points = result.points;
   ExactSum area, perimeter;  // of the current polygon

@@ -39,24 +39,20 @@ struct RoundedEdge : Edge<double> {
   double length, size;  // size: sum of the absolute values of the terms of lift
 };
 
-template <typename Real>
-Vector3<Real> scaled(const Real& s, const Vector3<Real>& v) {
-  return {s * v.x, s * v.y, s * v.z};
-}
 /// Returns 2 x (u × v)² for the orthocenter x, relative to the first center, of three balls with edges u and v.
 template <typename Real>
 Vector3<Real> twice_center(const Edge<Real>& u, const Edge<Real>& v, const Vector3<Real>& normal) {
-  return plus(scaled(u.lift, cross(v.to, normal)), scaled(v.lift, cross(normal, u.to)));
+  return plus(times(u.lift, cross(v.to, normal)), times(v.lift, cross(normal, u.to)));
 }
 /// Returns a vector of length 2 |x| |u × v| for the orthocenter x, relative to the first center, of three balls.
 template <typename Real>
 Vector3<Real> twice_distance(const Edge<Real>& u, const Edge<Real>& v) {
-  return minus(scaled(u.lift, v.to), scaled(v.lift, u.to));
+  return minus(times(u.lift, v.to), times(v.lift, u.to));
 }
 template <typename Real>
 Vector3<Real> twice_center(const Edge<Real>& u, const Edge<Real>& v, const Edge<Real>& w) {
-  return plus(plus(scaled(u.lift, cross(v.to, w.to)), scaled(v.lift, cross(w.to, u.to))),
-              scaled(w.lift, cross(u.to, v.to)));
+  return plus(plus(times(u.lift, cross(v.to, w.to)), times(v.lift, cross(w.to, u.to))),
+              times(w.lift, cross(u.to, v.to)));
 }
 
 /// The power at the orthocenter of two to four balls: left² / (4 square) − radius², with the radius of the first ball.

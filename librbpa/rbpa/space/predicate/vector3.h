@@ -1,5 +1,5 @@
-// What: computes differences of points in space and their products in any type of number, and rounded distances and
-//       volumes.
+// What: computes differences of points in space, sums and products of these in any type of number, and rounded
+//       distances and volumes.
 #pragma once
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "rbpa/base/point3.h"
 
@@ -29,6 +30,11 @@ Vector3<Real> plus(const Vector3<Real>& u, const Vector3<Real>& v) {
 template <typename Real>
 Vector3<Real> minus(const Vector3<Real>& u, const Vector3<Real>& v) {
   return {u.x - v.x, u.y - v.y, u.z - v.z};
+}
+/// Returns v times s.
+template <typename Real>
+Vector3<Real> times(const std::type_identity_t<Real>& s, const Vector3<Real>& v) {
+  return {s * v.x, s * v.y, s * v.z};
 }
 template <typename Real>
 Real dot(const Vector3<Real>& u, const Vector3<Real>& v) {

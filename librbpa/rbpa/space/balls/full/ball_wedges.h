@@ -37,10 +37,6 @@ Vector3<Real> edge_to(const Ball& a, const Ball& b) {
   const Point3 &p = a.center, &q = b.center;
   return {apart<Real>(q.x, p.x), apart<Real>(q.y, p.y), apart<Real>(q.z, p.z)};
 }
-template <typename Real>
-Vector3<Real> times(const Real& s, const Vector3<Real>& v) {
-  return {s * v.x, s * v.y, s * v.z};
-}
 
 /// The vector from the center of a ball to that of another one, multiplied by a power of two that keeps the square of a
 /// short edge within the range of double. The points x, relative to the first center, that have the same power to both

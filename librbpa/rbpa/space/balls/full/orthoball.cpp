@@ -14,8 +14,6 @@ namespace {
 using Real = DoubleDouble;
 using WideVector = Vector3<Real>;
 
-WideVector times(const Real& s, const WideVector& v) { return {s * v.x, s * v.y, s * v.z}; }
-
 }  // namespace
 
 // Let u be the vector from the first center to that of another ball, with the radii R and S. Points x of equal power to

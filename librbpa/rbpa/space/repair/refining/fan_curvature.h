@@ -12,7 +12,6 @@ namespace rbpa::space {
 
 using Vector = Vector3<double>;
 
-inline Vector times(double s, const Vector& v) { return {s * v.x, s * v.y, s * v.z}; }
 inline double length(const Vector& v) { return std::sqrt(dot(v, v)); }
 
 /// The weights of a triangle v a b at its corner v.

@@ -13,7 +13,6 @@ using Vector = Vector3<double>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int most_cuts = 96;  // maximum number of cuts in a row; slack() relies on it
 
-Vector times(double t, const Vector& v) { return {t * v.x, t * v.y, t * v.z}; }
 double squared(const Vector& v) { return dot(v, v); }
 Point3 point(const Vector& v) { return {v.x, v.y, v.z}; }
 
