@@ -66,7 +66,7 @@ TEST_SUITE("balls in a box") {
     folder.file("two.pdb", "ATOM      1  CA  ALA A   1       0.000   0.000   0.000  1.00  0.00           C\n");
     folder.file("flat.dump", frame(0, "0"));
     CHECK(folder.rbpa("balls two.csv --radii column:r --box 10")
-              .err.find("atoms reach over 30 x 0 x 0, more than the box, which reaches over 10 x 10 x 10") !=
+              .err.find("points reach over 30 x 0 x 0, more than the box, which reaches over 10 x 10 x 10") !=
           std::string::npos);
     CHECK(folder.rbpa("balls two.csv --radii column:r --box 40").err.find("reach over") == std::string::npos);
     const std::pair<const char*, const char*> calls[] = {
