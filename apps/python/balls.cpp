@@ -23,9 +23,16 @@ std::vector<Item> joined(const std::vector<PeriodicBallMeasures>& frames, std::v
   return all;
 }
 
+/// Returns the cell of a frame: `cells` has shape (frames, 3, 3), (1, 3, 3) for all frames, or (0, 3, 3).
+std::optional<RepeatingCell> cell_of(const Doubles& cells, std::size_t frame) {
+  if (cells.shape(0) == 0) return std::nullopt;
+  const auto* edges = reinterpret_cast<const std::array<Point3, 3>*>(cells.data());
+  return RepeatingCell{edges[cells.shape(0) == 1 ? 0 : frame]};
+}
+
 /// Measures the balls of each frame: `centers` has shape (frames, n, 3), and `radii` has shape (frames, n), or (1, n)
-/// for all frames. `cells` has shape (frames, 3, 3), (1, 3, 3) for all frames, or (0, 3, 3). Arrays of the result that
-/// have a row for each ball contain one frame after another.
+/// for all frames; `cells` are those of cell_of(). Arrays of the result that have a row for each ball contain one frame
+/// after another.
 py::dict measured(const Doubles& centers, const Doubles& radii, const Doubles& cells, double probe, bool contacts,
                   bool derivatives, unsigned threads, const py::object& progress) {
   require_shape(centers.ndim() == 3 && centers.shape(2) == 3, centers, "centers", "(frames, n, 3)");
@@ -35,16 +42,14 @@ py::dict measured(const Doubles& centers, const Doubles& radii, const Doubles& c
   require_shape(cells.ndim() == 3 && cells.shape(1) == 3 && cells.shape(2) == 3 &&
                     (cells.shape(0) <= 1 || cells.shape(0) == centers.shape(0)),
                 cells, "cells", "(frames, 3, 3), (1, 3, 3) or (0, 3, 3)");
-  const auto* edges = reinterpret_cast<const std::array<Point3, 3>*>(cells.data());
   const auto count = static_cast<std::size_t>(centers.shape(1));
   const std::span<const Point3> all(reinterpret_cast<const Point3*>(centers.data()),
                                     static_cast<std::size_t>(centers.size()) / 3);
   const std::span<const double> all_radii = line_of(radii);
   std::vector<BallFrame> frames;
   for (std::size_t f = 0; f < static_cast<std::size_t>(centers.shape(0)); ++f)
-    frames.push_back(
-        {all.subspan(f * count, count), all_radii.subspan(radii.shape(0) == 1 ? 0 : f * count, count),
-         cells.shape(0) == 0 ? std::nullopt : std::optional(RepeatingCell{edges[cells.shape(0) == 1 ? 0 : f]})});
+    frames.push_back({all.subspan(f * count, count), all_radii.subspan(radii.shape(0) == 1 ? 0 : f * count, count),
+                      cell_of(cells, f)});
   std::vector<PeriodicBallMeasures> made = watched(all.size(), progress, [&](Watch& watch) {
     return measure_ball_frames(frames, {.probe = probe,
                                         .contacts = contacts,
@@ -119,12 +124,14 @@ py::list ball_voids_of(const Doubles& centers, const Doubles& radii, bool pocket
   return both;
 }
 
-/// Returns the members of rbpa.BallInterfaces, with numbers of groups in place of labels.
-py::dict ball_interfaces_of(const Doubles& centers, const Doubles& radii, const Indices& groups, unsigned threads) {
+/// Returns the members of rbpa.BallInterfaces, with numbers of groups in place of labels. `cells` is that of cell_of().
+py::dict ball_interfaces_of(const Doubles& centers, const Doubles& radii, const Doubles& cells, const Indices& groups,
+                            unsigned threads) {
   const auto input = points3_of(centers, "centers");
   const std::vector<std::uint32_t> numbers(groups.data(), groups.data() + groups.size());
   BallInterfaces made = watched(input.size(), py::none(), [&](Watch& watch) {
-    return ball_interfaces(input, line_of(radii), numbers, {.threads = threads, .progress = watch.progress()});
+    return ball_interfaces({input, line_of(radii), cell_of(cells, 0)}, numbers,
+                           {.threads = threads, .progress = watch.progress()});
   });
   py::dict result;
   result["groups"] = column<std::int32_t>(made.all, &BallInterface::groups);
@@ -142,7 +149,8 @@ void bind_balls(py::module_& module) {
              arg("contacts"), arg("derivatives"), arg("threads"), arg("progress"));
   module.def("regular_triangulation", &tetrahedra_of, as_is("centers"), as_is("radii"));
   module.def("ball_voids", &ball_voids_of, as_is("centers"), as_is("radii"), arg("pockets"), arg("threads"));
-  module.def("ball_interfaces", &ball_interfaces_of, as_is("centers"), as_is("radii"), as_is("groups"), arg("threads"));
+  module.def("ball_interfaces", &ball_interfaces_of, as_is("centers"), as_is("radii"), as_is("cells"), as_is("groups"),
+             arg("threads"));
 }
 
 }  // namespace rbpa::python

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
@@ -58,6 +59,21 @@ TEST_SUITE("balls in a box") {
     const std::string contacts = folder.content("c.csv");
     CHECK(contacts.starts_with("point_a,point_b,area,arc,distance,offset_1,offset_2,offset_3\n0,0,"));
     CHECK(contacts.find(",1,0,0,1\n") != std::string::npos);
+  }
+
+  TEST_CASE("interfaces are those of groups with all images") {
+    const Folder folder;
+    folder.file("two.csv", "x,y,z,r,kind\n0.25,0,0,1,a\n9.75,0,0,1,b\n");
+    const std::string call = "balls two.csv --radii column:r --group column:kind --interfaces i.csv -q --box ";
+    REQUIRE(folder.rbpa(call + "10").code == 0);
+    const std::string table = folder.content("i.csv"), header = "kind_a,kind_b,area_a,area_b,contact_area\n";
+    double area_a = 0, area_b = 0, contact_area = 0;
+    REQUIRE(std::sscanf(table.c_str(), (header + "a,b,%lf,%lf,%lf").c_str(), &area_a, &area_b, &contact_area) == 3);
+    CHECK(area_a == Approx(2 * pi * 0.75));
+    CHECK(area_b == Approx(area_a));
+    CHECK(contact_area == Approx(pi * (1 - 0.0625)));
+    REQUIRE(folder.rbpa(call + "20").code == 0);
+    CHECK(folder.content("i.csv") == header);
   }
 
   TEST_CASE("a box that atoms do not fit into is reported; a missing one and wrong calls are refused") {

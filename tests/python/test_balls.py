@@ -305,6 +305,12 @@ def test_interfaces_are_what_areas_of_unions_leave():
     assert numpy.array_equal(made.areas_alone[half == "first"], alone[0].areas)
 
 
+def test_interfaces_in_a_box_are_those_with_all_images():
+    made = rbpa.balls([[0.25, 0, 0], [9.75, 0, 0]], 1, box=10).interfaces(["a", "b"])
+    assert made.areas.tolist() == [pytest.approx([1.5 * math.pi] * 2)]
+    assert made.contact_areas.tolist() == pytest.approx([math.pi * (1 - 0.0625)])
+
+
 @pytest.mark.skipif(not shutil.which("freesasa"), reason="there is no freesasa")
 def test_freesasa_has_the_same_interface(tmp_path):
     lines = [line for line in LYSOZYME.read_text().splitlines(True) if line.startswith("ATOM")]

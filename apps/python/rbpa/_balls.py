@@ -282,9 +282,8 @@ class Balls(Result):
         return found if self.centers.ndim == 3 else found[0]
 
     def _of_one_frame(self, what: str) -> Floats:
-        """Returns the radii with the probe. Raises InvalidInput for several frames, and for a box."""
+        """Returns the radii with the probe. Raises InvalidInput for several frames."""
         self._require_unchanged()
-        self._require_no_box(what)
         if self.centers.ndim == 3:
             raise InvalidInput(f"{what}: found {len(self.centers)} frames, expected one (rbpa.balls(centers[i], radii, probe).{what})")
         return np.ascontiguousarray(self.radii + self.probe)
@@ -329,13 +328,14 @@ class Balls(Result):
         >>> f.persistence(0).tolist(), f.betti(0)  # the balls touch
         ([[-9.0, inf], [-4.0, 0.0]], (1, 0, 0))
         """
+        self._require_no_box("filtration")
         return BallFiltration(self.centers, self._of_one_frame("filtration"), bool(roots), threads)
 
     def interfaces(self, groups: npt.ArrayLike, *, threads: Optional[int] = None) -> BallInterfaces:
         """Returns the areas of the surfaces of groups of balls, with the probe, that other groups cover.
 
         `groups` has a label for each ball: the chains of atoms, or any other numbers or texts. Each two groups are
-        compared without the others.
+        compared without the others. In a box, the images of a ball are in its group, and areas are those per box.
 
         >>> two = rbpa.balls([[0, 0, 0], [0, 0, 3]], [2, 2]).interfaces(["A", "B"])
         >>> two.groups.tolist(), two.areas.round(6).tolist()  # caps of height 1/2: 2π each
@@ -347,7 +347,7 @@ class Balls(Result):
             raise InvalidInput(f"groups: found an array of shape {given.shape}, expected {radii.shape}, one for each ball")
         labels, number = np.unique(given, return_inverse=True)
         numbers = np.ascontiguousarray(number, np.int32)
-        found = _core.ball_interfaces(self.centers, radii, numbers, as_threads(threads))
+        found = _core.ball_interfaces(self.centers, radii, self.cells, numbers, as_threads(threads))
         made = BallInterfaces(**{**found, "groups": labels[found["groups"]]})
         freeze(*made)
         return made

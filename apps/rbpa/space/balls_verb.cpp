@@ -65,9 +65,7 @@ BallsRequest parse(const BallsArguments& arguments) {
   if (arguments.models) request.choice.frames = parse_frames("--models", *arguments.models);
   if (arguments.box) {
     request.box = parse_box(*arguments.box, request.format);
-    refuse_given({{arguments.interfaces.has_value(), "--interfaces"},
-                  {arguments.voids.has_value(), "--voids"},
-                  {arguments.pockets.has_value(), "--pockets"}},
+    refuse_given({{arguments.voids.has_value(), "--voids"}, {arguments.pockets.has_value(), "--pockets"}},
                  "cannot be combined with --box");
   }
   if (arguments.group) request.groups = parse_groups(*arguments.group, request.choice);
@@ -202,7 +200,7 @@ void BallsRun::measure(std::vector<MeasuredAtoms>& some) {
       some[f].balls = std::move(with[f]);
       if (arguments_.interfaces)
         some[f].interfaces =
-            ball_interfaces(centers[f], some[f].radii, tables_.back().groups_of(some[f].rows),
+            ball_interfaces(frames[f], tables_.back().groups_of(some[f].rows),
                             {.probe = request_.probe, .threads = options().threads, .progress = watch});
       if (!voids_.empty()) find_voids(some[f], request_.probe, arguments_.pockets.has_value(), options().threads);
     }
