@@ -327,6 +327,26 @@ def test_freesasa_has_the_same_interface(tmp_path):
     assert made.areas.sum() == pytest.approx(total["first"] + total["last"] - total["both"], rel=1e-3)
 
 
+@pytest.mark.skipif(not shutil.which("voronota"), reason="there is no voronota")
+@pytest.mark.parametrize("probe", [0.25, 1.4])
+def test_voronota_has_the_same_contacts_of_equal_balls(probe):
+    centers = rbpa.molecules.read(LYSOZYME).positions
+    lines = "".join(f"{x!r} {y!r} {z!r} 1.7\n" for x, y, z in centers.tolist())
+    call = ["voronota", "calculate-contacts", "--probe", str(probe)]
+    table = subprocess.run(call, input=lines, capture_output=True, text=True, check=True).stdout
+    theirs = {(int(a), int(b)): float(area) for a, b, area in map(str.split, table.splitlines())}
+    alone = [theirs.pop((i, i), 0) for i in range(len(centers))]  # the area of a ball's sphere
+    made = rbpa.balls(centers, 1.7, probe)
+    pairs = [tuple(pair) for pair in made.contacts.balls.tolist()]
+    assert len(pairs) > 4000 and theirs.keys() <= set(pairs)
+    lost = made.contacts.areas - [theirs.get(pair, 0) for pair in pairs]
+    whole = made.contacts.arcs == 0
+    digits = 5e-6 * made.contacts.areas  # they print six
+    assert whole.sum() > 400 and (lost >= -digits).all() and (lost <= digits)[whole].all()
+    assert lost.max() < 0.023  # they draw arcs as polygons, whose corners are on the arcs
+    assert made.areas.tolist() == pytest.approx(alone, abs=0.18)  # they draw spheres as triangles
+
+
 def test_frames_have_lists_of_voids_and_arcs_are_counted():
     chain = rbpa.balls([[[0, 0, 0], [0, 0, 1], [0, 0, 2]]], 0.75)
     assert chain.arcs.tolist() == [[1, 2, 1]]
