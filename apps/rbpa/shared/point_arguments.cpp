@@ -35,6 +35,13 @@ void require_molecule(Format format, const std::string& option, const std::strin
                  readable(Use::space, [](const CloudFormat& reader) { return reader.is_molecule; }));
 }
 
+BallRadii parse_ball_radii(const BallRadiiArguments& arguments) {
+  std::optional<double> otherwise;
+  if (arguments.radius_default)
+    otherwise = parse_real("--radius-default", *arguments.radius_default, {}, "a length, at least 0");
+  return BallRadii(arguments.radii, otherwise);
+}
+
 bool GroupArguments::has_groups() const {
   if (group_by && group_by_file) throw WrongUsage("--group-by-file cannot be combined with --group-by");
   if (inputs.size() > 1 && !group_by && !group_by_file)

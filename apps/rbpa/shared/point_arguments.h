@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/cloud/ball_radii.h"
 #include "io/cloud/read_points.h"
 #include "io/cloud/read_space_points.h"
 #include "io/formats.h"
@@ -60,6 +61,14 @@ struct GroupArguments {
   /// and if both options are given.
   bool has_groups() const;
 };
+
+/// The options about the radii of balls, as text.
+struct BallRadiiArguments {
+  std::optional<std::string> radii, radius_default;
+};
+
+/// Parses the options, and reads the file of --radii. Throws as parse_real() and BallRadii do.
+BallRadii parse_ball_radii(const BallRadiiArguments& arguments);
 
 /// Parses the file, format and choice of points, with `columns` for groups; the format as parse_format() does. Throws
 /// WrongUsage that names the value, or an option that belongs to another format.

@@ -48,12 +48,9 @@ AtomGroups parse_groups(const std::string& text, AtomChoice& choice) {
 
 /// Parses the arguments, and reads the file of --radii. Throws WrongUsage that names the option; BadInput, Failure.
 BallsRequest parse(const BallsArguments& arguments) {
-  const std::string length = "a length, at least 0";
-  std::optional<double> otherwise;
-  if (arguments.radius_default) otherwise = parse_real("--radius-default", *arguments.radius_default, {}, length);
-  BallsRequest request{.radii = BallRadii(arguments.radii, otherwise)};
+  BallsRequest request{.radii = parse_ball_radii(arguments)};
   request.format = parse_format(Use::space, arguments.atoms, arguments.format, "ATOMS");
-  request.probe = parse_real("--probe", arguments.probe, {}, length);
+  request.probe = parse_real("--probe", arguments.probe, {}, "a length, at least 0");
   request.run = parse_run(arguments.run);
   request.choice = {.waters = arguments.waters,
                     .ligands = !arguments.no_ligands,
