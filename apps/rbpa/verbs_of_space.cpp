@@ -261,14 +261,14 @@ CLI::App* add_balls(CLI::App& app, BallsArguments& arguments) {
           "--voids", arguments.voids,
           "Write the voids that the balls with the probe enclose, the largest first: volume of their tetrahedra "
           "and outside of the balls, area, center and radius of the largest ball that fits in, input indices of "
-          "the atoms around; obj has the surface of the tetrahedra: " +
-              endings(Use::voids))
+          "the atoms around; obj has the surface of the tetrahedra, pml and cxc are scripts for PyMOL and ChimeraX: " +
+              endings(Use::lined))
       ->type_name("FILE");
   verb.add_option(
           "--pockets", arguments.pockets,
           "Write the pockets in the same way, with the number of their mouths, the area of these, and the radius "
           "of the largest ball that fits into one: " +
-              endings(Use::voids))
+              endings(Use::lined))
       ->type_name("FILE");
   verb.add_option("--group", arguments.group,
                   "Sum up the rows of each residue, of each chain, or of each value in a column; contacts are then "

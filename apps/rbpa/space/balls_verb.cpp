@@ -70,8 +70,8 @@ BallsRequest parse(const BallsArguments& arguments) {
   for (const auto& [option, path] :
        {std::pair("--contacts", &arguments.contacts), {"--interfaces", &arguments.interfaces}})
     if (*path) target_of(option, **path, Use::rows);
-  if (arguments.voids) request.voids = target_of("--voids", *arguments.voids, Use::voids).format;
-  if (arguments.pockets) request.pockets = target_of("--pockets", *arguments.pockets, Use::voids).format;
+  if (arguments.voids) request.voids = target_of("--voids", *arguments.voids, Use::lined).format;
+  if (arguments.pockets) request.pockets = target_of("--pockets", *arguments.pockets, Use::lined).format;
   std::vector<std::string> reports =
       given({arguments.stats, arguments.contacts, arguments.interfaces, arguments.voids, arguments.pockets});
   if (arguments.json) reports.emplace_back("-");
