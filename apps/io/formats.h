@@ -48,6 +48,8 @@ enum class Format {
   poly,
   csv,  // output only; input of this ending is text
   json,
+  pml,  // script of PyMOL
+  cxc,  // script of ChimeraX
   ogr,  // any format that GDAL reads
   gpkg,
   fgb,
@@ -72,7 +74,8 @@ enum class Use : unsigned {
   full = 1U << 12U,      ///< out: triangles of the plane with edges and points in no triangle
   isolated = 1U << 13U,  ///< out: points in no polygon
   boundary = 1U << 14U,  ///< out: a surface as a mesh, no picture
-  rows = 1U << 15U       ///< out: rows of a table of atoms
+  rows = 1U << 15U,      ///< out: rows of a table of atoms
+  lined = 1U << 16U      ///< out: voids between atoms, with the atoms that line them
 };
 constexpr unsigned operator|(Use a, Use b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }
 constexpr unsigned operator|(unsigned a, Use b) { return a | static_cast<unsigned>(b); }
@@ -105,7 +108,7 @@ inline constexpr FormatRow format_table[] = {
      &ply_reader},
     {"obj", "", Format::obj,
      Use::space | Use::mesh | Use::triangles | Use::full | Use::surface | Use::boundary | Use::polylines | Use::voids |
-         Use::cycles,
+         Use::lined | Use::cycles,
      &obj_reader},
     {"stl", "", Format::stl, Use::mesh | Use::surface | Use::boundary},
     {"pcd", "", Format::pcd, 0U | Use::space, &pcd_reader},
@@ -117,7 +120,7 @@ inline constexpr FormatRow format_table[] = {
     {"npy", "", Format::npy,
      Use::points | Use::space | Use::triangles | Use::full | Use::surface | Use::boundary | Use::solid, &npy_reader},
     {"f64xy", "", Format::raw, 0U | Use::points, &raw_reader},
-    {"json", "", Format::json, Use::levels | Use::polylines | Use::voids | Use::cycles},
+    {"json", "", Format::json, Use::levels | Use::polylines | Use::voids | Use::lined | Use::cycles},
     {"glb", "", Format::glb, Use::surface | Use::boundary},
     {"vtu", "", Format::vtu, Use::triangles | Use::full | Use::surface | Use::boundary | Use::solid | Use::cycles},
     {"msh", "", Format::gmsh, 0U | Use::solid},
@@ -128,7 +131,9 @@ inline constexpr FormatRow format_table[] = {
     {"ewkt", "", Format::wkt, Use::points | Use::polygons},
     {"ewkt", "", Format::ewkt, Use::shape | Use::isolated},
     {"poly", "", Format::poly, 0U | Use::polygons},
-    {"csv", "", Format::csv, Use::shape | Use::isolated | Use::levels | Use::voids | Use::rows},
+    {"csv", "", Format::csv, Use::shape | Use::isolated | Use::levels | Use::voids | Use::lined | Use::rows},
+    {"pml", "", Format::pml, 0U | Use::lined},
+    {"cxc", "", Format::cxc, 0U | Use::lined},
     {"svg", "", Format::svg, Use::triangles | Use::full | Use::shape},
     {"png", "", Format::png, Use::points | Use::triangles | Use::full | Use::surface | Use::shape | Use::solid},
     {"pgm", "", Format::pgm, 0U | Use::points},

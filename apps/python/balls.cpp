@@ -26,9 +26,16 @@ std::vector<Item> joined(const std::vector<PeriodicBallMeasures>& frames, std::v
   return all;
 }
 
+/// Returns the cell of a frame: `cells` has shape (frames, 3, 3), (1, 3, 3) for all frames, or (0, 3, 3).
+std::optional<RepeatingCell> cell_of(const Doubles& cells, std::size_t frame) {
+  if (cells.shape(0) == 0) return std::nullopt;
+  const auto* edges = reinterpret_cast<const std::array<Point3, 3>*>(cells.data());
+  return RepeatingCell{edges[cells.shape(0) == 1 ? 0 : frame]};
+}
+
 /// Measures the balls of each frame: `centers` has shape (frames, n, 3), and `radii` has shape (frames, n), or (1, n)
-/// for all frames. `cells` has shape (frames, 3, 3), (1, 3, 3) for all frames, or (0, 3, 3). Arrays of the result that
-/// have a row for each ball contain one frame after another.
+/// for all frames; `cells` are those of cell_of(). Arrays of the result that have a row for each ball contain one frame
+/// after another.
 py::dict measured(const Doubles& centers, const Doubles& radii, const Doubles& cells, double probe, bool contacts,
                   bool derivatives, unsigned threads, const py::object& progress) {
   require_shape(centers.ndim() == 3 && centers.shape(2) == 3, centers, "centers", "(frames, n, 3)");
@@ -38,16 +45,14 @@ py::dict measured(const Doubles& centers, const Doubles& radii, const Doubles& c
   require_shape(cells.ndim() == 3 && cells.shape(1) == 3 && cells.shape(2) == 3 &&
                     (cells.shape(0) <= 1 || cells.shape(0) == centers.shape(0)),
                 cells, "cells", "(frames, 3, 3), (1, 3, 3) or (0, 3, 3)");
-  const auto* edges = reinterpret_cast<const std::array<Point3, 3>*>(cells.data());
   const auto count = static_cast<std::size_t>(centers.shape(1));
   const std::span<const Point3> all(reinterpret_cast<const Point3*>(centers.data()),
                                     static_cast<std::size_t>(centers.size()) / 3);
   const std::span<const double> all_radii = line_of(radii);
   std::vector<BallFrame> frames;
   for (std::size_t f = 0; f < static_cast<std::size_t>(centers.shape(0)); ++f)
-    frames.push_back(
-        {all.subspan(f * count, count), all_radii.subspan(radii.shape(0) == 1 ? 0 : f * count, count),
-         cells.shape(0) == 0 ? std::nullopt : std::optional(RepeatingCell{edges[cells.shape(0) == 1 ? 0 : f]})});
+    frames.push_back({all.subspan(f * count, count), all_radii.subspan(radii.shape(0) == 1 ? 0 : f * count, count),
+                      cell_of(cells, f)});
   std::vector<PeriodicBallMeasures> made = watched(all.size(), progress, [&](Watch& watch) {
     return measure_ball_frames(frames, {.probe = probe,
                                         .contacts = contacts,
@@ -107,15 +112,14 @@ py::list voids_of(std::vector<BallVoid>&& voids, const RegularTriangulation& reg
   return list;
 }
 
-/// Returns two lists: the voids, and the pockets if `pockets`. `cell` has the edges of a box, as rows, or no row.
-py::list ball_voids_of(const Doubles& centers, const Doubles& radii, const Doubles& cell, bool pockets,
+/// Returns two lists: the voids, and the pockets if `pockets`. `cells` has at most one cell.
+py::list ball_voids_of(const Doubles& centers, const Doubles& radii, const Doubles& cells, bool pockets,
                        unsigned threads) {
-  const auto input = points3_of(centers, "centers"), edges = points3_of(cell, "cell");
+  const auto input = points3_of(centers, "centers");
   RegularTriangulation regular;
   BallVoids made = watched(input.size(), py::none(), [&](Watch& watch) {
-    if (edges.size() == 3)
-      return periodic_ball_voids(input, line_of(radii), {{edges[0], edges[1], edges[2]}},
-                                 {.threads = threads, .progress = watch.progress()});
+    if (const auto cell = cell_of(cells, 0))
+      return periodic_ball_voids(input, line_of(radii), *cell, {.threads = threads, .progress = watch.progress()});
     regular = regular_triangulation(input, line_of(radii), {.threads = threads, .progress = watch.progress()});
     return ball_voids(input, line_of(radii), regular,
                       {.pockets = pockets, .threads = threads, .progress = watch.progress()});
@@ -126,25 +130,26 @@ py::list ball_voids_of(const Doubles& centers, const Doubles& radii, const Doubl
   return both;
 }
 
-/// Returns the arguments of rbpa.PoreSizes for a box with these edges as rows.
+/// Returns the arguments of rbpa.PoreSizes; `cells` has one cell.
 std::tuple<double, double, double, std::tuple<double, double, double>> pore_sizes_of(const Doubles& centers,
                                                                                      const Doubles& radii,
-                                                                                     const Doubles& cell,
+                                                                                     const Doubles& cells,
                                                                                      unsigned threads) {
-  const auto input = points3_of(centers, "centers"), edges = points3_of(cell, "cell");
+  const auto input = points3_of(centers, "centers");
   const PoreSizes made = watched(input.size(), py::none(), [&](Watch& watch) {
-    return pore_sizes(input, line_of(radii), {{edges[0], edges[1], edges[2]}},
-                      {.threads = threads, .progress = watch.progress()});
+    return pore_sizes(input, line_of(radii), *cell_of(cells, 0), {.threads = threads, .progress = watch.progress()});
   });
   return {made.included, made.passing, made.on_the_way, {made.along[0], made.along[1], made.along[2]}};
 }
 
-/// Returns the members of rbpa.BallInterfaces, with numbers of groups in place of labels.
-py::dict ball_interfaces_of(const Doubles& centers, const Doubles& radii, const Indices& groups, unsigned threads) {
+/// Returns the members of rbpa.BallInterfaces, with numbers of groups in place of labels. `cells` is that of cell_of().
+py::dict ball_interfaces_of(const Doubles& centers, const Doubles& radii, const Doubles& cells, const Indices& groups,
+                            unsigned threads) {
   const auto input = points3_of(centers, "centers");
   const std::vector<std::uint32_t> numbers(groups.data(), groups.data() + groups.size());
   BallInterfaces made = watched(input.size(), py::none(), [&](Watch& watch) {
-    return ball_interfaces(input, line_of(radii), numbers, {.threads = threads, .progress = watch.progress()});
+    return ball_interfaces({input, line_of(radii), cell_of(cells, 0)}, numbers,
+                           {.threads = threads, .progress = watch.progress()});
   });
   py::dict result;
   result["groups"] = column<std::int32_t>(made.all, &BallInterface::groups);
@@ -161,10 +166,11 @@ void bind_balls(py::module_& module) {
   module.def("measure_balls", &measured, as_is("centers"), as_is("radii"), as_is("cells"), arg("probe"),
              arg("contacts"), arg("derivatives"), arg("threads"), arg("progress"));
   module.def("regular_triangulation", &tetrahedra_of, as_is("centers"), as_is("radii"));
-  module.def("ball_voids", &ball_voids_of, as_is("centers"), as_is("radii"), as_is("cell"), arg("pockets"),
+  module.def("ball_voids", &ball_voids_of, as_is("centers"), as_is("radii"), as_is("cells"), arg("pockets"),
              arg("threads"));
-  module.def("pore_sizes", &pore_sizes_of, as_is("centers"), as_is("radii"), as_is("cell"), arg("threads"));
-  module.def("ball_interfaces", &ball_interfaces_of, as_is("centers"), as_is("radii"), as_is("groups"), arg("threads"));
+  module.def("pore_sizes", &pore_sizes_of, as_is("centers"), as_is("radii"), as_is("cells"), arg("threads"));
+  module.def("ball_interfaces", &ball_interfaces_of, as_is("centers"), as_is("radii"), as_is("cells"), as_is("groups"),
+             arg("threads"));
 }
 
 }  // namespace rbpa::python

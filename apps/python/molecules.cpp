@@ -51,7 +51,7 @@ Frames read_frames(app::AtomFrames& file) {
     }
     result.numbers.push_back(frame.number);
     if (const app::UnitCell& cell = frame.cell; cell.edges && cell.repeats == std::array{true, true, true})
-      for (const auto& edge : *cell.edges) result.boxes.insert(result.boxes.end(), edge.begin(), edge.end());
+      for (const Point3& edge : *cell.edges) result.boxes.insert(result.boxes.end(), {edge.x, edge.y, edge.z});
     for (const AtomRow& row : frame.rows) {
       result.positions.push_back(row.center);
       if (frame.has_radii) result.radii.push_back(row.radius);
@@ -68,7 +68,7 @@ std::optional<std::vector<std::vector<double>>> edges_of_cell(const std::vector<
   const auto edges = app::edges_of_cell(numbers);
   if (!edges) return std::nullopt;
   std::vector<std::vector<double>> rows;
-  for (const auto& edge : *edges) rows.emplace_back(edge.begin(), edge.end());
+  for (const Point3& edge : *edges) rows.push_back({edge.x, edge.y, edge.z});
   return rows;
 }
 

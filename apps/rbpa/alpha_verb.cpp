@@ -67,6 +67,8 @@ void write(OutputFile& out, const AlphaReport& report, const AlphaArguments& arg
 
 void run_alpha(const AlphaArguments& arguments) {
   if (is_in_space(arguments.dimension)) return run_space_alpha(arguments);
+  refuse_given({{arguments.radii.has_value(), "--radii"}, {arguments.radius_default.has_value(), "--radius-default"}},
+               "applies only to --dimension 3");
   if (arguments.has_groups()) return run_group_alpha(arguments);
   const Radii request = parse_radii(arguments);
   const ComplexKind kind = parse_complex(arguments);

@@ -100,13 +100,15 @@ void run_discs(const DiscsArguments& arguments) {
     throw BadInput(run.input() + ": " + e.what());
   }
   stats.build_seconds = run.lap();
-  // Discs of radius 0 that are alone have no polygon.
   std::vector<std::optional<std::uint32_t>> polygon_of(radii.size());
+  std::vector<std::uint32_t> isolated;  // discs of radius 0 that are alone: they have no polygon
   const std::vector<std::uint32_t>& with_polygon = made.components;  // ascending
   for (std::size_t i = 0; i < radii.size(); ++i) {
     const auto found = std::lower_bound(with_polygon.begin(), with_polygon.end(), measures.components[i]);
     if (found != with_polygon.end() && *found == measures.components[i])
       polygon_of[i] = static_cast<std::uint32_t>(found - with_polygon.begin());
+    else if (measures.components[i] != DiscMeasures::none)
+      isolated.push_back(static_cast<std::uint32_t>(i));
   }
   const std::vector<PointColumn> columns = {column_of("radius", radii), column_of("area", measures.areas),
                                             column_of("length", measures.lengths)};
@@ -122,7 +124,7 @@ void run_discs(const DiscsArguments& arguments) {
   const Shape shape{points, made.polygons, polygon_of, file.crs, file.degrees, file.index, columns};
   {
     const ProgressLine line = run.writing();
-    add_shapes(run, request.targets, shape, {}, request.width);
+    add_shapes(run, request.targets, shape, isolated, request.width);
   }
   stats.write_seconds = run.lap();
   const PolygonTotals totals = total(made.polygons);

@@ -228,15 +228,7 @@ CLI::App* add_balls(CLI::App& app, BallsArguments& arguments) {
                   "center of the probe")
       ->type_name("R")
       ->capture_default_str();
-  verb.add_option("--radii", arguments.radii,
-                  "Take radii by element of Bondi, those of ProtOr for amino acids, a column of the file, or a FILE of "
-                  "lines 'ELEMENT RADIUS', 'RESIDUE ATOM RADIUS' or '* ATOM RADIUS', with Bondi's for all others "
-                  "(default: those of the file, if it has some, else bondi)")
-      ->type_name("bondi|protor|column:NAME|FILE");
-  verb.add_option("--radius-default", arguments.radius_default,
-                  "Take R for atoms without a radius, which are refused "
-                  "otherwise")
-      ->type_name("R");
+  add_ball_radii_options(verb, arguments, "Take", " (default: those of the file, if it has some, else bondi)");
   verb.add_option("--models", arguments.models,
                   "Measure these models, or frames, of the file: numbers from 1 (default 1). Rows have their frame if "
                   "there may be several")
@@ -269,15 +261,15 @@ CLI::App* add_balls(CLI::App& app, BallsArguments& arguments) {
           "--voids", arguments.voids,
           "Write the voids that the balls with the probe enclose, the largest first: volume of their tetrahedra "
           "and outside of the balls, area, center and radius of the largest ball that fits in, input indices of "
-          "the atoms around; obj has the surface of the tetrahedra; with --box, csv and json have the number of "
-          "directions in which each percolates: " +
-              endings(Use::voids))
+          "the atoms around; with --box, csv and json have the number of directions in which each percolates; obj has "
+          "the surface of the tetrahedra, pml and cxc are scripts for PyMOL and ChimeraX: " +
+              endings(Use::lined))
       ->type_name("FILE");
   verb.add_option(
           "--pockets", arguments.pockets,
           "Write the pockets in the same way, with the number of their mouths, the area of these, and the radius "
           "of the largest ball that fits into one: " +
-              endings(Use::voids))
+              endings(Use::lined))
       ->type_name("FILE");
   add_switch(
       verb, "--pores", arguments.pores,

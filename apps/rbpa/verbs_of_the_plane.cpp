@@ -69,6 +69,9 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
       ->type_name("2|3")
       ->capture_default_str();
   add_waters_option(verb, arguments.waters);
+  add_ball_radii_options(
+      verb, arguments, "With --dimension 3 take POINTS as balls with",
+      ": births and deaths are powers p, at which a ball of radius R has the squared radius R^2 + p");
   verb.add_option("--complex", arguments.complex,
                   "Compute the persistence of the solid complex (default), or of the full one, with edges and "
                   "points in no triangle")
@@ -106,6 +109,7 @@ CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments) {
       "  rbpa alpha points.xy --representatives holes.geojson --top 10\n"
       "  rbpa alpha points.xy --representatives holes.geojson --levels hrbpa:64\n"
       "  rbpa alpha atoms.pdb --dimension 3 --representatives cycles.obj --min-persistence 1\n"
+      "  rbpa alpha atoms.pdb --dimension 3 --radii bondi --csv > powers.csv\n"
       "  rbpa alpha fixes.csv --columns x,y --group-by animal --csv\n\n" +
       std::string(exit_codes));
   return &verb;

@@ -24,6 +24,7 @@ using rbpa::app::AtomFrame;
 using rbpa::app::AtomFrames;
 using rbpa::app::AtomRow;
 using rbpa::app::BallRadii;
+using rbpa::app::CellEdges;
 using rbpa::app::Format;
 using rbpa::app::parse_frames;
 
@@ -77,8 +78,6 @@ std::string element(const AtomFrame& frame, std::size_t atom) { return frame.tex
 std::vector<Point3> centers(const AtomFrame& frame) { return frame.column(&AtomRow::center); }
 std::vector<double> radii(const AtomFrame& frame) { return frame.column(&AtomRow::radius); }
 
-using Edges = std::array<std::array<double, 3>, 3>;
-
 }  // namespace
 
 TEST_SUITE("atoms") {
@@ -126,11 +125,11 @@ TEST_SUITE("atoms") {
     CHECK(pdb.column(&AtomRow::is_hetero) == std::vector<bool>{false, true});
     CHECK(!pdb.has_radii);
     REQUIRE(pdb.cell.edges);
-    const Edges& edges = *pdb.cell.edges;
-    CHECK(edges[0] == std::array<double, 3>{10, 0, 0});
-    CHECK(edges[1][0] == -10);
-    CHECK(edges[1][1] == doctest::Approx(20 * std::sqrt(0.75)));
-    CHECK(edges[2] == std::array<double, 3>{0, 0, 30});
+    const CellEdges& edges = *pdb.cell.edges;
+    CHECK(edges[0] == Point3{10, 0, 0});
+    CHECK(edges[1].x == -10);
+    CHECK(edges[1].y == doctest::Approx(20 * std::sqrt(0.75)));
+    CHECK(edges[2] == Point3{0, 0, 30});
     CHECK(pdb.cell.fault == "CRYST1 with angles of 90, 90 and 120 degrees");
 
     const AtomFrame cif = frame_of(
@@ -145,7 +144,7 @@ TEST_SUITE("atoms") {
     CHECK(element(cif, 1) == "Ca");
     CHECK(std::isnan(cif.rows[1].resseq));
     CHECK(cif.column(&AtomRow::is_hetero) == std::vector<bool>{false, true});
-    CHECK(cif.cell.sides == std::array<double, 3>{9, 8, 7});
+    CHECK(cif.cell.sides == Point3{9, 8, 7});
   }
 
   TEST_CASE("water is left out and ligands are kept, each with a choice and a count") {
@@ -215,9 +214,9 @@ TEST_SUITE("atoms") {
     REQUIRE(all.size() == 3);
     CHECK(names_of(all[0]) == "CA CB");
     CHECK(names_of(all[1]) == "CG");
-    CHECK((*all[0].cell.sides)[0] == 10);
-    CHECK((*all[1].cell.sides)[0] == 12);
-    CHECK((*all[2].cell.sides)[0] == 12);
+    CHECK(all[0].cell.sides->x == 10);
+    CHECK(all[1].cell.sides->x == 12);
+    CHECK(all[2].cell.sides->x == 12);
     CHECK(all[2].number == 3);
     CHECK(warnings.empty());
     all = frames_of(models, Format::pdb, {.frames = parse_frames("--models", "3,1-2,2")});
@@ -286,8 +285,8 @@ TEST_SUITE("atoms") {
     CHECK(element(all[0], 0) == "C");
     CHECK(element(all[0], 1) == "Na");
     CHECK(all[0].counts.waters == 1);
-    CHECK(all[0].cell.sides == std::array<double, 3>{18.6824, 18.6824, 18.6824});
-    CHECK(all[1].cell.edges == Edges{{{10, 0, 0}, {5, 20, 0}, {2.5, 1.25, 30}}});
+    CHECK(all[0].cell.sides == Point3{18.6824, 18.6824, 18.6824});
+    CHECK(all[1].cell.edges == CellEdges{{{10, 0, 0}, {5, 20, 0}, {2.5, 1.25, 30}}});
     CHECK(all[1].cell.fault == "the box with edges that are not along x, y and z");
     CHECK(warnings ==
           std::vector<std::string>{"coordinates and the box are in angstroms, ten times the nanometers of the file"});
@@ -331,13 +330,13 @@ TEST_SUITE("atoms") {
     CHECK(centers(plain) == std::vector<Point3>{{1, 2, 3}, {4, 5, 6}});
     CHECK(radii(plain) == std::vector<double>{1.7, 1.5});
     CHECK(element(plain, 1) == "O");
-    CHECK(plain.cell.sides == std::array<double, 3>{10, 20, 40});
+    CHECK(plain.cell.sides == Point3{10, 20, 40});
     CHECK(radii(frame_of(dump(square, "xu yu zu diameter\n1 2 3 4\n5 6 7 3\n"), Format::dump)) ==
           std::vector<double>{2, 1.5});
     CHECK(centers(frame_of(dump(square, "type xs ys zs\n1 0.5 0.5 0.5\n1 0 0 0\n"), Format::dump)) ==
           std::vector<Point3>{{4, 10, 20}, {-1, 0, 0}});
     const AtomFrame skew = frame_of(dump(tilted, "type xs ys zs\n1 0 0 0\n1 1 1 1\n"), Format::dump);
-    CHECK(skew.cell.edges == Edges{{{10, 0, 0}, {2, 20, 0}, {-2, 0, 40}}});
+    CHECK(skew.cell.edges == CellEdges{{{10, 0, 0}, {2, 20, 0}, {-2, 0, 40}}});
     CHECK(centers(skew) == std::vector<Point3>{{0, 0, 0}, {10, 20, 40}});
     const AtomFrame open = frame_of(dump("pp ff pp\n0 1\n0 1\n0 1\n", "x y z\n1 0 0\n0 1 0\n"), Format::dump);
     CHECK(open.cell.repeats == std::array<bool, 3>{true, false, true});
@@ -390,7 +389,7 @@ TEST_SUITE("atoms") {
     CHECK(frame.column(&AtomRow::charge) == std::vector<double>{0.5, -0.5});
     CHECK(element(frame, 0) == "Si");
     CHECK(element(frame, 1) == "O");
-    CHECK(frame.cell.edges == Edges{{{5, 0, 0}, {1, 6, 0}, {0, 0, 7}}});
+    CHECK(frame.cell.edges == CellEdges{{{5, 0, 0}, {1, 6, 0}, {0, 0, 7}}});
     CHECK(frame.cell.repeats == std::array<bool, 3>{true, true, false});
     CHECK(radii(frame_of(extended, Format::text, {.where = "charge > 0", .radius = "charge"})) ==
           std::vector<double>{0.5});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -304,7 +305,38 @@ TEST_SUITE("balls") {
     const std::string one = folder.content("one.csv"), all = folder.content("v.csv");
     CHECK("frame," + one.substr(0, one.find('\n') + 1) + "1," + one.substr(one.find('\n') + 1) == all);
     CHECK(folder.rbpa("balls c.xyz --voids v.stl").err ==
-          "rbpa: --voids: found the ending 'stl', expected one of obj, json, csv\n");
+          "rbpa: --voids: found the ending 'stl', expected one of obj, json, csv, pml, cxc\n");
+  }
+
+  TEST_CASE("voids as scripts name and color the atoms around, and show the largest ball") {
+    const Folder folder;
+    std::string numbered = "8\nProperties=id:I:1:species:S:1:pos:R:3:radius:R:1\n", bare = "x,y,z,r\n";
+    for (int i = 0; i < 8; ++i) {
+      const std::string x = std::to_string(i & 1), y = std::to_string(i >> 1 & 1), z = std::to_string(i >> 2);
+      numbered += std::to_string(11 * i) + " C " + x + " " + y + " " + z + " 0.75\n";
+      bare += x + "," + y + "," + z + ",0.75\n";
+    }
+    folder.file("c.xyz", numbered);
+    folder.file("n.csv", bare);
+    REQUIRE(folder.rbpa("balls c.xyz -q --voids v.pml").code == 0);
+    std::istringstream pml(folder.content("v.pml"));
+    std::string line;
+    std::getline(pml, line);
+    CHECK(line == "select void_1, id 0+11+22+33+44+55+66+77");
+    std::getline(pml, line);
+    CHECK(line == "color orange, void_1");
+    std::getline(pml, line);
+    double x = 0, y = 0, z = 0, radius = 0;
+    REQUIRE(std::sscanf(line.c_str(), "pseudoatom void_1_ball, pos=[%lf,%lf,%lf], vdw=%lf, color=orange", &x, &y, &z,
+                        &radius) == 4);
+    CHECK(x == doctest::Approx(0.5));
+    CHECK(z == doctest::Approx(0.5));
+    CHECK(radius == doctest::Approx(std::sqrt(0.75) - 0.75));
+    REQUIRE(folder.rbpa("balls n.csv --radii column:r -q --voids v.cxc").code == 0);
+    const std::string cxc = folder.content("v.cxc");
+    CHECK(cxc.starts_with("name void_1 @@serial_number=1 @@serial_number=2 @@serial_number=3 "));  // in order
+    CHECK(cxc.find("\ncolor void_1 orange\nshape sphere center ") != std::string::npos);
+    CHECK(cxc.ends_with(" color orange name void_1_ball\n"));
   }
 
   TEST_CASE("voids as JSON have the values of their rows and the area of each atom around, as OBJ a closed surface") {

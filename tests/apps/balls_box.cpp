@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
@@ -90,6 +91,21 @@ TEST_SUITE("balls in a box") {
     CHECK(found["radii_along_edges"][2].get<double>() == Approx(std::sqrt(0.5) - 0.4));
   }
 
+  TEST_CASE("interfaces are those of groups with all images") {
+    const Folder folder;
+    folder.file("two.csv", "x,y,z,r,kind\n0.25,0,0,1,a\n9.75,0,0,1,b\n");
+    const std::string call = "balls two.csv --radii column:r --group column:kind --interfaces i.csv -q --box ";
+    REQUIRE(folder.rbpa(call + "10").code == 0);
+    const std::string table = folder.content("i.csv"), header = "kind_a,kind_b,area_a,area_b,contact_area\n";
+    double area_a = 0, area_b = 0, contact_area = 0;
+    REQUIRE(std::sscanf(table.c_str(), (header + "a,b,%lf,%lf,%lf").c_str(), &area_a, &area_b, &contact_area) == 3);
+    CHECK(area_a == Approx(2 * pi * 0.75));
+    CHECK(area_b == Approx(area_a));
+    CHECK(contact_area == Approx(pi * (1 - 0.0625)));
+    REQUIRE(folder.rbpa(call + "20").code == 0);
+    CHECK(folder.content("i.csv") == header);
+  }
+
   TEST_CASE("a box that atoms do not fit into is reported; a missing one and wrong calls are refused") {
     const Folder folder;
     folder.file("two.csv", "x,y,z,r\n0,0,0,1\n30,0,0,1\n");
@@ -97,7 +113,7 @@ TEST_SUITE("balls in a box") {
     folder.file("flat.dump", frame(0, "0"));
     folder.file("flat.csv", "x,y,z,r\n0,0,0,0.4\n");
     CHECK(folder.rbpa("balls two.csv --radii column:r --box 10")
-              .err.find("atoms reach over 30 x 0 x 0, more than the box, which reaches over 10 x 10 x 10") !=
+              .err.find("points reach over 30 x 0 x 0, more than the box, which reaches over 10 x 10 x 10") !=
           std::string::npos);
     CHECK(folder.rbpa("balls two.csv --radii column:r --box 40").err.find("reach over") == std::string::npos);
     const std::pair<const char*, const char*> calls[] = {
@@ -110,7 +126,7 @@ TEST_SUITE("balls in a box") {
         {"flat.dump --radius-default 1 --box auto", "flat.dump: found BOX BOUNDS without a volume"},
         {"two.pdb --box 9 --pockets p.csv", "--pockets cannot be combined with --box"},
         {"two.pdb --pores", "--pores requires --box"},
-        {"two.pdb --box 9 --voids v.obj", "--voids: found the ending '.obj', expected one of .csv"},
+        {"two.pdb --box 9 --voids v.obj", "--voids: found the ending 'obj', expected one of json, csv"},
         {"flat.csv --radii column:r --box 1,1,3000 --voids v.csv", "flat.csv: found a cell so flat"}};
     for (const auto& row : calls) {
       const std::string call = row.first, message = row.second;

@@ -37,6 +37,11 @@ TEST_SUITE("discs") {
     CHECK(std::stod(folder.rbpa("discs t.csv --radius column:r -o - --output-format csv -q").out.substr(39)) ==
           doctest::Approx(share));
     CHECK(folder.content("o.csv").find("5,5,,1,0,0\n10,0,,0,0,0\n") != std::string::npos);
+    // The disc of radius 0 is drawn as a point, the disc in another is not.
+    REQUIRE(folder.rbpa("discs t.csv --radius column:r -o o.svg -q").code == 0);
+    const std::string picture = folder.content("o.svg"), points = picture.substr(picture.find("isolated"));
+    REQUIRE(points.find("h0") != std::string::npos);
+    CHECK(points.find("h0") == points.rfind("h0"));
   }
 
   TEST_CASE("one radius for all discs leaves a hole where it is not covered") {

@@ -275,7 +275,7 @@ TEST_SUITE("molecules") {
       CHECK(before.fault == behind.fault);
       return before;
     };
-    const std::array<double, 3> sides = {55.865, 56.886, 80.993};
+    const Point3 sides = {55.865, 56.886, 80.993};
     CHECK(of_pdb("CRYST1   55.865   56.886   80.993  90.00  90.00  90.00 P 1           1").sides == sides);
     CHECK(of_cif("55.865", "90").sides == sides);
     CHECK(of_pdb("CRYST1  146.200  146.200  214.861  90.00  90.00 120.00 P 65 2 2     12").fault ==

@@ -151,13 +151,15 @@ TEST_SUITE("solid box") {
     folder.file("a.pdb", atom(1, 0, "ALA") + atom(2, 12.25, "GLY"));
     Outcome outcome = folder.rbpa("solid c.xyz --alpha 1 --box 2,4,4 --json");
     CHECK(outcome.code == 0);
-    CHECK(outcome.err.find("c.xyz: points reach over 3 x 3 x 3, more than the box of 2 x 4 x 4") != std::string::npos);
+    CHECK(outcome.err.find("c.xyz: points reach over 3 x 3 x 3, more than the box, which reaches over 2 x 4 x 4") !=
+          std::string::npos);
     CHECK(folder.rbpa("solid c.xyz --alpha 1 --box 3 --json").err.find("reach") == std::string::npos);
     CHECK(folder.rbpa("solid c.xyz --alpha 1 --box 2,4,4 --json -q").err.empty());
     outcome = folder.rbpa("solid a.pdb --alpha 1.5 --box 10 -o t.npy");
     CHECK(outcome.code == 3);
-    CHECK(outcome.err.find("a.pdb: atoms reach over 12.2 x 0 x 0, more than the box of 10 x 10 x 10") !=
-          std::string::npos);
+    CHECK(
+        outcome.err.find("a.pdb: atoms reach over 12.2 x 0 x 0, more than the box, which reaches over 10 x 10 x 10") !=
+        std::string::npos);
     CHECK(outcome.err.find("alpha is inf") == std::string::npos);
     CHECK(outcome.err.find("a ball with a radius of half of the box's least side, 10, has no point inside: expected "
                            "more points in the "
@@ -233,6 +235,8 @@ TEST_SUITE("solid box") {
     for (const char* box : {"4,4", "4,4,4,4", "0", "-1,4,4", "4,,4", "inf", "4,4,x", ","})
       refuses(std::string("--json --box=") + box,
               std::string("--box: found '") + box + "', expected the sides of the box");
+    refuses("--json --box 4,4,4,90,90,60",
+            "--box: found a cell with angles of 90, 90 and 60 degrees, expected right angles");
     refuses("--json --box 4 --balls", "--balls cannot be combined with --box");
     refuses("--box 4 --voids v.obj", "--voids: found the ending 'obj', expected one of json, csv with --box");
     CHECK(folder.rbpa("solid c.xyz --alpha 1 --json --box 1e-300").code == 3);

@@ -142,6 +142,41 @@ TEST_SUITE("space alpha") {
     CHECK(all[4]["edges"].size() == 4);
   }
 
+  TEST_CASE("balls have births and deaths as powers; with radii 0 these are the squares of the radii of points") {
+    const Folder folder;
+    folder.file("two.csv", "x,y,z,r\n0,0,0,3\n0,0,5,2\n0,0,0.5,1\n");  // two balls that touch, one within
+    const std::string balls = " --dimension 3 --radii column:r -q ";
+    CHECK(folder.rbpa("alpha two.csv --csv" + balls).out == "dimension,birth,death\n0,-9,\n0,-4,0\n");
+    const json report = json::parse(folder.rbpa("alpha two.csv --json --persistence" + balls).out);
+    CHECK(report["balls"] == 3);
+    CHECK(report["hidden"] == 1);
+    CHECK(report["components"] == 2);
+    CHECK(report["pairs"][1] == json{{"dimension", 0}, {"birth", -4.0}, {"death", 0.0}});
+    CHECK(report["radii"][0]["greatest"] == 3);
+    CHECK(folder.rbpa("alpha two.csv" + balls).out ==
+          "3 points, 3 kept; 1 without a cell\nradii: 1 to 3 (3, file)\n0 tunnels\n0 voids\n");
+    folder.file("s.xyz", sphere(200));
+    // Pairs of nearly equal radii may change places.
+    const auto ends = [&](const std::string& options, int dimension, bool squared) {
+      std::vector<double> values;
+      const json all = json::parse(folder.rbpa("alpha s.xyz --json --persistence -q " + options).out)["pairs"];
+      for (const json& pair : all)
+        for (const char* end : {"birth", "death"})
+          if (pair["dimension"] == dimension && !pair[end].is_null()) values.push_back(pair[end]);
+      if (squared)
+        for (double& value : values) value *= value;
+      std::sort(values.begin(), values.end());
+      return values;
+    };
+    for (int dimension = 0; dimension < 3; ++dimension) {
+      const std::vector<double> points = ends("--dimension 3", dimension, true),
+                                powers = ends("--dimension 3 --radii bondi --radius-default 0", dimension, false);
+      REQUIRE(points.size() > 1);
+      REQUIRE(powers.size() == points.size());
+      for (std::size_t i = 0; i < points.size(); ++i) CHECK(std::abs(powers[i] - points[i]) <= 1e-15 * points[i]);
+    }
+  }
+
   TEST_CASE("options without meaning in space are refused") {
     const Folder folder;
     folder.file("s.xyz", sphere(20));
@@ -163,5 +198,12 @@ TEST_SUITE("space alpha") {
     refuses("s.xyz --dimension 3 --cover 2", 2, "--cover: found '2'");
     refuses("s.xyz --dimension 3 --components 2", 2, "--components applies only to --dimension 2");
     refuses("missing.xyz --dimension 3", 3, "missing.xyz");
+    refuses("s.xyz --radii bondi", 2, "--radii applies only to --dimension 3");
+    refuses("s.xyz --dimension 3 --radius-default 1", 2, "--radius-default requires --radii");
+    refuses("s.xyz --dimension 3 --radii bondi --radius-default x", 2, "--radius-default: found 'x'");
+    refuses("s.xyz --dimension 3 --radii bondi", 3, "s.xyz:");
+    for (const char* option :
+         {"--representatives r.obj", "-o p.svg", "--cover 0.5", "--columns 1,2,3", "--stats s.json"})
+      refuses("s.xyz --dimension 3 --radii bondi " + std::string(option), 2, "cannot be combined with --radii");
   }
 }

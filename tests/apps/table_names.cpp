@@ -240,7 +240,7 @@ TEST_SUITE("names of columns") {
         "rbpa: fiji.csv: x is column 2, 'lon', and y is column 1, 'lat', as the header says (--columns chooses "
         "others)\n";
     const std::string degrees =
-        "rbpa: fiji.csv: coordinates are degrees, and so are alpha, lengths and areas; a degree of longitude is as "
+        "rbpa: fiji.csv: coordinates are degrees, and so are radii, lengths and areas; a degree of longitude is as "
         "long as 0.95 "
         "to 0.96 degrees of latitude there (ogr2ogr -t_srs projects them)\n";
     const Outcome far = folder.rbpa("info fiji.csv");

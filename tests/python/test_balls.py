@@ -326,6 +326,12 @@ def test_interfaces_are_what_areas_of_unions_leave():
     assert numpy.array_equal(made.areas_alone[half == "first"], alone[0].areas)
 
 
+def test_interfaces_in_a_box_are_those_with_all_images():
+    made = rbpa.balls([[0.25, 0, 0], [9.75, 0, 0]], 1, box=10).interfaces(["a", "b"])
+    assert made.areas.tolist() == [pytest.approx([1.5 * math.pi] * 2)]
+    assert made.contact_areas.tolist() == pytest.approx([math.pi * (1 - 0.0625)])
+
+
 @pytest.mark.skipif(not shutil.which("freesasa"), reason="there is no freesasa")
 def test_freesasa_has_the_same_interface(tmp_path):
     lines = [line for line in LYSOZYME.read_text().splitlines(True) if line.startswith("ATOM")]
@@ -340,6 +346,26 @@ def test_freesasa_has_the_same_interface(tmp_path):
     atoms = rbpa.molecules.read(LYSOZYME)
     made = rbpa.balls(atoms.positions, radii["both"], 1.4).interfaces(atoms.residue_numbers < 60)
     assert made.areas.sum() == pytest.approx(total["first"] + total["last"] - total["both"], rel=1e-3)
+
+
+@pytest.mark.skipif(not shutil.which("voronota"), reason="there is no voronota")
+@pytest.mark.parametrize("probe", [0.25, 1.4])
+def test_voronota_has_the_same_contacts_of_equal_balls(probe):
+    centers = rbpa.molecules.read(LYSOZYME).positions
+    lines = "".join(f"{x!r} {y!r} {z!r} 1.7\n" for x, y, z in centers.tolist())
+    call = ["voronota", "calculate-contacts", "--probe", str(probe)]
+    table = subprocess.run(call, input=lines, capture_output=True, text=True, check=True).stdout
+    theirs = {(int(a), int(b)): float(area) for a, b, area in map(str.split, table.splitlines())}
+    alone = [theirs.pop((i, i), 0) for i in range(len(centers))]  # the area of a ball's sphere
+    made = rbpa.balls(centers, 1.7, probe)
+    pairs = [tuple(pair) for pair in made.contacts.balls.tolist()]
+    assert len(pairs) > 4000 and theirs.keys() <= set(pairs)
+    lost = made.contacts.areas - [theirs.get(pair, 0) for pair in pairs]
+    whole = made.contacts.arcs == 0
+    digits = 5e-6 * made.contacts.areas  # they print six
+    assert whole.sum() > 400 and (lost >= -digits).all() and (lost <= digits)[whole].all()
+    assert lost.max() < 0.023  # they draw arcs as polygons, whose corners are on the arcs
+    assert made.areas.tolist() == pytest.approx(alone, abs=0.18)  # they draw spheres as triangles
 
 
 def test_frames_have_lists_of_voids_and_arcs_are_counted():

@@ -62,8 +62,8 @@ set(allowed
     rbpa/space/solid/boundary rbpa/space/solid/insertion rbpa/space/solid/rows rbpa/space/surface"
   "rbpa/space/balls/full: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run
     rbpa/space/balls rbpa/space/predicate rbpa/space/solid"
-  "rbpa/space/balls/periodic: rbpa/base rbpa/base/exact rbpa/space/balls rbpa/space/balls/full rbpa/space/predicate
-    rbpa/space/solid"
+  "rbpa/space/balls/periodic: rbpa/base rbpa/base/exact rbpa/base/run rbpa/space/balls rbpa/space/balls/full
+    rbpa/space/predicate rbpa/space/solid"
   "rbpa/space/cells: meshops/core rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/run rbpa/base/sort
     rbpa/space/predicate"
   "rbpa/space/persistence: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/radii rbpa/base/run

@@ -91,7 +91,7 @@ double AtomSelection::number(const Atom& atom, std::size_t k) const {
   return source_.number(atom, places_[k], of_where);
 }
 
-std::optional<std::array<std::array<double, 3>, 3>> edges_of_cell(const std::array<double, 6>& lengths_and_angles) {
+std::optional<CellEdges> edges_of_cell(const std::array<double, 6>& lengths_and_angles) {
   const auto& [a, b, c, alpha, beta, gamma] = lengths_and_angles;
   for (const double length : {a, b, c})
     if (!(length > 0 && std::isfinite(length))) return std::nullopt;
@@ -113,10 +113,14 @@ UnitCell unit_cell(const std::string& record, const std::array<std::string_view,
       return {.fault = record + " with " + in_quotes(values[k]) + (k < 3 ? " as a length" : " as an angle")};
     numbers[k] = number.value;
   }
-  const auto& [a, b, c, alpha, beta, gamma] = numbers;
-  if (a == 1 && b == 1 && c == 1) return {.fault = record + " of 1 x 1 x 1, which stands for none"};
-  UnitCell cell;
-  cell.edges = edges_of_cell(numbers);
+  if (numbers[0] == 1 && numbers[1] == 1 && numbers[2] == 1)
+    return {.fault = record + " of 1 x 1 x 1, which stands for none"};
+  return unit_cell(record, numbers);
+}
+
+UnitCell unit_cell(const std::string& record, const std::array<double, 6>& lengths_and_angles) {
+  const auto& [a, b, c, alpha, beta, gamma] = lengths_and_angles;
+  UnitCell cell{.edges = edges_of_cell(lengths_and_angles)};
   if (alpha == 90 && beta == 90 && gamma == 90)
     cell.sides = {{a, b, c}};
   else
@@ -125,22 +129,18 @@ UnitCell unit_cell(const std::string& record, const std::array<std::string_view,
   return cell;
 }
 
-UnitCell unit_cell(const std::string& record, const std::array<std::array<double, 3>, 3>& edges,
-                   const std::array<bool, 3>& repeats) {
-  const auto& [a, b, c] = edges;
-  const double volume =
-      a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+UnitCell unit_cell(const std::string& record, const std::array<double, 9>& edges, const std::array<bool, 3>& repeats) {
+  const auto& [ax, ay, az, bx, by, bz, cx, cy, cz] = edges;
+  const double volume = ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx);
   if (!(volume != 0 && std::isfinite(volume))) return {.fault = record + " without a volume, which stands for none"};
-  UnitCell cell{.edges = edges, .repeats = repeats};
-  bool along_axes = true;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) along_axes = along_axes && (i == k ? edges[i][k] > 0 : edges[i][k] == 0);
-  if (!along_axes)
+  UnitCell cell{.edges = CellEdges{{{ax, ay, az}, {bx, by, bz}, {cx, cy, cz}}}, .repeats = repeats};
+  const bool has_right_angles = ay == 0 && az == 0 && bx == 0 && bz == 0 && cx == 0 && cy == 0;
+  if (!(has_right_angles && ax > 0 && by > 0 && cz > 0))
     cell.fault = record + " with edges that are not along x, y and z";
   else if (repeats != std::array{true, true, true})
     cell.fault = record + " that does not repeat along all of x, y and z";
   else
-    cell.sides = {{a[0], b[1], c[2]}};
+    cell.sides = {{ax, by, cz}};
   return cell;
 }
 

@@ -133,14 +133,16 @@ class AtomSelection {
 
 /// Returns the edges of a cell of three lengths and three angles, in degrees, as UnitCell::edges; nothing unless lengths
 /// are above 0 and there is a cell with these angles.
-std::optional<std::array<std::array<double, 3>, 3>> edges_of_cell(const std::array<double, 6>& lengths_and_angles);
+std::optional<CellEdges> edges_of_cell(const std::array<double, 6>& lengths_and_angles);
 
 /// Returns the unit cell of three lengths and three angles, in degrees; no cell if all texts are empty. UnitCell::fault
 /// names `record`, the record of the file with the values.
 UnitCell unit_cell(const std::string& record, const std::array<std::string_view, 6>& values);
+UnitCell unit_cell(const std::string& record, const std::array<double, 6>& lengths_and_angles);
 
-/// Returns the unit cell of three edges. UnitCell::fault names `record`, the record of the file with the edges.
-UnitCell unit_cell(const std::string& record, const std::array<std::array<double, 3>, 3>& edges,
+/// Returns the unit cell of three edges, one after another. UnitCell::fault names `record`, the record of the file with
+/// the edges.
+UnitCell unit_cell(const std::string& record, const std::array<double, 9>& edges,
                    const std::array<bool, 3>& repeats = {true, true, true});
 
 /// Returns a number of CIF without its standard uncertainty: "5.28(3)" is 5.28.

@@ -26,6 +26,7 @@
 #include "io/scalar.h"
 #include "io/text/columns.h"
 #include "io/text/condition.h"
+#include "rbpa/base/point3.h"
 
 namespace rbpa::app {
 
@@ -76,15 +77,17 @@ enum class Channels {
   wide    ///< 0 to 65535
 };
 
+/// The three edges of a cell, as vectors.
+using CellEdges = std::array<Point3, 3>;
+
 /// The box in which the points of a file repeat.
 struct UnitCell {
-  std::optional<std::array<double, 3>> sides =
-      std::nullopt;  ///< lengths along x, y and z; absent unless all angles are right
+  std::optional<Point3> sides = std::nullopt;  ///< lengths along x, y and z; absent unless all angles are right
   /// Why `sides` is absent: "CRYST1 with angles of 90, 90 and 120 degrees"; empty if the file names no cell, or `sides`
   /// is present.
   std::string fault = {};
   /// The edges a, b and c of a cell of any angles. From lengths and angles, a is along x and b in the plane of x and y.
-  std::optional<std::array<std::array<double, 3>, 3>> edges = std::nullopt;
+  std::optional<CellEdges> edges = std::nullopt;
   std::array<bool, 3> repeats = {true, true, true};  ///< whether the cell repeats along a, b and c
 
   bool is_there() const { return sides || edges || !fault.empty(); }

@@ -105,13 +105,13 @@ class GroAtoms final : public LineAtoms {
   void read_box() {
     take_line("the box, three or nine numbers");
     constexpr std::size_t places[] = {0, 4, 8, 1, 2, 3, 5, 6, 7};
-    std::array<std::array<double, 3>, 3> edges{};
+    std::array<double, 9> edges{};
     const std::vector<std::string_view> words = split_words(lines_.line());
     bool is_box = words.size() == 3 || words.size() == 9;
     for (std::size_t k = 0; is_box && k < words.size(); ++k) {
       const ParsedNumber number = parse_whole_number(words[k]);
       is_box = number.fault == NumberFault::none;
-      edges[places[k] / 3][places[k] % 3] = ten_times(number.value, words[k]);
+      edges[places[k]] = ten_times(number.value, words[k]);
     }
     if (!is_box) bad_input(here(), in_quotes(lines_.line()), "the box, three or nine numbers");
     cell_ = unit_cell("the box", edges);
@@ -217,7 +217,7 @@ class DumpAtoms final : public NamedAtoms {
     if (!is_scaled_ || column < x_of_atom || column >= x_of_atom + 3) return number;
     const std::size_t k = column - x_of_atom;
     double sum = origin_[k];
-    for (std::size_t i = 0; i < 3; ++i) sum += AtomSource::parsed(atom, x_of_atom + i, where) * edges_[i][k];
+    for (std::size_t i = 0; i < 3; ++i) sum += AtomSource::parsed(atom, x_of_atom + i, where) * edges_[3 * i + k];
     if (!std::isfinite(sum)) bad_input(at_line(name_, atom.line), "a place that is not finite", "finite coordinates");
     return sum;
   }
@@ -282,11 +282,11 @@ class DumpAtoms final : public NamedAtoms {
     const double xy = rows[0][2], xz = rows[1][2], yz = rows[2][2];
     origin_ = {rows[0][0] - std::min({0.0, xy, xz, xy + xz}), rows[1][0] - std::min(0.0, yz), rows[2][0]};
     const double end_x = rows[0][1] - std::max({0.0, xy, xz, xy + xz}), end_y = rows[1][1] - std::max(0.0, yz);
-    edges_ = {{{end_x - origin_[0], 0, 0}, {xy, end_y - origin_[1], 0}, {xz, yz, rows[2][1] - rows[2][0]}}};
+    edges_ = {end_x - origin_[0], 0, 0, xy, end_y - origin_[1], 0, xz, yz, rows[2][1] - rows[2][0]};
     cell_ = unit_cell("BOX BOUNDS", edges_, repeats);
   }
 
-  std::array<std::array<double, 3>, 3> edges_ = {};
+  std::array<double, 9> edges_ = {};  // of the box, one after another
   std::array<double, 3> origin_ = {};
   bool is_scaled_ = false, is_diameter_ = false;
 };
@@ -336,7 +336,7 @@ class XyzAtoms final : public NamedAtoms {
     std::string_view flags = comment_value(comment, "pbc=");
     for (bool& flag : repeats)
       if (const std::string_view word = take_word(flags); !word.empty()) flag = word.front() == 'T' || word == "1";
-    cell_ = unit_cell("Lattice", {{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}}}, repeats);
+    cell_ = unit_cell("Lattice", {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]}, repeats);
   }
 };
 

@@ -211,7 +211,7 @@ void warning_on_degrees(PointFile& file) {
     return;
   }
   file.warnings.push_back(
-      "coordinates are degrees, and so are alpha, lengths and areas; a degree of longitude is as long as " +
+      "coordinates are degrees, and so are radii, lengths and areas; a degree of longitude is as long as " +
       share_of_latitude(box) + " degrees of latitude there (ogr2ogr -t_srs projects them)");
   if (lie_around_antimeridian(file.points, box))
     file.warnings.push_back(

@@ -300,9 +300,8 @@ class Balls(Result):
         return found if self.centers.ndim == 3 else found[0]
 
     def _of_one_frame(self, what: str) -> Floats:
-        """Returns the radii with the probe. Raises InvalidInput for several frames, and for a box."""
+        """Returns the radii with the probe. Raises InvalidInput for several frames."""
         self._require_unchanged()
-        self._require_no_box(what)
         if self.centers.ndim == 3:
             raise InvalidInput(f"{what}: found {len(self.centers)} frames, expected one (rbpa.balls(centers[i], radii, probe).{what})")
         return np.ascontiguousarray(self.radii + self.probe)
@@ -312,12 +311,12 @@ class Balls(Result):
             raise InvalidInput(f"{what}: found balls in a box that repeats, expected balls without a box")
 
     def _frames(self, radii: Floats) -> list[tuple[Floats, Floats, Floats]]:
-        """Returns centers, radii, and the edges of the box, if there is one, of each frame."""
+        """Returns centers, radii, and `cells` with the box, if there is one, of each frame."""
         self._require_unchanged()
         frames = self.centers if self.centers.ndim == 3 else self.centers[None]
         rows = np.ascontiguousarray(np.broadcast_to(radii, frames.shape[:2]))
-        cells: Any = self.cells if len(self.cells) == len(frames) else [self.cells.reshape(-1, 3)] * len(frames)
-        return list(zip(frames, rows, cells))
+        count = len(self.cells)
+        return [(frames[f], rows[f], self.cells[f : f + 1] if count == len(frames) else self.cells) for f in range(len(frames))]
 
     def _found(self, pockets: bool) -> Any:
         """Returns the pockets if `pockets`, otherwise the voids; for several frames, a list for each frame."""
@@ -360,13 +359,14 @@ class Balls(Result):
         >>> f.persistence(0).tolist(), f.betti(0)  # the balls touch
         ([[-9.0, inf], [-4.0, 0.0]], (1, 0, 0))
         """
+        self._require_no_box("filtration")
         return BallFiltration(self.centers, self._of_one_frame("filtration"), bool(roots), threads)
 
     def interfaces(self, groups: npt.ArrayLike, *, threads: Optional[int] = None) -> BallInterfaces:
         """Returns the areas of the surfaces of groups of balls, with the probe, that other groups cover.
 
         `groups` has a label for each ball: the chains of atoms, or any other numbers or texts. Each two groups are
-        compared without the others.
+        compared without the others. In a box, the images of a ball are in its group, and areas are those per box.
 
         >>> two = rbpa.balls([[0, 0, 0], [0, 0, 3]], [2, 2]).interfaces(["A", "B"])
         >>> two.groups.tolist(), two.areas.round(6).tolist()  # caps of height 1/2: 2π each
@@ -378,7 +378,7 @@ class Balls(Result):
             raise InvalidInput(f"groups: found an array of shape {given.shape}, expected {radii.shape}, one for each ball")
         labels, number = np.unique(given, return_inverse=True)
         numbers = np.ascontiguousarray(number, np.int32)
-        found = _core.ball_interfaces(self.centers, radii, numbers, as_threads(threads))
+        found = _core.ball_interfaces(self.centers, radii, self.cells, numbers, as_threads(threads))
         made = BallInterfaces(**{**found, "groups": labels[found["groups"]]})
         freeze(*made)
         return made

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any, NamedTuple, Optional
 
 import numpy as np
@@ -60,8 +61,8 @@ def discs(
         raise InvalidInput(f"radii: found an array of shape {sizes.shape}, expected {array.shape[:1]}, one for each center")
     if not isinstance(corners, (int, np.integer)) or not 3 <= corners <= 100_000:
         raise InvalidInput(f"corners: found {corners!r}, expected a whole number from 3 to 100000")
-    made = _core.measure_discs(array, sizes, int(corners), as_threads(threads), progress)
-    return Discs(array, sizes, made)
+    made = _core.measure_discs(array, sizes, as_threads(threads), progress)
+    return Discs(array, sizes, int(corners), made)
 
 
 class DiscCurve(NamedTuple):
@@ -105,9 +106,8 @@ class Discs(Result):
         The discs that have no part of the union.
     boundary : list of DiscCurve
         The outer curve of each component, followed by those of its holes.
-    polygons : Polygons
-        The components as polygons with holes, with corners on the circles: parts of the union, and valid, up to the
-        rounding of corners where circles nearly touch.
+    corners : int
+        The number of corners of a whole circle in `polygons`.
     """
 
     centers: Floats
@@ -119,14 +119,20 @@ class Discs(Result):
     components: Indices
     hidden: Indices
     boundary: list[DiscCurve]
-    polygons: Polygons
+    corners: int
 
-    def __init__(self, centers: Floats, radii: Floats, made: dict[str, Any]) -> None:
-        curves = [DiscCurve(*curve) for curve in made.pop("curves")]
+    def __init__(self, centers: Floats, radii: Floats, corners: int, made: dict[str, Any]) -> None:
+        curves = [DiscCurve(*curve) for curve in made.pop("boundary")]
         for curve in curves:
             freeze(curve.discs, curve.begins, curve.angles)
-        polygons = Polygons(made.pop("corners"), made.pop("polygons"))
-        super().__init__({**made, "boundary": curves, "polygons": polygons}, centers=centers, radii=radii)
+        super().__init__({**made, "boundary": curves, "corners": corners}, centers=centers, radii=radii)
+
+    @cached_property
+    def polygons(self) -> Polygons:
+        """The components as polygons with holes, with corners on the circles: parts of the union, and valid, up to the
+        rounding of corners where circles nearly touch. Made at the first access."""
+        self._require_unchanged()
+        return Polygons(*_core.disc_polygons(self.centers, self.radii, self.boundary, self.corners))
 
     def __len__(self) -> int:
         return len(self.centers)

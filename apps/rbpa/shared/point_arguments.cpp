@@ -1,5 +1,10 @@
 #include "shared/point_arguments.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
 #include "io/cloud/atoms.h"
 #include "io/failure.h"
 #include "io/number.h"
@@ -28,6 +33,13 @@ PixelRule parse_pixel_rule(const PixelArguments& arguments) {
 void require_molecule(Format format, const std::string& option, const std::string& found) {
   require_format(has(format, &CloudFormat::is_molecule), option, found,
                  readable(Use::space, [](const CloudFormat& reader) { return reader.is_molecule; }));
+}
+
+BallRadii parse_ball_radii(const BallRadiiArguments& arguments) {
+  std::optional<double> otherwise;
+  if (arguments.radius_default)
+    otherwise = parse_real("--radius-default", *arguments.radius_default, {}, "a length, at least 0");
+  return BallRadii(arguments.radii, otherwise);
 }
 
 bool GroupArguments::has_groups() const {
@@ -98,6 +110,48 @@ SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::v
     source.choice.where = Condition("", *names);  // refuses the empty condition
   source.choice.where = Condition(arguments.where.value_or(""), *names, columns, option);
   return source;
+}
+
+UnitCell parse_box(const std::string& text, Format format) {
+  if (text == "auto") {
+    require_molecule(format, "--box auto", "without a cell");
+    return {};
+  }
+  std::vector<double> numbers;
+  for (const std::string_view part : split_at_commas(text)) {
+    const ParsedNumber number = parse_whole_number(part);
+    numbers.push_back(number.fault == NumberFault::none ? number.value : 0);
+  }
+  if (numbers.size() == 1) numbers.resize(3, numbers.front());
+  if (numbers.size() == 3) numbers.resize(6, 90);
+  std::array<double, 6> lengths_and_angles{};
+  if (numbers.size() == 6) std::copy(numbers.begin(), numbers.end(), lengths_and_angles.begin());
+  UnitCell cell = unit_cell("a cell", lengths_and_angles);
+  if (!cell.edges)
+    bad_usage("--box", in_quotes(text),
+              "the sides of the box, Lx,Ly,Lz, one length for all, or the lengths and angles of a cell, "
+              "a,b,c,alpha,beta,gamma; or auto, the cell of the file");
+  return cell;
+}
+
+std::vector<std::string> warnings_of_range(std::span<const Point3> points, const CellEdges& box,
+                                           const std::string& noun) {
+  if (points.empty()) return {};
+  std::string reach, of_box;
+  bool is_over = false;
+  for (const auto coordinate : {&Point3::x, &Point3::y, &Point3::z}) {
+    const auto less = [&](const Point3& a, const Point3& b) { return a.*coordinate < b.*coordinate; };
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
+    double size = 0;
+    for (const Point3& edge : box) size += std::abs(edge.*coordinate);
+    const double distance = (*high).*coordinate - (*low).*coordinate;
+    is_over |= distance > size;
+    reach += (reach.empty() ? "" : " x ") + rounded(distance, 3);
+    of_box += (of_box.empty() ? "" : " x ") + rounded(size, 3);
+  }
+  if (!is_over) return {};
+  return {noun + " reach over " + reach + ", more than the box, which reaches over " + of_box +
+          ": coordinates count modulo its edges"};
 }
 
 std::vector<WantedColumn> columns_of_names() {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "io/cloud/ball_radii.h"
 #include "io/cloud/read_points.h"
 #include "io/cloud/read_space_points.h"
 #include "io/formats.h"
@@ -60,6 +62,14 @@ struct GroupArguments {
   bool has_groups() const;
 };
 
+/// The options about the radii of balls, as text.
+struct BallRadiiArguments {
+  std::optional<std::string> radii, radius_default;
+};
+
+/// Parses the options, and reads the file of --radii. Throws as parse_real() and BallRadii do.
+BallRadii parse_ball_radii(const BallRadiiArguments& arguments);
+
 /// Parses the file, format and choice of points, with `columns` for groups; the format as parse_format() does. Throws
 /// WrongUsage that names the value, or an option that belongs to another format.
 PointSource parse_source(const PointArguments& arguments, const GroupColumns& columns = {});
@@ -79,6 +89,15 @@ SpacePointSource parse_space_source(const SpacePointArguments& arguments, std::v
 /// Throws WrongUsage that names `option` unless the points of `format` are atoms. `found` describes other formats in
 /// the message, such as "without atoms".
 void require_molecule(Format format, const std::string& option, const std::string& found);
+
+/// Parses --box. The cell has no edges for "auto", the cell of a file of `format`. Throws WrongUsage that names the
+/// text, or a format without cells.
+UnitCell parse_box(const std::string& text, Format format);
+
+/// Returns a warning if the points reach over more than the box along an axis of space: it may be the wrong box. `noun`
+/// names the points.
+std::vector<std::string> warnings_of_range(std::span<const Point3> points, const CellEdges& box,
+                                           const std::string& noun);
 
 /// Returns the columns that name an atom, each of them optional. Tables of text may have these columns too.
 std::vector<WantedColumn> columns_of_names();

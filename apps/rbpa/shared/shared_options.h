@@ -10,6 +10,7 @@
 #include "io/polygon/ogr.h"
 #include "shared/alpha_option.h"
 #include "shared/method.h"
+#include "shared/point_arguments.h"
 #include "shared/run.h"
 
 namespace rbpa::app {
@@ -46,6 +47,21 @@ inline void add_waters_option(CLI::App& verb, bool& waters) {
   add_switch(verb, "--waters", waters,
              "Read the atoms of water of a molecule too (by default they are left out, unless --where uses "
              "resname)");
+}
+
+/// Adds --radii and --radius-default. `before` and `after` are parts of the help of --radii.
+inline void add_ball_radii_options(CLI::App& verb, BallRadiiArguments& arguments, const std::string& before,
+                                   const std::string& after) {
+  verb.add_option("--radii", arguments.radii,
+                  before +
+                      " radii by element of Bondi, those of ProtOr for amino acids, a column of the file, or "
+                      "a FILE of lines 'ELEMENT RADIUS', 'RESIDUE ATOM RADIUS' or '* ATOM RADIUS', with "
+                      "Bondi's for all others" +
+                      after)
+      ->type_name("bondi|protor|column:NAME|FILE");
+  verb.add_option("--radius-default", arguments.radius_default,
+                  "Take R for atoms without a radius, which are refused otherwise")
+      ->type_name("R");
 }
 
 inline void add_stats_option(CLI::App& verb, std::optional<std::string>& file) {

@@ -62,7 +62,7 @@ struct RepresentativeArguments {
 };
 
 /// The arguments of `rbpa alpha`, which prints the critical radii of points, and recommends one.
-struct AlphaArguments : RadiiArguments, GroupArguments, RepresentativeArguments {
+struct AlphaArguments : RadiiArguments, GroupArguments, RepresentativeArguments, BallRadiiArguments {
   std::optional<std::string> picture;  ///< path of an .svg file to write
   bool json = false;
   bool csv = false;
@@ -150,10 +150,9 @@ struct SolidArguments : SpacePointArguments, OutputArguments {
 void run_solid(const SolidArguments& arguments);
 
 /// The arguments of `rbpa balls`, which measures the union of balls around atoms.
-struct BallsArguments : OutputArguments {
+struct BallsArguments : OutputArguments, BallRadiiArguments {
   std::string atoms;  ///< path of the file; "-" means standard input
-  std::optional<std::string> format, where, models, radii, radius_default, box, contacts, interfaces, voids, pockets,
-      group;
+  std::optional<std::string> format, where, models, box, contacts, interfaces, voids, pockets, group;
   std::string probe = "0";
   bool waters = false, no_ligands = false, no_hydrogens = false, alternates = false, pores = false, json = false;
   RunArguments run;

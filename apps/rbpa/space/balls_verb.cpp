@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <optional>
@@ -14,13 +13,13 @@
 #include "io/number.h"
 #include "rbpa/base/error.h"
 #include "rbpa/space/balls/measure_ball_frames.h"
+#include "shared/point_arguments.h"
 #include "shared/run.h"
 #include "shared/stats.h"
 #include "shared/verbs.h"
 #include "space/balls_files.h"
 #include "space/balls_voids.h"
 #include "space/periodic_report.h"
-#include "space/void_files.h"
 
 namespace rbpa::app {
 namespace {
@@ -30,7 +29,7 @@ struct BallsRequest {
   Format format = Format::text;
   AtomChoice choice = {};
   double probe = 0;
-  std::optional<RepeatingCell> box = std::nullopt;  ///< the cell of --box, without edges for auto
+  std::optional<UnitCell> box = std::nullopt;  ///< the cell of --box, without edges for auto
   AtomGroups groups = AtomGroups::none;
   std::vector<Target> targets = {};
   Format voids = Format::csv, pockets = Format::csv;
@@ -48,40 +47,11 @@ AtomGroups parse_groups(const std::string& text, AtomChoice& choice) {
   return AtomGroups::column;
 }
 
-RepeatingCell cell_of(const std::array<std::array<double, 3>, 3>& edges) {
-  RepeatingCell cell;
-  for (std::size_t k = 0; k < 3; ++k) cell.edges[k] = {edges[k][0], edges[k][1], edges[k][2]};
-  return cell;
-}
-
-/// Parses --box. The cell has no edges for "auto".
-RepeatingCell parse_cell(const std::string& text) {
-  if (text == "auto") return {};
-  std::vector<double> numbers;
-  for (const std::string_view part : split_at_commas(text)) {
-    const ParsedNumber number = parse_whole_number(part);
-    numbers.push_back(number.fault == NumberFault::none ? number.value : 0);
-  }
-  if (numbers.size() == 1) numbers.resize(3, numbers.front());
-  if (numbers.size() == 3) numbers.resize(6, 90);
-  std::array<double, 6> lengths_and_angles{};
-  if (numbers.size() == 6) std::copy(numbers.begin(), numbers.end(), lengths_and_angles.begin());
-  const auto edges = edges_of_cell(lengths_and_angles);
-  if (!edges)
-    bad_usage("--box", in_quotes(text),
-              "the sides of the box, Lx,Ly,Lz, one length for all, or the lengths and angles of a cell, "
-              "a,b,c,alpha,beta,gamma; or auto, the cell of the file");
-  return cell_of(*edges);
-}
-
 /// Parses the arguments, and reads the file of --radii. Throws WrongUsage that names the option; BadInput, Failure.
 BallsRequest parse(const BallsArguments& arguments) {
-  const std::string length = "a length, at least 0";
-  std::optional<double> otherwise;
-  if (arguments.radius_default) otherwise = parse_real("--radius-default", *arguments.radius_default, {}, length);
-  BallsRequest request{.radii = BallRadii(arguments.radii, otherwise)};
+  BallsRequest request{.radii = parse_ball_radii(arguments)};
   request.format = parse_format(Use::space, arguments.atoms, arguments.format, "ATOMS");
-  request.probe = parse_real("--probe", arguments.probe, {}, length);
+  request.probe = parse_real("--probe", arguments.probe, {}, "a length, at least 0");
   request.run = parse_run(arguments.run);
   request.choice = {.waters = arguments.waters,
                     .ligands = !arguments.no_ligands,
@@ -92,10 +62,8 @@ BallsRequest parse(const BallsArguments& arguments) {
   request.choice.radius = request.radii.column();
   if (arguments.models) request.choice.frames = parse_frames("--models", *arguments.models);
   if (arguments.box) {
-    if (*arguments.box == "auto") require_molecule(request.format, "--box auto", "without a cell");
-    request.box = parse_cell(*arguments.box);
-    refuse_given({{arguments.interfaces.has_value(), "--interfaces"}, {arguments.pockets.has_value(), "--pockets"}},
-                 "cannot be combined with --box");
+    request.box = parse_box(*arguments.box, request.format);
+    refuse_given({{arguments.pockets.has_value(), "--pockets"}}, "cannot be combined with --box");
   }
   if (arguments.pores && !arguments.box) throw WrongUsage("--pores requires --box");
   if (arguments.group) request.groups = parse_groups(*arguments.group, request.choice);
@@ -103,9 +71,12 @@ BallsRequest parse(const BallsArguments& arguments) {
   for (const auto& [option, path] :
        {std::pair("--contacts", &arguments.contacts), {"--interfaces", &arguments.interfaces}})
     if (*path) target_of(option, **path, Use::rows);
-  if (arguments.voids) request.voids = target_of("--voids", *arguments.voids, Use::voids).format;
-  if (arguments.voids && arguments.box) require_table_of_voids(*arguments.voids, request.voids);
-  if (arguments.pockets) request.pockets = target_of("--pockets", *arguments.pockets, Use::voids).format;
+  const auto has_no_surface = [](Format format) { return format != Format::obj; };
+  ;
+  if (arguments.voids)
+    request.voids =
+        target_of("--voids", *arguments.voids, Use::lined, arguments.box ? +has_no_surface : nullptr).format;
+  if (arguments.pockets) request.pockets = target_of("--pockets", *arguments.pockets, Use::lined).format;
   std::vector<std::string> reports =
       given({arguments.stats, arguments.contacts, arguments.interfaces, arguments.voids, arguments.pockets});
   if (arguments.json) reports.emplace_back("-");
@@ -127,8 +98,7 @@ class BallsRun : public Run {
   /// Returns whether any output shows the sizes without the probe.
   bool is_reported() const { return !options().quiet || arguments_.json || arguments_.stats; }
   std::vector<std::string> process();
-  void warning_range(const MeasuredAtoms& frame) const;
-  RepeatingCell cell_of_file(const std::string& name) const;
+  RepeatingCell cell(const std::string& name) const;
   std::vector<MeasuredAtoms> read_some(AtomFrames& file);
   void measure(std::vector<MeasuredAtoms>& some);
   void begin_tables(const AtomFrame& first);
@@ -177,34 +147,13 @@ void BallsRun::begin_tables(const AtomFrame& first) {
     voids_.emplace_back(files().add(*arguments_.pockets), request_.pockets, has_frames_, false, true);
 }
 
-/// Prints a warning, unless quiet, if the atoms of a frame reach over more than the box along an axis of space.
-void BallsRun::warning_range(const MeasuredAtoms& frame) const {
-  std::string reach, box;
-  bool is_over = false;
-  for (const auto coordinate : {&Point3::x, &Point3::y, &Point3::z}) {
-    const auto less = [&](const AtomRow& a, const AtomRow& b) { return a.center.*coordinate < b.center.*coordinate; };
-    const auto [low, high] = std::minmax_element(frame.rows.begin(), frame.rows.end(), less);
-    double size = 0;
-    for (const Point3& edge : request_.box->edges) size += std::abs(edge.*coordinate);
-    const double atoms = (*high).center.*coordinate - (*low).center.*coordinate;
-    is_over |= atoms > size;
-    reach += (reach.empty() ? "" : " x ") + rounded(atoms, 3);
-    box += (box.empty() ? "" : " x ") + rounded(size, 3);
-  }
-  if (is_over)
-    warning("atoms reach over " + reach + ", more than the box, which reaches over " + box +
-            ": coordinates count modulo its edges");
-}
-
-/// Returns the cell of the current frame of the file. Throws BadInput if it has none.
-RepeatingCell BallsRun::cell_of_file(const std::string& name) const {
-  const UnitCell& cell = texts_.cell;
+/// Returns the cell of --box, for auto that of the current frame of the file. Throws BadInput if it has none.
+RepeatingCell BallsRun::cell(const std::string& name) const {
+  const UnitCell& cell = request_.box->edges ? *request_.box : texts_.cell;
   if (!cell.edges)
     bad_input(name, (cell.fault.empty() ? "no cell" : cell.fault) + " in frame " + std::to_string(texts_.number),
               "a cell for --box auto (--box LX,LY,LZ gives one)");
-  RepeatingCell found = cell_of(*cell.edges);
-  found.repeats = cell.repeats;
-  return found;
+  return {*cell.edges, cell.repeats};
 }
 
 /// Reads frames until there is work for all threads. Returns no frame at the end.
@@ -218,11 +167,9 @@ std::vector<MeasuredAtoms> BallsRun::read_some(AtomFrames& file) {
     frame.number = texts_.number;
     frame.counts = texts_.counts;
     frame.radii = request_.radii.of(texts_, file.name());
-    if (request_.box) frame.cell = arguments_.box == "auto" ? cell_of_file(file.name()) : *request_.box;
+    if (request_.box) frame.cell = cell(file.name());
     frame.rows = std::move(texts_.rows);
     frame.kept = frame.rows.size();
-    if (request_.box && arguments_.box != "auto" && frames_.empty() && some.size() == 1 && frame.kept > 0)
-      warning_range(frame);
     atoms += frame.kept;
   }
   read_seconds_ += lap();
@@ -236,6 +183,8 @@ void BallsRun::measure(std::vector<MeasuredAtoms>& some) {
     for (const AtomRow& row : some[f].rows) centers[f].push_back(row.center);
     frames.push_back({centers[f], some[f].radii, some[f].cell});
   }
+  if (request_.box && request_.box->edges && frames_.empty())
+    warning(warnings_of_range(centers.front(), *request_.box->edges, are_atoms_ ? "atoms" : "points"));
   const OnProgress watch = [](const Progress&) { return !interrupted(); };
   const auto measured = [&](double probe, bool contacts) {
     return measure_ball_frames(frames,
@@ -256,7 +205,7 @@ void BallsRun::measure(std::vector<MeasuredAtoms>& some) {
       some[f].balls = std::move(with[f]);
       if (arguments_.interfaces)
         some[f].interfaces =
-            ball_interfaces(centers[f], some[f].radii, tables_.back().groups_of(some[f].rows),
+            ball_interfaces(frames[f], tables_.back().groups_of(some[f].rows),
                             {.probe = request_.probe, .threads = options().threads, .progress = watch});
       if (!voids_.empty())
         find_voids(some[f], centers[f], request_.probe, arguments_.pockets.has_value(), options().threads);

@@ -1,6 +1,8 @@
 #include "space/balls_voids.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <unordered_map>
@@ -54,12 +56,16 @@ void BallVoidRows::write(const MeasuredAtoms& frame) {
   for (const BallVoid& hollow : of_pockets_ ? frame.voids.pockets : frame.voids.voids) {
     stop_if_interrupted();
     ++number;
+    const std::string name = (has_frames_ ? "frame_" + std::to_string(frame.number) + "_" : std::string()) +
+                             (of_pockets_ ? "pocket_" : "void_") + std::to_string(number);
     if (format_ == Format::csv)
       write_row(frame, hollow, number);
     else if (format_ == Format::json)
       write_json(frame, hollow);
+    else if (format_ == Format::obj)
+      write_surface(frame, hollow, name);
     else
-      write_surface(frame, hollow, number);
+      write_commands(frame, hollow, name);
     ++size_;
   }
 }
@@ -111,9 +117,28 @@ void BallVoidRows::write_json(const MeasuredAtoms& frame, const BallVoid& hollow
   file_.write(one.dump());
 }
 
-void BallVoidRows::write_surface(const MeasuredAtoms& frame, const BallVoid& hollow, std::uint64_t number) {
-  file_.write("g " + (has_frames_ ? "frame_" + std::to_string(frame.number) + "_" : std::string()) +
-              (of_pockets_ ? "pocket_" : "void_") + std::to_string(number) + "\n");
+void BallVoidRows::write_commands(const MeasuredAtoms& frame, const BallVoid& hollow, const std::string& name) {
+  constexpr const char* colors[] = {"orange", "cyan", "magenta", "yellow", "green", "blue"};
+  const std::string color = colors[size_ % std::size(colors)];
+  const bool is_pymol = format_ == Format::pml;
+  file_.write(is_pymol ? "select " + name + ", id " : "name " + name);
+  const char* before = is_pymol ? "" : " @@serial_number=";
+  for (const LiningBall& lining : hollow.balls) {
+    const AtomRow& atom = frame.rows[lining.ball];
+    file_.write_all(before, std::isnan(atom.serial) ? static_cast<double>(atom.index + 1) : atom.serial);
+    before = is_pymol ? "+" : " @@serial_number=";
+  }
+  const auto& [x, y, z] = hollow.center;
+  if (is_pymol)
+    file_.write_all("\ncolor ", color, ", ", name, "\npseudoatom ", name, "_ball, pos=[", x, ",", y, ",", z,
+                    "], vdw=", hollow.radius, ", color=", color, "\nshow spheres, ", name, "_ball\n");
+  else
+    file_.write_all("\ncolor ", name, " ", color, "\nshape sphere center ", x, ",", y, ",", z, " radius ",
+                    hollow.radius, " color ", color, " name ", name, "_ball\n");
+}
+
+void BallVoidRows::write_surface(const MeasuredAtoms& frame, const BallVoid& hollow, const std::string& name) {
+  file_.write("g " + name + "\n");
   const std::vector<Triangle> triangles = boundary_of(hollow, frame.cells);
   std::unordered_map<std::uint32_t, std::uint64_t> vertex;  // number, from 1, of the vertex of each ball
   for (const Triangle& triangle : triangles)

@@ -1,7 +1,5 @@
 #include "space/periodic_solid.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -38,7 +36,6 @@ class PeriodicRun : public Run {
   bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || request_.voids; }
   std::string name_of_points() const;
   void settle_box();
-  void warning_range() const;
   void build();
   void select_within();
   void write();
@@ -60,35 +57,20 @@ std::string PeriodicRun::name_of_points() const {
 /// Sets request_.box to the cell of the file for --box auto. Otherwise prints a warning, unless quiet, if the cell of
 /// the file differs from --box or cannot be used. Throws BadInput for --box auto if the file has no usable cell.
 void PeriodicRun::settle_box() {
-  const std::optional<std::array<double, 3>>& sides = file_.cell.sides;
+  const std::optional<Point3>& sides = file_.cell.sides;
   const std::string& fault = file_.cell.fault;
   const Point3 given = *request_.box;
   if (given == Point3()) {
     if (!sides)
       throw BadInput(input() + ": found " + (fault.empty() ? "no cell" : fault) +
                      ", expected CRYST1 or _cell with right angles for --box auto (--box LX,LY,LZ gives the sides)");
-    request_.box = {(*sides)[0], (*sides)[1], (*sides)[2]};
-  } else if (sides && *sides != std::array{given.x, given.y, given.z}) {
-    warning("--box is not the cell of the file, which is " + text_of((*sides)[0]) + " x " + text_of((*sides)[1]) +
-            " x " + text_of((*sides)[2]) + " (--box auto uses that)");
+    request_.box = sides;
+  } else if (sides && *sides != given) {
+    warning("--box is not the cell of the file, which is " + text_of(sides->x) + " x " + text_of(sides->y) + " x " +
+            text_of(sides->z) + " (--box auto uses that)");
   } else if (!fault.empty()) {
     warning("the file has " + fault + ": the sides of --box are used");
   }
-}
-
-/// Prints a warning, unless quiet, if the bounding box of the points is larger than the periodic box, which may be the
-/// wrong box.
-void PeriodicRun::warning_range() const {
-  Point3 low = file_.points.front(), high = low;
-  for (const Point3& p : file_.points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  const Point3 reach = {high.x - low.x, high.y - low.y, high.z - low.z}, &box = *request_.box;
-  if (reach.x <= box.x && reach.y <= box.y && reach.z <= box.z) return;
-  warning(name_of_points() + " reach over " + rounded(reach.x, 3) + " x " + rounded(reach.y, 3) + " x " +
-          rounded(reach.z, 3) + ", more than the box of " + rounded(box.x, 3) + " x " + rounded(box.y, 3) + " x " +
-          rounded(box.z, 3) + ": coordinates count modulo its sides");
 }
 
 void PeriodicRun::build() {
@@ -181,7 +163,8 @@ void PeriodicRun::run() {
     throw BadInput(input() + ": found 0 " + name_of_points() +
                    ", expected at least one for --box (see --where and --waters)");
   settle_box();
-  warning_range();
+  const Point3& box = *request_.box;
+  warning(warnings_of_range(file_.points, {{{box.x, 0, 0}, {0, box.y, 0}, {0, 0, box.z}}}, name_of_points()));
   facts_.read_seconds = lap();
   build();
   boundary_ = periodic_boundary(solid_);

@@ -1,11 +1,9 @@
 #include "space/solid_request.h"
 
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "io/failure.h"
-#include "io/number.h"
 #include "picture/picture.h"
 #include "shared/alpha_option.h"
 #include "shared/progress.h"
@@ -14,18 +12,7 @@
 namespace rbpa::app {
 namespace {
 
-Point3 parse_box(const std::string& text) {
-  const std::vector<std::string_view> parts = split_at_commas(text);
-  std::vector<double> sides;
-  for (const std::string_view part : parts)
-    if (const ParsedNumber number = parse_whole_number(part); number.fault == NumberFault::none && number.value > 0)
-      sides.push_back(number.value);
-  if (sides.size() != parts.size() || (sides.size() != 1 && sides.size() != 3))
-    bad_usage("--box", in_quotes(text),
-              "the sides of the box, Lx,Ly,Lz: three lengths above 0, or one for all; or auto, the cell of a "
-              "molecule's file");
-  return {sides.front(), sides[sides.size() / 2], sides.back()};
-}
+bool is_table_of_voids(Format format) { return format == Format::csv || format == Format::json; }
 
 /// Throws WrongUsage for options that cannot be combined with --box.
 void check_box(const SolidArguments& arguments, const SolidRequest& request) {
@@ -37,7 +24,9 @@ void check_box(const SolidArguments& arguments, const SolidRequest& request) {
                 {arguments.voids_above.has_value(), "--voids-above"},
                 {arguments.top.has_value(), "--top"}},
                "cannot be combined with --box");
-  if (request.voids) require_table_of_voids(request.voids->path, request.voids->format);
+  if (request.voids && !is_table_of_voids(request.voids->format))
+    bad_usage("--voids", "the ending " + in_quotes(ending(request.voids->path)),
+              "one of " + endings(Use::voids, is_table_of_voids) + " with --box, as periodic voids may be unbounded");
 }
 
 /// Parses --complex. The default is the full complex for --voids, --pockets and --box, as triangles without a
@@ -83,9 +72,9 @@ SolidRequest parse(const SolidArguments& arguments) {
       parse_shift_of(arguments.shift, request.boundary ? std::vector{*request.boundary} : std::vector<Target>());
   if (arguments.voids) request.voids = target_of("--voids", *arguments.voids, Use::voids);
   if (arguments.box) {
-    const Format format = request.source.format;
-    if (*arguments.box == "auto") require_molecule(format, "--box auto", "without a cell");
-    request.box = *arguments.box == "auto" ? Point3() : parse_box(*arguments.box);
+    const UnitCell box = parse_box(*arguments.box, request.source.format);
+    if (!box.fault.empty()) bad_usage("--box", box.fault, "right angles (rbpa balls --box takes any)");
+    request.box = box.sides.value_or(Point3());
     check_box(arguments, request);
   }
   parse_choice_of_voids(arguments, request);

@@ -100,14 +100,6 @@ Json json_of(const SolidVoid& hollow, const PointNames& names) {
   return json;
 }
 
-bool is_table_of_voids(Format format) { return format == Format::csv || format == Format::json; }
-
-void require_table_of_voids(const std::string& path, Format format) {
-  if (!is_table_of_voids(format))
-    bad_usage("--voids", "the ending " + in_quotes(ending(path)),
-              "one of " + endings(Use::voids, is_table_of_voids) + " with --box, as periodic voids may be unbounded");
-}
-
 std::string volume_columns(ComplexKind walls) {
   return walls == ComplexKind::full ? "number,volume_between_points,volume_outside_balls"
                                     : "number,volume_between_points";

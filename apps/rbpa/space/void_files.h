@@ -35,11 +35,6 @@ void write_voids(OutputFile& file, Format format, const PointNames& names, const
                  std::span<const SolidVoid> voids, ComplexKind walls,
                  const std::optional<std::vector<VoidLife>>& lives = {});
 
-/// Returns whether files of voids in this format are tables: csv or json.
-bool is_table_of_voids(Format format);
-/// Throws WrongUsage unless the format of --voids is a table, as it has to be with --box.
-void require_table_of_voids(const std::string& path, Format format);
-
 /// Return or write the first columns of a table of voids, number and volumes: volume_columns() the header,
 /// write_volumes() a row, json_of_volumes() an object without the number.
 std::string volume_columns(ComplexKind walls);

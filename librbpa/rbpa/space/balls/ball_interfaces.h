@@ -3,7 +3,8 @@
 // Law:    the covered area of a group is the area of the group alone minus its part of the surface of the union of both
 //         groups; it is at least 0. The covered areas of two groups sum to area(A) + area(B) − area(A ∪ B). Which
 //         groups meet is decided exactly; areas are rounded like those of measure_balls(). Other groups make no
-//         difference to a pair.
+//         difference to a pair. In a cell that repeats, an image of a ball belongs to the group of the ball, and areas
+//         are those per cell.
 // Source: Lee and Richards, The interpretation of protein structures: estimation of static accessibility (1971).
 #pragma once
 
@@ -14,7 +15,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/no_group.h"
-#include "rbpa/base/point3.h"
+#include "rbpa/space/balls/measure_ball_frames.h"
 #include "rbpa/space/balls/measure_balls.h"
 
 namespace rbpa {
@@ -37,9 +38,9 @@ struct BallInterfaces {
 /// Computes the interface of each two groups that meet. `groups` has the number of each ball's group, or no_group. If
 /// spheres of two groups are equal, they count for the group of the ball of lower index. The options `contacts` and
 /// `derivatives` are ignored; Progress counts groups, then pairs of groups.
-/// Requires: what measure_balls() requires; one group for each center.
-/// Throws:   what measure_balls() throws.
-RBPA_API BallInterfaces ball_interfaces(std::span<const Point3> centers, std::span<const double> radii,
-                                        std::span<const std::uint32_t> groups, const MeasureBallsOptions& options = {});
+/// Requires: what measure_ball_frames() requires; one group for each center.
+/// Throws:   what measure_ball_frames() throws.
+RBPA_API BallInterfaces ball_interfaces(const BallFrame& balls, std::span<const std::uint32_t> groups,
+                                        const MeasureBallsOptions& options = {});
 
 }  // namespace rbpa

@@ -14,6 +14,8 @@ namespace rbpa::space {
 
 class CellAxes {
  public:
+  static constexpr std::int32_t most_layers = 100;  ///< of images on each side of a cell
+
   /// Throws InvalidInput unless the edges are finite, and have a volume within the range of double.
   explicit CellAxes(const RepeatingCell& cell);
 

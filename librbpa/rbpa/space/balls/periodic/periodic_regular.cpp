@@ -16,13 +16,12 @@ namespace {
 using Row = std::array<std::uint32_t, 4>;
 constexpr std::array<double Point3::*, 3> coordinates = {&Point3::x, &Point3::y, &Point3::z};
 constexpr Boxes in_cell = {0, 0, 0};
-constexpr std::int32_t most_layers = 100;  // of images on each side of the cell
 constexpr double most_images = 0x1p26;
 
 Boxes minus(const Boxes& a, const Boxes& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 /// The translations by which a cell repeats. Edges and wrapped points are multiples of a step along each axis of space,
-/// so that the images of a wrapped point, up to most_layers away, are doubles.
+/// so that the images of a wrapped point, up to CellAxes::most_layers away, are doubles.
 class Lattice {
  public:
   explicit Lattice(const RepeatingCell& cell) : edges_(cell.edges), axes_(cell) {
@@ -33,7 +32,7 @@ class Lattice {
         throw InvalidInput("found a cell with edges beyond 2^-900 to 2^900, expected edges within");
       int exponent = 0;
       std::frexp(sum, &exponent);
-      step_[axis] = std::ldexp(1.0, exponent + 7 - 53);  // 2⁷ > most_layers + 2
+      step_[axis] = std::ldexp(1.0, exponent + 7 - 53);  // 2⁷ > CellAxes::most_layers + 2
     }
     for (Point3& edge : edges_) edge = rounded(edge);
     shorten();
@@ -50,7 +49,7 @@ class Lattice {
     for (std::size_t k = 0; k < 3; ++k) offset[k] = -CellAxes::whole(axes_.along(p)[k], i);
     return rounded(moved(p, offset));
   }
-  /// Returns p moved by numbers of edges. Exact for a wrapped point and at most most_layers edges of each kind.
+  /// Returns p moved by numbers of edges. Exact for a wrapped point and at most CellAxes::most_layers edges of each kind.
   Point3 moved(Point3 p, const Boxes& offset) const {
     for (const auto c : coordinates)
       for (std::size_t k = 0; k < 3; ++k) p.*c += offset[k] * (edges_[k].*c);
@@ -144,7 +143,7 @@ class CellFinder {
       double count = 1;
       for (std::size_t k = 0; k < 3; ++k) {
         const double reach = found_.margin * lattice_.axes().per_length(k) + 0x1p-30;
-        count *= reach < most_layers - 2 ? 2 * reach + 2 : most_images;
+        count *= reach < CellAxes::most_layers - 2 ? 2 * reach + 2 : most_images;
         if (!(copies.first + count < most_images))
           throw InvalidInput(
               "found a cell so flat, or with balls so few, that more than 100 images along an edge, or 2^26 in all, "
