@@ -58,11 +58,7 @@ void settle_columns(std::vector<PointColumn>& columns, std::vector<std::string>&
 }
 
 const PointColumn* find_column(std::span<const PointColumn> columns, std::string_view name) {
-  auto found = std::find_if(columns.begin(), columns.end(), [&](const PointColumn& one) { return one.name == name; });
-  if (found == columns.end())
-    found = std::find_if(columns.begin(), columns.end(),
-                         [&](const PointColumn& one) { return is_same_field(name, one.name); });
-  return found == columns.end() ? nullptr : &*found;
+  return find_named(columns, name);
 }
 
 const PointColumn& require_column(std::span<const PointColumn> columns, std::string_view name,

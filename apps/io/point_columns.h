@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "io/scalar.h"
+#include "io/words.h"
 #include "rbpa/base/point3.h"
 
 namespace rbpa::app {
@@ -59,7 +60,19 @@ bool is_same_field(std::string_view a, std::string_view b);
 /// Removes columns with a fault, and adds a warning for each.
 void settle_columns(std::vector<PointColumn>& columns, std::vector<std::string>& warnings);
 
-/// Returns the column with exactly this name, else the first with is_same_field(); null if there is none.
+/// Returns the first of `all`, which have names, with exactly this name, else with it in letters of either case, else
+/// with is_same_field(); null if there is none.
+template <typename Named>
+const Named* find_named(std::span<const Named> all, std::string_view name) {
+  using Same = bool (*)(std::string_view, std::string_view);
+  for (const Same same :
+       {Same([](std::string_view a, std::string_view b) { return a == b; }), Same(same_letters), Same(is_same_field)})
+    for (const Named& one : all)
+      if (same(name, one.name)) return &one;
+  return nullptr;
+}
+
+/// Returns the column that find_named() finds.
 const PointColumn* find_column(std::span<const PointColumn> columns, std::string_view name);
 
 /// Returns the column that find_column() finds. Throws BadInput that names `file` and `option` if there is none.
