@@ -73,6 +73,33 @@ def test_fields_of_alpha_shapes_are_those_of_tables(tmp_path):
     assert len(none.fields["id"]) == 0
 
 
+@pytest.mark.parametrize("space", [False, True])
+def test_integers_of_tables_are_exact_and_missing_numbers_are_nan(tmp_path, space):
+    path = tmp_path / "p.csv"
+    path.write_text("x,y,z,id,height,mixed,late,name\n0,0,0,9007199254740993,1,9007199254740993,,b\n"
+                    "1,0,0,-9223372036854775808,,1.5,,9007199254740993\n0,1,1,7,NA,2,x,c\n")
+    read = rbpa.read_points(path, space=space, fields=["id", "height"])
+    assert read.fields["id"].dtype == np.int64 and read.fields["id"].tolist() == [2**53 + 1, -(2**63), 7]
+    for fields in (["height"], {"height": float}):
+        height = rbpa.read_points(path, space=space, fields=fields).fields["height"]
+        assert height.dtype == np.float64 and np.array_equal(height, [1, np.nan, np.nan], equal_nan=True)
+    some = rbpa.read_points(path, space=space, fields=["id"], where="x > 0")
+    assert some.fields["id"].dtype == np.int64 and some.fields["id"].tolist() == [-(2**63)]
+    assert rbpa.read_points(path, space=space, fields=["late"]).fields["late"].tolist() == ["", "", "x"]
+    assert rbpa.read_points(path, space=space, fields=["name"]).fields["name"].tolist() == ["b", "9007199254740993", "c"]
+    for fields, where in ({"id": float}, None), (["x"], "id > 0"), (["mixed"], None):  # no double holds them
+        with pytest.raises(rbpa.InvalidInput, match="p.csv.*: found '?9007199254740993'?, expected an integer"):
+            rbpa.read_points(path, space=space, fields=fields, where=where)
+
+
+def test_columns_of_atoms_are_integers_where_all_are(tmp_path):
+    path = tmp_path / "m.pdb"
+    path.write_text("".join(f"ATOM  {i:5}  CA  LYS A{i:4}    {i:8.3f}   0.000   0.000  1.00{5.25 * i:6.2f}\n" for i in range(1, 5)))
+    atoms = rbpa.read_points(path, space=True, fields=["serial", "resseq", "occupancy", "bfactor", "icode"], where="serial > 1")
+    assert {name: values.dtype.kind for name, values in atoms.fields.items()} == dict(serial="i", resseq="i", occupancy="f", bfactor="f", icode="U")
+    assert atoms.fields["serial"].tolist() == [2, 3, 4] and atoms.fields["bfactor"].tolist() == [10.5, 15.75, 21]
+
+
 def test_points_without_fields_have_none():
     assert rbpa.alpha_shape([[0, 0], [1, 0], [0, 1]], 1.0).fields == {}
     assert rbpa.surface([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], "none", radius=2).fields == {}

@@ -3,7 +3,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "io/number.h"
@@ -11,15 +10,15 @@
 #include "io/words.h"
 
 namespace rbpa::app {
-namespace {
 
-/// Returns the integer of a text without sign +, zeros before it, or blanks; nothing for any other text.
 std::optional<std::int64_t> integer_of(std::string_view word) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || end != word.data() + word.size() || std::to_string(value) != word) return std::nullopt;
   return value;
 }
+
+namespace {
 
 std::optional<double> number_of(std::string_view word) {
   if (is_missing(word)) return std::numeric_limits<double>::quiet_NaN();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -9,6 +10,9 @@
 #include "io/point_columns.h"
 
 namespace rbpa::app {
+
+/// Returns the integer of a text without sign +, zeros before it, or blanks; nothing for any other text.
+std::optional<std::int64_t> integer_of(std::string_view word);
 
 /// Appends the text of a field of a table to a column. The column has integers (int64) as long as all texts are
 /// integers as they are written; then numbers (float64, NaN where a value is missing), if doubles represent the

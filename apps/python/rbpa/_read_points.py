@@ -37,8 +37,9 @@ def read_points(
     fields : sequence of str, or mapping of str to float or str
         Names of fields to read with the points: "intensity" and others of LAS, properties of PLY, fields of PCD,
         columns of a table with a header; for molecules serial, chain, resseq, icode, resname, name, element, altloc,
-        occupancy and bfactor. A column of a table has texts if its first value is not a number, or if a mapping
-        requests str: ``{"plot": str}``. If a mapping requests float, numbers become float64.
+        occupancy and bfactor; a list of LAS is "name[0]", "name[1]". A column of a table has texts if its first value
+        is not a number, or if a mapping requests str: ``{"plot": str}``. If a mapping requests float, numbers become
+        float64.
     where : str, optional
         A condition on fields of the file that selects points: "classification == 2 and not overlap", as in ``--where``
         of the program.
@@ -140,8 +141,8 @@ class PointFile:
     colors : uint8 array of shape (n, 3), or None
         Red, green and blue.
     fields : dict of arrays of shape (n,)
-        The requested fields by name, with the types of the file: integers are integers; texts are str. Coordinates and
-        columns of molecules are float64 or str. A missing value of a molecule is NaN, or an empty text.
+        The requested fields by name, with the types of the file: integers are integers; texts are str. Coordinates are
+        float64. A missing value is NaN, in a column of numbers that are then float64, or an empty text.
     crs : str, or None
         The system of the coordinates, such as "EPSG:28992", if the file names one.
     warnings : list of str
