@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "io/scalar.h"
@@ -22,12 +23,15 @@ namespace rbpa::app {
 struct PointColumn {
   std::string name;
   Scalar type = Scalar::float64;
-  std::vector<char> bytes = {};         ///< the values, in the byte order of the processor
-  bool is_text = false;                 ///< the values, of type int32, are indices in `texts`
-  std::vector<std::string> texts = {};  ///< the distinct texts
-  std::string fault = {};               ///< reason why the column is left out; empty if it is not
+  std::vector<char> bytes = {};                                ///< the values, in the byte order of the processor
+  bool is_text = false;                                        ///< the values, of type int32, are indices in `texts`
+  std::vector<std::string> texts = {};                         ///< the distinct texts
+  std::unordered_map<std::string, std::int32_t> numbers = {};  ///< the index of each of them
+  std::string fault = {};  ///< reason why the column is left out; empty if it is not
 
   const std::string& text(std::size_t i) const { return texts[static_cast<std::size_t>(value<std::int32_t>(i))]; }
+  /// Returns the index of a text in `texts`, to which it is appended if it is new.
+  std::int32_t number_of(std::string_view text);
   /// Returns whether value number `i` is missing: NaN, or an empty text.
   bool is_missing(std::size_t i) const;
   std::size_t size() const { return bytes.size() / size_of(type); }

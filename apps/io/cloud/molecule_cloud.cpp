@@ -50,7 +50,7 @@ class MoleculeCloud final : public Cloud {
     if (request.keeps)
       for (const auto& [name, column] : source_->other_columns()) {
         if (!request.keeps->has(name)) continue;
-        kept_.push_back({column});
+        kept_.push_back(column);
         facts_.file.kept.push_back({.name = name, .type = Scalar::int64});
         if (is_text_of_atom(column)) facts_.file.kept.back() = {.name = name, .type = Scalar::int32, .is_text = true};
       }
@@ -125,8 +125,7 @@ class MoleculeCloud final : public Cloud {
     for (std::size_t k = 0; k < numbers_.size(); ++k)
       block.fields[k].push_back(facts_.file.texts[k] ? numbers_[k].number_of(selection_->text(atom_, k))
                                                      : selection_->number(atom_, k));
-    for (std::size_t k = 0; k < kept_.size(); ++k)
-      append_word(facts_.file.kept[k], AtomSource::text(atom_, kept_[k].column), kept_[k].numbers);
+    for (std::size_t k = 0; k < kept_.size(); ++k) append_word(facts_.file.kept[k], AtomSource::text(atom_, kept_[k]));
     block.index.push_back(index);
     ++block.count;
   }
@@ -138,11 +137,7 @@ class MoleculeCloud final : public Cloud {
   Atom atom_ = {};
   std::optional<AtomSelection> selection_ = std::nullopt;
   std::vector<TextNumbers> numbers_ = {};  // numbers of the texts in each column of the condition
-  struct Kept {
-    std::size_t column;
-    std::unordered_map<std::string, std::int32_t> numbers = {};  // of the texts
-  };
-  std::vector<Kept> kept_ = {};  // for each column of PointFile::kept
+  std::vector<std::size_t> kept_ = {};     // the column of the file for each of PointFile::kept
   AlternateLocations alternates_ = {};
   std::size_t atoms_ = 0, water_atoms_ = 0;
 };

@@ -28,14 +28,7 @@ std::optional<double> number_of(std::string_view word) {
   return number.value;
 }
 
-std::int32_t number_of(PointColumn& column, std::string_view text,
-                       std::unordered_map<std::string, std::int32_t>& numbers) {
-  const auto [place, is_new] = numbers.try_emplace(std::string(text), static_cast<std::int32_t>(column.texts.size()));
-  if (is_new) column.texts.emplace_back(text);
-  return place->second;
-}
-
-void become_texts(PointColumn& column, std::unordered_map<std::string, std::int32_t>& numbers) {
+void become_texts(PointColumn& column) {
   PointColumn texts{.name = column.name, .type = Scalar::int32, .is_text = true};
   for (std::size_t i = 0; i < column.size(); ++i) {
     std::string text;
@@ -43,23 +36,27 @@ void become_texts(PointColumn& column, std::unordered_map<std::string, std::int3
       text = std::to_string(column.value<std::int64_t>(i));
     else if (const double value = column.value<double>(i); !std::isnan(value))
       text = text_of(value);
-    texts.append(number_of(texts, text, numbers));
+    texts.append(texts.number_of(text));
   }
   column = std::move(texts);
 }
 
 }  // namespace
 
-void append_word(PointColumn& column, std::string_view word, std::unordered_map<std::string, std::int32_t>& numbers) {
+void append_word(PointColumn& column, std::string_view word) {
   if (column.type == Scalar::int64) {
     if (const std::optional<std::int64_t> value = integer_of(word)) return column.append(*value);
-    if (!number_of(word) || !become_numbers(column)) become_texts(column, numbers);
+    if (!number_of(word) || !become_numbers(column)) become_texts(column);
   }
   if (!column.is_text) {
     if (const std::optional<double> value = number_of(word)) return column.append(*value);
-    become_texts(column, numbers);
   }
-  column.append(number_of(column, word, numbers));
+  append_text(column, word);
+}
+
+void append_text(PointColumn& column, std::string_view text) {
+  if (!column.is_text) become_texts(column);
+  column.append(column.number_of(text));
 }
 
 }  // namespace rbpa::app
