@@ -152,6 +152,9 @@ def test_columns_are_a_str_or_a_sequence_of_names_and_numbers(tmp_path, columns)
         ({"columns": [1]}, None),
         ({"fields": [3]}, "fields: found 3, expected a str"),
         ({"where": 3}, "where: found 3, expected a str"),
+        ({"bounds": "box"}, "bounds: found 'box', expected x0, y0, x1, y1, or also z0, z1"),
+        ({"bounds": (0, 0, 1)}, "bounds: found 3 numbers, expected x0,y0,x1,y1 or x0,y0,x1,y1,z0,z1 with x0 <= x1, y0 <= y1 and z0 <= z1"),
+        ({"resolution": "fine"}, "resolution: found 'fine', expected a length above 0"),
         ({"format": 3}, "format: found 3, expected a str"),
     ],
 )
