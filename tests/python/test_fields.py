@@ -1,5 +1,6 @@
 """Fields of points that were read are in results, by the indices of points, with the types of the file."""
 
+import json
 import pickle
 import struct
 
@@ -90,6 +91,23 @@ def test_integers_of_tables_are_exact_and_missing_numbers_are_nan(tmp_path, spac
     for fields, where in ({"id": float}, None), (["x"], "id > 0"), (["mixed"], None):  # no double holds them
         with pytest.raises(rbpa.InvalidInput, match="p.csv.*: found '?9007199254740993'?, expected an integer"):
             rbpa.read_points(path, space=space, fields=fields, where=where)
+
+
+def test_properties_of_geojson_are_fields(tmp_path):
+    path = tmp_path / "trees.geojson"
+    properties = [{"id": 2**53 + 1, "kind": "oak", "height": 20}, {"id": 2, "kind": "elm", "height": None}, {"id": 3, "kind": "oak", "old": True}]
+    features = [{"type": "Feature", "properties": p, "geometry": {"type": "MultiPoint", "coordinates": [[i, 0], [i, 1]]}} for i, p in enumerate(properties)]
+    path.write_text(json.dumps({"type": "FeatureCollection", "features": features}))
+    read = rbpa.read_points(path, fields=["id", "kind", "height", "old"])
+    assert read.fields["id"].dtype == np.int64 and read.fields["id"].tolist() == [2**53 + 1] * 2 + [2, 2, 3, 3]
+    assert read.fields["kind"].tolist() == ["oak", "oak", "elm", "elm", "oak", "oak"]
+    assert np.array_equal(read.fields["height"], [20, 20] + 4 * [np.nan], equal_nan=True)
+    assert read.fields["old"].tolist() == 4 * [""] + 2 * ["true"]
+    some = rbpa.read_points(path, fields={"kind": str, "height": float}, where="kind == 'oak' and not old")
+    assert some.points.tolist() == [[0, 0], [0, 1]] and some.index.tolist() == [0, 1] and some.fields["kind"].tolist() == ["oak", "oak"]
+    assert rbpa.read_points(path, where="old").index.tolist() == [4, 5]
+    with pytest.raises(rbpa.InvalidInput, match="found no Feature with a property 'size', expected at least one, as fields requires"):
+        rbpa.read_points(path, fields=["size"])
 
 
 def test_columns_of_atoms_are_integers_where_all_are(tmp_path):
