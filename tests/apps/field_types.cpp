@@ -130,9 +130,9 @@ TEST_SUITE("fields") {
         {"m.pdb",
          "ATOM  99999  N   LYS 1   1       0.000   0.000   0.000  1.00  5.28           N\n"
          "ATOM  A0000  CA ALYS 1  -1A      1.000   0.000   0.000  0.50 20.00           C\n"
-         "HETATM    3 NA    NA B 201       0.000   1.000   0.000  1.00                NA\n"
-         "HETATM    4  O   HOH B 202       0.000   0.000   1.000  1.00 20.00           O\n",
-         "<!-- chain: 0 = 1, 1 = B -->\n<!-- icode: 0 = , 1 = A -->\n<!-- resname: 0 = LYS, 1 = NA, 2 = HOH -->\n"
+         "HETATM    3 NA    NA 2 201       0.000   1.000   0.000  1.00                NA\n"
+         "HETATM    4  O   HOH 2 202       0.000   0.000   1.000  1.00 20.00           O\n",
+         "<!-- chain: 0 = 1, 1 = 2 -->\n<!-- icode: 0 = , 1 = A -->\n<!-- resname: 0 = LYS, 1 = NA, 2 = HOH -->\n"
          "<!-- name: 0 = N, 1 = CA, 2 = NA, 3 = O -->\n<!-- element: 0 = N, 1 = C, 2 = NA, 3 = O -->\n"
          "<!-- altloc: 0 = , 1 = A -->\n",
          {{"serial", "Int64 99999 100000 3 4"},
