@@ -4,7 +4,6 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 
 #include "io/failure.h"
@@ -27,6 +26,12 @@ std::string folded_name(std::string_view name) {
 }
 
 }  // namespace
+
+std::int32_t PointColumn::number_of(std::string_view text) {
+  const auto [place, is_new] = numbers.try_emplace(std::string(text), static_cast<std::int32_t>(texts.size()));
+  if (is_new) texts.emplace_back(text);
+  return place->second;
+}
 
 bool PointColumn::is_missing(std::size_t i) const {
   if (is_text) return text(i).empty();
@@ -58,11 +63,7 @@ void settle_columns(std::vector<PointColumn>& columns, std::vector<std::string>&
 }
 
 const PointColumn* find_column(std::span<const PointColumn> columns, std::string_view name) {
-  auto found = std::find_if(columns.begin(), columns.end(), [&](const PointColumn& one) { return one.name == name; });
-  if (found == columns.end())
-    found = std::find_if(columns.begin(), columns.end(),
-                         [&](const PointColumn& one) { return is_same_field(name, one.name); });
-  return found == columns.end() ? nullptr : &*found;
+  return find_named(columns, name);
 }
 
 const PointColumn& require_column(std::span<const PointColumn> columns, std::string_view name,
@@ -104,13 +105,7 @@ void append_values(PointColumn& column, const PointColumn& more) {
     column.bytes.insert(column.bytes.end(), more.bytes.begin(), more.bytes.end());
     return;
   }
-  std::unordered_map<std::string, std::int32_t> numbers;
-  for (const std::string& text : column.texts) numbers.emplace(text, static_cast<std::int32_t>(numbers.size()));
-  for (std::size_t i = 0; i < more.size(); ++i) {
-    const auto [place, is_new] = numbers.try_emplace(more.text(i), static_cast<std::int32_t>(numbers.size()));
-    if (is_new) column.texts.push_back(place->first);
-    column.append(place->second);
-  }
+  for (std::size_t i = 0; i < more.size(); ++i) column.append(column.number_of(more.text(i)));
 }
 
 }  // namespace

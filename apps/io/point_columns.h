@@ -10,9 +10,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "io/scalar.h"
+#include "io/words.h"
 #include "rbpa/base/point3.h"
 
 namespace rbpa::app {
@@ -21,12 +23,15 @@ namespace rbpa::app {
 struct PointColumn {
   std::string name;
   Scalar type = Scalar::float64;
-  std::vector<char> bytes = {};         ///< the values, in the byte order of the processor
-  bool is_text = false;                 ///< the values, of type int32, are indices in `texts`
-  std::vector<std::string> texts = {};  ///< the distinct texts
-  std::string fault = {};               ///< reason why the column is left out; empty if it is not
+  std::vector<char> bytes = {};                                ///< the values, in the byte order of the processor
+  bool is_text = false;                                        ///< the values, of type int32, are indices in `texts`
+  std::vector<std::string> texts = {};                         ///< the distinct texts
+  std::unordered_map<std::string, std::int32_t> numbers = {};  ///< the index of each of them
+  std::string fault = {};  ///< reason why the column is left out; empty if it is not
 
   const std::string& text(std::size_t i) const { return texts[static_cast<std::size_t>(value<std::int32_t>(i))]; }
+  /// Returns the index of a text in `texts`, to which it is appended if it is new.
+  std::int32_t number_of(std::string_view text);
   /// Returns whether value number `i` is missing: NaN, or an empty text.
   bool is_missing(std::size_t i) const;
   std::size_t size() const { return bytes.size() / size_of(type); }
@@ -59,7 +64,19 @@ bool is_same_field(std::string_view a, std::string_view b);
 /// Removes columns with a fault, and adds a warning for each.
 void settle_columns(std::vector<PointColumn>& columns, std::vector<std::string>& warnings);
 
-/// Returns the column with exactly this name, else the first with is_same_field(); null if there is none.
+/// Returns the first of `all`, which have names, with exactly this name, else with it in letters of either case, else
+/// with is_same_field(); null if there is none.
+template <typename Named>
+const Named* find_named(std::span<const Named> all, std::string_view name) {
+  using Same = bool (*)(std::string_view, std::string_view);
+  for (const Same same :
+       {Same([](std::string_view a, std::string_view b) { return a == b; }), Same(same_letters), Same(is_same_field)})
+    for (const Named& one : all)
+      if (same(name, one.name)) return &one;
+  return nullptr;
+}
+
+/// Returns the column that find_named() finds.
 const PointColumn* find_column(std::span<const PointColumn> columns, std::string_view name);
 
 /// Returns the column that find_column() finds. Throws BadInput that names `file` and `option` if there is none.

@@ -110,9 +110,14 @@ py::dict dict_of(Doubles points, app::PointFacts file, const app::PointSource& s
   for (std::size_t k = 0; k < file.fields.size(); ++k) {
     const app::WantedColumn& wanted = source.where->column(k);
     const app::PointColumn* kept = app::find_column(file.kept, wanted.name);
+    const bool has_texts = k < file.texts.size() && file.texts[k];
+    if (kept != nullptr && !has_texts && wanted.kind == app::WantedColumn::Kind::by_value)
+      for (const std::string& text : kept->texts)  // the file has other numbers too, so that no integer type holds all
+        if (app::parse_whole_number(text).fault == app::NumberFault::rounded_integer)
+          app::refuse_integer(source.path + ": field " + app::in_quotes(wanted.name), text);
     if (kept != nullptr && !kept->is_text && wanted.kind == app::WantedColumn::Kind::by_value)
       fields.append(values_of(*kept));
-    else if (k < file.texts.size() && file.texts[k])
+    else if (has_texts)
       fields.append(py::make_tuple(line<double>(std::move(file.fields[k])), printable_texts(*file.texts[k])));
     else
       fields.append(line<double>(std::move(file.fields[k])));

@@ -220,7 +220,7 @@ TEST_SUITE("COPC") {
     }
   }
 
-  TEST_CASE("a file of another program gives the same, by any box") {
+  TEST_CASE("further COPC, of another program, gives the same by any box") {
     if (!rbpa_test::has_further_data()) return;
     const std::string path = (rbpa_test::further_data() / "laz" / "lone-star.copc.laz").string();
     if (!std::filesystem::exists(path)) return;

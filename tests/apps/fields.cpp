@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <map>
 #include <random>
 #include <string>
 #include <utility>
@@ -14,84 +13,9 @@
 #include "support/las_file.h"
 #include "support/laz_file.h"
 #include "support/program.h"
+#include "support/vertex_fields.h"
 
 using namespace apps_test;
-
-namespace {
-
-/// A field of the vertices of a file: its type, and the bytes of its values.
-struct Field {
-  std::string type, bytes;
-
-  template <typename T>
-  std::vector<T> values() const {
-    std::vector<T> all(bytes.size() / sizeof(T));
-    std::memcpy(all.data(), bytes.data(), bytes.size());
-    return all;
-  }
-};
-using FieldMap = std::map<std::string, Field>;
-
-/// The properties of the vertices of binary PLY.
-FieldMap fields_of_ply(const std::string& file) {
-  const std::map<std::string, std::size_t> sizes = {{"char", 1}, {"uchar", 1}, {"short", 2}, {"ushort", 2},
-                                                    {"int", 4},  {"uint", 4},  {"float", 4}, {"double", 8}};
-  std::vector<std::pair<std::string, std::string>> properties;  // type and name
-  const std::size_t begin = file.find("element vertex "), end = file.find("element face ");
-  std::size_t at = file.find('\n', begin), row = 0;
-  const std::size_t count = std::stoul(file.substr(begin + 15));
-  while (at + 1 < end) {
-    const std::size_t next = file.find('\n', at + 1);
-    const std::string line = file.substr(at + 1, next - at - 1);
-    const std::size_t blank = line.find(' ', 9);
-    properties.emplace_back(line.substr(9, blank - 9), line.substr(blank + 1));
-    row += sizes.at(properties.back().first);
-    at = next;
-  }
-  FieldMap fields;
-  std::size_t data = file.find("end_header\n") + 11;
-  REQUIRE(file.size() >= data + count * row);
-  for (std::size_t i = 0; i < count; ++i)
-    for (const auto& [type, name] : properties) {
-      fields[name].type = type;
-      fields[name].bytes += file.substr(data, sizes.at(type));
-      data += sizes.at(type);
-    }
-  return fields;
-}
-
-/// The arrays of the points of a VTU file.
-FieldMap fields_of_vtu(const std::string& file) {
-  FieldMap fields;
-  const std::size_t begin = file.find("<PointData"), end = file.find("</PointData>"), data = file.find("\n_") + 2;
-  for (std::size_t at = begin; (at = file.find("<DataArray", at)) < end; ++at) {
-    const auto word = [&](const std::string& name) {
-      const std::size_t from = file.find(name + "=\"", at) + name.size() + 2;
-      return file.substr(from, file.find('"', from) - from);
-    };
-    const std::size_t place = data + std::stoul(word("offset"));
-    std::uint64_t size = 0;
-    std::memcpy(&size, &file[place], sizeof size);
-    fields[word("Name")] = {word("type"), file.substr(place + sizeof size, size)};
-  }
-  return fields;
-}
-
-std::string comments_of(const std::string& file, const std::string& begin) {
-  std::string found;
-  for (std::size_t at = 0; (at = file.find(begin, at)) != std::string::npos; ++at)
-    found += file.substr(at, file.find('\n', at) - at) + "\n";
-  return found;
-}
-
-Outcome run(const Folder& folder, const std::string& arguments) {
-  const Outcome outcome = folder.rbpa(arguments);
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
-  return outcome;
-}
-
-}  // namespace
 
 TEST_SUITE("fields") {
   TEST_CASE("columns of a table have the types of their values, exactly") {
@@ -187,7 +111,7 @@ TEST_SUITE("fields") {
 
   TEST_CASE("fields of LAS and LAZ are kept by their types, with extra bytes") {
     const Folder folder;
-    std::string extra(3 * 192, '\0');
+    std::string extra(4 * 192, '\0');
     const auto describe = [&](std::size_t k, unsigned type, unsigned options, const std::string& name) {
       extra[192 * k + 2] = static_cast<char>(type);
       extra[192 * k + 3] = static_cast<char>(options);
@@ -196,9 +120,12 @@ TEST_SUITE("fields") {
     describe(0, 8, 0, "big id");          // int64
     describe(1, 0, 2, "without a type");  // two bytes
     describe(2, 3, 24, "height");         // uint16, scaled
-    extra.replace(2 * 192 + 112, 8, little(0.5));
-    extra.replace(2 * 192 + 136, 8, little(-10.));
-    LasFile las{.minor = 4, .format = 6, .records = {{"LASF_Spec", 4, extra}}, .extra_bytes = 12};
+    describe(3, 14, 24, "pair");          // a list of two int16, scaled
+    for (const std::size_t k : {2U, 3U}) {
+      extra.replace(k * 192 + 112, 16, little(0.5) + little(2.));
+      extra.replace(k * 192 + 136, 16, little(-10.) + little(1.));
+    }
+    LasFile las{.minor = 4, .format = 6, .records = {{"LASF_Spec", 4, extra}}, .extra_bytes = 16};
     for (int i = 0; i < 50; ++i)
       las.points.push_back({.x = i * i % 37 * 100,
                             .y = i * 100,
@@ -209,11 +136,12 @@ TEST_SUITE("fields") {
                             .scan_angle = -1000 * i / 50,
                             .time = 1e9 + i / 3.});
     std::string bytes = bytes_of(las);
-    const std::size_t first = bytes.size() - 50 * 42;
+    const std::size_t first = bytes.size() - 50 * 46;
     for (std::size_t i = 0; i < 50; ++i)
-      bytes.replace(first + 42 * i + 30, 12, little((1ULL << 62U) + i, 8) + "ab" + little(i, 2));
+      bytes.replace(first + 46 * i + 30, 16,
+                    little((1ULL << 62U) + i, 8) + "ab" + little(i, 2) + little(i, 2) + little(-i, 2));
     folder.file("p.las", bytes);
-    folder.file("p.laz", laz_of(bytes, {.compressor = 3, .items = {{10, 30, 3}, {14, 12, 3}}, .chunks = {50}}));
+    folder.file("p.laz", laz_of(bytes, {.compressor = 3, .items = {{10, 30, 3}, {14, 16, 3}}, .chunks = {50}}));
     for (const std::string name : {"p.las", "p.laz"}) {
       run(folder, "mesh " + name + " --alpha inf -o m.vtu");
       FieldMap vtu = fields_of_vtu(folder.content("m.vtu"));
@@ -231,12 +159,38 @@ TEST_SUITE("fields") {
         CHECK(vtu["gps_time"].values<double>()[i] == 1e9 + static_cast<int>(i) / 3.);
         CHECK(vtu["big id"].values<std::int64_t>()[i] == static_cast<std::int64_t>((1ULL << 62U) + i));
         CHECK(vtu["height"].values<double>()[i] == 0.5 * static_cast<double>(i) - 10);
+        CHECK(vtu["pair[0]"].values<double>()[i] == 0.5 * static_cast<double>(i) - 10);
+        CHECK(vtu["pair[1]"].values<double>()[i] == 1 - 2. * static_cast<double>(i));
       }
       run(folder, "mesh " + name + " --alpha inf -o m.ply --fields gps_time,classification");
       FieldMap ply = fields_of_ply(folder.content("m.ply"));
       CHECK(ply["gps_time"].bytes == vtu["gps_time"].bytes);
       CHECK(ply["classification"].type == "uchar");
       CHECK(ply.size() == 5);
+    }
+  }
+
+  TEST_CASE("groups have the fields of the first point of each place, with a warning") {
+    const Folder folder;
+    folder.file("p.csv", "x,y,g,n\n0,0,a,1\n1,0,a,2\n0,1,a,3\n0,0,a,4\n0,0,b,5\n2,0,b,6\n0,2,b,7\n");
+    const Outcome outcome = run(folder, "mesh p.csv --group-by g --alpha inf -o m.ply --compact");
+    CHECK(outcome.err.find("1 point lies on others: triangles have the fields of the first point of each place\n") !=
+          std::string::npos);
+    CHECK(fields_of_ply(folder.content("m.ply"))["n"].values<std::int32_t>() ==
+          std::vector<std::int32_t>{1, 2, 3, 5, 6, 7});
+    folder.file("q.csv", "x,y,g,n\n0,0,a,1\n1,0,a,2\n0,1,a,3\n0,0,b,5\n2,0,b,6\n0,2,b,7\n");
+    CHECK(run(folder, "mesh q.csv --group-by g --alpha inf -o m.ply").err.find("lies on others") == std::string::npos);
+  }
+
+  TEST_CASE("a name chooses the field with exactly this name before those that differ in case and underscores") {
+    const Folder folder;
+    folder.file("p.csv", "x,y,a_b,ab,AB\n0,0,1,4,7\n1,0,2,5,8\n0,1,3,6,9\n");
+    for (const auto& [name, sum] : {std::pair("ab", 15), {"AB", 24}, {"a_b", 6}, {"Ab", 15}, {"A_b", 6}}) {
+      const auto& shown_name = name;
+      CAPTURE(shown_name);
+      run(folder, std::string("shape p.csv --alpha inf -o s.geojson --summarize ") + name + ":sum");
+      const std::string file = folder.content("s.geojson");
+      CHECK(file.find("_sum\":" + std::to_string(sum)) != std::string::npos);
     }
   }
 

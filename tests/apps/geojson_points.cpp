@@ -213,4 +213,83 @@ TEST_SUITE("GeoJSON in") {
     CHECK(folder.rbpa("info p.geojson --columns 1,2").err ==
           "rbpa: --columns: found a format with fixed columns, expected text\n");
   }
+
+  TEST_CASE("properties are the columns of a table with the same values, in conditions, groups, boxes and lists") {
+    const apps_test::Folder folder;
+    std::mt19937 random(5);
+    const std::vector<std::string> texts = {"oak", "elm", R"(\u00e9 \"x\")", "1.0"};
+    const std::vector<std::string> quoted = {"oak", "elm", "\u00e9 \"\"x\"\"", "1.0"};
+    std::string csv = "x,y,n,r,t,sparse\n", json = R"({"properties":{"n":3},"type":"FeatureCollection","features":[)";
+    for (int i = 0; i < 300; ++i) {
+      const std::string n = i == 7 ? "9007199254740993" : std::to_string(random() % 100);
+      const std::string r = std::to_string(random() % 100) + ".25", x = std::to_string(random() % 20);
+      const std::string y = std::to_string(random() % 20);
+      const std::size_t t = random() % texts.size();
+      const bool is_sparse = i < 5 || random() % 3 == 0;
+      csv += x + "," + y + "," + n + "," + r + ",\"" + quoted[t] + "\"," + (is_sparse ? "" : "0.5") + "\n";
+      json += std::string(i > 0 ? "," : "") + R"({"geometry":{"type":"Point","coordinates":[)" + x + "," + y +
+              R"(]},"properties":{"n":)" + n + R"(,"r":)" + r + R"(,"list":[1,{"n":2}],"t":")" + texts[t] + "\"" +
+              (is_sparse ? (i % 2 == 0 ? R"(,"sparse":null)" : "") : R"(,"sparse":0.5)") + R"(},"type":"Feature"})";
+    }
+    folder.file("p.csv", csv);
+    folder.file("p.geojson", json + "]}");
+    for (const std::string options :
+         {"", "--where \"r > 40 and t != 'oak'\"", "--where \"t in ('elm', '1.0') or r < 9\"",
+          "--where \"not t == 'elm'\"", "--bounds 3,3,9,12", "--bounds 3,3,9,12 --where \"r > 40\"", "--fields t,R",
+          "--where \"r < 0\""}) {
+      CAPTURE(options);
+      const auto listed = [&](const std::string& name) {
+        REQUIRE(folder.rbpa("shape " + name + " --alpha inf -q -o o.csv --isolated i.csv " + options).code == 0);
+        return folder.content("o.csv") + folder.content("i.csv");
+      };
+      CHECK(listed("p.geojson") == listed("p.csv"));
+    }
+    for (const std::string options :
+         {"--group-by t", "--group-by t --where \"r > 50\"", "--group-by t --alpha column:r"}) {
+      CAPTURE(options);
+      const auto groups = [&](const std::string& name) {
+        const std::string alpha = options.find("column") == std::string::npos ? " --alpha 3" : "";
+        REQUIRE(folder.rbpa("shape " + name + " -q -o g.csv --summarize n:max,r:mean " + options + alpha).code == 0);
+        return folder.content("g.csv");
+      };
+      CHECK(groups("p.geojson") == groups("p.csv"));
+    }
+  }
+
+  TEST_CASE("conditions on properties: true and false, missing ones, points in no Feature, and what is refused") {
+    const std::string point = R"("geometry":{"type":"Point","coordinates":[1,2]}})";
+    const auto feature = [&](const std::string& properties) {
+      return R"({"type":"Feature","properties":)" + properties + "," + point;
+    };
+    const std::string lines = feature(R"({"a":1,"old":true})") + "\n" + R"({"type":"Point","coordinates":[7,7]})" +
+                              "\n" + feature(R"({"a":null,"old":false})") + "\n" + feature(R"({"a":3,"text":"5"})") +
+                              "\n" + feature("null");
+    const auto selected = [](const std::string& text, const std::string& condition) {
+      try {
+        const Condition where(condition, names_of_columns());
+        std::string indices;
+        for (const std::uint32_t i : read_geojson_points(text, "p", false, where).index) indices += std::to_string(i);
+        return indices;
+      } catch (const BadInput& error) {
+        return std::string(error.what());
+      }
+    };
+    CHECK(selected(lines, "old") == "0");
+    CHECK(selected(lines, "not old") == "1234");
+    CHECK(selected(lines, "old == 'true' or old == 'false'") == "02");
+    CHECK(selected(lines, "old == 1") == "0");
+    CHECK(selected(lines, "a >= 0") == "03");
+    CHECK(selected(lines, "not a >= 0") == "124");
+    CHECK(selected(lines, "text == '5'") == "3");
+    CHECK(selected(lines, "text == 5").starts_with("p:4: feature 2: found '5', expected a number, as --where"));
+    CHECK(selected(lines, "b > 1") ==
+          "p: found no Feature with a property 'b', expected at least one, as --where requires");
+    CHECK(selected(feature(R"({"a":{"b":1}})"), "a > 1") ==
+          "p:1: found an object as property 'a', expected a text or a number, as --where requires");
+    CHECK(selected(feature(R"({"a":9007199254740993})"), "a > 1")
+              .starts_with("p:1: found '9007199254740993', expected an "));
+    // Coordinates before Features in one object.
+    CHECK(refusal(R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,0]]],"features":[)" + feature("{}") + "]}") ==
+          "p.geojson:1: found an object in one with coordinates, expected a geometry that has coordinates alone");
+  }
 }

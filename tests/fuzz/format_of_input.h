@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "fuzz/target.h"
 #include "io/cloud/cloud.h"
 #include "io/failure.h"
 #include "io/formats.h"
@@ -36,6 +38,17 @@ inline std::optional<rbpa::app::Condition> condition_of(rbpa::app::Format format
       continue;
     }
   return std::nullopt;
+}
+
+/// Returns a box in the plane, and a resolution.
+inline rbpa::app::PointWindow window() {
+  const double box[] = {0, 0, 700, 700};
+  return {.bounds = rbpa::app::box_of("--bounds", box), .resolution = 0.5};
+}
+
+inline void has_all_values(const std::vector<rbpa::app::PointColumn>& kept, std::size_t points) {
+  for (const rbpa::app::PointColumn& column : kept)
+    require(column.size() == points, "a field has a value for each point");
 }
 
 }  // namespace fuzz

@@ -43,6 +43,8 @@ PointSource source_of(Format format, unsigned options) {
                                   : fuzz::condition_of(format, {"class > 1 or not x == 2", "x > 1 or not y == 2"});
   if ((options & 32U) != 0) source.where = fuzz::condition_of(format, {"gps_time > 1 or red > 1"});
   source.shift_longitude = (options & 64U) != 0;
+  if ((options & 128U) != 0) source.window = fuzz::window();
+  if ((options & 2U) != 0) source.keeps.emplace();
   return source;
 }
 
@@ -99,9 +101,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!format || *format == Format::ogr) return 0;  // GDAL reads files only
     if (format == Format::png) file->bytes = with_check_sums(file->bytes);
     const PointSource source = source_of(*format, file->options);
-    const std::vector<rbpa::Point> points = points_in(file->bytes, "FILE", source).points;
-    fuzz::require(std::all_of(points.begin(), points.end(), [](const rbpa::Point& p) { return is_finite(p); }),
-                  "points are finite");
+    const PointFile found = points_in(file->bytes, "FILE", source);
+    fuzz::require(
+        std::all_of(found.points.begin(), found.points.end(), [](const rbpa::Point& p) { return is_finite(p); }),
+        "points are finite");
+    fuzz::has_all_values(found.kept, found.points.size());
   } catch (const BadInput& refusal) {
     fuzz::is_a_sentence(refusal.what());
   } catch (const WrongUsage& refusal) {

@@ -21,13 +21,13 @@ for target in points space_points meshes; do
   for format in $(RBPA_FUZZ_FORMAT=list "$folder/bin/fuzz_$target"); do echo "$target $format"; done
 done > "$folder/formats.txt"
 export folder runs
-# An input of 400 bytes that takes ten seconds or 512 MiB is a finding. Prints a line for each format.
+# An input of 400 bytes, of LAZ and COPC 2000, that takes ten seconds or 512 MiB is a finding. Prints a line for each format.
 xargs -P "$(nproc)" -n 2 bash -c '
   name=$0-$1
   status=0
   dictionary=tests/fuzz/dictionaries/$0.dict
   mkdir -p "$folder/corpus/$name"
-  RBPA_FUZZ_FORMAT=$1 "$folder/bin/fuzz_$0" -runs="$runs" -max_len=400 -timeout=10 -rss_limit_mb=2048 \
+  RBPA_FUZZ_FORMAT=$1 "$folder/bin/fuzz_$0" -runs="$runs" -max_len=$([ "$1" = laz ] && echo 2000 || echo 400) -timeout=10 -rss_limit_mb=2048 \
     -malloc_limit_mb=512 -entropic=0 -print_final_stats=1 -artifact_prefix="$folder/found/$name-" \
     $([ -f "$dictionary" ] && echo "-dict=$dictionary") \
     "$folder/corpus/$name" "tests/fuzz/corpus/$0" > "$folder/found/$name.log" 2>&1 || status=$?

@@ -24,6 +24,8 @@ CloudRequest choice_of(Format format, unsigned options) {
     choice.where = fuzz::condition_of(
         format, {"z > 1 or classification == 2", "z > 1 or resname == 'LYS' and resseq == 2", "z > 1 or not x == 2"});
   choice.skip_invalid = (options & 4U) != 0;
+  if ((options & 32U) != 0) choice.window = fuzz::window();
+  if ((options & 64U) != 0) choice.keeps.emplace();
   return choice;
 }
 
@@ -36,6 +38,7 @@ void is_sound(const SpacePoints& file) {
   fuzz::require(of_each_or_none(file.normals) && of_each_or_none(file.colors), "one of each point, or none");
   fuzz::require(std::find(file.normals.begin(), file.normals.end(), rbpa::Point3{}) == file.normals.end(),
                 "normals have a direction");
+  fuzz::has_all_values(file.kept, file.points.size());
 }
 
 void read_frames(const fuzz::FuzzedFile& file, Format format) {

@@ -1,5 +1,6 @@
 """Fields of points that were read are in results, by the indices of points, with the types of the file."""
 
+import json
 import pickle
 import struct
 
@@ -71,6 +72,50 @@ def test_fields_of_alpha_shapes_are_those_of_tables(tmp_path):
     assert rbpa.read_points(tmp_path / "p.csv", fields={"id": float}).fields["id"].dtype == np.float64
     none = rbpa.read_points(tmp_path / "p.csv", fields=["id"], where="id == 7")
     assert len(none.fields["id"]) == 0
+
+
+@pytest.mark.parametrize("space", [False, True])
+def test_integers_of_tables_are_exact_and_missing_numbers_are_nan(tmp_path, space):
+    path = tmp_path / "p.csv"
+    path.write_text("x,y,z,id,height,mixed,late,name\n0,0,0,9007199254740993,1,9007199254740993,,b\n"
+                    "1,0,0,-9223372036854775808,,1.5,,9007199254740993\n0,1,1,7,NA,2,x,c\n")
+    read = rbpa.read_points(path, space=space, fields=["id", "height"])
+    assert read.fields["id"].dtype == np.int64 and read.fields["id"].tolist() == [2**53 + 1, -(2**63), 7]
+    for fields in (["height"], {"height": float}):
+        height = rbpa.read_points(path, space=space, fields=fields).fields["height"]
+        assert height.dtype == np.float64 and np.array_equal(height, [1, np.nan, np.nan], equal_nan=True)
+    some = rbpa.read_points(path, space=space, fields=["id"], where="x > 0")
+    assert some.fields["id"].dtype == np.int64 and some.fields["id"].tolist() == [-(2**63)]
+    assert rbpa.read_points(path, space=space, fields=["late"]).fields["late"].tolist() == ["", "", "x"]
+    assert rbpa.read_points(path, space=space, fields=["name"]).fields["name"].tolist() == ["b", "9007199254740993", "c"]
+    for fields, where in ({"id": float}, None), (["x"], "id > 0"), (["mixed"], None):  # no double holds them
+        with pytest.raises(rbpa.InvalidInput, match="p.csv.*: found '?9007199254740993'?, expected an integer"):
+            rbpa.read_points(path, space=space, fields=fields, where=where)
+
+
+def test_properties_of_geojson_are_fields(tmp_path):
+    path = tmp_path / "trees.geojson"
+    properties = [{"id": 2**53 + 1, "kind": "oak", "height": 20}, {"id": 2, "kind": "elm", "height": None}, {"id": 3, "kind": "oak", "old": True}]
+    features = [{"type": "Feature", "properties": p, "geometry": {"type": "MultiPoint", "coordinates": [[i, 0], [i, 1]]}} for i, p in enumerate(properties)]
+    path.write_text(json.dumps({"type": "FeatureCollection", "features": features}))
+    read = rbpa.read_points(path, fields=["id", "kind", "height", "old"])
+    assert read.fields["id"].dtype == np.int64 and read.fields["id"].tolist() == [2**53 + 1] * 2 + [2, 2, 3, 3]
+    assert read.fields["kind"].tolist() == ["oak", "oak", "elm", "elm", "oak", "oak"]
+    assert np.array_equal(read.fields["height"], [20, 20] + 4 * [np.nan], equal_nan=True)
+    assert read.fields["old"].tolist() == 4 * [""] + 2 * ["true"]
+    some = rbpa.read_points(path, fields={"kind": str, "height": float}, where="kind == 'oak' and not old")
+    assert some.points.tolist() == [[0, 0], [0, 1]] and some.index.tolist() == [0, 1] and some.fields["kind"].tolist() == ["oak", "oak"]
+    assert rbpa.read_points(path, where="old").index.tolist() == [4, 5]
+    with pytest.raises(rbpa.InvalidInput, match="found no Feature with a property 'size', expected at least one, as fields requires"):
+        rbpa.read_points(path, fields=["size"])
+
+
+def test_columns_of_atoms_are_integers_where_all_are(tmp_path):
+    path = tmp_path / "m.pdb"
+    path.write_text("".join(f"ATOM  {i:5}  CA  LYS A{i:4}    {i:8.3f}   0.000   0.000  1.00{5.25 * i:6.2f}\n" for i in range(1, 5)))
+    atoms = rbpa.read_points(path, space=True, fields=["serial", "resseq", "occupancy", "bfactor", "icode"], where="serial > 1")
+    assert {name: values.dtype.kind for name, values in atoms.fields.items()} == dict(serial="i", resseq="i", occupancy="f", bfactor="f", icode="U")
+    assert atoms.fields["serial"].tolist() == [2, 3, 4] and atoms.fields["bfactor"].tolist() == [10.5, 15.75, 21]
 
 
 def test_points_without_fields_have_none():

@@ -123,11 +123,14 @@ def test_fields_of_ply_and_pcd(tmp_path, header):
 def test_a_table_has_columns_of_any_name(tmp_path):
     path = tmp_path / "trees.csv"
     path.write_text('lat,lon,"the height",kind\n52,4,1.5,oak\n53,5,NA,elm\n54,NA,3,oak\n55,6,4,ash\n')
-    with pytest.raises(rbpa.InvalidInput, match="trees.csv:3: found 'NA', expected a number"):
+    with pytest.raises(rbpa.InvalidInput, match="trees.csv:4: found 'NA', expected a number"):
         rbpa.read_points(path, fields=["the height"])
+    with pytest.raises(rbpa.InvalidInput, match="trees.csv:3: found 'NA', expected a number"):
+        rbpa.read_points(path, where='"the height" > 0')
     read = rbpa.read_points(path, fields=["the height"], skip_invalid=True)
-    assert read.points.tolist() == [[4, 52], [6, 55]] and read.fields["the height"].tolist() == [1.5, 4]
-    assert any("2 lines are left out" in warning for warning in read.warnings)
+    assert read.points.tolist() == [[4, 52], [5, 53], [6, 55]]
+    assert np.array_equal(read.fields["the height"], [1.5, np.nan, 4], equal_nan=True)
+    assert any("1 line is left out" in warning for warning in read.warnings)
     oaks = rbpa.read_points(path, columns="the height,lat", where="kind == 'oak'")
     assert oaks.points.tolist() == [[1.5, 52], [3, 54]]
 
@@ -149,6 +152,9 @@ def test_columns_are_a_str_or_a_sequence_of_names_and_numbers(tmp_path, columns)
         ({"columns": [1]}, None),
         ({"fields": [3]}, "fields: found 3, expected a str"),
         ({"where": 3}, "where: found 3, expected a str"),
+        ({"bounds": "box"}, "bounds: found 'box', expected x0, y0, x1, y1, or also z0, z1"),
+        ({"bounds": (0, 0, 1)}, "bounds: found 3 numbers, expected x0,y0,x1,y1 or x0,y0,x1,y1,z0,z1 with x0 <= x1, y0 <= y1 and z0 <= z1"),
+        ({"resolution": "fine"}, "resolution: found 'fine', expected a length above 0"),
         ({"format": 3}, "format: found 3, expected a str"),
     ],
 )

@@ -64,6 +64,13 @@ std::size_t AtomSource::column(std::string_view name) const {
   return found;
 }
 
+std::vector<std::pair<std::string, std::size_t>> AtomSource::other_columns() const {
+  std::vector<std::pair<std::string, std::size_t>> all;
+  for (std::size_t k = 0; k < no_atom_column; ++k)
+    if (k < x_of_atom || k >= x_of_atom + 3) all.emplace_back(atom_columns[k], k);
+  return all;
+}
+
 AtomSelection::AtomSelection(const Condition& where, const AtomSource& source) : source_(source), selection_(where) {
   for (const std::string& field : where.fields()) places_.push_back(source.column(field));
   for (const Condition::Text& text : where.texts()) {

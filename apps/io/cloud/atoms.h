@@ -66,6 +66,9 @@ class AtomSource {
   /// Returns the index of the column called `name`: its index in atom_columns, or no_atom_column plus its index in
   /// Atom::others. Requires: next_frame() has returned true. Throws BadInput if the file has no such column.
   virtual std::size_t column(std::string_view name) const;
+  /// Returns the columns that may be kept: names and indices, as column() returns them, without those of coordinates.
+  /// Requires: as column().
+  virtual std::vector<std::pair<std::string, std::size_t>> other_columns() const;
   /// Returns whether the file has radii. Requires: next_frame() has returned true.
   virtual bool has_radii() const { return false; }
   /// Returns the text of the atom in the column with the index `column`, as the member function column() returns it.

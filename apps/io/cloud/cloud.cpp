@@ -51,7 +51,9 @@ std::string readable(Use use, const std::function<bool(const CloudFormat&)>& fit
   return listed(others, " or ");
 }
 
-std::string with_fields(Use use, std::vector<std::string> others) {
+std::string with_fields(Use use) {
+  std::vector<std::string> others;
+  if (use == Use::points) others.emplace_back("geojson");
   return readable(
       use, [](const CloudFormat& reader) { return reader.fields != nullptr; }, std::move(others));
 }
@@ -77,7 +79,7 @@ Decompression decompression_of(Format format, std::string_view path, std::string
 }
 
 std::optional<FieldNames> fields_of(Format format) {
-  if (format == Format::by_content) return names_of_columns();
+  if (format == Format::by_content || format == Format::geojson) return names_of_columns();
   const CloudFormat* known = cloud_format(format);
   if (known == nullptr || known->fields == nullptr) return std::nullopt;
   return known->fields();

@@ -180,8 +180,8 @@ std::string readable(Use use, const std::function<bool(const CloudFormat&)>& fit
 /// Returns the formats that `rbpa stream` reads a block at a time: "tables, .npy, .f64xy, LAS and LAZ".
 std::string streamed_formats();
 
-/// Returns the formats of a use whose points have fields, and `others`, in the form of readable().
-std::string with_fields(Use use, std::vector<std::string> others = {});
+/// Returns the formats of a use whose points have fields, in the form of readable().
+std::string with_fields(Use use);
 
 /// Returns the rule for names of properties of PLY and of fields of PCD: any word.
 FieldNames names_of_properties();

@@ -123,11 +123,13 @@ std::vector<NamedLasField> all_las_fields(unsigned format, unsigned minor, std::
     const std::size_t count = type == 0 ? options : 1 + (type - 1) / std::size(types);  // 11 to 30: lists of 2 and 3
     const std::size_t size = count * size_of(scalar);
     if (size > length - offset) break;
-    const std::string_view name = extra.substr(4, 32);
-    LasField field{.offset = offset, .type = scalar};
-    if ((options & has_scale) != 0) field.unit = load<double>(&extra[112], std::endian::little);
-    if ((options & has_offset) != 0) field.shift = load<double>(&extra[136], std::endian::little);
-    if (type > 0 && count == 1) fields.push_back({std::string(name.substr(0, name.find('\0'))), field});
+    const std::string name(extra.substr(4, std::min<std::size_t>(32, extra.find('\0', 4) - 4)));
+    for (std::size_t k = 0; type > 0 && k < count; ++k) {
+      LasField field{.offset = offset + k * size_of(scalar), .type = scalar};
+      if ((options & has_scale) != 0) field.unit = load<double>(&extra[112 + 8 * k], std::endian::little);
+      if ((options & has_offset) != 0) field.shift = load<double>(&extra[136 + 8 * k], std::endian::little);
+      fields.push_back({count == 1 ? name : name + "[" + std::to_string(k) + "]", field});
+    }
     offset += size;
   }
   return fields;
@@ -211,9 +213,8 @@ std::vector<LasPlace> find_las_places(const Condition& condition, unsigned forma
       places.push_back({.field = {.offset = 4 * *axis, .type = Scalar::int32}, .axis = axis});
       continue;
     }
-    const auto field = std::find_if(all.begin(), all.end(),
-                                    [&](const NamedLasField& known) { return is_same_field(wanted, known.name); });
-    if (field == all.end()) {
+    const NamedLasField* const field = find_named(std::span(all), wanted);
+    if (field == nullptr) {
       std::string there = "x, y, z";
       for (const NamedLasField& known : all) there += ", " + printable(known.name);
       bad_input(name,

@@ -42,7 +42,8 @@ struct NamedLasField {
 };
 
 /// Returns the fields of records of `length` bytes, in their order: those of the format in a file of version 1.minor,
-/// and those that `extra`, the data of the record about extra bytes, describes, except lists and bytes without a type.
+/// and those that `extra`, the data of the record about extra bytes, describes, except bytes without a type. A list
+/// is a field "name[0]", "name[1]", … for each of its values.
 std::vector<NamedLasField> all_las_fields(unsigned format, unsigned minor, std::size_t length, std::string_view extra);
 
 /// Returns the field called `name`; case and underscores do not count: "ReturnNumber" is return_number. Returns nothing

@@ -13,6 +13,7 @@
 #include "io/text/fields.h"
 #include "io/text/line_selection.h"
 #include "io/text/lines.h"
+#include "io/text/typed_words.h"
 
 namespace rbpa::app {
 namespace {
@@ -46,6 +47,13 @@ class MoleculeCloud final : public Cloud {
         source_(open(content_.ahead(), name_, false)),
         waters_(request.waters) {
     source_->next_frame();
+    if (request.keeps)
+      for (const auto& [name, column] : source_->other_columns()) {
+        if (!request.keeps->has(name)) continue;
+        kept_.push_back(column);
+        facts_.file.kept.push_back({.name = name, .type = Scalar::int64});
+        if (is_text_of_atom(column)) facts_.file.kept.back() = {.name = name, .type = Scalar::int32, .is_text = true};
+      }
     if (!request.where) return;
     selection_.emplace(*request.where, *source_);
     if (selection_->names_residues()) waters_ = Waters::counted;
@@ -71,6 +79,11 @@ class MoleculeCloud final : public Cloud {
     while (source_->next_frame()) continue;
     facts_.cell = std::move(source_->cell());
     facts_.file.all_points = atoms_;
+    std::erase_if(facts_.file.kept, [](const PointColumn& column) {  // the file has no such column
+      std::size_t i = 0;
+      while (i < column.size() && column.is_missing(i)) ++i;
+      return i > 0 && i == column.size();
+    });
     for (std::size_t k = 0; k < numbers_.size(); ++k)
       if (facts_.file.texts[k]) facts_.file.texts[k] = numbers_[k].take_texts();
     if (source_->blocks() > 1)
@@ -112,6 +125,7 @@ class MoleculeCloud final : public Cloud {
     for (std::size_t k = 0; k < numbers_.size(); ++k)
       block.fields[k].push_back(facts_.file.texts[k] ? numbers_[k].number_of(selection_->text(atom_, k))
                                                      : selection_->number(atom_, k));
+    for (std::size_t k = 0; k < kept_.size(); ++k) append_word(facts_.file.kept[k], AtomSource::text(atom_, kept_[k]));
     block.index.push_back(index);
     ++block.count;
   }
@@ -123,6 +137,7 @@ class MoleculeCloud final : public Cloud {
   Atom atom_ = {};
   std::optional<AtomSelection> selection_ = std::nullopt;
   std::vector<TextNumbers> numbers_ = {};  // numbers of the texts in each column of the condition
+  std::vector<std::size_t> kept_ = {};     // the column of the file for each of PointFile::kept
   AlternateLocations alternates_ = {};
   std::size_t atoms_ = 0, water_atoms_ = 0;
 };

@@ -28,8 +28,10 @@ PointFile in_window(PointFile file, const std::string& name, const PointWindow& 
   WindowFilter filter(window, false, true);
   const std::size_t all = file.points.size();
   std::vector<std::uint32_t> index;
+  std::vector<std::uint8_t> kept(all);
   for (std::size_t i = 0; i < all; ++i) {
     if (!filter.keeps({file.points[i].x, file.points[i].y, file.z.empty() ? 0 : file.z[i]})) continue;
+    kept[i] = 1;
     const std::size_t to = index.size();
     index.push_back(file.index.empty() ? static_cast<std::uint32_t>(i) : file.index[i]);
     file.points[to] = file.points[i];
@@ -39,6 +41,7 @@ PointFile in_window(PointFile file, const std::string& name, const PointWindow& 
   file.points.resize(index.size());
   if (!file.z.empty()) file.z.resize(index.size());
   for (std::vector<double>& field : file.fields) field.resize(index.size());
+  keep_values(file.kept, 0, kept);
   file.all_points = std::max(file.all_points, all);
   file.warnings.push_back(warning_on_window(window, index.size(), all));
   file.index = unless_identity(std::move(index));
@@ -51,7 +54,8 @@ PointFile parse(std::string_view bytes, const std::string& name, const PointSour
   const auto within = [&](PointFile file) { return in_window(std::move(file), name, source.window); };
   if (format == Format::png) return within({{}, read_png_points(bytes, name, source.pixels)});
   if (format == Format::pgm) return within({{}, read_pgm_points(bytes, name, source.pixels)});
-  if (format == Format::geojson) return within(read_geojson_points(bytes, name, source.vertices, source.properties));
+  if (format == Format::geojson)
+    return within(read_geojson_points(bytes, name, source.vertices, source.where, source.keeps));
   if (format == Format::wkt) return within(read_wkt_points(bytes, name, source.vertices));
   return read_plane_points(*open_plane_cloud(Content(bytes, name), source));
 }
@@ -95,6 +99,7 @@ void warn_of_odd_points(PointFile& file) {
 /// Returns `file` with its system of coordinates, with shifted longitudes and heights as requested, and with warnings.
 PointFile settled(PointFile file, const std::string& name, const PointSource& source) {
   settle_crs(file, source.crs);
+  file.index = unless_identity(std::move(file.index));  // readers of geometries always fill it in if they select
   settle_columns(file.kept, file.warnings);
   if (source.shift_longitude) {
     shift_longitude(file.points, name);
@@ -173,7 +178,7 @@ void require_readable(Use use, Format format, const OptionNames& options, const 
           " without lines of points", readable(use, skips_invalid));
   require(options.vertices, use == Use::points && has_lines(format), " without lines and polygons",
           "points in the plane in one of " + endings(Use::points, has_lines));
-  require(options.fields, fields_of(format).has_value(), " without fields", with_fields(use, options.others));
+  require(options.fields, fields_of(format).has_value(), " without fields", with_fields(use));
 }
 
 void require_readable_input(Use use, Format format, bool columns, bool skip_invalid, bool vertices,
@@ -208,11 +213,6 @@ PointFile read_points(const PointSource& source) {
   if (source.format != Format::by_content) return points_in(input.bytes(), input.name(), source);
   PointSource known = source;
   known.format = format_of_content(Use::points, input.bytes(), input.name(), Format::text);
-  if (known.format == Format::geojson) {
-    if (known.where && !known.where->selects()) known.where.reset();  // the condition names only properties of groups
-  } else {
-    known.properties = {};
-  }
   require_readable_input(Use::points, known.format, known.columns.has_value(), known.skip_invalid, known.vertices,
                          known.where);
   return points_in(input.bytes(), input.name(), known);

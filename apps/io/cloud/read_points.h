@@ -25,7 +25,6 @@ struct PointSource {
   bool skip_invalid = false;                      ///< leave out lines of text, and records of LAS, that are not points
   bool vertices = false;                          ///< take the vertices of lines and polygons as points
   std::optional<Condition> where = std::nullopt;  ///< selects points, in formats with fields
-  GroupColumns properties = {};                   ///< GeoJSON: properties of Features that group points
   std::optional<Crs> crs = std::nullopt;          ///< coordinate system of the points; overrides that of the file
   std::optional<std::string> layer = std::nullopt;  ///< name of the layer, if a source of OGR has several
   bool shift_longitude = false;                     ///< add 360 to longitudes below 0
@@ -45,8 +44,7 @@ struct OptionNames {
   const char* columns = nullptr;
   const char* skip_invalid = nullptr;
   const char* vertices = nullptr;
-  const char* fields = nullptr;          ///< --where, or another option that reads fields
-  std::vector<std::string> others = {};  ///< formats that are not named in with_fields(), and fit `fields`
+  const char* fields = nullptr;  ///< --where, or another option that reads fields
 };
 
 /// Throws WrongUsage if points of `format` lack data that an option requests. `found` begins the text after "found".

@@ -159,6 +159,14 @@ class NamedAtoms : public LineAtoms {
     return no_atom_column + place;
   }
 
+  std::vector<std::pair<std::string, std::size_t>> other_columns() const override {
+    std::vector<std::pair<std::string, std::size_t>> all;
+    for (std::size_t k = 0; k < names_.size(); ++k)
+      if (std::find(&places_[x_of_atom], &places_[x_of_atom + 3], k) == &places_[x_of_atom + 3])
+        all.emplace_back(names_[k], no_atom_column + k);
+    return all;
+  }
+
   bool has_radii() const override { return has(AtomColumn::radius); }
 
  protected:

@@ -31,7 +31,7 @@ class TableCloud final : public Cloud {
         name_(lines_.name()),
         request_(request),
         kind_(kind),
-        selection_(request.where, request.skip_invalid) {
+        selection_(request.where, request.skip_invalid, request.keeps.has_value()) {
     TableStart start = [&] {
       try {
         return start_table(lines_, kind_, request_, selection_, facts_.file.warnings);

@@ -102,7 +102,6 @@ std::string TableFields::other_columns() const {
 void TableFields::keep(std::size_t column, const std::string& name) {
   kept_.push_back(column);
   words_.emplace_back();
-  numbers_of_texts_.emplace_back();
   file_.kept.push_back({.name = name, .type = Scalar::int64});
 }
 
@@ -122,7 +121,7 @@ void TableFields::take_words() {
 }
 
 void TableFields::append_words() {
-  for (std::size_t k = 0; k < kept_.size(); ++k) append_word(file_.kept[k], words_[k], numbers_of_texts_[k]);
+  for (std::size_t k = 0; k < kept_.size(); ++k) append_word(file_.kept[k], words_[k]);
 }
 
 std::string TableFields::here() const { return at_line(lines_.name(), lines_.number()); }

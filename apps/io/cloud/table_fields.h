@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "io/cloud/cloud.h"
@@ -63,7 +62,6 @@ class TableFields {
   bool has_angles_ = false;
   std::vector<std::size_t> kept_ = {};   // columns that are kept, ascending
   std::vector<std::string> words_ = {};  // fields of the kept columns in the current line
-  std::vector<std::unordered_map<std::string, std::int32_t>> numbers_of_texts_ = {};
 };
 
 }  // namespace rbpa::app

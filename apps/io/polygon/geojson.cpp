@@ -10,13 +10,13 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
+#include "io/polygon/feature_properties.h"
 #include "io/polygon/geojson_geometry.h"
 #include "io/polygon/json_id.h"
 #include "io/scalar.h"
@@ -43,16 +43,15 @@ class Events {
  public:
   /// Reads points; or, if `polygons` is not null, only polygons.
   Events(std::string_view text, const std::string& name, bool vertices, PolygonFile* polygons = nullptr,
-         const GroupColumns& columns = {})
+         const std::optional<Condition>& where = std::nullopt, const std::optional<FieldChoice>& keeps = std::nullopt)
       : begin_(text.data()),
         at_(begin_),
         end_(begin_ + text.size()),
         name_(name),
         vertices_(vertices),
         polygons_(polygons),
-        columns_(columns) {
-    if (columns_.key) file_.texts.emplace_back(std::vector<std::string>(1));  // text 0: points without a key
-  }
+        properties_(where, keeps,
+                    [this](const std::string& found, const std::string& expected) { refuse(found, expected); }) {}
 
   PointFile read() {
     if (at_end()) refuse("nothing but blanks", "GeoJSON");
@@ -63,9 +62,7 @@ class Events {
     }
     if (without_geometry_ > 0) file_.warnings.push_back(counted(without_geometry_, "feature") + " without a geometry");
     settle_crs();
-    if (columns_.key || columns_.radius) end_fields(file_.points.size(), {}, not_a_number);
-    require_property(columns_.key, has_key_, "--group-by");
-    require_property(columns_.radius, has_radius_, "--alpha column");
+    properties_.finish(name_, file_);
     return std::move(file_);
   }
 
@@ -75,31 +72,31 @@ class Events {
     return scalar("null", is_in(Slot::object) || is_in(Slot::crs));
   }
   bool boolean(bool value) {
-    if (is_property()) take_key(value ? "true" : "false", true);
+    take_property(value ? "true" : "false", value ? 1 : 0, true);
     return scalar(value ? "true" : "false", false);
   }
   bool number_integer(std::int64_t value) {
     // Read the text of 0 again: the parser loses the sign of −0.
     const bool negative_zero = value == 0 && at_ - begin_ >= 3 && at_[-3] == '-' && at_[-2] == '0';
     const bool at_the_end = value == 0 && at_ == end_ && at_ - begin_ >= 2 && at_[-2] == '-' && at_[-1] == '0';
-    if (is_property()) take_key(std::to_string(value), false);
+    take_property(std::to_string(value), static_cast<double>(value), false);
     require_exact(value);
     return number(negative_zero || at_the_end ? -0.0 : static_cast<double>(value));
   }
   bool number_unsigned(std::uint64_t value) {
-    if (is_property()) take_key(std::to_string(value), false);
+    take_property(std::to_string(value), static_cast<double>(value), false);
     require_exact(value);
     return number(static_cast<double>(value));
   }
   bool number_float(double value, const std::string& /*text*/) {
-    if (is_property()) take_key(text_of(value + 0.0), false);
+    take_property(text_of(value + 0.0), value, false);
     return number(value);
   }
   bool binary(const std::vector<std::uint8_t>& /*value*/) { return true; }
 
   bool string(const std::string& value) {
     if (inside(Slot::crs) && inner_key_ == "name") crs_name_ = value;
-    if (is_property()) take_key(value, true);
+    take_property(value, not_a_number, true);
     if (is_in(Slot::type)) frames_.back().type = value;
     return scalar(in_quotes(value), is_in(Slot::type));
   }
@@ -107,8 +104,7 @@ class Events {
   bool key(const std::string& key) {
     if (depth_ > 0) {
       inner_key_ = key;
-      has_key_ = has_key_ || (is_property() && key == columns_.key);
-      has_radius_ = has_radius_ || (is_property() && key == columns_.radius);
+      takes_property_ = is_property() && properties_.takes(key);
       return true;
     }
     Frame& frame = frames_.back();
@@ -122,7 +118,7 @@ class Events {
   }
 
   bool start_object(std::size_t /*size*/) {
-    if (is_property() && columns_.key == inner_key_) refuse_key("an object");
+    if (is_property()) properties_.require_scalar(inner_key_, "an object");
     if (passes_over(+1)) return true;
     if (!frames_.empty()) {
       const Frame& frame = frames_.back();
@@ -130,6 +126,7 @@ class Events {
       if (frame.slot == Slot::coordinates || frame.slot == Slot::type ||
           (frame.slot == Slot::objects && !frame.in_list))
         refuse("an object", "a " + expected(frame.slot));
+      if (frame.geometry) refuse("an object in one with coordinates", "a geometry that has coordinates alone");
     }
     frames_.push_back({.begin = at_ - 1,
                        .geometries = polygons_ == nullptr ? 0 : polygons_->geometries.size(),
@@ -140,15 +137,18 @@ class Events {
     if (passes_over(-1)) return true;
     finish(frames_.back());
     if (polygons_ != nullptr) count_feature(frames_.back(), frames_.size() == 1);
-    if ((columns_.key || columns_.radius) && frames_.back().type == "Feature")
-      end_fields(frames_.back().points, frames_.back().key, frames_.back().radius);
-    if (frames_.back().type == "Feature") ++features_;
+    const bool is_feature = frames_.back().type == "Feature";
+    if (is_feature)
+      properties_.end_feature(frames_.back().properties, frames_.back().points, file_);
+    else if (frames_.size() == 1)
+      properties_.end_feature({}, file_.points.size(), file_);
+    if (is_feature) ++features_;
     frames_.pop_back();
     return true;
   }
 
   bool start_array(std::size_t /*size*/) {
-    if (is_property() && columns_.key == inner_key_) refuse_key("a list");
+    if (is_property()) properties_.require_scalar(inner_key_, "a list");
     if (passes_over(+1)) return true;
     if (frames_.empty()) refuse("an array", "a GeoJSON object");
     Frame& frame = frames_.back();
@@ -184,46 +184,14 @@ class Events {
     std::size_t geometries = 0;                                // number of geometries before it
     std::size_t points = 0;                                    // number of points before it
     std::vector<std::pair<std::string, double>> numbers = {};  // its properties that are numbers
-    std::string key = {};                                      // its property that names the group of points
-    double radius = not_a_number;
+    std::vector<Property> properties = {};                     // its properties that are read
   };
 
   /// Returns whether the parser is at the value of a property of a Feature.
   bool is_property() const { return depth_ == 1 && passed_over_ == Slot::properties; }
 
-  void take_key(const std::string& text, bool is_text) {
-    if (columns_.key != inner_key_) return;
-    frames_.back().key = text;
-    file_.keys_are_texts = file_.keys_are_texts || (is_text && !text.empty());
-  }
-  /// Throws BadInput that names `option` if there are points and, as `is_there` tells, no Feature has the property; a
-  /// Feature with the value null has the property.
-  void require_property(const std::optional<std::string>& property, bool is_there, const std::string& option) const {
-    if (property && !is_there && !file_.points.empty())
-      bad_input(name_, "no Feature with a property " + in_quotes(*property),
-                "at least one, as " + option + " requires");
-  }
-  [[noreturn]] void refuse_key(const std::string& found) const {
-    refuse(found + " as property " + in_quotes(inner_key_), "a text or a number, as --group-by requires");
-  }
-
-  /// Sets the fields of the points from point number `first` on to `key` and `radius`.
-  void end_fields(std::size_t first, const std::string& key, double radius) {
-    const std::size_t columns = (columns_.key ? 1U : 0U) + (columns_.radius ? 1U : 0U);
-    file_.fields.resize(columns);
-    std::size_t number = 0;
-    if (columns_.key && !key.empty()) {
-      const auto [at, is_new] = key_numbers_.try_emplace(key, file_.texts[0]->size());
-      if (is_new) file_.texts[0]->push_back(key);
-      number = at->second;
-    }
-    const std::size_t points = file_.points.size();
-    const auto fill = [&](std::vector<double>& field, double none, double value) {
-      field.resize(std::max(first, field.size()), none);  // for points in no Feature
-      field.resize(points, value);
-    };
-    if (columns_.key) fill(file_.fields.front(), 0, static_cast<double>(number));
-    if (columns_.radius) fill(file_.fields.back(), not_a_number, radius);
+  void take_property(const std::string& text, double value, bool is_text) {
+    if (takes_property_ && is_property()) frames_.back().properties.push_back({inner_key_, text, value, is_text});
   }
 
   static bool is_passed_over(Slot slot) { return slot == Slot::ignored || slot == Slot::properties; }
@@ -303,7 +271,6 @@ class Events {
       crs_name_ = "EPSG:" + std::to_string(static_cast<std::uint64_t>(value));
     if (inside(Slot::properties) && depth_ == 1 && polygons_ != nullptr)
       frames_.back().numbers.emplace_back(inner_key_, value);
-    if (is_property() && columns_.radius == inner_key_) frames_.back().radius = value;
     if (is_in(Slot::coordinates)) return check(frames_.back().geometry->add(value));
     return scalar("a number", false);
   }
@@ -369,10 +336,9 @@ class Events {
   const std::string& name_;
   bool vertices_;
   PolygonFile* polygons_;
-  GroupColumns columns_;
-  bool has_key_ = false, has_radius_ = false;  // some Feature has the property
+  FeatureProperties properties_;
+  bool takes_property_ = false;  // the value of the current property is read
   PointFile file_ = {};
-  std::unordered_map<std::string, std::size_t> key_numbers_ = {};  // numbers of keys in file_.texts[0]
   std::vector<Frame> frames_ = {};
   Slot passed_over_ = Slot::ignored;  // the content that is ignored, except its names and numbers
   std::size_t depth_ = 0;             // number of open brackets in that content; 0: nothing is ignored
@@ -388,8 +354,8 @@ class Events {
 }  // namespace
 
 PointFile read_geojson_points(std::string_view text, const std::string& name, bool vertices,
-                              const GroupColumns& properties) {
-  return Events(text, name, vertices, nullptr, properties).read();
+                              const std::optional<Condition>& where, const std::optional<FieldChoice>& keeps) {
+  return Events(text, name, vertices, nullptr, where, keeps).read();
 }
 
 PolygonFile read_geojson_polygons(std::string_view text, const std::string& name) {

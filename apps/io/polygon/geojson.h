@@ -4,6 +4,7 @@
 // Cost: one pass, and the memory of the points.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,11 +16,11 @@ namespace rbpa::app {
 
 /// Reads the points of Point and MultiPoint, and with `vertices` those of all geometries; the point at which a ring
 /// closes counts once. Without "crs" points are longitudes and latitudes of WGS 84. A warning counts Features without a
-/// geometry. Fields of a point are the `properties` of its Feature: a key, which is a text, a number, true or false,
-/// and a radius, a number. Without the property, the key is empty or the radius NaN. Throws BadInput that names the
-/// line; Cancelled.
+/// geometry. Fields of a point are the `properties` of its Feature: texts, numbers, true or false. Throws BadInput that
+/// names the line; Cancelled.
 PointFile read_geojson_points(std::string_view text, const std::string& name, bool vertices,
-                              const GroupColumns& properties = {});
+                              const std::optional<Condition>& where = std::nullopt,
+                              const std::optional<FieldChoice>& keeps = std::nullopt);
 
 /// Reads each Polygon and MultiPolygon, also in collections, as a geometry, and the properties of Features that are
 /// numbers. The geometries of a text outside of any Feature form one feature. Throws BadInput that names the line, also

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -218,6 +219,8 @@ class Parser {
   std::vector<Condition::Text>& texts_;
 };
 
+bool is_true(double value) { return value != 0 && !std::isnan(value); }
+
 double evaluated(Step step, double a, double b) {
   switch (step) {
     case Step::equal:
@@ -233,9 +236,9 @@ double evaluated(Step step, double a, double b) {
     case Step::greater_equal:
       return a >= b ? 1 : 0;
     case Step::both:
-      return a != 0 && b != 0 ? 1 : 0;
+      return is_true(a) && is_true(b) ? 1 : 0;
     default:
-      return a != 0 || b != 0 ? 1 : 0;
+      return is_true(a) || is_true(b) ? 1 : 0;
   }
 }
 
@@ -296,11 +299,11 @@ bool Selection::decides(const Condition::Instruction& instruction) {
   if (instruction.step == Step::number) {
     stack_.push_back(instruction.number);
   } else if (instruction.step == Step::negation) {
-    stack_.back() = stack_.back() == 0 ? 1 : 0;
+    stack_.back() = is_true(stack_.back()) ? 0 : 1;
   } else if (instruction.step == Step::unless_true || instruction.step == Step::unless_false) {
-    const bool is_true = stack_.back() != 0;
-    if (is_true != (instruction.step == Step::unless_true)) return false;
-    stack_.back() = is_true ? 1 : 0;
+    const bool is_held = is_true(stack_.back());
+    if (is_held != (instruction.step == Step::unless_true)) return false;
+    stack_.back() = is_held ? 1 : 0;
     return true;
   } else {
     const double right = stack_.back();
@@ -311,7 +314,7 @@ bool Selection::decides(const Condition::Instruction& instruction) {
 }
 
 bool Selection::count() {
-  const bool is_held = stack_.back() != 0;
+  const bool is_held = is_true(stack_.back());
   ++judged_;
   if (is_held) ++selected_;
   return is_held;

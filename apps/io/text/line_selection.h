@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -16,6 +17,7 @@
 #include "io/number.h"
 #include "io/text/condition.h"
 #include "io/text/fields.h"
+#include "io/text/typed_words.h"
 
 namespace rbpa::app {
 
@@ -48,8 +50,10 @@ constexpr std::string_view of_where =
 
 class LineSelection {
  public:
-  LineSelection(std::optional<Condition> where, bool skip_invalid)
-      : where_(std::move(where)), skip_invalid_(skip_invalid) {}
+  /// `keeps`: the caller keeps columns of kind by_value with their types, so that their numbers here may be rounded;
+  /// and numbers of columns may be missing, which are NaN.
+  LineSelection(std::optional<Condition> where, bool skip_invalid, bool keeps = false)
+      : where_(std::move(where)), skip_invalid_(skip_invalid), keeps_(keeps) {}
 
   bool has_condition() const { return where_.has_value(); }
   /// Returns the values of the condition's columns() in the last selected line; empty without a condition.
@@ -91,6 +95,7 @@ class LineSelection {
       if (places_[k] != not_there)
         selection_->values()[k] = kinds_[k] == Kind::text     ? numbers_[k].number_of(text(k))
                                   : kinds_[k] == Kind::radius ? radius_of(text(k))
+                                  : keeps_                    ? kept_number(k, text(k), number)
                                                               : number(k);
     return true;
   }
@@ -144,11 +149,20 @@ class LineSelection {
     return is_one ? number.value : std::numeric_limits<double>::quiet_NaN();
   }
 
+  /// Returns the number of column k, whose text is `word`.
+  template <typename Number>
+  double kept_number(std::size_t k, std::string_view word, const Number& number) const {
+    if (is_missing(word)) return std::numeric_limits<double>::quiet_NaN();
+    const std::optional<std::int64_t> whole =
+        where_->column(k).kind == Kind::by_value ? integer_of(word) : std::nullopt;
+    return whole ? static_cast<double>(*whole) : number(k);
+  }
+
   using Kind = WantedColumn::Kind;
   static constexpr std::size_t not_there = ~std::size_t{0};
 
   std::optional<Condition> where_;
-  bool skip_invalid_;
+  bool skip_invalid_, keeps_;
   std::vector<std::size_t> places_ = {};   // column of the table for each field, then for each text, of the condition
   std::vector<Fields> found_ = {};         // the rest of the current line from each of `places_` on
   std::vector<Kind> kinds_ = {};           // kind of each of the condition's columns

@@ -3,7 +3,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 
 #include "io/number.h"
@@ -11,15 +10,15 @@
 #include "io/words.h"
 
 namespace rbpa::app {
-namespace {
 
-/// Returns the integer of a text without sign +, zeros before it, or blanks; nothing for any other text.
 std::optional<std::int64_t> integer_of(std::string_view word) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || end != word.data() + word.size() || std::to_string(value) != word) return std::nullopt;
   return value;
 }
+
+namespace {
 
 std::optional<double> number_of(std::string_view word) {
   if (is_missing(word)) return std::numeric_limits<double>::quiet_NaN();
@@ -29,14 +28,7 @@ std::optional<double> number_of(std::string_view word) {
   return number.value;
 }
 
-std::int32_t number_of(PointColumn& column, std::string_view text,
-                       std::unordered_map<std::string, std::int32_t>& numbers) {
-  const auto [place, is_new] = numbers.try_emplace(std::string(text), static_cast<std::int32_t>(column.texts.size()));
-  if (is_new) column.texts.emplace_back(text);
-  return place->second;
-}
-
-void become_texts(PointColumn& column, std::unordered_map<std::string, std::int32_t>& numbers) {
+void become_texts(PointColumn& column) {
   PointColumn texts{.name = column.name, .type = Scalar::int32, .is_text = true};
   for (std::size_t i = 0; i < column.size(); ++i) {
     std::string text;
@@ -44,23 +36,27 @@ void become_texts(PointColumn& column, std::unordered_map<std::string, std::int3
       text = std::to_string(column.value<std::int64_t>(i));
     else if (const double value = column.value<double>(i); !std::isnan(value))
       text = text_of(value);
-    texts.append(number_of(texts, text, numbers));
+    texts.append(texts.number_of(text));
   }
   column = std::move(texts);
 }
 
 }  // namespace
 
-void append_word(PointColumn& column, std::string_view word, std::unordered_map<std::string, std::int32_t>& numbers) {
+void append_word(PointColumn& column, std::string_view word) {
   if (column.type == Scalar::int64) {
     if (const std::optional<std::int64_t> value = integer_of(word)) return column.append(*value);
-    if (!number_of(word) || !become_numbers(column)) become_texts(column, numbers);
+    if (!number_of(word) || !become_numbers(column)) become_texts(column);
   }
   if (!column.is_text) {
     if (const std::optional<double> value = number_of(word)) return column.append(*value);
-    become_texts(column, numbers);
   }
-  column.append(number_of(column, word, numbers));
+  append_text(column, word);
+}
+
+void append_text(PointColumn& column, std::string_view text) {
+  if (!column.is_text) become_texts(column);
+  column.append(column.number_of(text));
 }
 
 }  // namespace rbpa::app

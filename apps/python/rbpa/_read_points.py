@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, shown
+from rbpa._input import Floats, as_number, as_numbers, shown
 
 
 def read_points(
@@ -35,10 +35,11 @@ def read_points(
     space : bool
         Read points in space with their normals and colors, for `surface`; otherwise points in the plane.
     fields : sequence of str, or mapping of str to float or str
-        Names of fields to read with the points: "intensity" and others of LAS, properties of PLY, fields of PCD,
-        columns of a table with a header; for molecules serial, chain, resseq, icode, resname, name, element, altloc,
-        occupancy and bfactor. A column of a table has texts if its first value is not a number, or if a mapping
-        requests str: ``{"plot": str}``. If a mapping requests float, numbers become float64.
+        Names of fields to read with the points: "intensity" and others of LAS ("name[0]", "name[1]" of a list),
+        properties of PLY and GeoJSON, fields of PCD, columns of a table with a header; for molecules serial, chain,
+        resseq, icode, resname, name, element, altloc, occupancy and bfactor. A column of a table has texts if its first
+        value is not a number, or if a mapping requests str: ``{"plot": str}``. If a mapping requests float, numbers
+        become float64.
     where : str, optional
         A condition on fields of the file that selects points: "classification == 2 and not overlap", as in ``--where``
         of the program.
@@ -88,8 +89,8 @@ def read_points(
     for text, option in ((where, "where"), (format, "format")):
         if text is not None:
             _require_text(text, option)
-    box = None if bounds is None else np.asarray(bounds, dtype=float).ravel().tolist()
-    length = None if resolution is None else float(resolution)
+    box = None if bounds is None else as_numbers(bounds, "bounds", "x0, y0, x1, y1, or also z0, z1").ravel().tolist()
+    length = None if resolution is None else as_number(resolution, "resolution", "a length above 0")
     try:
         read = _core.read_points(os.fsencode(path), space, named, where, columns, format, skip_invalid, vertices, box, length)
     except InvalidInput as error:
@@ -140,8 +141,8 @@ class PointFile:
     colors : uint8 array of shape (n, 3), or None
         Red, green and blue.
     fields : dict of arrays of shape (n,)
-        The requested fields by name, with the types of the file: integers are integers; texts are str. Coordinates and
-        columns of molecules are float64 or str. A missing value of a molecule is NaN, or an empty text.
+        The requested fields by name, with the types of the file: integers are integers; texts are str. Coordinates are
+        float64. A missing value is NaN, in a column of numbers that are then float64, or an empty text.
     crs : str, or None
         The system of the coordinates, such as "EPSG:28992", if the file names one.
     warnings : list of str

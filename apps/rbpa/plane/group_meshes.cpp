@@ -82,7 +82,7 @@ void run_group_meshes(const MeshArguments& arguments) {
   GroupShapesOptions options;
   options.triangles = true;
   GroupRun run(request, arguments, options);
-  run.warning(fields_left_out(run.named.file.kept, targets));
+  run.warning_on_fields(run.named.file.kept, targets, run.shapes.duplicates);
   write_targets(run, arguments.compact);
   run.finish();
   caution(targets, run.named.file.points, run.named.file);

@@ -24,9 +24,10 @@ template <typename Arguments>
 void add_selection_options(CLI::App& verb, Arguments& arguments) {
   add_switch(verb, "--skip-invalid", arguments.skip_invalid,
              "Skip lines of text, and records of LAS, that are not points, and print how many");
-  verb.add_option("--where", arguments.where,
-                  "Take only points that fulfill a condition on fields of LAS, PLY or PCD, or on columns of text: "
-                  "\"classification == 6 and z > 3\", or for texts \"group in ('A', 'B')\"")
+  verb.add_option(
+          "--where", arguments.where,
+          "Take only points that fulfill a condition on fields of LAS, PLY or PCD, columns of text, or properties "
+          "of GeoJSON: \"classification == 6 and z > 3\", or for texts \"group in ('A', 'B')\"")
       ->type_name("CONDITION");
   verb.add_option("--bounds", arguments.bounds,
                   "Take only points in this box, boundary included; of COPC only nodes that meet it are read")

@@ -105,6 +105,7 @@ struct GroupShapes {
   /// indices.
   std::vector<Triangle> triangles;
   std::vector<GroupProblem> problems;  ///< for groups without a polygon, ascending
+  std::size_t duplicates = 0;          ///< number of points that equal an earlier point of their group
 };
 
 /// Computes the solid alpha complex of each group. Groups may overlap. Each group that has no polygon is listed in

@@ -105,6 +105,7 @@ class GroupShaper {
       complex = choose(delaunay, alpha, go_on);
     }
     made.triangle_begin.back() += complex.triangles.size();
+    made.duplicates += complex.duplicates.size();
     const auto index = [&](std::uint32_t i) { return group.members[i]; };
     if (options_.triangles)
       for (const Triangle& t : complex.triangles) made.triangles.push_back({index(t[0]), index(t[1]), index(t[2])});
@@ -168,6 +169,7 @@ void append(GroupShapes& all, GroupShapes& made) {
   append_offsets(all.triangle_begin, made.triangle_begin);
   append(all.triangles, made.triangles);
   append(all.problems, made.problems);
+  all.duplicates += made.duplicates;
 }
 
 void check(const GroupAlpha& alpha, std::size_t groups) {
