@@ -81,7 +81,8 @@ void require_options(const std::vector<Point3>& places, const Triangles& triangl
     refuse("the sharp angle", options.sharp_angle, "degrees from 0 to 180");
   for (const Point3& p : places)
     for (const double coordinate : {p.x, p.y, p.z})
-      if (std::abs(coordinate) > most) refuse("the coordinate", coordinate, "none beyond 1e60 (scale the mesh)");
+      if (const double limit = options.single_precision ? 1e38 : most; std::abs(coordinate) > limit)
+        refuse("the coordinate", coordinate, "none beyond " + text_of(limit) + " (scale the mesh)");
   if (triangles.empty()) return;
   space::Box box;
   double area = 0, edges = 0;

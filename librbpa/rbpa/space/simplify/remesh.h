@@ -57,9 +57,9 @@ struct Remeshing {
 ///           several fans; `places` has a position for each vertex by index, finite if the vertex is not deleted.
 /// Throws:   ContractViolation unless there is one place for each vertex and each face is a triangle, and as
 ///           meshops::build_mesh() throws it when edges join the same vertices. InvalidInput when a place is not
-///           finite, a coordinate is beyond 1e60, the angle is not from 0 to 180, or the length is not from 1e-60 to
-///           1e60, exceeds the diagonal of the mesh's box, or would need more than `most_faces` triangles. Cancelled.
-///           In each case, the mesh and `places` are unchanged.
+///           finite, a coordinate is beyond 1e60 (1e38 with single_precision), the angle is not from 0 to 180, or the
+///           length is not from 1e-60 to 1e60, exceeds the diagonal of the mesh's box, or would need more than
+///           `most_faces` triangles. Cancelled. In each case, the mesh and `places` are unchanged.
 RBPA_API Remeshing remesh(meshops::Connectivity& mesh, std::vector<Point3>& places, const RemeshOptions& options);
 
 /// Remeshes a mesh whose vertices have points, as above, with `places` = places_of(mesh).
