@@ -3,8 +3,8 @@
 // Law:    components, genus, orientation and Betti numbers stay, each boundary curve stays one curve, and closed
 //         components stay closed. Sharp edges and boundary curves stay curves; their ends and corners stay in place. No
 //         operation turns a triangle by a right angle or more. These decisions are exact; places are rounded. The
-//         result, numbers of vertices and faces included, does not depend on the numbers of the input, if no two
-//         vertices lie on one point.
+//         result, numbers of vertices and faces included, does not depend on the numbers of the input, if vertices on
+//         one point have neighbors on different points.
 // Cost:   microseconds for each triangle in each round.
 // Source: Botsch and Kobbelt, A remeshing approach to multiresolution modeling (2004).
 #pragma once
