@@ -1,7 +1,10 @@
 #include "python/mesh.h"
 
+#include <cstddef>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
 
 #include "meshops/core/live.h"
@@ -15,6 +18,7 @@
 #include "python/module.h"
 #include "python/soup.h"
 #include "rbpa/space/simplify/decimate_mesh.h"
+#include "rbpa/space/simplify/progressive_mesh.h"
 #include "rbpa/space/simplify/remesh.h"
 
 namespace rbpa::python {
@@ -281,6 +285,45 @@ auto remesh_copy(Mesh& mesh, const Doubles& points, double length, unsigned roun
   return std::make_tuple(places, counts.given, counts.left, counts.splits, counts.collapses, counts.flips);
 }
 
+void bind_progressive(py::module_& module) {
+  using py::arg;
+  py::class_<ProgressiveMesh>(module, "ProgressiveMesh")
+      .def(py::init([](Mesh& mesh, const Doubles& points, const py::object& progress) {
+             const auto input = points3_of(points, "points");
+             const Mesh::Look look(mesh);
+             const std::size_t given = mesh.seen().n_faces();
+             return watched(given, progress, [&](Watch& watch) {
+               const OnProgress report = watch.progress();
+               return ProgressiveMesh(mesh.seen(), {input.begin(), input.end()},
+                                      {.go_on = go_on_of(report, input.size(), given)});
+             });
+           }),
+           arg("mesh"), as_is("points"), arg("progress"))
+      .def(py::init([](const py::bytes& bytes) {
+             const auto text = static_cast<std::string_view>(bytes);
+             return ProgressiveMesh::read(std::as_bytes(std::span(text)));
+           }),
+           arg("data"))
+      .def(
+          "to_bytes",
+          [](const ProgressiveMesh& m) {
+            const std::vector<std::byte> bytes = m.write();
+            return py::bytes(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+          },
+          "Returns the coarse mesh and the splits that lead to the full one, for `from_bytes`.")
+      .def("go_to", &ProgressiveMesh::go_to, arg("faces"),
+           "Changes the mesh to as many triangles as possible, at most `faces`, or to the coarse mesh.")
+      .def_property_readonly("faces", &ProgressiveMesh::faces, "The number of triangles now.")
+      .def_property_readonly("least", &ProgressiveMesh::least, "The number of triangles of the coarse mesh.")
+      .def_property_readonly("most", &ProgressiveMesh::most, "The number of triangles of the given mesh.")
+      .def(
+          "triangles", [](const ProgressiveMesh& m) { return rows<std::int32_t>(m.triangles()); },
+          "Returns the corners of each triangle now, as vertices of the given mesh: int32 array of shape (faces, 3).")
+      .def(
+          "points", [](const ProgressiveMesh& m) { return rows<double>(m.positions()); },
+          "Returns the position now of each vertex of the given mesh; only those of `triangles` have a meaning.");
+}
+
 void bind_topology(py::class_<Mesh>& mesh) {
   using py::arg;
   mesh.def(
@@ -338,6 +381,7 @@ void bind_mesh(py::module_& module) {
   bind_elements(mesh);
   bind_navigation(mesh);
   bind_topology(mesh);
+  bind_progressive(module);
   bind_mesh_operators(module, mesh);
   mesh.def("_decimate", &decimate_copy, as_is("points"), arg("faces"), arg("error"), arg("no_crossings"),
            arg("progress"));

@@ -7,15 +7,10 @@
 #include <stdexcept>
 #include <vector>
 
+#include "fuzz/small_mesh.h"
 #include "fuzz/target.h"
-#include "meshops/core/live.h"
-#include "meshops/core/validate.h"
-#include "meshops/topology/build_mesh.h"
-#include "meshops/topology/repair.h"
 #include "meshops/topology/report.h"
-#include "rbpa/base/error.h"
 #include "rbpa/space/simplify/decimate_mesh.h"
-#include "walk/choices.h"
 
 namespace {
 
@@ -59,34 +54,6 @@ struct Careless {
   bool stops(const Connectivity&, Edge, double) { return choices.below(128) == 1; }
 };
 
-/// Fills an empty mesh with the repair of some triangles. Returns the place of each vertex, of small whole coordinates.
-std::vector<rbpa::Point3> build(ByteChoices& choices, Connectivity& mesh) {
-  meshops::PolygonSoup soup;
-  soup.points = 3 + choices.below(14);
-  std::vector<rbpa::Point3> points;
-  for (std::size_t i = 0; i < soup.points; ++i)
-    points.push_back({double(choices.below(4)), double(choices.below(4)), double(choices.below(3))});
-  const auto corner = [&] { return choices.below(static_cast<unsigned>(soup.points)); };
-  for (unsigned faces = choices.below(60); faces > 0 && choices.any_left(); --faces)
-    soup.add_face(std::array<std::uint32_t, 3>{corner(), corner(), corner()});
-  const meshops::Repair repaired = meshops::repair(soup);
-  for (std::size_t f = 0; f < repaired.soup.faces(); ++f)
-    if (repaired.soup.face(f).size() != 3) return {};  // a corner was dropped
-  std::vector<rbpa::Point3> places;
-  for (const std::uint32_t point : meshops::build_mesh(mesh, repaired.soup))
-    places.push_back(points[repaired.stands_on[point]]);
-  return places;
-}
-
-void check_same(const Connectivity& mesh, const meshops::TopologyReport& before) {
-  fuzz::require(meshops::validate(mesh).empty(), "the mesh stays sound");
-  const meshops::TopologyReport now = meshops::report(mesh);
-  fuzz::require(now.betti == before.betti && now.genus == before.genus, "Betti numbers and genus stay");
-  fuzz::require(now.boundary_curves == before.boundary_curves, "every boundary curve stays one");
-  fuzz::require(now.components == before.components && now.solid_components == before.solid_components,
-                "components stay");
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -94,7 +61,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const bool is_careless = choices.one_in(2);
   OpenMesh::PolyConnectivity mesh;
   meshops::request_status(mesh);
-  std::vector<rbpa::Point3> places = build(choices, mesh);
+  std::vector<rbpa::Point3> places = fuzz::build(choices, mesh);
   const meshops::TopologyReport before = meshops::report(mesh);
   if (is_careless) {
     try {
@@ -102,7 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     } catch (const Thrown&) {
     } catch (const meshops::ContractViolation&) {
     }
-    check_same(mesh, before);
+    fuzz::check_same(mesh, before);
     return 0;
   }
   rbpa::DecimationOptions options{
@@ -110,7 +77,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (choices.one_in(2)) options.error = choices.below(256) / 64.0;
   const std::vector<rbpa::Point3> given = places;
   const rbpa::Decimation counts = rbpa::decimate(mesh, places, options, {.at_ends = choices.one_in(2)});
-  check_same(mesh, before);
+  fuzz::check_same(mesh, before);
   fuzz::require(counts.left == meshops::report(mesh).faces, "the faces left are counted");
   fuzz::require(counts.left <= options.faces || counts.is_exhausted, "the run ends at the limit, or with no edge left");
   fuzz::require(counts.distance.has_value() == (options.measured || options.error), "the distance is there if wanted");

@@ -114,3 +114,49 @@ def test_a_cancelled_run_leaves_the_mesh_unchanged():
     assert mesh.n_faces == faces and mesh.validate() == []
     with pytest.raises(rbpa.Cancelled):
         surface.decimated(10, progress=lambda triangles, points: False)
+
+
+def test_a_progressive_mesh_goes_both_ways_and_through_bytes():
+    points = ball(300)
+    mesh = rbpa.surface(points, points, 0.4).mesh()
+    places = points[mesh.point_of_vertex]
+    scale = rbpa.meshops.ProgressiveMesh(mesh, places)
+    assert (scale.faces, scale.least, scale.most, mesh.n_faces) == (4, 4, 596, 596)
+    random = np.random.default_rng(3)
+    seen = {}
+    for faces in random.integers(0, 700, 1000):
+        scale.go_to(faces)
+        assert max(4, min(faces, 596) - 1) <= scale.faces <= max(4, faces)
+        triangles = scale.triangles()
+        state = triangles.tobytes() + scale.points()[np.unique(triangles)].tobytes()
+        assert seen.setdefault(scale.faces, state) == state and len(triangles) == scale.faces
+        if scale.faces == scale.most:
+            assert np.array_equal(triangles, mesh.triangles()) and scale.points().tobytes() == places.tobytes()
+    assert seen.keys() >= {4, 596} and len(seen) > 200
+    again = rbpa.meshops.ProgressiveMesh.from_bytes(scale.to_bytes())
+    assert type(again) is rbpa.meshops.ProgressiveMesh and again.faces == 596
+    for faces in (100, 596, 31):
+        scale.go_to(faces), again.go_to(faces)
+        assert np.array_equal(scale.triangles(), again.triangles())
+    assert topology(rbpa.meshops.Mesh(scale.triangles()))[1:3] == (0, 0)
+
+
+def test_a_progressive_mesh_refuses_what_is_none():
+    points = ball(300)
+    mesh = rbpa.surface(points, points, 0.4).mesh()
+    places = points[mesh.point_of_vertex]
+    data = rbpa.meshops.ProgressiveMesh(mesh, places).to_bytes()
+    for wrong in (b"", data[:-1], data + b"x", b"y" + data[1:]):
+        with pytest.raises(rbpa.InvalidInput, match="progressive mesh: found"):
+            rbpa.meshops.ProgressiveMesh.from_bytes(wrong)
+    with pytest.raises(rbpa.ContractViolation, match="places"):
+        rbpa.meshops.ProgressiveMesh(mesh, places[1:])
+    many = ball(20000)
+    large = rbpa.surface(many, many, 0.05).mesh()
+    with pytest.raises(rbpa.Cancelled):
+        rbpa.meshops.ProgressiveMesh(large, many[large.point_of_vertex], progress=lambda t, p: False)
+    with pytest.raises(TypeError):
+        rbpa.meshops.ProgressiveMesh(places, places)
+    mesh.collapse(0)
+    with pytest.raises(rbpa.ContractViolation, match="deleted"):
+        rbpa.meshops.ProgressiveMesh(mesh, places)

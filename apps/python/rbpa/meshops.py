@@ -34,7 +34,7 @@ from rbpa._core import ComponentReport, Defect, Delta, InvalidInput, RepairStep,
 from rbpa._input import Floats, Indices, Integers, Progress, as_count, as_limits, as_number, as_points
 from rbpa._result import short_repr
 
-__all__ = ["ComponentReport", "Decimation", "Defect", "Delta", "Mesh", "Remeshing", "Repair", "RepairStep", "Report", "find_defects", "repair", "report"]
+__all__ = ["ComponentReport", "Decimation", "Defect", "Delta", "Mesh", "ProgressiveMesh", "Remeshing", "Repair", "RepairStep", "Report", "find_defects", "repair", "report"]
 
 Faces = Union[npt.NDArray[Any], Iterable[Sequence[int]]]
 
@@ -166,6 +166,39 @@ class Mesh(_core.Mesh):
         sharp_angle = as_number(sharp_angle, "sharp_angle", "degrees from 0 to 180")
         rounds = as_count(rounds, "rounds", 0)
         return Remeshing(*self._remesh(array, length, rounds, sharp_angle, bool(keep_boundary), progress))
+
+
+class ProgressiveMesh(_core.ProgressiveMesh):
+    """A mesh that goes to any number of triangles between a decimated mesh and the given one, in both directions.
+
+    At `most` triangles, every position and triangle is as given, bit for bit. It begins at `least`.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        A mesh of triangles without deleted elements (`Mesh.compact` removes them). It stays unchanged.
+    points, progress
+        As for `Mesh.decimate`.
+
+    Examples
+    --------
+    >>> corners = np.array([[x, y, z] for x in (0.0, 1) for y in (0, 1) for z in (0, 1)])
+    >>> cube = rbpa.surface(corners, "none", radius=2).mesh()
+    >>> scale = rbpa.meshops.ProgressiveMesh(cube, corners[cube.point_of_vertex])
+    >>> scale.go_to(8)
+    >>> scale.faces, scale.most, len(scale.triangles())
+    (8, 12, 8)
+    """
+
+    def __init__(self, mesh: Mesh, points: npt.ArrayLike, *, progress: Progress = None) -> None:
+        super().__init__(mesh, as_points(points, columns=3), progress)
+
+    @classmethod
+    def from_bytes(cls, data: bytes) -> ProgressiveMesh:
+        """Reads what `to_bytes` returned. Raises InvalidInput that names what is wrong with the bytes."""
+        made = cls.__new__(cls)
+        _core.ProgressiveMesh.__init__(made, data)
+        return made
 
 
 class Remeshing(NamedTuple):

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "meshops/core/contract.h"
 #include "meshops/core/live_range.h"
@@ -13,6 +12,7 @@
 #include "rbpa/space/predicate/vector3.h"
 #include "rbpa/space/simplify/moving/live_triangles.h"
 #include "rbpa/space/simplify/moving/moved_triangles.h"
+#include "rbpa/space/simplify/moving/vertex_ranks.h"
 
 namespace rbpa {
 namespace {
@@ -22,16 +22,6 @@ using meshops::Edge;
 using meshops::Halfedge;
 using meshops::Vertex;
 using Vector = space::Vector3<double>;
-
-/// Returns the rank of each place in lexicographic order. Equal places have one rank.
-std::vector<std::uint32_t> ranks_of(const std::vector<Point3>& places) {
-  std::vector<std::uint32_t> order(places.size()), rank(places.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return places[a] < places[b]; });
-  for (std::size_t i = 1; i < order.size(); ++i)
-    rank[order[i]] = rank[order[i - 1]] + (places[order[i - 1]] < places[order[i]] ? 1U : 0U);
-  return rank;
-}
 
 /// Sums of quadrics around vertices. The order of the terms of each sum does not depend on numbers.
 struct Sums {
@@ -116,12 +106,9 @@ struct Sums {
 }  // namespace
 
 QuadricPolicy::QuadricPolicy(const Connectivity& mesh, std::vector<Point3> places, const QuadricOptions& options)
-    : costs_grow(!options.at_ends),
-      options_(options),
-      places_(std::move(places)),
-      quadrics_(mesh.n_vertices()),
-      rank_(ranks_of(places_)) {
+    : costs_grow(!options.at_ends), options_(options), places_(std::move(places)), quadrics_(mesh.n_vertices()) {
   meshops::require_one_each("QuadricPolicy", places_.size(), "places", mesh.n_vertices(), "vertices");
+  rank_ = space::vertex_ranks(mesh, places_);
   space::Box box;
   for (const Vertex v : meshops::live_vertices(mesh)) box.include(places_[index(v)]);
   const auto middle = [](double low, double high) { return low / 2 + high / 2; };

@@ -1,7 +1,8 @@
 // What:   simplifies a triangle mesh in space by quadric errors: fewer triangles, near the old ones.
 // Law:    topology stays as meshops::simplify() keeps it. No triangle turns by a right angle or more in one collapse,
 //         and on request none begins to cross another one; both are decided exactly on the points that the mesh gets.
-//         The result does not depend on the numbers of vertices and faces, if no two vertices lie on one point.
+//         The result does not depend on the numbers of vertices and faces, if vertices on one point, such as those of
+//         a pinch, have neighbors on different points.
 // Cost:   that of meshops::simplify(), with some hundred operations for each cost, and microseconds for each collapse.
 // Source: Garland and Heckbert (1997); Trettner and Kobbelt (2020): see quadric.h.
 #pragma once
@@ -75,7 +76,7 @@ class RBPA_API QuadricPolicy {
   bool turns(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const;
   /// Returns whether a triangle at the ends of the edge would cross another one; false without `no_crossings`.
   bool crosses(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const;
-  /// Returns the rank of the vertex among all, by the points of the beginning. Vertices on one point have one rank.
+  /// Returns the rank of the vertex among all, by the points of the beginning; on one point, by those of the neighbors.
   std::uint32_t key(const meshops::Connectivity&, meshops::Vertex v) const { return rank_[index(v)]; }
   /// Returns the end of the edge that lies at the place; if neither does, the end of the lesser key.
   meshops::Vertex survivor(const meshops::Connectivity& mesh, meshops::Edge e, const Point3& place) const;

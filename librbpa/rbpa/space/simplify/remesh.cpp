@@ -18,6 +18,7 @@
 #include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/predicate/vector3.h"
 #include "rbpa/space/simplify/distance/distance_of_mesh.h"
+#include "rbpa/space/simplify/moving/vertex_ranks.h"
 #include "rbpa/space/simplify/remeshing/remesh_run.h"
 
 namespace rbpa {
@@ -26,13 +27,13 @@ namespace {
 using meshops::Connectivity;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-/// The triangles of a mesh with canonical numbers: vertices ascend by their places, triangles by their corners. Each
+/// The triangles of a mesh with canonical numbers: vertices ascend by vertex_ranks(), triangles by their corners. Each
 /// triangle begins with its least corner.
 struct CanonicalSoup {
   CanonicalSoup(const Connectivity& mesh, const std::vector<Point3>& of) {
-    std::vector<std::uint32_t> order, rank(mesh.n_vertices());
+    std::vector<std::uint32_t> order, rank = space::vertex_ranks(mesh, of);
     for (const meshops::Vertex v : meshops::live_vertices(mesh)) order.push_back(static_cast<std::uint32_t>(v.idx()));
-    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return of[a] < of[b]; });
+    std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return rank[a] < rank[b]; });
     for (std::uint32_t i = 0; i < order.size(); ++i) {
       rank[order[i]] = i;
       places.push_back(of[order[i]]);
@@ -81,7 +82,8 @@ void require_options(const std::vector<Point3>& places, const Triangles& triangl
     refuse("the sharp angle", options.sharp_angle, "degrees from 0 to 180");
   for (const Point3& p : places)
     for (const double coordinate : {p.x, p.y, p.z})
-      if (std::abs(coordinate) > most) refuse("the coordinate", coordinate, "none beyond 1e60 (scale the mesh)");
+      if (const double limit = options.single_precision ? 1e38 : most; std::abs(coordinate) > limit)
+        refuse("the coordinate", coordinate, "none beyond " + text_of(limit) + " (scale the mesh)");
   if (triangles.empty()) return;
   space::Box box;
   double area = 0, edges = 0;

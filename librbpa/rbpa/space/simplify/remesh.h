@@ -3,8 +3,8 @@
 // Law:    components, genus, orientation and Betti numbers stay, each boundary curve stays one curve, and closed
 //         components stay closed. Sharp edges and boundary curves stay curves; their ends and corners stay in place. No
 //         operation turns a triangle by a right angle or more. These decisions are exact; places are rounded. The
-//         result, numbers of vertices and faces included, does not depend on the numbers of the input, if no two
-//         vertices lie on one point.
+//         result, numbers of vertices and faces included, does not depend on the numbers of the input, if vertices on
+//         one point have neighbors on different points.
 // Cost:   microseconds for each triangle in each round.
 // Source: Botsch and Kobbelt, A remeshing approach to multiresolution modeling (2004).
 #pragma once
@@ -57,9 +57,9 @@ struct Remeshing {
 ///           several fans; `places` has a position for each vertex by index, finite if the vertex is not deleted.
 /// Throws:   ContractViolation unless there is one place for each vertex and each face is a triangle, and as
 ///           meshops::build_mesh() throws it when edges join the same vertices. InvalidInput when a place is not
-///           finite, a coordinate is beyond 1e60, the angle is not from 0 to 180, or the length is not from 1e-60 to
-///           1e60, exceeds the diagonal of the mesh's box, or would need more than `most_faces` triangles. Cancelled.
-///           In each case, the mesh and `places` are unchanged.
+///           finite, a coordinate is beyond 1e60 (1e38 with single_precision), the angle is not from 0 to 180, or the
+///           length is not from 1e-60 to 1e60, exceeds the diagonal of the mesh's box, or would need more than
+///           `most_faces` triangles. Cancelled. In each case, the mesh and `places` are unchanged.
 RBPA_API Remeshing remesh(meshops::Connectivity& mesh, std::vector<Point3>& places, const RemeshOptions& options);
 
 /// Remeshes a mesh whose vertices have points, as above, with `places` = places_of(mesh).

@@ -24,6 +24,7 @@
 #include "rbpa/space/surface/split_fans.h"
 #include "rbpa/space/surface/surface_mesh.h"
 #include "rbpa/space/surface/surface_of.h"
+#include "space/simplify/placed.h"
 #include "space/simplify/triangle_sets.h"
 #include "support/data_folder.h"
 
@@ -33,19 +34,6 @@ using rbpa::Surface;
 TEST_SUITE_BEGIN("space");
 
 namespace {
-
-/// A mesh without points, and the place of each vertex.
-struct Placed {
-  explicit Placed(const Triangles& t) {
-    meshops::PolygonSoup soup;
-    soup.points = t.points.size();
-    for (const auto& corners : t.corners) soup.add_face(corners);
-    for (const std::uint32_t point : meshops::build_mesh(mesh, soup)) places.push_back(t.points[point]);
-    meshops::request_status(mesh);
-  }
-  OpenMesh::PolyConnectivity mesh;
-  std::vector<Point3> places;
-};
 
 meshops::TopologyReport topology_of(const std::vector<Point3>& points, const Surface& surface) {
   return meshops::report(rbpa::surface_mesh(points, surface).mesh);

@@ -89,12 +89,6 @@ std::size_t check_steps(Mesh mesh, bool at_ends) {
   }
 }
 
-void append(Triangles& all, const Triangles& more) {
-  const auto shift = static_cast<std::uint32_t>(all.points.size());
-  all.points.insert(all.points.end(), more.points.begin(), more.points.end());
-  for (const auto& [a, b, c] : more.corners) all.corners.push_back({a + shift, b + shift, c + shift});
-}
-
 /// Sphere whose points are moved along their rays at random, each to a radius from `least` to `least` + `range`.
 Triangles rough_sphere(int times, double least, double range, unsigned seed) {
   std::mt19937 random(seed);

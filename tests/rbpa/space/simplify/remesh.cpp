@@ -277,6 +277,9 @@ TEST_CASE("options that do not suit the mesh are refused, and so are polygons, d
                        rbpa::InvalidInput);
   wrong.places[17].y = 1e61;
   CHECK_THROWS_AS(rbpa::remesh(wrong.mesh, wrong.places, {.length = 0.1}), rbpa::InvalidInput);
+  wrong.places[17].y = 1e39;  // infinite as a float
+  CHECK_THROWS_AS(rbpa::remesh(wrong.mesh, wrong.places, {.length = 1e38, .single_precision = true}),
+                  rbpa::InvalidInput);
   wrong.places.pop_back();
   CHECK_THROWS_AS(rbpa::remesh(wrong.mesh, wrong.places, {.length = 0.1}), meshops::ContractViolation);
 

@@ -16,8 +16,12 @@
 #include "meshops/core/contract.h"
 #include "meshops/topology/report.h"
 #include "rbpa/space/simplify/decimate_mesh.h"
+#include "rbpa/space/simplify/distance/distance_of_mesh.h"
 #include "rbpa/space/surface/surface_of.h"
+#include "space/simplify/placed.h"
+#include "space/simplify/random_meshes.h"
 #include "space/simplify/triangle_sets.h"
+#include "support/arguments.h"
 #include "support/data_folder.h"
 
 using namespace rbpa_test;
@@ -60,25 +64,27 @@ struct Soup {
   std::array<Vector, 3> triangle(std::size_t t) const {
     return {vector(points[corners[t][0]]), vector(points[corners[t][1]]), vector(points[corners[t][2]])};
   }
-  Real distance_from(Vector p) const {
-    Real least = std::numeric_limits<Real>::infinity();
-    for (std::size_t t = 0; t < corners.size(); ++t) least = std::min(least, distance(p, triangle(t)));
+  /// Returns the distance of the nearest triangle, and the least number of such a triangle.
+  std::pair<Real, std::size_t> nearest_to(Vector p) const {
+    std::pair<Real, std::size_t> least = {std::numeric_limits<Real>::infinity(), 0};
+    for (std::size_t t = 0; t < corners.size(); ++t) least = std::min(least, {distance(p, triangle(t)), t});
     return least;
   }
 };
 
-/// Returns the greatest distance of a point of the triangle from the soup, up to `gap`: pieces whose middle and radius
-/// leave nothing greater are dropped.
-Real greatest_distance(const std::array<Vector, 3>& triangle, const Soup& soup, Real gap) {
-  Real greatest = 0;
+/// Returns the greatest distance of a point of the triangle from the soup, or `greatest` if that is more, up to `gap`:
+/// pieces whose middle and radius, or whose corners and nearest triangle, leave nothing greater are dropped.
+Real greatest_distance(const std::array<Vector, 3>& triangle, const Soup& soup, Real gap, Real greatest = 0) {
   std::vector<std::array<Vector, 3>> waiting = {triangle};
   while (!waiting.empty()) {
     const auto [a, b, c] = waiting.back();
     waiting.pop_back();
     const Vector middle = Real(1) / 3 * (a + b + c);
-    const Real here = soup.distance_from(middle);
+    const auto [here, nearest] = soup.nearest_to(middle);
     greatest = std::max(greatest, here);
     if (here + std::max({length(a - middle), length(b - middle), length(c - middle)}) <= greatest + gap) continue;
+    const auto one = soup.triangle(nearest);  // the distance from one triangle is convex
+    if (std::max({distance(a, one), distance(b, one), distance(c, one)}) <= greatest + gap) continue;
     const Vector p = Real(0.5) * (a + b), q = Real(0.5) * (b + c), r = Real(0.5) * (c + a);
     for (const auto& part : {std::array{a, p, r}, {p, b, q}, {r, q, c}, {p, q, r}}) waiting.push_back(part);
   }
@@ -208,6 +214,30 @@ TEST_CASE("the bound of a decimated mesh is at most 1.5 times what sampling meas
     CHECK(measured <= *left.counts.distance);
     CHECK(*left.counts.distance <= 1.5 * measured);
   }
+}
+
+TEST_CASE("what decimations of random surfaces certify is true, and at most a twentieth more than the distance") {
+  std::size_t farther = 0;
+  const auto count = static_cast<unsigned>(argument("certificates", 200));
+  for (unsigned seed = 0, done = 0; done < count; ++seed) {
+    const Triangles t = random_surface(seed);
+    if (t.corners.size() > 60) continue;  // the distance is found without a tree
+    ++done;
+    CAPTURE(seed);
+    Placed with(t);
+    const double error = std::ldexp(1.0, -static_cast<int>(seed % 5));
+    const auto counts = rbpa::decimate(with.mesh, with.places, {.error = error}, {.at_ends = seed % 3 == 0});
+    const Soup given{t.points, t.corners}, left{with.places, rbpa::space::corners_of(with.mesh)};
+    Real truth = 0;
+    const Real gap = 0.05L * error;
+    for (std::size_t i = 0; i < left.corners.size(); ++i)
+      truth = std::max(truth, greatest_distance(left.triangle(i), given, gap, truth));
+    CHECK(*counts.distance <= error);
+    CHECK(truth <= *counts.distance);
+    CHECK(*counts.distance <= 1.0501L * (truth + gap));
+    farther += truth > error / 4;
+  }
+  CHECK(farther > count / 4);
 }
 
 TEST_CASE("an error that is NaN is refused, and errors below 0 allow no collapse") {

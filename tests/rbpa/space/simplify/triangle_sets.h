@@ -55,6 +55,13 @@ inline Triangles shuffled(const Triangles& t, std::mt19937& random) {
   return result;
 }
 
+/// Adds the triangles of `more`, with its points moved along the x axis.
+inline void append(Triangles& all, const Triangles& more, double shift = 0) {
+  const auto first = static_cast<std::uint32_t>(all.points.size());
+  for (const Point3& p : more.points) all.points.push_back({p.x + shift, p.y, p.z});
+  for (const auto& [a, b, c] : more.corners) all.corners.push_back({a + first, b + first, c + first});
+}
+
 /// A grid of squares, each cut in two, in the plane z = 0, with inner points moved at random.
 inline Triangles sheet(std::uint32_t n, unsigned seed) {
   std::mt19937 random(seed);

@@ -101,14 +101,13 @@ bool RemeshRun::try_split(Edge e) {
   if (is_kept(e) || meshops::split_edge_blocker(mesh_, e)) return false;
   const Halfedge h = mesh_.halfedge_handle(e, 0);
   const Point3 a = at(mesh_.from_vertex_handle(h)), b = at_end(h), m = *rounded(middle(a, b));
-  if (m == a || m == b) return false;
+  if (std::max(squared_distance(a, m), squared_distance(m, b)) >= squared_length(e)) return false;  // by rounding
   for (const Halfedge side : {h, mesh_.opposite_halfedge_handle(h)}) {
     if (mesh_.is_boundary(side)) continue;
     const Halfedge next = mesh_.next_halfedge_handle(side);
-    // Do not split next to a longer edge that stays: such splits would never end.
+    // Do not split next to a longer edge, which had its turn and stays: such splits would never end.
     for (const Halfedge other : {next, mesh_.next_halfedge_handle(next)})
-      if (is_kept(mesh_.edge_handle(other)) && squared_length(mesh_.edge_handle(other)) > squared_length(e))
-        return false;
+      if (squared_length(mesh_.edge_handle(other)) > squared_length(e)) return false;
     const Point3 &p = at(mesh_.from_vertex_handle(side)), &q = at_end(side), &r = at_end(next);
     if (!keeps_direction(p, q, r, p, m, r) || !keeps_direction(p, q, r, m, q, r)) return false;
   }

@@ -1,0 +1,26 @@
+// What: a mesh without points and the place of each vertex, as decimate() takes them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "meshops/core/live.h"
+#include "meshops/topology/build_mesh.h"
+#include "space/simplify/triangle_sets.h"
+
+namespace rbpa_test {
+
+/// A mesh without points, with status of every kind, and the place of each vertex.
+struct Placed {
+  explicit Placed(const Triangles& t) {
+    meshops::PolygonSoup soup;
+    soup.points = t.points.size();
+    for (const auto& corners : t.corners) soup.add_face(corners);
+    for (const std::uint32_t point : meshops::build_mesh(mesh, soup)) places.push_back(t.points[point]);
+    meshops::request_status(mesh);
+  }
+  OpenMesh::PolyConnectivity mesh;
+  std::vector<Point3> places;
+};
+
+}  // namespace rbpa_test
