@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
 
 #include "oracle/cgal_regular.h"
 #include "rbpa/space/balls/regular_triangulation.h"
 #include "support/arguments.h"
 #include "support/ball_sets.h"
+#include "support/data_folder.h"
 
 using namespace rbpa_test;
 using rbpa::RegularTriangulation;
@@ -58,6 +63,31 @@ TEST_CASE("larger sets of balls have CGAL's regular triangulation and hidden bal
       const Balls balls = ball_set(k, static_cast<RadiusKind>(r), count, random);
       CHECK(same(triangulated(balls), regular_by_cgal(balls)));
     }
+}
+
+TEST_CASE("further: atoms have CGAL's regular triangulation, without and with a probe") {
+  const std::map<char, double> radius = {{'H', 1.1}, {'C', 1.7}, {'N', 1.55}, {'O', 1.52}, {'P', 1.8}, {'S', 1.8}};
+  if (!has_further_data()) return;
+  std::size_t molecules = 0;
+  for (const auto& file : std::filesystem::directory_iterator(further_data())) {
+    if (file.path().extension() != ".pdb") continue;
+    ++molecules;
+    CAPTURE(file.path().string());
+    for (const double probe : {0.0, 1.4}) {
+      Balls balls;
+      std::ifstream input(file.path());
+      for (std::string line; std::getline(input, line);) {
+        if ((line.rfind("ATOM", 0) != 0 && line.rfind("HETATM", 0) != 0) || line.size() < 54) continue;
+        const auto number = [&](std::size_t column) { return std::stod(line.substr(column, 8)); };
+        const auto of = radius.find(line[13]);
+        balls.centers.push_back({number(30), number(38), number(46)});
+        balls.radii.push_back((of == radius.end() ? 2 : of->second) + probe);
+      }
+      REQUIRE(balls.radii.size() > 100);
+      CHECK(same(triangulated(balls), regular_by_cgal(balls)));
+    }
+  }
+  CHECK(molecules > 0);
 }
 
 TEST_CASE("parts of a grid of 4 by 4 by 4 with radii of a few values have CGAL's regular triangulation") {

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "hollow_balls.h"
+#include "space/balls/hollow_balls.h"
 #include "rbpa/base/error.h"
 #include "rbpa/space/balls/periodic_topology.h"
 #include "rbpa/space/solid/solid_radii.h"

@@ -59,7 +59,7 @@ inline Triangles cubes(std::uint32_t n, std::mt19937& random) {
   return t;
 }
 
-/// Returns a surface of up to some hundreds of triangles, a function of the seed. Where it was no manifold it is parted,
+/// Returns a surface of up to some hundreds of triangles, a function of the seed. Where it was no manifold it is cut,
 /// so that several points are at one place.
 inline Triangles random_surface(unsigned seed) {
   std::mt19937 random(seed);

@@ -49,7 +49,7 @@ class Lattice {
     for (std::size_t k = 0; k < 3; ++k) offset[k] = -CellAxes::whole(axes_.along(p)[k], i);
     return rounded(moved(p, offset));
   }
-  /// Returns p moved by numbers of edges. Exact for a wrapped point and at most CellAxes::most_layers edges of each kind.
+  /// Returns p moved by numbers of edges. Exact for a wrapped point and at most CellAxes::most_layers of each edge.
   Point3 moved(Point3 p, const Boxes& offset) const {
     for (const auto c : coordinates)
       for (std::size_t k = 0; k < 3; ++k) p.*c += offset[k] * (edges_[k].*c);

@@ -31,7 +31,7 @@ struct PeriodicRegular {
   std::vector<double> radii;        ///< of each image
   RegularTriangulation cells;       ///< triangulation of the images, with neighbors; right near the cell
   std::vector<std::uint32_t> kept;  ///< the tetrahedra of `cells` of which no other is an image; they fill one cell
-  /// For each kept tetrahedron, the neighbors across from its corners: images of kept ones, moved by numbers of `edges`.
+  /// For each kept tetrahedron, the neighbors across from its corners: images of kept ones, moved by some `edges`.
   std::vector<std::array<TetrahedronImage, 4>> neighbors;
   /// For each tetrahedron of `cells` with a corner in the cell, the position in `kept` of its image; else none.
   std::vector<std::uint32_t> kept_as;

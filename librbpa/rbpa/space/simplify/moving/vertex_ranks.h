@@ -13,9 +13,9 @@
 
 namespace rbpa::space {
 
-/// Returns the rank of each vertex in lexicographic order of the places, 0 for a deleted one. Vertices at one place are in
-/// the order of their sorted neighbors, and have one rank only if their neighbors are at the same places. After equal
-/// ranks there is a gap; all are below the number of vertices. Requires: a place for each vertex. Cost: n log n.
+/// Returns the rank of each vertex in lexicographic order of the places, 0 for a deleted one. Vertices at one place are
+/// in the order of their sorted neighbors, and have one rank only if their neighbors are at the same places. After
+/// equal ranks there is a gap; all are below the number of vertices. Requires: a place for each vertex. Cost: n log n.
 inline std::vector<std::uint32_t> vertex_ranks(const meshops::Connectivity& mesh, const std::vector<Point3>& places) {
   const auto at = [](meshops::Vertex v) { return static_cast<std::size_t>(v.idx()); };
   std::vector<meshops::Vertex> order;
