@@ -134,8 +134,8 @@ class AtomSelection {
   Selection selection_;
 };
 
-/// Returns the edges of a cell of three lengths and three angles, in degrees, as UnitCell::edges; nothing unless lengths
-/// are above 0 and there is a cell with these angles.
+/// Returns the edges of a cell of three lengths and three angles, in degrees, as UnitCell::edges; nothing unless the
+/// lengths are above 0 and there is a cell with these angles.
 std::optional<CellEdges> edges_of_cell(const std::array<double, 6>& lengths_and_angles);
 
 /// Returns the unit cell of three lengths and three angles, in degrees; no cell if all texts are empty. UnitCell::fault

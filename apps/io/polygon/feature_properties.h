@@ -38,7 +38,8 @@ class FeatureProperties {
   void require_scalar(const std::string& name, const std::string& found) const;
 
   /// Ends a Feature, to which the points from number `first` on belong; earlier ones that are not ended are in none.
-  /// Removes points for which the condition is false, and appends the values of columns for the others. Throws BadInput.
+  /// Removes points for which the condition is false, and appends the values of columns for the others. Throws
+  /// BadInput.
   void end_feature(const std::vector<Property>& properties, std::size_t first, PointFile& file);
   /// Completes the columns and the warnings of the file `name`. Throws BadInput if it has points, and no Feature has a
   /// property that an option requests.

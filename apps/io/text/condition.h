@@ -48,7 +48,8 @@ struct GroupColumns {
 /// A compiled condition: comparisons of fields and numbers with == != < <= > >= (also = and <>, and 0 < z < 10), or
 /// `field in (2, 6)`, `field not in (2, 6)`, or a field alone, which is true if it is neither 0 nor missing; joined by
 /// not, and, or (also ! && ||) and at most 100 nested brackets and nots. The case of these words does not matter. If
-/// fields may be texts, also `field == "A"`, != and `in ("A", "B")`, in quotes of either kind; the case of the texts matters.
+/// fields may be texts, also `field == "A"`, != and `in ("A", "B")`, in quotes of either kind; the case of the texts
+/// matters.
 class Condition {
  public:
   /// Parses a condition. Throws WrongUsage that names the part that is not understood, also for an empty text.
