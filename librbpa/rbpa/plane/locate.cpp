@@ -187,19 +187,26 @@ class Locator::Impl {
       std::fill(result.begin(), result.end(), std::numeric_limits<double>::quiet_NaN());
       return;
     }
-    std::fill(result.begin(), result.end(), 0.0);
-    const auto add = [&](std::uint32_t point, double share) {
-      if (!(share > 0)) return;  // a value without a share does not count, even if it is infinite
-      for (std::size_t column = 0; column < result.size(); ++column)
-        result[column] += share * values[point * result.size() + column];
-    };
+    std::array<PointShare, 3> linear;
+    std::span<const PointShare> mixed = linear;
     if (neighbors != nullptr && is_within(t, query)) {
-      for (const auto& [point, share] : neighbors->find(query, t)) add(point, share);
-      return;
+      mixed = neighbors->find(query, t);
+    } else {
+      const Triangle corners = least_first(points_, of_.triangles[t]);
+      const Areas share = shares({points_[corners[0]], points_[corners[1]], points_[corners[2]]}, query);
+      for (std::size_t k = 0; k < 3; ++k) linear[k] = {corners[k], share[k]};
     }
-    const Triangle corners = least_first(points_, of_.triangles[t]);
-    const Areas share = shares({points_[corners[0]], points_[corners[1]], points_[corners[2]]}, query);
-    for (std::size_t k = 0; k < 3; ++k) add(corners[k], share[k]);
+    for (std::size_t column = 0; column < result.size(); ++column) {
+      double sum = 0, least = std::numeric_limits<double>::infinity(), greatest = -least;
+      for (const PointShare& of : mixed) {
+        if (!(of.share > 0)) continue;  // a value without a share does not count, even if it is infinite
+        const double value = values[of.point * result.size() + column];
+        sum += of.share * value;
+        least = std::min(least, value);
+        greatest = std::max(greatest, value);
+      }
+      result[column] = std::min(std::max(sum, least), greatest);  // shares have the sum 1 up to rounding; keeps NaN
+    }
   }
 
  private:

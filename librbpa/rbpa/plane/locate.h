@@ -72,7 +72,7 @@ class RBPA_API Locator {
   /// is linear between the ends of the side.
   ///
   /// Error:  the value is a convex combination of the values at the corners or natural neighbors, except for a few
-  ///         roundings; at a point, it is exactly the value of the point. The set of natural neighbors is exact; the
+  ///         roundings, and never beyond them; at a point, it is exactly the value of the point. The set of natural neighbors is exact; the
   ///         error of an area is about 1e-9 of the sum of the areas.
   /// Cost:   for a query, that of find(); by natural neighbors also some ten comparisons with circles and as many
   ///         centers; milliseconds where coordinates are a hundred decades apart.
