@@ -63,17 +63,17 @@ class RBPA_API Locator {
   std::vector<std::uint32_t> find(std::span<const Point> queries, const LocateOptions& options = {}) const;
 
   /// Interpolates at each query. `values` is n × columns: a row for each of the n points, in the order of the points.
-  /// The result has a row of `columns` numbers for each query, NaNs where no triangle of circumradius ≤ `alpha` contains
-  /// the query. Of equal points, the row of the lowest index counts; otherwise, results do not depend on the order of the
-  /// points, to the last bit: on a side, a linear value depends on the ends of the side alone.
+  /// The result has a row of `columns` numbers for each query, NaNs where no triangle of circumradius ≤ `alpha`
+  /// contains the query. Of equal points, the row of the lowest index counts; otherwise, results do not depend on the
+  /// order of the points, to the last bit: on a side, a linear value depends on the ends of the side alone.
   ///
   /// Natural neighbors: if the query were inserted as a point, its Voronoi cell would take area from the cells of some
   /// points. The value is the mean over these points, weighted by these areas; on a side of the convex hull, the value
   /// is linear between the ends of the side.
   ///
   /// Error:  the value is a convex combination of the values at the corners or natural neighbors, except for a few
-  ///         roundings, and never beyond them; at a point, it is exactly the value of the point. The set of natural neighbors is exact; the
-  ///         error of an area is about 1e-9 of the sum of the areas.
+  ///         roundings, and never beyond them; at a point, it is exactly the value of the point. The set of natural
+  ///         neighbors is exact; the error of an area is about 1e-9 of the sum of the areas.
   /// Cost:   for a query, that of find(); by natural neighbors also some ten comparisons with circles and as many
   ///         centers; milliseconds where coordinates are a hundred decades apart.
   /// Throws: InvalidInput when `columns` is 0, `values` does not have n × `columns` numbers, or `alpha` is not above 0;
