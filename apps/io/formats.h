@@ -48,9 +48,10 @@ enum class Format {
   poly,
   csv,  // output only; input of this ending is text
   json,
-  pml,  // script of PyMOL
-  cxc,  // script of ChimeraX
-  ogr,  // any format that GDAL reads
+  pml,        // script of PyMOL
+  cxc,        // script of ChimeraX
+  esri_grid,  // .asc
+  ogr,        // any format that GDAL reads
   gpkg,
   fgb,
   shp,
@@ -75,7 +76,8 @@ enum class Use : unsigned {
   isolated = 1U << 13U,  ///< out: points in no polygon
   boundary = 1U << 14U,  ///< out: a surface as a mesh, no picture
   rows = 1U << 15U,      ///< out: rows of a table of atoms
-  lined = 1U << 16U      ///< out: voids between atoms, with the atoms that line them
+  lined = 1U << 16U,     ///< out: voids between atoms, with the atoms that line them
+  heights = 1U << 17U    ///< out: rasters and contour lines
 };
 constexpr unsigned operator|(Use a, Use b) { return static_cast<unsigned>(a) | static_cast<unsigned>(b); }
 constexpr unsigned operator|(unsigned a, Use b) { return a | static_cast<unsigned>(b); }
@@ -117,25 +119,29 @@ inline constexpr FormatRow format_table[] = {
     {"pqr", "", Format::pqr, 0U | Use::space, &pqr_reader},
     {"gro", "", Format::gro, 0U | Use::space, &gro_reader},
     {"dump", "lammpstrj lammpsdump", Format::dump, 0U | Use::space, &dump_reader},
+    {"asc", "", Format::esri_grid, 0U | Use::heights},
     {"npy", "", Format::npy,
-     Use::points | Use::space | Use::triangles | Use::full | Use::surface | Use::boundary | Use::solid, &npy_reader},
+     Use::points | Use::space | Use::triangles | Use::full | Use::surface | Use::boundary | Use::solid | Use::heights,
+     &npy_reader},
     {"f64xy", "", Format::raw, 0U | Use::points, &raw_reader},
     {"json", "", Format::json, Use::levels | Use::polylines | Use::voids | Use::lined | Use::cycles},
     {"glb", "", Format::glb, Use::surface | Use::boundary},
     {"vtu", "", Format::vtu, Use::triangles | Use::full | Use::surface | Use::boundary | Use::solid | Use::cycles},
     {"msh", "", Format::gmsh, 0U | Use::solid},
     {"mesh", "", Format::medit, 0U | Use::solid},
-    {"geojson json", "", Format::geojson, Use::points | Use::polygons | Use::shape | Use::isolated | Use::triangles},
+    {"geojson json", "", Format::geojson,
+     Use::points | Use::polygons | Use::shape | Use::isolated | Use::triangles | Use::heights},
     {"", "geojsonl geojsons ndjson", Format::geojson, Use::points | Use::polygons},
-    {"wkt", "", Format::wkt, Use::points | Use::polygons | Use::shape | Use::isolated},
+    {"wkt", "", Format::wkt, Use::points | Use::polygons | Use::shape | Use::isolated | Use::heights},
     {"ewkt", "", Format::wkt, Use::points | Use::polygons},
     {"ewkt", "", Format::ewkt, Use::shape | Use::isolated},
     {"poly", "", Format::poly, 0U | Use::polygons},
     {"csv", "", Format::csv, Use::shape | Use::isolated | Use::levels | Use::voids | Use::lined | Use::rows},
     {"pml", "", Format::pml, 0U | Use::lined},
     {"cxc", "", Format::cxc, 0U | Use::lined},
-    {"svg", "", Format::svg, Use::triangles | Use::full | Use::shape},
-    {"png", "", Format::png, Use::points | Use::triangles | Use::full | Use::surface | Use::shape | Use::solid},
+    {"svg", "", Format::svg, Use::triangles | Use::full | Use::shape | Use::heights},
+    {"png", "", Format::png,
+     Use::points | Use::triangles | Use::full | Use::surface | Use::shape | Use::solid | Use::heights},
     {"pgm", "", Format::pgm, 0U | Use::points},
     {"gpkg", "", Format::gpkg, Use::shape | Use::triangles | Use::isolated},
     {"fgb", "", Format::fgb, Use::shape | Use::triangles | Use::isolated},

@@ -194,6 +194,44 @@ CLI::App* add_discs(CLI::App& app, DiscsArguments& arguments) {
   return &verb;
 }
 
+CLI::App* add_grid(CLI::App& app, GridArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("grid", "Interpolate heights of points: a raster of cells, and contour lines");
+  add_point_options(verb, arguments);
+  verb.add_option("--cell", arguments.cell, "Set the size of the square cells of a raster, in units of the points")
+      ->type_name("S");
+  verb.add_option("--contours", arguments.contours, "Draw contour lines at these heights, or at all multiples of STEP")
+      ->type_name("H1,H2,...|every:STEP");
+  verb.add_option("--value", arguments.value, "Interpolate z, the third coordinate, or this column or field of numbers")
+      ->type_name("z|COLUMN")
+      ->capture_default_str();
+  verb.add_option("--method", arguments.method,
+                  "Fill cells linearly in each triangle, or by natural neighbors, which is smooth across sides of "
+                  "triangles; contour lines are linear")
+      ->type_name("linear|natural")
+      ->capture_default_str();
+  verb.add_option("--alpha", arguments.alpha,
+                  "Leave gaps open: use only triangles of circumradius at most R, or as rbpa shape chooses the radius")
+      ->type_name("R|plateau[:K]|auto|min|inf")
+      ->capture_default_str();
+  verb.add_option("--extent", arguments.extent,
+                  "Cover this box with cells instead of that of the points, such as a tile without its margin")
+      ->type_name("X0,Y0,X1,Y1");
+  add_output_options(verb, arguments, endings(Use::heights));
+  add_width_option(verb, arguments.width);
+  add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa grid tile.laz --where \"classification == 2\" --cell 1 -o dtm.asc\n"
+      "  rbpa grid levels.csv --value depth --alpha 50 --cell 5 --method natural -o depth.npy\n"
+      "  rbpa grid tile.laz --where \"classification == 2\" --contours every:5 -o lines.geojson\n\n"
+      "A cell has the value at its center; a cell whose center is in no triangle has none: -9999 in .asc, NaN in .npy. "
+      "Sides of the raster are at multiples of the size of a cell, so that rasters of tiles fit together; the top row "
+      "is first. GeoJSON has a LineString for each line, with \"height\" and \"closed\"; WKT is one MULTILINESTRING Z. "
+      "Of points on one place the first counts. Rasters of any size are written block by block.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
 CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
   CLI::App& verb =
       *app.add_subcommand("info", "Print the number of points and duplicates, their box and their spacing");

@@ -24,15 +24,17 @@ PointBox box_of(const std::string& option, std::span<const double> numbers) {
   return box;
 }
 
+PointBox parse_box(const std::string& option, const std::string& text) {
+  constexpr double any = std::numeric_limits<double>::max();
+  std::vector<double> numbers;
+  for (const std::string_view word : split_at_commas(text))
+    numbers.push_back(parse_real(option, std::string(word), {-any, any}, "numbers with commas between them"));
+  return box_of(option, numbers);
+}
+
 PointWindow parse_window(const std::optional<std::string>& bounds, const std::optional<std::string>& resolution) {
   PointWindow window;
-  if (bounds) {
-    constexpr double any = std::numeric_limits<double>::max();
-    std::vector<double> numbers;
-    for (const std::string_view word : split_at_commas(*bounds))
-      numbers.push_back(parse_real("--bounds", std::string(word), {-any, any}, "numbers with commas between them"));
-    window.bounds = box_of("--bounds", numbers);
-  }
+  if (bounds) window.bounds = parse_box("--bounds", *bounds);
   if (resolution) window.resolution = parse_real("--resolution", *resolution, above_0, "a length above 0");
   return window;
 }

@@ -35,6 +35,9 @@ struct PointWindow {
 /// Returns the box of x0, y0, x1, y1, and perhaps z0, z1. Throws WrongUsage that names `option`.
 PointBox box_of(const std::string& option, std::span<const double> numbers);
 
+/// Parses the numbers of a box, with commas between them. Throws WrongUsage that names `option`.
+PointBox parse_box(const std::string& option, const std::string& text);
+
 /// Parses the values of --bounds and --resolution. Throws WrongUsage.
 PointWindow parse_window(const std::optional<std::string>& bounds, const std::optional<std::string>& resolution);
 

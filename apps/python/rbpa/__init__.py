@@ -60,6 +60,7 @@ from rbpa._delaunay import Delaunay, DelaunayInSpace
 from rbpa._discs import DiscCurve, Discs, discs
 from rbpa._filtration import Filtration, Plateau, Representative, filtration
 from rbpa._groups import AlphaShapes, alpha_shapes, concave_hulls
+from rbpa._heights import Contour, Raster
 from rbpa._periodic_solid import PeriodicPart, PeriodicSolid, periodic_solid
 from rbpa._polygons import Polygon, Polygons
 from rbpa._read_points import PointFile, read_points
@@ -71,7 +72,7 @@ from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRepair
 from rbpa._void_tracks import VoidEvent, VoidTracks, follow_voids
 
 __all__ = [
-    "AlphaShape", "AlphaShapes", "Delaunay", "DelaunayInSpace", "Filtration", "Plateau", "Polygon", "Polygons", "Representative",
+    "AlphaShape", "AlphaShapes", "Contour", "Delaunay", "DelaunayInSpace", "Filtration", "Plateau", "Polygon", "Polygons", "Raster", "Representative",
     "BallContacts", "BallFiltration", "BallInterfaces", "BallMouth", "Balls", "BallUnion", "BallVoid", "DanglingFaces", "DiscCurve", "Discs", "FullComplex", "PeriodicPart", "PeriodicSolid", "PoreSizes", "Solid", "SolidVoid",
     "SolidFiltration", "SolidPlateau", "SolidRepresentative", "VoidEvent", "VoidTracks", "VoidTree",
     "NotWatertight", "Surface", "SurfaceComponent", "SurfaceHole", "SurfaceRepair",

@@ -9,11 +9,12 @@ from typing import Any, Optional
 import numpy.typing as npt
 
 from rbpa import _core
+from rbpa._heights import Heights
 from rbpa._input import PLATEAU, Alpha, Floats, Indices, Progress
 from rbpa._input import as_choice, as_count, as_number, as_points, as_share, as_threads, or_auto
 from rbpa._plot import draw_dots, median_side, page_scale, side_style
 from rbpa._polygons import Outlined, Polygons
-from rbpa._result import Simplices, fields_of
+from rbpa._result import fields_of
 
 
 def alpha_shape(
@@ -121,7 +122,7 @@ def concave_hull(
     return shape.filtered(min_hole_area=0.0 if allow_holes else math.inf)
 
 
-class AlphaShape(Outlined, Simplices):
+class AlphaShape(Outlined, Heights):
     """The solid alpha complex of points, as returned by `alpha_shape`. Arrays are read-only.
 
     Attributes

@@ -45,6 +45,14 @@ struct DiscsArguments : PointArguments, OutputArguments {
 };
 void run_discs(const DiscsArguments& arguments);
 
+/// The arguments of `rbpa grid`, which interpolates heights: rasters and contour lines.
+struct GridArguments : PointArguments, OutputArguments {
+  std::optional<std::string> cell, contours, extent;
+  std::string method = "linear", alpha = "inf", value = "z", width = "1200";
+  RunArguments run;
+};
+void run_grid(const GridArguments& arguments);
+
 /// The arguments of verbs that compute all radii.
 struct RadiiArguments : PointArguments {
   std::optional<std::string> stats;
@@ -179,6 +187,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments);
 CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments);
 CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments);
 CLI::App* add_discs(CLI::App& app, DiscsArguments& arguments);
+CLI::App* add_grid(CLI::App& app, GridArguments& arguments);
 CLI::App* add_fill(CLI::App& app, FillArguments& arguments);
 CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments);
 CLI::App* add_solid(CLI::App& app, SolidArguments& arguments);

@@ -16,6 +16,7 @@
 #include "rbpa/plane/arrays/natural_neighbors.h"
 #include "rbpa/plane/grid/sites.h"
 #include "rbpa/plane/predicate/predicates.h"
+#include "rbpa/plane/predicate/radius.h"
 
 namespace rbpa {
 namespace {
@@ -27,6 +28,11 @@ bool is_triangulation_of_all(std::size_t points, const TriangleArrays& of) {
   for (const auto& neighbors : of.neighbors)
     sides += static_cast<std::size_t>(std::count(neighbors.begin(), neighbors.end(), no_index));
   return of.triangles.size() + sides + 2 == 2 * points;
+}
+
+/// Returns 1 if the query is inside of the line across from corner k of a triangle, 0 if on the line, −1 if outside.
+int side_of(const std::array<Point, 3>& corners, std::size_t k, const Point& query) {
+  return Predicates<long double>::orientation(corners[(k + 1) % 3], corners[(k + 2) % 3], query);
 }
 
 /// The corners of a triangle relative to a query in the triangle, halved if differences would overflow.
@@ -75,10 +81,21 @@ Areas areas_of_any_size(const SeenFrom& seen) {
   return area;
 }
 
+/// Returns the shares of the ends of a side at a query on the side, which is across from corner `across`.
+Areas shares_on_side(const SeenFrom& seen, std::size_t across) {
+  const std::size_t a = (across + 1) % 3, b = (across + 2) % 3;
+  Areas share = {0, 0, 0};
+  share[a] = seen.size[b] / (seen.size[a] + seen.size[b]);
+  share[b] = seen.size[a] / (seen.size[a] + seen.size[b]);
+  return share;
+}
+
 /// Returns the barycentric coordinates of a query in a triangle: ratios of areas, not negative, with sum 1.
-std::array<double, 3> shares(const std::array<Point, 3>& corners, const Point& query) {
+Areas shares(const std::array<Point, 3>& corners, const Point& query) {
   const SeenFrom seen(corners, query);
   if (seen.least() == 0) return {double(seen.size[0] == 0), double(seen.size[1] == 0), double(seen.size[2] == 0)};
+  for (std::size_t k = 0; k < 3; ++k)
+    if (side_of(corners, k, query) == 0) return shares_on_side(seen, k);
   const bool is_of_any_size = seen.least() < 0x1p-400 || seen.largest() > 0x1p400;
   const auto sum = [](const Areas& area) { return area[0] + area[1] + area[2]; };
   Areas area = is_of_any_size ? areas_of_any_size(seen) : areas([&](std::size_t i, std::size_t j) {
@@ -102,11 +119,7 @@ std::array<double, 3> shares(const std::array<Point, 3>& corners, const Point& q
     longest = length;
     third = k;
   }
-  const std::size_t a = (third + 1) % 3, b = (third + 2) % 3;
-  std::array<double, 3> share = {0, 0, 0};
-  share[a] = seen.size[b] / (seen.size[a] + seen.size[b]);
-  share[b] = 1 - share[a];
-  return share;
+  return shares_on_side(seen, third);
 }
 
 }  // namespace
@@ -137,12 +150,29 @@ class Locator::Impl {
         sign[k] = side(at, k, query);
         if (sign[k] < 0) break;
       }
-      if (k == 3) return first_that_has(at, sign);
+      if (k == 3) {
+        std::uint32_t first = at;
+        visit_all_with(at, sign, [&](std::uint32_t t) { first = std::min(first, t); });
+        return first;
+      }
       at = of_.neighbors[at][k];
       if (at == no_index) return no_index;  // beyond the convex hull
     }
     throw meshops::ContractViolation(
         "locator: found a triangulation that is not Delaunay, expected the result of alpha_complex(points, infinity)");
+  }
+
+  /// Returns whether a triangle of circumradius ≤ alpha contains the query. Requires: triangle t contains the query.
+  bool covers(const Radius& alpha, std::uint32_t t, const Point& query) const {
+    const auto admits = [&](std::uint32_t of) {
+      const auto [a, b, c] = corners_of(of);
+      return alpha.admits<long double>(a, b, c);
+    };
+    if (admits(t)) return true;
+    bool any = false;
+    visit_all_with(t, {side(t, 0, query), side(t, 1, query), side(t, 2, query)},
+                   [&](std::uint32_t other) { any = any || admits(other); });
+    return any;
   }
 
   std::size_t points() const { return points_.size(); }
@@ -157,27 +187,36 @@ class Locator::Impl {
       std::fill(result.begin(), result.end(), std::numeric_limits<double>::quiet_NaN());
       return;
     }
-    std::fill(result.begin(), result.end(), 0.0);
-    const auto add = [&](std::uint32_t point, double share) {
-      if (!(share > 0)) return;  // a value without a share does not count, even if it is infinite
-      for (std::size_t column = 0; column < result.size(); ++column)
-        result[column] += share * values[point * result.size() + column];
-    };
+    std::array<PointShare, 3> linear;
+    std::span<const PointShare> mixed = linear;
     if (neighbors != nullptr && is_within(t, query)) {
-      for (const auto& [point, share] : neighbors->find(query, t)) add(point, share);
-      return;
+      mixed = neighbors->find(query, t);
+    } else {
+      const Triangle corners = least_first(points_, of_.triangles[t]);
+      const Areas share = shares({points_[corners[0]], points_[corners[1]], points_[corners[2]]}, query);
+      for (std::size_t k = 0; k < 3; ++k) linear[k] = {corners[k], share[k]};
     }
-    const auto& corners = of_.triangles[t];
-    const std::array<double, 3> share = shares({points_[corners[0]], points_[corners[1]], points_[corners[2]]}, query);
-    for (std::size_t k = 0; k < 3; ++k) add(corners[k], share[k]);
+    for (std::size_t column = 0; column < result.size(); ++column) {
+      double sum = 0, least = std::numeric_limits<double>::infinity(), greatest = -least;
+      for (const PointShare& of : mixed) {
+        if (!(of.share > 0)) continue;  // a value without a share does not count, even if it is infinite
+        const double value = values[of.point * result.size() + column];
+        sum += of.share * value;
+        least = std::min(least, value);
+        greatest = std::max(greatest, value);
+      }
+      result[column] = std::min(std::max(sum, least), greatest);  // shares have the sum 1 up to rounding; keeps NaN
+    }
   }
 
  private:
-  /// Returns 1 if the query is inside of the line across from corner k of triangle t, 0 if on the line, −1 if outside.
-  int side(std::uint32_t t, std::size_t k, const Point& query) const {
-    const auto& corners = of_.triangles[t];
-    return Predicates<long double>::orientation(points_[corners[(k + 1) % 3]], points_[corners[(k + 2) % 3]], query);
+  std::array<Point, 3> corners_of(std::uint32_t t) const {
+    const auto& [a, b, c] = of_.triangles[t];
+    return {points_[a], points_[b], points_[c]};
   }
+
+  /// Returns side_of() for triangle t.
+  int side(std::uint32_t t, std::size_t k, const Point& query) const { return side_of(corners_of(t), k, query); }
 
   /// Returns whether the query, which is in triangle t, is no corner of t and not on the convex hull.
   bool is_within(std::uint32_t t, const Point& query) const {
@@ -216,31 +255,34 @@ class Locator::Impl {
     }
   }
 
-  /// Returns the first of the triangles that contain a point of triangle t; sign[k] is side(t, k) of the point.
-  std::uint32_t first_that_has(std::uint32_t t, const std::array<int, 3>& sign) const {
+  /// Calls visit() for each of the triangles that contain a point of triangle t, some of them twice; sign[k] is side(t,
+  /// k) of the point.
+  template <typename Visit>
+  void visit_all_with(std::uint32_t t, const std::array<int, 3>& sign, Visit visit) const {
+    visit(t);
     const auto zeros = std::count(sign.begin(), sign.end(), 0);
-    if (zeros == 0) return t;
     if (zeros == 1) {
       const auto k = static_cast<std::size_t>(std::find(sign.begin(), sign.end(), 0) - sign.begin());
-      return std::min(t, of_.neighbors[t][k]);  // `none` is the largest number
+      if (of_.neighbors[t][k] != no_index) visit(of_.neighbors[t][k]);
     }
+    if (zeros < 2) return;
     // The point is on two sides, so it is the corner that both sides share, across from the third side.
     const auto k = static_cast<std::size_t>(std::find(sign.begin(), sign.end(), 1) - sign.begin());
     const std::uint32_t corner = of_.triangles[t][k];
-    return std::min(first_around(t, corner, 1), first_around(t, corner, 2));
+    for (const std::size_t direction : {1U, 2U}) visit_around(t, corner, direction, visit);
   }
 
-  /// Returns the least number of the triangles around `corner`, from t on in one direction: 1 crosses the side across
-  /// from the next corner, 2 the side across from the corner after that.
-  std::uint32_t first_around(std::uint32_t t, std::uint32_t corner, std::size_t direction) const {
-    std::uint32_t least = t, at = t;
+  /// Calls visit() for the triangles around `corner`, from the one after t on in one direction: 1 crosses the side
+  /// across from the next corner, 2 the side across from the corner after that.
+  template <typename Visit>
+  void visit_around(std::uint32_t t, std::uint32_t corner, std::size_t direction, Visit visit) const {
+    std::uint32_t at = t;
     do {
       const auto& corners = of_.triangles[at];
       const auto k = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), corner) - corners.begin());
       at = of_.neighbors[at][(k + direction) % 3];
-      least = std::min(least, at);
+      if (at != no_index) visit(at);
     } while (at != t && at != no_index);
-    return least;
   }
 
   std::span<const Point> points_;
@@ -291,12 +333,15 @@ std::vector<double> Locator::interpolate(std::span<const double> values, std::si
   if (columns == 0 || values.size() / columns != impl_->points() || values.size() % columns != 0)
     throw InvalidInput("values: found " + std::to_string(values.size()) + " numbers, expected " +
                        std::to_string(columns) + " for each of the " + std::to_string(impl_->points()) + " points");
+  if (!(options.alpha > 0)) throw InvalidInput("alpha: found " + text(options.alpha) + ", expected a radius above 0");
+  const Radius alpha = Radius::of(options.alpha);
   std::vector<double> result(queries.size() * columns);
   const bool is_natural = options.method == Interpolation::natural_neighbor;
   for_each_query(queries.size(), options.threads, options.go_on, [&] {
     return [&, neighbors = impl_->natural_neighbors()](std::size_t i, std::uint32_t last) mutable {
       const std::uint32_t t = impl_->find(queries[i], last);
-      impl_->interpolate(t, values, queries[i], is_natural ? &neighbors : nullptr,
+      const bool is_covered = t != no_index && impl_->covers(alpha, t, queries[i]);
+      impl_->interpolate(is_covered ? t : no_index, values, queries[i], is_natural ? &neighbors : nullptr,
                          std::span(result).subspan(i * columns, columns));
       return t;
     };

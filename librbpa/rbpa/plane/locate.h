@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -37,6 +38,8 @@ struct InterpolateOptions {
   Interpolation method = Interpolation::linear;
   MaxThreads threads = 0;  ///< maximum number; 0: all processors
   GoOn go_on = {};         ///< as in LocateOptions
+  /// There are values only in the triangles of circumradius ≤ alpha, sides included: those of the alpha complex.
+  double alpha = std::numeric_limits<double>::infinity();
 };
 
 /// A Delaunay triangulation that is prepared for queries. Several threads may query it at the same time.
@@ -60,20 +63,21 @@ class RBPA_API Locator {
   std::vector<std::uint32_t> find(std::span<const Point> queries, const LocateOptions& options = {}) const;
 
   /// Interpolates at each query. `values` is n × columns: a row for each of the n points, in the order of the points.
-  /// The result has a row of `columns` numbers for each query, NaNs where find() finds no triangle. Of equal points,
-  /// the row of the lowest index counts.
+  /// The result has a row of `columns` numbers for each query, NaNs where no triangle of circumradius ≤ `alpha`
+  /// contains the query. Of equal points, the row of the lowest index counts; otherwise, results do not depend on the
+  /// order of the points, to the last bit: on a side, a linear value depends on the ends of the side alone.
   ///
   /// Natural neighbors: if the query were inserted as a point, its Voronoi cell would take area from the cells of some
   /// points. The value is the mean over these points, weighted by these areas; on a side of the convex hull, the value
   /// is linear between the ends of the side.
   ///
   /// Error:  the value is a convex combination of the values at the corners or natural neighbors, except for a few
-  ///         roundings; at a point, it is exactly the value of the point. The set of natural neighbors is exact; the
-  ///         error of an area is about 1e-9 of the sum of the areas.
+  ///         roundings, and never beyond them; at a point, it is exactly the value of the point. The set of natural
+  ///         neighbors is exact; the error of an area is about 1e-9 of the sum of the areas.
   /// Cost:   for a query, that of find(); by natural neighbors also some ten comparisons with circles and as many
   ///         centers; milliseconds where coordinates are a hundred decades apart.
-  /// Throws: InvalidInput when `columns` is 0, or `values` does not have n × `columns` numbers; the exceptions of
-  ///         find().
+  /// Throws: InvalidInput when `columns` is 0, `values` does not have n × `columns` numbers, or `alpha` is not above 0;
+  ///         the exceptions of find().
   std::vector<double> interpolate(std::span<const double> values, std::size_t columns, std::span<const Point> queries,
                                   const InterpolateOptions& options = {}) const;
 

@@ -5,6 +5,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "rbpa/base/exact/double_double.h"
 #include "rbpa/plane/predicate/predicates.h"
@@ -93,7 +94,8 @@ void NaturalNeighbors::measure(const Point& query, const Side& first, int expone
     return to_circumcenter(way(query, points_[begin(s)]), way(query, points_[end(s)]));
   };
   const auto of_triangle = [&](std::uint32_t t) {
-    const Point &a = points_[of_.triangles[t][0]], &b = points_[of_.triangles[t][1]], &c = points_[of_.triangles[t][2]];
+    const Triangle corners = least_first(points_, of_.triangles[t]);
+    const Point &a = points_[corners[0]], &b = points_[corners[1]], &c = points_[corners[2]];
     return way(query, a) + to_circumcenter(way(a, b), way(a, c));
   };
   Side side = first;
@@ -114,6 +116,15 @@ void NaturalNeighbors::measure(const Point& query, const Side& first, int expone
   } while (!(side == first));
 }
 
+template <typename Number, typename Visit>
+void NaturalNeighbors::measure_in_order(const Point& query, const Side& first, int exponent, Visit visit) const {
+  std::vector<std::pair<std::uint32_t, Number>> areas;
+  measure<Number>(query, first, exponent, [&](std::uint32_t corner, Number area) { areas.emplace_back(corner, area); });
+  const auto is_before = [&](const auto& a, const auto& b) { return points_[a.first] < points_[b.first]; };
+  std::rotate(areas.begin(), std::min_element(areas.begin(), areas.end(), is_before), areas.end());
+  for (const auto& [corner, area] : areas) visit(corner, area);
+}
+
 /// Computes shares_ in rounded numbers. Returns whether the shares satisfy Sibson's identity up to `tolerance`.
 template <typename Number>
 bool NaturalNeighbors::find_rounded(const Point& query, const Side& first, int exponent) {
@@ -121,7 +132,7 @@ bool NaturalNeighbors::find_rounded(const Point& query, const Side& first, int e
   double sum = 0, least = 0, nearest = std::numeric_limits<double>::infinity();
   Point mean = {0, 0};
   bool stay = true;
-  measure<Number>(query, first, exponent, [&](std::uint32_t corner, const Number& measured) {
+  measure_in_order<Number>(query, first, exponent, [&](std::uint32_t corner, const Number& measured) {
     const double area = rounded(measured);
     const Vector<double> way = from<double>(query, points_[corner], exponent);
     shares_.push_back({corner, std::max(0.0, area)});
@@ -140,7 +151,7 @@ void NaturalNeighbors::find_exactly(const Point& query, const Side& first) {
   shares_.clear();
   std::vector<Wide> areas;
   Wide sum = 0;
-  measure<Rational>(query, first, 0, [&](std::uint32_t corner, const Rational& area) {
+  measure_in_order<Rational>(query, first, 0, [&](std::uint32_t corner, const Rational& area) {
     shares_.push_back({corner, 0});
     sum += areas.emplace_back(area);
   });

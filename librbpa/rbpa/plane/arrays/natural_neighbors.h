@@ -2,7 +2,7 @@
 //         would be cut out of the cells of its natural neighbors; the share of a neighbor is the area that its cell
 //         would lose, divided by the area of the new cell.
 // Law:    the set of neighbors is exact. Shares are not negative, their sum is 1, and the mean of the neighbors
-//         weighted by their shares is the point (Sibson's identity).
+//         weighted by their shares is the point (Sibson's identity). Shares do not depend on the order of the points.
 // How:    the triangles whose circles contain the point form a polygon without points inside. The corners of the
 //         polygon are the natural neighbors. A walk goes around the polygon; at each corner it passes the polygon's
 //         triangles at this corner. Their circumcenters, and those of the two triangles that the point forms with the
@@ -22,6 +22,13 @@
 #include "rbpa/base/triangle_arrays.h"
 
 namespace rbpa {
+
+/// Returns the corners of a triangle in their cyclic order, the lexicographically least point first: an order that does
+/// not depend on indices.
+inline Triangle least_first(std::span<const Point> points, Triangle of) {
+  while (points[of[1]] < points[of[0]] || points[of[2]] < points[of[0]]) of = {of[1], of[2], of[0]};
+  return of;
+}
 
 struct PointShare {
   std::uint32_t point;
@@ -55,6 +62,9 @@ class NaturalNeighbors {
   template <typename Number>
   bool find_rounded(const Point& query, const Side& first, int exponent);
   void find_exactly(const Point& query, const Side& first);
+  /// Calls measure(), and visit(corner, area) for each corner from the lexicographically least on.
+  template <typename Number, typename Visit>
+  void measure_in_order(const Point& query, const Side& first, int exponent, Visit visit) const;
 
   std::span<const Point> points_;
   TriangleArrays of_;

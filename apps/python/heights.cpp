@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+#include "python/module.h"
+#include "rbpa/plane/contours.h"
+#include "rbpa/plane/delaunay.h"
+#include "rbpa/plane/interpolate_grid.h"
+
+namespace rbpa::python {
+namespace {
+
+/// Returns the values of a raster, top row first, and its lower left corner.
+std::tuple<Doubles, double, double> grid_of(const Doubles& points, const Doubles& values, double alpha, double cell,
+                                            const Doubles& extent, bool by_natural_neighbors, unsigned threads,
+                                            const py::object& progress) {
+  const auto input = points_of(points);
+  const double* const at = extent.data();
+  const Raster raster = raster_around({at[0], at[1]}, {at[2], at[3]}, cell);
+  std::vector<double> cells = watched(input.size(), progress, [&](Watch& watch) {
+    const Delaunay delaunay(input, {.threads = threads, .progress = watch.progress()});
+    const Locator locator(input, delaunay.triangulation(), {.threads = threads, .go_on = watch.until_stopped()});
+    std::vector<double> all;
+    all.reserve(raster.columns * raster.rows);
+    interpolate_grid(locator, line_of(values), raster,
+                     [&](std::span<const double> next) { all.insert(all.end(), next.begin(), next.end()); },
+                     {.method = by_natural_neighbors ? Interpolation::natural_neighbor : Interpolation::linear,
+                      .threads = threads,
+                      .go_on = watch.until_stopped(),
+                      .alpha = alpha});
+    return all;
+  });
+  return {array_of<double>(std::move(cells), 0).reshape({py::ssize_t(raster.rows), py::ssize_t(raster.columns)}),
+          raster.origin.x, raster.origin.y};
+}
+
+/// Returns for each line its level, whether it is closed, and its points.
+py::list contours_of(const Doubles& points, const Indices& simplices, const Indices& neighbors, const Doubles& values,
+                     const Doubles& levels, unsigned threads, const py::object& progress) {
+  const auto input = points_of(points);
+  const TriangleArrays triangles = triangle_arrays_of(simplices, neighbors);
+  std::vector<Contour> lines = watched(input.size(), progress, [&](Watch& watch) {
+    return contours(input, triangles, line_of(values), line_of(levels),
+                    {.threads = threads, .go_on = watch.until_stopped()});
+  });
+  py::list result;
+  for (Contour& line : lines)
+    result.append(
+        py::make_tuple(levels.at(py::ssize_t(line.level)), line.is_closed, rows<double>(std::move(line.points))));
+  return result;
+}
+
+}  // namespace
+
+void bind_heights(py::module_& module) {
+  using py::arg;
+  module.def("grid", &grid_of, as_is("points"), as_is("values"), arg("alpha"), arg("cell"), as_is("extent"),
+             arg("by_natural_neighbors"), arg("threads"), arg("progress"));
+  module.def("contours", &contours_of, as_is("points"), as_is("simplices"), as_is("neighbors"), as_is("values"),
+             as_is("levels"), arg("threads"), arg("progress"));
+  module.def(
+      "levels_every",
+      [](double step, const Doubles& values) { return line<double>(levels_every(step, line_of(values))); }, arg("step"),
+      as_is("values"));
+}
+
+}  // namespace rbpa::python
