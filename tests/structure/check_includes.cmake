@@ -127,8 +127,8 @@ set(allowed
   "apps/picture: apps/io apps/io/bytes apps/io/mesh apps/io/text rbpa/base rbpa/plane rbpa/space/persistence"
   "apps/program: apps/io apps/io/bytes rbpa/base"
   "apps/python: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon meshops/core meshops/front
-    meshops/handle meshops/stellar meshops/topology rbpa/base rbpa/plane rbpa/space/balls rbpa/space/persistence
-    rbpa/space/repair rbpa/space/simplify rbpa/space/solid rbpa/space/surface"
+    meshops/handle meshops/stellar meshops/topology rbpa/base rbpa/fill rbpa/plane rbpa/space/balls
+    rbpa/space/persistence rbpa/space/repair rbpa/space/simplify rbpa/space/solid rbpa/space/surface"
   "apps/rbpa: apps/io apps/io/bytes apps/io/cloud apps/io/polygon apps/picture apps/program apps/rbpa/plane
     apps/rbpa/shared apps/rbpa/space apps/rbpa/tiles apps/report rbpa/base rbpa/plane rbpa/space/balls
     rbpa/space/persistence"

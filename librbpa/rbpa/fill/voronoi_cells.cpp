@@ -25,7 +25,7 @@ VoronoiCells voronoi_cells(const Delaunay& delaunay, std::span<const Point> boun
   return tidy(cut_cells(delaunay, boundary_points, rings.noded.rings, step), go_on);
 }
 
-CellBoundary box_around(std::span<const Point> points) {
+std::array<Point, 4> box_around(std::span<const Point> points) {
   meshops::require(!points.empty(), "box_around: found no point, expected one or more");
   Point low = points[0], high = low;
   for (const Point& p : points) {
@@ -40,25 +40,7 @@ CellBoundary box_around(std::span<const Point> points) {
   const auto above = [&](double x) { return std::min(std::max(x + margin, std::nextafter(x, largest)), largest); };
   low = {below(low.x), below(low.y)};
   high = {above(high.x), above(high.y)};
-  return {{low, {high.x, low.y}, high, {low.x, high.y}}, {{.shell = {{0, 1, 2, 3}}}}};
-}
-
-CellBoundary convex_hull(const Delaunay& delaunay) {
-  const auto& [triangles, neighbors] = TriangleArrays(delaunay.triangulation());
-  std::vector<std::uint32_t> next(delaunay.points().size(), no_index);
-  std::uint32_t first = no_index;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (neighbors[t][k] == no_index) next[first = triangles[t][(k + 1) % 3]] = triangles[t][(k + 2) % 3];
-  if (first == no_index) return {};
-  CellBoundary hull = {.points = {}, .polygons = {Polygon{}}};
-  std::uint32_t p = first;
-  do {
-    hull.polygons[0].shell.points.push_back(static_cast<std::uint32_t>(hull.points.size()));
-    hull.points.push_back(delaunay.points()[p]);
-    p = next[p];
-  } while (p != first);
-  return hull;
+  return {low, {high.x, low.y}, high, {low.x, high.y}};
 }
 
 }  // namespace rbpa

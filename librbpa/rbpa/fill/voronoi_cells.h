@@ -3,6 +3,7 @@
 //       as written. Each cell is a valid multipolygon under OGC Simple Features. docs/explanation/plane.md, section 33.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -31,23 +32,15 @@ struct VoronoiCells {
 /// vertices and crossings, each coordinate rounded once. Where rounding makes rings cross, vertices are merged with
 /// others or put on edges, in all cells alike, and cells that have no area left vanish. A corner moves only so; the
 /// boundary is that of the cells together, whose edges are rounded where ridges cross them.
-/// Requires: `boundary` is a valid multipolygon.
+/// Requires: `boundary` is a valid multipolygon. The convex hull is outline_polygons() of the triangulation.
 /// Throws:   InvalidInput with the text of why_invalid() when it is not; Cancelled.
 /// Cost:     linear in the points; for each ridge that crosses the boundary, linear in the ridges of its cells.
 RBPA_API VoronoiCells voronoi_cells(const Delaunay& delaunay, std::span<const Point> boundary_points,
                                     std::span<const Polygon> boundary, const GoOn& go_on = {});
 
-/// A boundary of cells: points and polygons.
-struct CellBoundary {
-  std::vector<Point> points;
-  std::vector<Polygon> polygons;
-};
-
-/// Returns the bounding box of the points, larger on each side by a tenth of its longer side; where this is 0, by a
-/// tenth of the larger coordinate, or by 1. Coordinates stay finite. Requires: one or more points.
-RBPA_API CellBoundary box_around(std::span<const Point> points);
-
-/// Returns the convex hull as one polygon; none if all points are on one line.
-RBPA_API CellBoundary convex_hull(const Delaunay& delaunay);
+/// Returns the corners of the points' bounding box, counter-clockwise. The box is larger on each side by a tenth of its
+/// longer side; where this is 0, by a tenth of the larger coordinate, or by 1. Coordinates stay finite.
+/// Requires: one or more points.
+RBPA_API std::array<Point, 4> box_around(std::span<const Point> points);
 
 }  // namespace rbpa

@@ -27,7 +27,6 @@ using Exact = boost::multiprecision::cpp_rational;
 
 struct ExactPoint {
   Exact x, y;
-  friend bool operator==(const ExactPoint&, const ExactPoint&) = default;
   friend bool operator<(const ExactPoint& a, const ExactPoint& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 };
 

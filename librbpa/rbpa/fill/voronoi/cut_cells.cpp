@@ -35,7 +35,7 @@ class CellCutter {
     find_inside();
     for (std::uint32_t p = 0; p < is_crossed_.size(); ++p)
       if (ridges_.has_cell(p)) trace(p);
-    add_whole_rings();
+    add_rings();
     return numbered();
   }
 
@@ -235,12 +235,20 @@ class CellCutter {
     loops_.emplace_back(cell, Ring{std::move(vertices)});
   }
 
-  /// Adds the rings that cross no ridge to the loops of their cells.
-  void add_whole_rings() {
+  /// Adds the rings that cross no ridge to the loops of their cells, and all rings as those of no cell.
+  void add_rings() {
     for (const auto& [cell, corner, size] : whole_) {
       std::vector<std::uint32_t> vertices(size);
       std::iota(vertices.begin(), vertices.end(), vertex_of_corner(corner));
-      add_loop(cell, std::move(vertices));
+      add_loop(cell, vertices);
+      add_loop(no_index, std::move(vertices));
+    }
+    std::vector<std::uint32_t> vertices;
+    for (std::uint32_t j = 0; j < crossings_.size(); ++j) {
+      vertices.push_back(vertex_of_crossing(j));
+      for (std::uint32_t i = 0; i < crossings_[j].corners; ++i)
+        vertices.push_back(vertex_of_corner(crossings_[j].corner + i));
+      if (crossings_[j].next <= j) add_loop(no_index, std::exchange(vertices, {}));
     }
     std::stable_sort(loops_.begin(), loops_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   }

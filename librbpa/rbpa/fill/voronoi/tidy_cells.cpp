@@ -49,7 +49,8 @@ class Tidying {
   VoronoiCells run() {
     for (RoundedCell& cell : cells_) normalize(cell);
     while (!all_are_right()) apply_changes();
-    for (RoundedCell& cell : cells_) add_polygons(cell);
+    for (RoundedCell& cell : cells_)
+      if (cell.of != no_index) add_polygons(cell);
     drop_unused_points();
     return std::move(made_);
   }
