@@ -19,7 +19,7 @@ namespace rbpa {
 
 /// The parts of the cells within a boundary. A cell may have none, and several where the boundary is not convex.
 struct VoronoiCells {
-  std::vector<Point> points;      ///< all corners, each once, in lexicographic order; rings have indices of these
+  std::vector<Point> points;      ///< the corners, each once, in lexicographic order, and points merged with them
   std::vector<Polygon> polygons;  ///< by cell; those of one cell in the order of outline_polygons()
   std::vector<std::uint32_t>
       of;                    ///< for each polygon the input point of its cell, ascending; of equal points the first

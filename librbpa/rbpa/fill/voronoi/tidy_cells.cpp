@@ -51,7 +51,6 @@ class Tidying {
     while (!all_are_right()) apply_changes();
     for (RoundedCell& cell : cells_)
       if (cell.of != no_index) add_polygons(cell);
-    drop_unused_points();
     return std::move(made_);
   }
 
@@ -246,26 +245,6 @@ class Tidying {
       if (cell.places[r].is_hole())
         made_.polygons[polygon_of[*cell.places[r].inside]].holes.push_back(std::move(cell.rings[r]));
     for (std::size_t i = first; i < made_.polygons.size(); ++i) measure(made_.polygons[i], made_.points);
-  }
-
-  void drop_unused_points() {
-    std::vector<std::uint32_t> number(made_.points.size(), 0);
-    const auto for_each_corner = [&](auto&& visit) {
-      for (Polygon& polygon : made_.polygons) {
-        for (std::uint32_t& v : polygon.shell.points) visit(v);
-        for (Ring& hole : polygon.holes)
-          for (std::uint32_t& v : hole.points) visit(v);
-      }
-    };
-    for_each_corner([&](std::uint32_t v) { number[v] = 1; });
-    std::uint32_t size = 0;
-    for (std::uint32_t v = 0; v < number.size(); ++v)
-      if (number[v] != 0) {
-        made_.points[size] = made_.points[v];
-        number[v] = size++;
-      }
-    made_.points.resize(size);
-    for_each_corner([&](std::uint32_t& v) { v = number[v]; });
   }
 
   std::vector<bool> is_given_;
