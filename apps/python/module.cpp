@@ -34,6 +34,6 @@ PYBIND11_MODULE(_core, module) {
                      bind_groups,         bind_locators,         bind_nearest,  bind_partial,        bind_soups,
                      bind_mesh,           bind_space_points,     bind_surface,  bind_surface_causes, bind_solid,
                      bind_periodic_solid, bind_solid_filtration, bind_balls,    bind_discs,          bind_molecules,
-                     bind_heights})
+                     bind_heights,        bind_voronoi})
     bind(module);
 }

@@ -12,6 +12,7 @@ namespace rbpa::python {
 using Bind = void(py::module_& module);
 Bind bind_alpha_choice, bind_balls, bind_discs, bind_filtration, bind_groups, bind_heights, bind_locators, bind_mesh,
     bind_molecules, bind_nearest, bind_partial, bind_periodic_solid, bind_points, bind_polygons, bind_solid,
-    bind_solid_filtration, bind_soups, bind_space_points, bind_surface, bind_surface_causes, bind_triangulation;
+    bind_solid_filtration, bind_soups, bind_space_points, bind_surface, bind_surface_causes, bind_triangulation,
+    bind_voronoi;
 
 }  // namespace rbpa::python

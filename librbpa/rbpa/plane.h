@@ -28,3 +28,4 @@
 #include "rbpa/plane/smallest_covering_alpha.h"
 #include "rbpa/plane/topology.h"
 #include "rbpa/plane/triangles_by_level.h"
+#include "rbpa/plane/voronoi.h"

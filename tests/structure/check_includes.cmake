@@ -23,17 +23,19 @@ set(allowed
   "rbpa/base/parallel: rbpa/base"
   "rbpa/base/run: meshops/core rbpa/base rbpa/base/parallel"
   "rbpa/base/sort: meshops/core meshops/patch rbpa/base rbpa/base/parallel"
-  "rbpa/fill: meshops/core meshops/topology rbpa/base rbpa/base/arrays rbpa/base/run rbpa/fill/rings rbpa/plane
-    rbpa/plane/shape"
+  "rbpa/fill: meshops/core meshops/topology rbpa/base rbpa/base/arrays rbpa/base/run rbpa/fill/rings rbpa/fill/voronoi
+    rbpa/plane rbpa/plane/shape"
   "rbpa/fill/front: meshops/core meshops/front meshops/patch meshops/stellar rbpa/base rbpa/base/arrays rbpa/base/exact
     rbpa/base/run rbpa/fill rbpa/fill/rings rbpa/plane rbpa/plane/grid rbpa/plane/predicate"
   "rbpa/fill/rings: meshops/core rbpa/base rbpa/base/exact rbpa/base/run rbpa/fill rbpa/plane rbpa/plane/grid
     rbpa/plane/predicate rbpa/plane/shape"
+  "rbpa/fill/voronoi: meshops/core rbpa/base rbpa/base/run rbpa/fill rbpa/fill/rings rbpa/plane rbpa/plane/predicate
+    rbpa/plane/shape rbpa/plane/voronoi"
   "rbpa/paper: meshops/front meshops/patch rbpa/base rbpa/plane/mesh rbpa/plane/predicate"
   "rbpa/plane: meshops/core meshops/front meshops/topology rbpa/base rbpa/base/arrays rbpa/base/exact
     rbpa/base/parallel rbpa/base/radii rbpa/base/run rbpa/plane/arrays rbpa/plane/divide rbpa/plane/filtration
     rbpa/plane/grid rbpa/plane/groups rbpa/plane/hierarchy rbpa/plane/mesh rbpa/plane/partial rbpa/plane/patches
-    rbpa/plane/predicate rbpa/plane/shape"
+    rbpa/plane/predicate rbpa/plane/shape rbpa/plane/voronoi"
   "rbpa/plane/arrays: meshops/core meshops/patch rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel
     rbpa/base/run rbpa/base/sort rbpa/plane rbpa/plane/predicate"
   "rbpa/plane/divide: meshops/core meshops/patch rbpa/base rbpa/base/parallel rbpa/plane rbpa/plane/arrays
@@ -56,6 +58,7 @@ set(allowed
     rbpa/plane/predicate rbpa/plane/tile"
   "rbpa/plane/shape: rbpa/base rbpa/base/exact rbpa/base/run rbpa/plane rbpa/plane/predicate"
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
+  "rbpa/plane/voronoi: rbpa/base rbpa/base/exact rbpa/plane"
   "rbpa/space/balls: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run rbpa/space/balls/full
     rbpa/space/balls/periodic rbpa/space/cells rbpa/space/persistence rbpa/space/persistence/pairing
     rbpa/space/predicate rbpa/space/solid
@@ -125,8 +128,8 @@ set(allowed
   "apps/picture: apps/io apps/io/bytes apps/io/mesh apps/io/text rbpa/base rbpa/plane rbpa/space/persistence"
   "apps/program: apps/io apps/io/bytes rbpa/base"
   "apps/python: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon meshops/core meshops/front
-    meshops/handle meshops/stellar meshops/topology rbpa/base rbpa/plane rbpa/space/balls rbpa/space/persistence
-    rbpa/space/repair rbpa/space/simplify rbpa/space/solid rbpa/space/surface"
+    meshops/handle meshops/stellar meshops/topology rbpa/base rbpa/fill rbpa/plane rbpa/space/balls
+    rbpa/space/persistence rbpa/space/repair rbpa/space/simplify rbpa/space/solid rbpa/space/surface"
   "apps/rbpa: apps/io apps/io/bytes apps/io/cloud apps/io/polygon apps/picture apps/program apps/rbpa/plane
     apps/rbpa/shared apps/rbpa/space apps/rbpa/tiles apps/report rbpa/base rbpa/plane rbpa/space/balls
     rbpa/space/persistence"

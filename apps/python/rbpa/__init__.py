@@ -18,6 +18,7 @@ Contents:
     alpha_shapes(points, groups), concave_hulls(points, groups)   for many groups of points     -> AlphaShapes
     filtration(points)                   components, holes, area at every radius; plateaus      -> Filtration
     Delaunay(points)                     replaces scipy.spatial.Delaunay, in the plane and in space
+    Voronoi(points)                      replaces scipy.spatial.Voronoi in the plane; cells as polygons
     surface(points, normals, radius)     ball pivoting in space: triangles, holes, their causes -> Surface
     surface_of(points, triangles)        given triangles: fill holes, close, measure            -> Surface
     solid(points, alpha=inf)             tetrahedra in space, boundary, voids, volume           -> Solid
@@ -70,9 +71,11 @@ from rbpa._space_points import estimate_normals, outliers, scale_space
 from rbpa._surface import NotWatertight, Surface, surface, surface_of
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRepair
 from rbpa._void_tracks import VoidEvent, VoidTracks, follow_voids
+from rbpa._voronoi import Voronoi, VoronoiCells
 
 __all__ = [
     "AlphaShape", "AlphaShapes", "Contour", "Delaunay", "DelaunayInSpace", "Filtration", "Plateau", "Polygon", "Polygons", "Raster", "Representative",
+    "Voronoi", "VoronoiCells",
     "BallContacts", "BallFiltration", "BallInterfaces", "BallMouth", "Balls", "BallUnion", "BallVoid", "DanglingFaces", "DiscCurve", "Discs", "FullComplex", "PeriodicPart", "PeriodicSolid", "PoreSizes", "Solid", "SolidVoid",
     "SolidFiltration", "SolidPlateau", "SolidRepresentative", "VoidEvent", "VoidTracks", "VoidTree",
     "NotWatertight", "Surface", "SurfaceComponent", "SurfaceHole", "SurfaceRepair",
