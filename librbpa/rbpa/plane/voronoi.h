@@ -1,6 +1,6 @@
 // What: the Voronoi diagram of points in the plane as arrays, with the names of scipy.spatial.Voronoi.
-// Law:  the diagram is exactly the dual of the Delaunay triangulation; it does not depend on the order of the points, up
-//       to numbering. A vertex is the real point, each coordinate rounded once.
+// Law:  the diagram is exactly the dual of the Delaunay triangulation; it does not depend on the order of the points,
+//       up to numbering. A vertex is the real point, each coordinate rounded once.
 // Note: voronoi_cells.h (rbpa/fill/) has the cells as polygons within a boundary.
 #pragma once
 
@@ -31,8 +31,8 @@ struct Voronoi {
   /// For each ridge with an end at infinity the direction to that end, of length 1 within rounding; otherwise (0, 0).
   /// A whole bisector has the direction that has the first of its two points on the left.
   std::vector<Point> ridge_directions;
-  /// For each distinct point, by index, the vertices of its cell counter-clockwise; an unbounded cell has infinity once,
-  /// between its last vertex and its first.
+  /// For each distinct point, by index, the vertices of its cell counter-clockwise; an unbounded cell has infinity
+  /// once, between its last vertex and its first.
   std::vector<std::vector<std::int32_t>> regions;
   std::vector<std::uint32_t> point_region;  ///< for each input point its region, for equal points the same
 };

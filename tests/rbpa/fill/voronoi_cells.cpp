@@ -167,8 +167,8 @@ std::string wrong_with_cells(VoronoiCells cells, Points points, CellBoundary bou
   return "";
 }
 
-/// Returns whether each cell in a box holds its point, up to the last bits, and each point whose cell vanished is as near
-/// to another point.
+/// Returns whether each cell in a box holds its point, up to the last bits, and each point whose cell vanished is as
+/// near to another point.
 bool hold_their_points(const VoronoiCells& cells, const Points& points) {
   const double ulp = std::max(largest_of(cells.points) * 0x1p-52, std::numeric_limits<double>::denorm_min());
   for (std::uint32_t p = 0; p < points.size(); ++p) {

@@ -19,8 +19,8 @@ namespace rbpa {
 struct CutCells {
   std::vector<Point> points;   ///< vertices, rounded once; equal ones are one, in lexicographic order
   std::vector<bool> is_given;  ///< for each vertex whether it is a corner of a ring
-  /// The loops around the parts of cells, with the part on the left, and the input point of the cell of each, ascending;
-  /// and the loops around the whole region, which have no_index.
+  /// The loops around the parts of cells, with the part on the left, and the input point of the cell of each,
+  /// ascending; and the loops around the whole region, which have no_index.
   std::vector<Ring> loops;
   std::vector<std::uint32_t> of;
 };

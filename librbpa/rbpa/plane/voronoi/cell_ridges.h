@@ -1,6 +1,6 @@
 // What: the ridges around each cell of a Voronoi diagram, from the Delaunay triangulation.
-// Why:  the ridges of a cell are the edges at its point, in the same order; each ridge goes from the circumcenter of one
-//       triangle at the edge to that of the other.
+// Why:  the ridges of a cell are the edges at its point, in the same order; each ridge goes from the circumcenter of
+//       one triangle at the edge to that of the other.
 #pragma once
 
 #include <algorithm>

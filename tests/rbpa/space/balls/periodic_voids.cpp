@@ -9,10 +9,10 @@
 #include <numbers>
 #include <vector>
 
-#include "space/balls/hollow_balls.h"
 #include "rbpa/base/error.h"
 #include "rbpa/space/balls/periodic_topology.h"
 #include "rbpa/space/solid/solid_radii.h"
+#include "space/balls/hollow_balls.h"
 #include "support/periodic_sets.h"
 
 using namespace rbpa_test;
