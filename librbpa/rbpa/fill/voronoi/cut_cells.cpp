@@ -203,7 +203,7 @@ class CellCutter {
       if (is_inside && ridge.to != no_index) chains.back().vertices.push_back(ridge.to);
       return false;
     });
-    if (was_inside_first && chains.size() > 1) {  // the last chain goes on in the first
+    if (was_inside_first && chains.size() > 1) {  // the last chain continues with the first
       std::vector<std::uint32_t>& last = chains.back().vertices;
       last.insert(last.end(), chains[0].vertices.begin(), chains[0].vertices.end());
       chains.back().end = chains[0].end;

@@ -29,9 +29,6 @@ struct Neck {
   double radius = 0;  ///< of the ball that touches the grown balls there; below 0 if they overlap; or not a number
 };
 
-Boxes sum(const Boxes& a, const Boxes& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Boxes difference(const Boxes& a, const Boxes& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
 /// Disjoint sets of tetrahedra, each at a place: numbers of edges from the root of its set.
 class PlacedSets {
  public:
@@ -40,7 +37,7 @@ class PlacedSets {
   /// Joins i with j moved by `moved`. Returns how far j is moved on the way around if they were joined already, else 0.
   Boxes join(std::uint32_t i, std::uint32_t j, const Boxes& moved) {
     const Boxes to_i = find(i), to_j = find(j);
-    const Boxes apart = difference(sum(to_i, moved), to_j);
+    const Boxes apart = space::minus(space::plus(to_i, moved), to_j);
     if (i == j) return apart;
     parent_[j] = i;
     place_[j] = apart;
@@ -53,8 +50,8 @@ class PlacedSets {
     Boxes place{};
     while (parent_[i] != i) {
       const std::uint32_t above = parent_[i];
-      if (parent_[above] != above) place_[i] = sum(place_[i], place_[above]);
-      place = sum(place, place_[i]);
+      if (parent_[above] != above) place_[i] = space::plus(place_[i], place_[above]);
+      place = space::plus(place, place_[i]);
       i = parent_[i] = parent_[above];
     }
     return place;
@@ -73,12 +70,11 @@ struct Gate {
 /// Returns the triangles, the last to close first.
 std::vector<Gate> gates_of(const PeriodicRegular& regular) {
   const space::Spread scale = space::spread(regular.centers, regular.radii);
-  const auto ball = [&](std::uint32_t image) {
-    const Point3& p = regular.centers[image];
-    return space::Ball{
-        {std::ldexp(p.x, scale.exponent), std::ldexp(p.y, scale.exponent), std::ldexp(p.z, scale.exponent)},
-        std::ldexp(regular.radii[image], scale.exponent)};
-  };
+  std::vector<Point3> copy_of_centers;
+  std::vector<double> copy_of_radii;
+  const auto centers = space::scaled(regular.centers, scale, copy_of_centers);
+  const auto radii = space::scaled(regular.radii, scale, copy_of_radii);
+  const auto ball = [&](std::uint32_t image) { return space::Ball{centers[image], radii[image]}; };
   const auto neck_of = [&](const auto& simplex) {
     std::array<space::Ball, std::tuple_size_v<std::decay_t<decltype(simplex)>>> balls{};
     for (std::size_t k = 0; k < balls.size(); ++k) balls[k] = ball(simplex[k]);
@@ -159,11 +155,14 @@ PoreSizes pore_sizes(std::span<const Point3> centers, std::span<const double> ra
                      const SolidOptions& options) {
   if (centers.empty()) throw InvalidInput("found no balls, expected at least one");
   PoreSizes sizes;
+  const auto grown = [&](double growth) {
+    std::vector<double> all(radii.begin(), radii.end());
+    for (double& radius : all) radius += growth;
+    return all;
+  };
   const auto largest_in = [&](double growth, unsigned dimension) {
-    std::vector<double> grown(radii.begin(), radii.end());
-    for (double& radius : grown) radius += growth;
     double largest = 0;
-    for (const BallVoid& of : periodic_ball_voids(centers, grown, cell, options).voids)
+    for (const BallVoid& of : periodic_ball_voids(centers, grown(growth), cell, options).voids)
       if (of.dimension >= dimension) largest = std::max(largest, of.radius + growth);
     return largest;
   };
@@ -175,9 +174,7 @@ PoreSizes pore_sizes(std::span<const Point3> centers, std::span<const double> ra
     const auto open = std::find_if(along.begin(), along.end(), [](const Search& of) { return !of.is_done; });
     if (open == along.end()) break;
     const double growth = open->next;
-    std::vector<double> grown(radii.begin(), radii.end());
-    for (double& radius : grown) radius += growth;
-    const std::array<Neck, 3> necks = necks_along(space::periodic_regular(centers, grown, cell, 0, options));
+    const std::array<Neck, 3> necks = necks_along(space::periodic_regular(centers, grown(growth), cell, 0, options));
     for (std::size_t k = 0; k < 3; ++k)
       if (!along[k].is_done) along[k].update(growth, necks[k], tolerance);
   }

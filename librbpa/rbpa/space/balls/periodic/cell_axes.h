@@ -7,10 +7,18 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rbpa/space/balls/periodic/torus_rank.h"
 #include "rbpa/space/balls/periodic_balls.h"
 #include "rbpa/space/predicate/vector3.h"
 
 namespace rbpa::space {
+
+/// Returns p moved by numbers of edges.
+inline Point3 moved(Point3 p, const std::array<Point3, 3>& edges, const Boxes& offset) {
+  for (const auto c : {&Point3::x, &Point3::y, &Point3::z})
+    for (std::size_t k = 0; k < 3; ++k) p.*c += offset[k] * (edges[k].*c);
+  return p;
+}
 
 class CellAxes {
  public:

@@ -39,8 +39,7 @@ class Parts {
         for (std::size_t k = 0; k < 4; ++k) {
           if (!is_open(t, k)) continue;
           const TetrahedronImage other = beyond(t, k);
-          const Boxes there = {place[t][0] + other.moved[0], place[t][1] + other.moved[1],
-                               place[t][2] + other.moved[2]};
+          const Boxes there = plus(place[t], other.moved);
           Boxes& known = place[other.t];
           if (!is_placed[other.t]) {
             is_placed[other.t] = true;
@@ -48,7 +47,7 @@ class Parts {
             order_.push_back(other.t);
             continue;
           }
-          const Boxes around = {there[0] - known[0], there[1] - known[1], there[2] - known[2]};
+          const Boxes around = minus(there, known);
           directions.add(around);
           if (is_outside(t)) directions_outside_.add(around);
         }

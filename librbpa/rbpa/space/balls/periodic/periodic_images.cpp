@@ -42,14 +42,7 @@ double PeriodicImages::find_greatest(std::span<const double> of_balls, double pr
 }
 
 void PeriodicImages::add(const Point3& center, double radius, std::uint32_t ball, const Offset& offset) {
-  Point3 moved = center;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Point3& edge = cell_.edges[k];
-    moved.x += offset[k] * edge.x;
-    moved.y += offset[k] * edge.y;
-    moved.z += offset[k] * edge.z;
-  }
-  centers.push_back(moved);
+  centers.push_back(moved(center, cell_.edges, offset));
   radii.push_back(radius);
   of.push_back(ball);
   offsets.push_back(offset);
@@ -71,7 +64,7 @@ void PeriodicImages::add_images(std::uint32_t i, const std::array<double, 3>& pl
       for (std::int32_t z = low[2]; z <= high[2]; ++z)
         if (x != 0 || y != 0 || z != 0) {
           add(own, radii[i], i, {x, y, z});
-          for (std::size_t k = 0; k < 3; ++k) offsets.back()[k] += first[k];
+          offsets.back() = plus(first, {x, y, z});
         }
 }
 

@@ -17,7 +17,7 @@ namespace rbpa::space {
 /// meets the other one, or its image in the list.
 class PeriodicImages {
  public:
-  using Offset = std::array<std::int32_t, 3>;
+  using Offset = Boxes;
 
   /// Throws InvalidInput that names the violated requirement of measure_periodic_balls().
   PeriodicImages(std::span<const Point3> centers, std::span<const double> radii, const RepeatingCell& cell,

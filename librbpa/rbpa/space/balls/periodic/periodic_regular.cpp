@@ -18,8 +18,6 @@ constexpr std::array<double Point3::*, 3> coordinates = {&Point3::x, &Point3::y,
 constexpr Boxes in_cell = {0, 0, 0};
 constexpr double most_images = 0x1p26;
 
-Boxes minus(const Boxes& a, const Boxes& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-
 /// The translations by which a cell repeats. Edges and wrapped points are multiples of a step along each axis of space,
 /// so that the images of a wrapped point, up to CellAxes::most_layers away, are doubles.
 class Lattice {
@@ -50,11 +48,7 @@ class Lattice {
     return rounded(moved(p, offset));
   }
   /// Returns p moved by numbers of edges. Exact for a wrapped point and at most CellAxes::most_layers of each edge.
-  Point3 moved(Point3 p, const Boxes& offset) const {
-    for (const auto c : coordinates)
-      for (std::size_t k = 0; k < 3; ++k) p.*c += offset[k] * (edges_[k].*c);
-    return p;
-  }
+  Point3 moved(const Point3& p, const Boxes& offset) const { return space::moved(p, edges_, offset); }
 
  private:
   Point3 rounded(Point3 p) const {

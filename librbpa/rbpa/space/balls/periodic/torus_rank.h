@@ -11,6 +11,9 @@ namespace rbpa::space {
 /// A number of boxes along each axis.
 using Boxes = std::array<std::int32_t, 3>;
 
+inline Boxes plus(const Boxes& a, const Boxes& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+inline Boxes minus(const Boxes& a, const Boxes& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
 class Rank {
  public:
   void add(const Boxes& v) {
