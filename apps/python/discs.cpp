@@ -48,10 +48,7 @@ std::tuple<Doubles, py::dict> disc_polygons_of(const Doubles& centers, const Dou
   });
   FlatPolygons<std::uint32_t> flat;
   for (const Polygon& polygon : made.polygons) flat.add(polygon);
-  const PolygonTotals totals = total(made.polygons);
-  py::dict of_polygons = flat.as_arrays();
-  of_polygons["area"] = totals.area;
-  of_polygons["perimeter"] = totals.perimeter;
+  py::dict of_polygons = flat.as_arrays(total(made.polygons));
   return {rows<double>(std::move(made.points)), std::move(of_polygons)};
 }
 

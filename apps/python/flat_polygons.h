@@ -43,6 +43,14 @@ struct FlatPolygons {
     return result;
   }
 
+  /// Returns as_arrays() with the area and perimeter of all polygons.
+  py::dict as_arrays(const PolygonTotals& totals) {
+    py::dict result = as_arrays();
+    result["area"] = totals.area;
+    result["perimeter"] = totals.perimeter;
+    return result;
+  }
+
  private:
   void add_ring(const Ring& ring) {
     indices.insert(indices.end(), ring.points.begin(), ring.points.end());

@@ -37,9 +37,7 @@ py::dict shapes_of_groups(const Doubles& points, const Indices& labels, std::siz
     all = total(made.polygons);
     return true;
   });
-  py::dict polygons = flat.as_arrays();
-  polygons["area"] = all.area;
-  polygons["perimeter"] = all.perimeter;
+  py::dict polygons = flat.as_arrays(all);
   py::dict problems;
   for (const GroupProblem& problem : made.problems) problems[py::int_(problem.group)] = problem.what;
   py::dict result;

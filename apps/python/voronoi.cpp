@@ -63,12 +63,8 @@ py::dict voronoi_cells_of(const Doubles& points, const std::string& boundary, co
   FlatPolygons<std::uint32_t> flat;
   for (const Polygon& polygon : made.polygons) flat.add(polygon);
   py::dict result;
-  const PolygonTotals totals = total(made.polygons);
-  py::dict of_polygons = flat.as_arrays();
-  of_polygons["area"] = totals.area;
-  of_polygons["perimeter"] = totals.perimeter;
   result["vertices"] = rows<double>(std::move(made.points));
-  result["polygons"] = std::move(of_polygons);
+  result["polygons"] = flat.as_arrays(total(made.polygons));
   result["polygon_points"] = line<std::int32_t>(std::move(made.of));
   result["merged"] = made.merged;
   result["inserted"] = made.inserted;

@@ -11,10 +11,10 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._input import Floats, Indices, Progress, aligned, as_array, as_points, as_threads, index_of, shown
-from rbpa._result import Simplices, freeze
+from rbpa._result import OfPoints, Simplices, freeze
 
 
-class Delaunay(Simplices):
+class Delaunay(OfPoints, Simplices):
     """The Delaunay triangulation of points in the plane or in space, with the attributes of scipy.spatial.Delaunay.
 
     Differences from SciPy: points without a triangle (fewer than three, or on one line) give an empty triangulation
@@ -299,26 +299,9 @@ class Delaunay(Simplices):
         return of
 
     @property
-    def npoints(self) -> int:
-        """The number of points, duplicates included."""
-        return len(self.points)
-
-    @property
     def nsimplex(self) -> int:
         """The number of triangles."""
         return len(self.simplices)
-
-    @property
-    def min_bound(self) -> Floats:
-        """The least x and the least y of the points."""
-        bound: Floats = self.points.min(axis=0)
-        return bound
-
-    @property
-    def max_bound(self) -> Floats:
-        """The largest x and the largest y of the points."""
-        bound: Floats = self.points.max(axis=0)
-        return bound
 
     def __repr__(self) -> str:
         return f"<rbpa.Delaunay of {self.npoints} points: {self.nsimplex} triangles, {len(self.duplicates)} duplicates>"

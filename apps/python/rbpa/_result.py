@@ -68,6 +68,29 @@ class Result:
         self._freeze()  # pickles do not keep the read-only flag
 
 
+class OfPoints(Result):
+    """A diagram of points, with the names of SciPy."""
+
+    points: Floats
+
+    @property
+    def npoints(self) -> int:
+        """The number of points, duplicates included."""
+        return len(self.points)
+
+    @property
+    def min_bound(self) -> Floats:
+        """The least of each coordinate of the points."""
+        bound: Floats = self.points.min(axis=0)
+        return bound
+
+    @property
+    def max_bound(self) -> Floats:
+        """The greatest of each coordinate of the points."""
+        bound: Floats = self.points.max(axis=0)
+        return bound
+
+
 class Simplices(Result):
     """Triangles between points in the plane, or tetrahedra between points in space."""
 

@@ -13,12 +13,12 @@ from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_points, as_threads, shown
 from rbpa._polygons import Polygons
-from rbpa._result import Result
+from rbpa._result import OfPoints, Result
 
 _EXPECTED = '"box", "hull", (xmin, ymin, xmax, ymax), an (n, 2) array of corners, or polygons with __geo_interface__'
 
 
-class Voronoi(Result):
+class Voronoi(OfPoints):
     """The Voronoi diagram of points in the plane, with the attributes of scipy.spatial.Voronoi.
 
     Differences from SciPy: points on one line, two points and one are ordinary input; every distinct point has a region,
@@ -113,23 +113,6 @@ class Voronoi(Result):
         except InvalidInput as error:
             raise InvalidInput(f"clip: {error}") from None
         return VoronoiCells(self, made)
-
-    @property
-    def npoints(self) -> int:
-        """The number of points, duplicates included."""
-        return len(self.points)
-
-    @property
-    def min_bound(self) -> Floats:
-        """The least x and the least y of the points."""
-        bound: Floats = self.points.min(axis=0)
-        return bound
-
-    @property
-    def max_bound(self) -> Floats:
-        """The greatest x and the greatest y of the points."""
-        bound: Floats = self.points.max(axis=0)
-        return bound
 
     @property
     def ridge_dict(self) -> dict[tuple[int, int], list[int]]:
