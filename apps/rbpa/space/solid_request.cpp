@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/failure.h"
+#include "io/number.h"
 #include "picture/picture.h"
 #include "shared/alpha_option.h"
 #include "shared/progress.h"
