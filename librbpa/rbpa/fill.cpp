@@ -13,13 +13,13 @@
 #include "rbpa/base/mesh.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
-#include "rbpa/fill/front/constrained_delaunay.h"
 #include "rbpa/fill/front/improve.h"
 #include "rbpa/fill/front/link_filling.h"
 #include "rbpa/fill/front/lo_front.h"
 #include "rbpa/fill/front/outline.h"
 #include "rbpa/fill/front/size_estimate.h"
 #include "rbpa/fill/front/size_field.h"
+#include "rbpa/fill/front/triangulate_outline.h"
 #include "rbpa/fill/rings/polygon_rings.h"
 #include "rbpa/plane/mesh/monitor.h"
 #include "rbpa/plane/shape/measure.h"
@@ -241,7 +241,7 @@ void make_better(Pieces& pieces, std::size_t outline, const SizeField& field, co
 
 /// Returns the triangles of `outline`, on places that begin with those of `outline`. Adds no point if `field` is null.
 Pieces pieces_of(const Outline& outline, const SizeField* field, const FillOptions& options, const GoOn& go_on) {
-  if (field == nullptr) return {.places = outline.places, .triangles = constrained_delaunay(outline, go_on)};
+  if (field == nullptr) return {.places = outline.places, .triangles = triangulate(outline, go_on)};
   Pieces pieces = advance_from(outline, *field, options, go_on);
   drop_unused(pieces, outline.places.size());
   make_better(pieces, outline.places.size(), *field, options, go_on);

@@ -10,7 +10,7 @@
 #include "rbpa/base/exact/hypotenuse.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/fill.h"
-#include "rbpa/fill/rings/plane_predicates.h"
+#include "rbpa/plane/predicate/plane_predicates.h"
 
 namespace rbpa {
 namespace {

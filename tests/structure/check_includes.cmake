@@ -15,7 +15,7 @@ set(allowed
 
   "rbpa: meshops/core meshops/front meshops/topology rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/run
     rbpa/base/sort rbpa/fill rbpa/fill/front rbpa/fill/rings rbpa/paper rbpa/plane rbpa/plane/hierarchy rbpa/plane/mesh
-    rbpa/plane/patches rbpa/plane/shape rbpa/space/balls rbpa/space/persistence rbpa/space/repair rbpa/space/simplify
+    rbpa/plane/patches rbpa/plane/predicate rbpa/plane/shape rbpa/space/balls rbpa/space/persistence rbpa/space/repair rbpa/space/simplify
     rbpa/space/solid rbpa/space/surface"
   "rbpa/base: meshops/core"
   "rbpa/base/arrays: meshops/core rbpa/base rbpa/base/run"
@@ -24,26 +24,28 @@ set(allowed
   "rbpa/base/run: meshops/core rbpa/base rbpa/base/parallel"
   "rbpa/base/sort: meshops/core meshops/patch rbpa/base rbpa/base/parallel"
   "rbpa/fill: meshops/core meshops/topology rbpa/base rbpa/base/arrays rbpa/base/run rbpa/fill/rings rbpa/fill/voronoi
-    rbpa/plane rbpa/plane/shape"
+    rbpa/plane rbpa/plane/predicate rbpa/plane/shape"
   "rbpa/fill/front: meshops/core meshops/front meshops/patch meshops/stellar rbpa/base rbpa/base/arrays rbpa/base/exact
-    rbpa/base/run rbpa/fill rbpa/fill/rings rbpa/plane rbpa/plane/grid rbpa/plane/predicate"
+    rbpa/base/run rbpa/fill rbpa/fill/rings rbpa/plane rbpa/plane/constrained rbpa/plane/grid rbpa/plane/predicate"
   "rbpa/fill/rings: meshops/core rbpa/base rbpa/base/exact rbpa/base/run rbpa/fill rbpa/plane rbpa/plane/grid
     rbpa/plane/predicate rbpa/plane/shape"
   "rbpa/fill/voronoi: meshops/core rbpa/base rbpa/base/run rbpa/fill rbpa/fill/rings rbpa/plane rbpa/plane/predicate
     rbpa/plane/shape rbpa/plane/voronoi"
   "rbpa/paper: meshops/front meshops/patch rbpa/base rbpa/plane/mesh rbpa/plane/predicate"
   "rbpa/plane: meshops/core meshops/front meshops/topology rbpa/base rbpa/base/arrays rbpa/base/exact
-    rbpa/base/parallel rbpa/base/radii rbpa/base/run rbpa/plane/arrays rbpa/plane/divide rbpa/plane/filtration
-    rbpa/plane/grid rbpa/plane/groups rbpa/plane/hierarchy rbpa/plane/mesh rbpa/plane/partial rbpa/plane/patches
+    rbpa/base/parallel rbpa/base/radii rbpa/base/run rbpa/plane/arrays rbpa/plane/constrained
+    rbpa/plane/divide rbpa/plane/filtration rbpa/plane/grid rbpa/plane/groups rbpa/plane/hierarchy rbpa/plane/mesh rbpa/plane/partial rbpa/plane/patches
     rbpa/plane/predicate rbpa/plane/shape rbpa/plane/voronoi"
   "rbpa/plane/arrays: meshops/core meshops/patch rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel
     rbpa/base/run rbpa/base/sort rbpa/plane rbpa/plane/predicate"
+  "rbpa/plane/constrained: meshops/core rbpa/base rbpa/base/exact rbpa/base/run rbpa/plane rbpa/plane/grid
+    rbpa/plane/predicate"
   "rbpa/plane/divide: meshops/core meshops/patch rbpa/base rbpa/base/parallel rbpa/plane rbpa/plane/arrays
     rbpa/plane/predicate"
   "rbpa/plane/enumeration: rbpa/base/lanes rbpa/plane/predicate rbpa/plane/tile"
   "rbpa/plane/filtration: meshops/core rbpa/base rbpa/base/arrays rbpa/base/run rbpa/plane rbpa/plane/arrays
     rbpa/plane/predicate"
-  "rbpa/plane/grid: meshops/core rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/sort rbpa/plane/predicate"
+  "rbpa/plane/grid: meshops/core rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/run rbpa/base/sort rbpa/plane/predicate"
   "rbpa/plane/groups: rbpa/base rbpa/base/parallel rbpa/base/run rbpa/plane rbpa/plane/filtration rbpa/plane/shape"
   "rbpa/plane/hierarchy: meshops/core meshops/front meshops/patch rbpa/base rbpa/base/parallel rbpa/base/sort
     rbpa/plane rbpa/plane/grid rbpa/plane/mesh rbpa/plane/patches rbpa/plane/predicate"
@@ -58,7 +60,7 @@ set(allowed
     rbpa/plane/predicate rbpa/plane/tile"
   "rbpa/plane/shape: rbpa/base rbpa/base/exact rbpa/base/run rbpa/plane rbpa/plane/predicate"
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
-  "rbpa/plane/voronoi: rbpa/base rbpa/base/exact rbpa/plane"
+  "rbpa/plane/voronoi: rbpa/base rbpa/plane"
   "rbpa/space/balls: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run rbpa/space/balls/full
     rbpa/space/balls/periodic rbpa/space/cells rbpa/space/persistence rbpa/space/persistence/pairing
     rbpa/space/predicate rbpa/space/solid

@@ -7,7 +7,7 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/fill/polygons_of_rings.h"
-#include "rbpa/fill/rings/plane_predicates.h"
+#include "rbpa/plane/predicate/plane_predicates.h"
 
 namespace rbpa {
 namespace {

@@ -1,6 +1,7 @@
 // What: the cells of a Voronoi diagram as polygons within a boundary: a box, the convex hull, or any valid polygons.
 // Law:  the cells tile: interiors are disjoint, neighbors share their vertices, and areas add up to that of the
-//       boundary as written. Each cell is a valid multipolygon under OGC Simple Features. docs/explanation/plane.md, section 33.
+//       boundary as written. Each cell is a valid multipolygon under OGC Simple Features.
+//       docs/explanation/plane.md, section 33.
 #pragma once
 
 #include <array>

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 
 #include "meshops/core/contract.h"
@@ -143,14 +144,15 @@ class Locator::Impl {
   std::uint32_t find(const Point& query, std::uint32_t last) const {
     if (of_.triangles.empty() || !is_finite(query)) return no_index;
     std::uint32_t at = last != no_index && is_near(last, query) ? last : first_near(query);
-    for (std::size_t steps = 0; steps <= of_.triangles.size(); ++steps) {
+    std::minstd_rand random;
+    for (std::size_t steps = 0; steps <= patience + 64 * of_.triangles.size(); ++steps) {
       std::array<int, 3> sign;
-      std::size_t k = 0;
-      for (; k < 3; ++k) {
+      std::size_t k = steps < patience ? 0 : random() % 3, tried = 0;
+      for (; tried < 3; ++tried, k = (k + 1) % 3) {
         sign[k] = side(at, k, query);
         if (sign[k] < 0) break;
       }
-      if (k == 3) {
+      if (tried == 3) {
         std::uint32_t first = at;
         visit_all_with(at, sign, [&](std::uint32_t t) { first = std::min(first, t); });
         return first;
@@ -159,7 +161,7 @@ class Locator::Impl {
       if (at == no_index) return no_index;  // beyond the convex hull
     }
     throw meshops::ContractViolation(
-        "locator: found a triangulation that is not Delaunay, expected the result of alpha_complex(points, infinity)");
+        "locator: found triangles that do not lie side by side, expected a triangulation of the points");
   }
 
   /// Returns whether a triangle of circumradius ≤ alpha contains the query. Requires: triangle t contains the query.
@@ -210,6 +212,10 @@ class Locator::Impl {
   }
 
  private:
+  /// Steps after which a walk tries the sides of a triangle in random order. Among constrained triangles, a walk that
+  /// tries them in one order may go around for ever; in random order it ends.
+  static constexpr std::size_t patience = 1000;
+
   std::array<Point, 3> corners_of(std::uint32_t t) const {
     const auto& [a, b, c] = of_.triangles[t];
     return {points_[a], points_[b], points_[c]};

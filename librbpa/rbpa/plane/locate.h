@@ -1,8 +1,9 @@
-// What:   finds the triangle of a Delaunay triangulation that contains a point, and interpolates values between points.
+// What:   finds the triangle of a triangulation that contains a point, and interpolates values between points.
 // Law:    the triangle is found exactly, as a function of the point and the triangulation: of several triangles that
 //         share the side or corner on which the point lies, the one of lowest index is found.
 // How:    a walk from triangle to triangle toward the point, from the triangle of the query before, or from one near
-//         the grid cell of the point. The walk ends in every Delaunay triangulation.
+//         the grid cell of the point. The walk ends in every Delaunay triangulation, and in a constrained one because
+//         a long walk chooses its sides at random.
 // Cost:   constructing a Locator takes linear time and some 30 bytes for each point; a query takes a few steps of the
 //         walk where points are dense.
 // Source: Devillers, Pion, Teillaud, Walking in a triangulation (2002); R. Sibson, A vector identity for the Dirichlet
@@ -48,7 +49,8 @@ class RBPA_API Locator {
   /// Prepares queries in a triangulation. Keeps the spans: points and triangulation must outlive the object and stay
   /// unchanged.
   /// Requires: finite points and all triangles of their Delaunay triangulation, as alpha_complex() returns them for an
-  ///           infinite alpha with neighbors. Whether the triangles are Delaunay is not checked.
+  ///           infinite alpha with neighbors, or of their constrained one (constrained_delaunay.h), which has no
+  ///           natural neighbors. Whether the triangles are Delaunay is not checked.
   /// Throws:   InvalidInput when a point is not finite, or there are more than 357,913,941 points; ContractViolation as
   ///           require_linked(), or when there are triangles, but not as many as a triangulation of all points has;
   ///           Cancelled.
@@ -59,7 +61,7 @@ class RBPA_API Locator {
 
   /// Returns for each query the index of the triangle that contains it, sides and corners included, or
   /// TriangleArrays::none if the query is in no triangle or not finite.
-  /// Throws: Cancelled; ContractViolation when a walk shows that the triangulation is not Delaunay.
+  /// Throws: Cancelled; ContractViolation when a walk does not end, because triangles overlap.
   std::vector<std::uint32_t> find(std::span<const Point> queries, const LocateOptions& options = {}) const;
 
   /// Interpolates at each query. `values` is n × columns: a row for each of the n points, in the order of the points.

@@ -26,7 +26,7 @@ struct Placed : PersistencePair {
   double last;  // the last radius at which the hole exists
 };
 
-void sort(std::vector<Placed>& pairs, Steps& pulse) {
+void sort_pairs(std::vector<Placed>& pairs, Steps& pulse) {
   const auto key = [](const Placed& p) {
     return std::tuple(p.dimension, p.birth, !p.death, p.death.value_or(0.0), p.edge, p.triangle);
   };
@@ -183,7 +183,7 @@ std::vector<Representative> representatives_of(const Delaunay& delaunay, const F
   std::vector<Placed> pairs = placed_pairs(cells, pulse);
   if (levels) pairs = at_levels(pairs, *levels);
   drop_short(pairs, choice);
-  sort(pairs, pulse);
+  sort_pairs(pairs, pulse);
   pairs = chosen(pairs, choice);
   std::vector<Representative> result;
   result.reserve(pairs.size());

@@ -6,9 +6,9 @@
 
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/run/steps.h"
+#include "rbpa/plane/predicate/constructions.h"
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/plane/voronoi/cell_ridges.h"
-#include "rbpa/plane/voronoi/constructions.h"
 
 namespace rbpa {
 namespace {

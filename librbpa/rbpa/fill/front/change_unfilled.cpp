@@ -4,7 +4,7 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/fill/front/unfilled.h"
-#include "rbpa/fill/rings/plane_predicates.h"
+#include "rbpa/plane/predicate/plane_predicates.h"
 
 // Members of Unfilled that add and remove triangles.
 namespace rbpa {

@@ -6,7 +6,7 @@
 
 #include "meshops/stellar/flip.h"
 #include "rbpa/fill/front/shape_quality.h"
-#include "rbpa/fill/rings/plane_predicates.h"
+#include "rbpa/plane/predicate/plane_predicates.h"
 
 namespace rbpa {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rbpa/base/run/steps.h"
-#include "rbpa/fill/front/constrained_delaunay.h"
+#include "rbpa/fill/front/triangulate_outline.h"
 #include "rbpa/fill/rings/plane_distance.h"
 
 namespace rbpa {
@@ -125,7 +125,7 @@ double estimate_triangles(std::span<const OutlinePart> groups, const SizeField& 
     for (const OutlineRing& ring : outline.rings)
       for (std::size_t i = 0; i < ring.sites.size(); ++i)
         stretches.push_back({outline.places[ring.sites[i]], outline.places[ring.sites[(i + 1) % ring.sites.size()]]});
-    for (const auto& [a, b, c] : constrained_delaunay(outline, go_on))
+    for (const auto& [a, b, c] : triangulate(outline, go_on))
       areas.push_back({{outline.places[a], outline.places[b], outline.places[c]}});
     group_of_stretch.resize(stretches.size(), g);
     group_of_area.resize(areas.size(), g);

@@ -5,10 +5,10 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/run/steps.h"
-#include "rbpa/fill/front/constrained_delaunay.h"
 #include "rbpa/fill/front/outline.h"
+#include "rbpa/fill/front/triangulate_outline.h"
 #include "rbpa/fill/rings/plane_distance.h"
-#include "rbpa/fill/rings/plane_predicates.h"
+#include "rbpa/plane/predicate/plane_predicates.h"
 
 namespace rbpa {
 namespace {
@@ -42,7 +42,7 @@ Unfilled::Unfilled(const std::vector<Point>& places, std::span<const std::vector
           static_cast<Site>(std::lower_bound(sites.begin(), sites.end(), s) - sites.begin()));
     }
   }
-  for (const auto& [a, b, c] : constrained_delaunay(outline, go_on)) add(sites[a], sites[b], sites[c]);
+  for (const auto& [a, b, c] : triangulate(outline, go_on)) add(sites[a], sites[b], sites[c]);
   // Link each side to its partner, the side in the opposite direction. Sides without a partner stay in border_.
   border_.reserve(corner_.size());
   for (Side side = 0; side < corner_.size(); ++side) {

@@ -3,75 +3,49 @@
 #include <algorithm>
 #include <utility>
 
-#include "rbpa/fill/rings/plane_predicates.h"
-#include "rbpa/plane/grid/box.h"
+#include "rbpa/plane/grid/plane_box_tree.h"
+#include "rbpa/plane/predicate/plane_predicates.h"
 
 namespace rbpa {
 namespace {
 
-/// A tree of bounding boxes of points; node k has the children 2 k + 1 and 2 k + 2.
-class PointTree {
+/// Points that are prepared for searches.
+class PointsOfRings {
  public:
-  /// Builds the tree of the points with the indices `used`. Throws: Cancelled.
-  PointTree(std::span<const Point> points, std::vector<std::uint32_t> used, Steps& step)
-      : points_(points), used_(std::move(used)) {
-    if (!used_.empty()) build(0, 0, used_.size(), step);
-  }
+  /// Prepares the points with the indices `used`. Throws: Cancelled.
+  PointsOfRings(std::span<const Point> points, std::vector<std::uint32_t> used, Steps& step)
+      : points_(points), used_(std::move(used)), tree_(boxes(), step) {}
 
   /// Appends the indices of the points on the segment from `low` to `high`, its ends excluded, in lexicographic order
   /// of the points. Requires: low < high; `found` is empty.
   void find_between(const Point& low, const Point& high, std::vector<std::uint32_t>& found) const {
-    if (!used_.empty()) look(0, 0, used_.size(), low, high, found);
+    const auto [bottom, top] = std::minmax(low.y, high.y);
+    const auto may_meet = [&](const Box& box) {
+      if (box.high.x < low.x || box.low.x > high.x || box.high.y < bottom || box.low.y > top) return false;
+      // A box on one side of the line through the segment contains no point of the segment.
+      const int sides[] = {plane_orientation(low, high, box.low), plane_orientation(low, high, box.high),
+                           plane_orientation(low, high, {box.low.x, box.high.y}),
+                           plane_orientation(low, high, {box.high.x, box.low.y})};
+      return !std::all_of(std::begin(sides), std::end(sides), [](int side) { return side > 0; }) &&
+             !std::all_of(std::begin(sides), std::end(sides), [](int side) { return side < 0; });
+    };
+    tree_.visit(may_meet, [&](std::uint32_t i) {
+      if (const Point& p = points_[used_[i]]; low < p && p < high && plane_orientation(low, high, p) == 0)
+        found.push_back(used_[i]);
+    });
     std::sort(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) { return points_[a] < points_[b]; });
   }
 
  private:
-  static constexpr std::size_t leaf = 8;
-
-  void build(std::size_t node, std::size_t first, std::size_t last, Steps& step) {
-    step(last - first);
-    if (boxes_.size() <= node) boxes_.resize(node + 1);
-    Box box{points_[used_[first]], points_[used_[first]]};
-    for (std::size_t i = first; i < last; ++i) box = common_box(box, {points_[used_[i]], points_[used_[i]]});
-    boxes_[node] = box;
-    if (last - first <= leaf) return;
-    const bool by_x = box.high.x / 2 - box.low.x / 2 > box.high.y / 2 - box.low.y / 2;
-    const auto begin = used_.begin();
-    std::nth_element(begin + static_cast<std::ptrdiff_t>(first),
-                     begin + static_cast<std::ptrdiff_t>(first + (last - first) / 2),
-                     begin + static_cast<std::ptrdiff_t>(last), [&](std::uint32_t a, std::uint32_t b) {
-                       const Point &p = points_[a], &q = points_[b];
-                       return by_x ? p.x < q.x : p.y < q.y;
-                     });
-    build(2 * node + 1, first, first + (last - first) / 2, step);
-    build(2 * node + 2, first + (last - first) / 2, last, step);
-  }
-
-  void look(std::size_t node, std::size_t first, std::size_t last, const Point& low, const Point& high,
-            std::vector<std::uint32_t>& found) const {
-    const Box& box = boxes_[node];
-    const auto [bottom, top] = std::minmax(low.y, high.y);
-    if (box.high.x < low.x || box.low.x > high.x || box.high.y < bottom || box.low.y > top) return;
-    if (last - first <= leaf) {
-      for (std::size_t i = first; i < last; ++i)
-        if (const Point& p = points_[used_[i]]; low < p && p < high && plane_orientation(low, high, p) == 0)
-          found.push_back(used_[i]);
-      return;
-    }
-    // A box on one side of the line through the segment contains no point of the segment.
-    const int sides[] = {plane_orientation(low, high, box.low), plane_orientation(low, high, box.high),
-                         plane_orientation(low, high, {box.low.x, box.high.y}),
-                         plane_orientation(low, high, {box.high.x, box.low.y})};
-    if (std::all_of(std::begin(sides), std::end(sides), [](int side) { return side > 0; }) ||
-        std::all_of(std::begin(sides), std::end(sides), [](int side) { return side < 0; }))
-      return;
-    look(2 * node + 1, first, first + (last - first) / 2, low, high, found);
-    look(2 * node + 2, first + (last - first) / 2, last, low, high, found);
+  std::vector<Box> boxes() const {
+    std::vector<Box> boxes;
+    for (const std::uint32_t i : used_) boxes.push_back({points_[i], points_[i]});
+    return boxes;
   }
 
   std::span<const Point> points_;
   std::vector<std::uint32_t> used_;
-  std::vector<Box> boxes_;
+  PlaneBoxTree tree_;
 };
 
 }  // namespace
@@ -88,7 +62,7 @@ NodedRings node(std::span<const Point> points, std::span<const Ring> rings, Step
     first_at[i] = used[kept - 1];
   }
   used.resize(kept);
-  const PointTree tree(points, std::move(used), step);
+  const PointsOfRings tree(points, std::move(used), step);
 
   NodedRings noded;
   std::vector<std::uint32_t> between;

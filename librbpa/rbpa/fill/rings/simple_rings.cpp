@@ -9,7 +9,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
-#include "rbpa/fill/rings/plane_predicates.h"
+#include "rbpa/plane/predicate/plane_predicates.h"
 #include "rbpa/plane/shape/below.h"
 
 namespace rbpa {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "meshops/core/contract.h"
+#include "rbpa/plane/predicate/constructions.h"
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/plane/voronoi/cell_ridges.h"
-#include "rbpa/plane/voronoi/constructions.h"
 
 namespace rbpa {
 namespace {

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "rbpa/fill/rings/plane_distance.h"
-#include "rbpa/fill/rings/plane_predicates.h"
 #include "rbpa/fill/rings/simple_rings.h"
+#include "rbpa/plane/predicate/plane_predicates.h"
 #include "rbpa/plane/shape/measure.h"
 
 namespace rbpa {

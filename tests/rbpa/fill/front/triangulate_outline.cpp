@@ -1,5 +1,5 @@
 // fill() with an infinite size.
-#include "rbpa/fill/front/constrained_delaunay.h"
+#include "rbpa/fill/front/triangulate_outline.h"
 
 #include <doctest/doctest.h>
 
@@ -111,11 +111,11 @@ TEST_CASE("without a size rings may touch, and polygons in points where several 
 
 TEST_CASE("polygons that touch in points and share edges are triangulated") {
   // Two adjacent squares, and a triangle that touches both at their common corner, as rings, which
-  // constrained_delaunay() requires.
+  // triangulate() requires.
   rbpa::Outline outline;
   outline.places = {{0, 0}, {0, 1}, {0.5, 2}, {1, 0}, {1, 1}, {1.5, 2}, {2, 0}, {2, 1}};
   outline.rings = {{.sites = {0, 3, 4, 1}}, {.sites = {3, 6, 7, 4}}, {.sites = {2, 4, 5}}};
-  const auto triangles = rbpa::constrained_delaunay(outline, {});
+  const auto triangles = rbpa::triangulate(outline, {});
   CHECK(triangles.size() == 5);
   double area = 0;
   for (const auto& [a, b, c] : triangles) {

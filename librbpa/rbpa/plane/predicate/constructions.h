@@ -1,4 +1,4 @@
-// What: the points and the signs of a Voronoi diagram that is cut by lines, from the input points alone.
+// What: points where lines and bisectors meet, and the signs of a Voronoi diagram that is cut by lines.
 // Law:  signs are exact. A constructed coordinate is the real number rounded once, to nearest, ties to even; infinite
 //       beyond the range of double.
 // How:  double-double numbers with an error bound decide nearly always, and integers of any length otherwise.
@@ -19,6 +19,9 @@ struct Line {
 
 /// Returns the circumcenter. Requires: (a, b, c) turns left.
 Point circumcenter(const Point& a, const Point& b, const Point& c);
+
+/// Returns the point where two lines meet. Requires: they are not parallel.
+Point crossing(const Line& one, const Line& other);
 
 /// Returns the point where the line meets the bisector of p and q. Requires: they are not parallel.
 Point crossing_of_bisector(const Point& p, const Point& q, const Line& line);

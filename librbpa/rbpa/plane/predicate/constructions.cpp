@@ -1,4 +1,4 @@
-#include "rbpa/plane/voronoi/constructions.h"
+#include "rbpa/plane/predicate/constructions.h"
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
@@ -90,6 +90,13 @@ Quotient<typename Differences::Number> center_of(const Differences& of, const Po
 }
 
 template <typename Differences>
+Quotient<typename Differences::Number> crossing_of(const Differences& of, const Line& one, const Line& other) {
+  const Way along(of, one.from, one.to), across(of, other.from, other.to), between(of, one.from, other.from);
+  const auto share = between.cross(across);
+  return {one.from, along.x * share, along.y * share, along.cross(across)};
+}
+
+template <typename Differences>
 Quotient<typename Differences::Number> crossing_of(const Differences& of, const Point& p, const Point& q,
                                                    const Line& line) {
   using Number = typename Differences::Number;
@@ -159,6 +166,11 @@ int sign_of(std::initializer_list<Point> points, const Compute& compute) {
 
 Point circumcenter(const Point& a, const Point& b, const Point& c) {
   return rounded_point({a, b, c}, [&](const auto& of) { return center_of(of, a, b, c); });
+}
+
+Point crossing(const Line& one, const Line& other) {
+  return rounded_point({one.from, one.to, other.from, other.to},
+                       [&](const auto& of) { return crossing_of(of, one, other); });
 }
 
 Point crossing_of_bisector(const Point& p, const Point& q, const Line& line) {
