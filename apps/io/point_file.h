@@ -61,6 +61,12 @@ struct PointFacts {
   std::vector<std::string> warnings = {};
 };
 
+/// A line, or the ring of a polygon, as a range of points.
+struct PointLine {
+  std::size_t begin, end;
+  bool is_closed;
+};
+
 /// The points of a file in the plane, in memory.
 struct PointFile : PointFacts {
   std::vector<Point> points = {};  ///< in the order of the file, all finite
@@ -70,6 +76,8 @@ struct PointFile : PointFacts {
   bool degrees = false;  ///< x is a longitude and y a latitude, as a CRS or the names of columns say
   /// Third coordinates that are ignored, for a warning if they differ. Not set for LAS, whose users expect footprints.
   Heights heights = {};
+  /// The lines and rings whose vertices are points, in the order of the file. Unspecified if --where leaves points out.
+  std::vector<PointLine> lines = {};
 };
 
 }  // namespace rbpa::app

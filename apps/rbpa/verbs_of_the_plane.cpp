@@ -8,6 +8,22 @@
 #include "shared/verbs.h"
 
 namespace rbpa::app {
+namespace {
+
+CLI::Option* add_segment_options(CLI::App& verb, SegmentArguments& arguments) {
+  CLI::Option* const segments =
+      verb.add_option(
+              "--segments", arguments.segments,
+              "Make the sides of the lines and polygons of this file edges of triangles, such as breaklines of a "
+              "terrain: constrained Delaunay triangles. Vertices of lines are points too")
+          ->type_name("LINES");
+  add_switch(verb, "--split-crossings", arguments.split_crossings,
+             "Split sides where they cross, at the nearest doubles, instead of refusing them")
+      ->needs(segments);
+  return segments;
+}
+
+}  // namespace
 
 CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
   CLI::App& verb = *app.add_subcommand(
@@ -23,6 +39,9 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
           "the alpha complex that are in no triangle")
       ->type_name("NAME")
       ->capture_default_str();
+  add_switch(verb, "--inside", arguments.inside,
+             "Keep only triangles inside the lines by the even-odd rule; closed lines and polygons bound them")
+      ->needs(add_segment_options(verb, arguments));
   add_method_options(verb, arguments.method);
   verb.add_option("--search", arguments.method.search,
                   "Search near each edge, or as in the published paper (slow); the result is the same")
@@ -40,12 +59,14 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
       "  rbpa mesh cities.csv --columns lon,lat --alpha inf -o delaunay.off\n"
       "  rbpa mesh points.xy --alpha auto --components 2 -o mesh.ply\n"
       "  rbpa mesh lidar.las --where \"classification == 2\" --alpha inf -o tin.ply -o tin.geojson\n"
+      "  rbpa mesh ground.csv --alpha inf --segments breaklines.geojson -o tin.obj\n"
       "  rbpa mesh points.xy --alpha 0.3 --method hrbpa --levels levels.csv\n"
       "  rbpa mesh points.xy --alpha 0.3 --complex full -o mesh.obj -o arrays.npy\n"
       "  rbpa mesh trees.csv --columns x,y --group-by crown --alpha auto -o crowns.vtu\n"
       "  generate | rbpa mesh - --alpha 2 -o - --output-format obj > mesh.obj\n\n"
       "Vertices of a mesh file are the input points in input order: an index means the same in both. They keep z if "
-      "the input has it. In arrays.npy indices also count points that --where or --skip-invalid leaves out. The full "
+      "the input has it; vertices of --segments follow, and places where sides were split. In arrays.npy indices also "
+      "count points that --where or --skip-invalid leaves out. The full "
       "complex is in lines f, l and p of an .obj; arrays.npy has its triangles, and arrays.edges.npy and "
       "arrays.points.npy next to it the rest. For groups .vtu and .ply have the number of each triangle's group, from "
       "0 in the order in which rbpa shape --group-by lists them.\n" +
@@ -216,6 +237,7 @@ CLI::App* add_grid(CLI::App& app, GridArguments& arguments) {
   verb.add_option("--extent", arguments.extent,
                   "Cover this box with cells instead of that of the points, such as a tile without its margin")
       ->type_name("X0,Y0,X1,Y1");
+  add_segment_options(verb, arguments);
   add_output_options(verb, arguments, endings(Use::heights));
   add_width_option(verb, arguments.width);
   add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
@@ -223,7 +245,8 @@ CLI::App* add_grid(CLI::App& app, GridArguments& arguments) {
       "Examples:\n"
       "  rbpa grid tile.laz --where \"classification == 2\" --cell 1 -o dtm.asc\n"
       "  rbpa grid levels.csv --value depth --alpha 50 --cell 5 --method natural -o depth.npy\n"
-      "  rbpa grid tile.laz --where \"classification == 2\" --contours every:5 -o lines.geojson\n\n"
+      "  rbpa grid tile.laz --where \"classification == 2\" --contours every:5 -o lines.geojson\n"
+      "  rbpa grid ground.csv --segments breaklines.geojson --cell 1 -o dtm.asc\n\n"
       "A cell has the value at its center; a cell whose center is in no triangle has none: -9999 in .asc, NaN in .npy. "
       "Sides of the raster are at multiples of the size of a cell, so that rasters of tiles fit together; the top row "
       "is first. GeoJSON has a LineString for each line, with \"height\" and \"closed\"; WKT is one MULTILINESTRING Z. "

@@ -105,7 +105,7 @@ PointFile settled(PointFile file, const std::string& name, const PointSource& so
     shift_longitude(file.points, name);
     file.degrees = true;
   }
-  if (file.degrees) warning_on_degrees(file);
+  if (file.degrees && !source.beside_points) warning_on_degrees(file);
   warn_of_odd_points(file);
   if (!source.heights) file.z = {};  // readers of geometries always fill in z
   return file;

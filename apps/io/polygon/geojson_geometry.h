@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "io/point_file.h"
@@ -65,11 +66,30 @@ class GeoJsonGeometry {
 
   /// Returns the number of lists around the coordinates of a point; 0 if there is no point.
   int depth() const { return depth_; }
-  /// Removes the closing points of rings, and appends the polygons of the rings to `polygons` unless that is null.
+  /// Removes the closing points of rings, lists lines and rings in the file, and appends the polygons of the rings to
+  /// `polygons` unless that is null.
   /// Returns false, and changes nothing, if the depth of the brackets is not kind.depth.
   bool finish(const GeoJsonKind& kind, PointFile& file, PolygonFile* polygons) {
     if (depth_ != 0 && depth_ != kind.depth) return false;
-    if (!kind.rings) return true;
+    if (kind.points) return true;
+    if (kind.rings) remove_closing_points(file);
+    std::size_t begin = first_;
+    for (const std::size_t end : ends_) file.lines.push_back({std::exchange(begin, end), end, kind.rings});
+    if (polygons == nullptr || !kind.rings) return true;
+    std::size_t ring = 0, at = first_;
+    for (const std::size_t last : lists_) {
+      if (ring == last) continue;
+      polygons->polygons.emplace_back();
+      for (bool is_shell = true; ring < last; is_shell = false) {
+        polygons->add_ring(at, ends_[ring], is_shell);
+        at = ends_[ring++];
+      }
+    }
+    return true;
+  }
+
+ private:
+  void remove_closing_points(PointFile& file) {
     std::vector<Point>& points = file.points;
     std::size_t begin = first_, kept = first_;
     for (std::size_t& end : ends_) {
@@ -84,20 +104,8 @@ class GeoJsonGeometry {
     }
     points.resize(kept);
     file.z.resize(kept);
-    if (polygons == nullptr) return true;
-    std::size_t ring = 0, at = first_;
-    for (const std::size_t last : lists_) {
-      if (ring == last) continue;
-      polygons->polygons.emplace_back();
-      for (bool is_shell = true; ring < last; is_shell = false) {
-        polygons->add_ring(at, ends_[ring], is_shell);
-        at = ends_[ring++];
-      }
-    }
-    return true;
   }
 
- private:
   std::size_t first_;
   int open_ = 0;                 // number of open brackets
   int depth_ = 0;                // depth of the positions; 0: there is none yet

@@ -119,11 +119,13 @@ class OgrReader {
     int count = line.getNumPoints();
     const bool closes = count > 1 && line.getX(0) == line.getX(count - 1) && line.getY(0) == line.getY(count - 1);
     if (ring && closes) --count;
+    const std::size_t first = file_.points.size();
     for (int i = 0; i < count; ++i) {
       OGRPoint point;
       line.getPoint(i, &point);
       take(point);
     }
+    file_.lines.push_back({first, file_.points.size(), ring});
   }
 
   void take(const OGRGeometry& geometry) {

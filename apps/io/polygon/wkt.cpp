@@ -152,7 +152,14 @@ void WktGeometries::take_geometry(std::vector<Point>& points, int depth) {
 /// Reads nested brackets, `brackets` deep. The innermost are lines, or, if `rings`, rings, whose last point repeats the
 /// first.
 void WktGeometries::take_lists(std::vector<Point>& points, int brackets, bool rings) {
-  if (brackets == 1) return rings ? take_ring(points) : take_list(points);
+  if (brackets == 1) {
+    const std::size_t first = points.size();
+    if (rings)
+      take_ring(points);
+    else
+      take_list(points);
+    return lines_.push_back({first, points.size(), rings});
+  }
   if (take_empty()) return;
   if (brackets == 2 && polygons_ != nullptr) polygons_->polygons.emplace_back();
   expect_sign('(');
@@ -241,6 +248,7 @@ PointFile read_all(WktGeometries& geometries, std::string_view text, const std::
   if (!geometries.crs_warning().empty()) file.warnings.push_back(geometries.crs_warning());
   file.heights = geometries.heights();
   file.z = geometries.z();
+  file.lines = geometries.lines();
   return file;
 }
 

@@ -42,6 +42,9 @@ class WktGeometries {
   /// Returns the height of each point that next() has appended; NaN for a point without height.
   const std::vector<double>& z() const { return z_; }
 
+  /// Returns the lines and rings of the points that next() has appended.
+  const std::vector<PointLine>& lines() const { return lines_; }
+
   /// Returns the coordinate system that an SRID names; nothing if there is none.
   const std::optional<Crs>& crs() const { return crs_; }
   /// Returns the warning about an SRID that names no horizontal system; empty if there is none.
@@ -69,6 +72,7 @@ class WktGeometries {
   bool measured_ = false;  // the third coordinate of the current geometry is a measure
   Heights heights_ = {};
   std::vector<double> z_ = {};
+  std::vector<PointLine> lines_ = {};
 };
 
 /// Reads the points of POINT and MULTIPOINT, and with `vertices` those of all geometries. Throws BadInput that names

@@ -12,6 +12,7 @@
 #include "io/number.h"
 #include "io/polygon/height_files.h"
 #include "picture/picture.h"
+#include "plane/segments.h"
 #include "plane/triangle_outputs.h"
 #include "rbpa/base/error.h"
 #include "shared/arguments.h"
@@ -36,6 +37,7 @@ struct GridRequest {
   InterpolateOptions how = {};
   int width = 0;
   std::vector<Target> rasters = {}, lines = {};
+  std::optional<SegmentSource> segments = std::nullopt;
   RunOptions run = {};
 };
 
@@ -74,6 +76,12 @@ GridRequest parse(const GridArguments& arguments) {
   };
   require(request.rasters, arguments.cell.has_value(), "--cell", is_raster);
   require(request.lines, arguments.contours.has_value(), "--contours", is_of_lines);
+  request.segments = parse_segments(arguments, arguments.points, targets, arguments);
+  if (request.segments)
+    refuse_given({{arguments.value != "z", "--value"},
+                  {arguments.method == "natural", "--method natural"},
+                  {arguments.contours.has_value() && arguments.alpha != "inf", "--contours with --alpha"}},
+                 "cannot be combined with --segments");
   if (arguments.extent && !arguments.cell) throw WrongUsage("--extent requires --cell");
   return request;
 }
@@ -115,7 +123,7 @@ struct GridRun {
   Run& run;
   const PointFile& file;
   const std::vector<double>& values;
-  const AlphaComplex& delaunay;
+  TriangleArrays triangles;  ///< all, with neighbors
   double alpha;
 
   /// Writes all rasters at once, block by block, and returns "20 x 30 cells, 550 with a value".
@@ -129,7 +137,7 @@ struct GridRun {
       least = {extent->least[0], extent->least[1]}, greatest = {extent->greatest[0], extent->greatest[1]};
     const Raster raster = raster_around(least, greatest, *request.cell);
     const double lowest = any ? *std::min_element(values.begin(), values.end()) : 0;
-    const Locator locator(file.points, delaunay, {request.run.threads, until_interrupted()});
+    const Locator locator(file.points, triangles, {request.run.threads, until_interrupted()});
     std::vector<OutputFile*> files;
     std::vector<RasterWriter> writers;
     for (const Target& target : request.rasters)
@@ -154,7 +162,7 @@ struct GridRun {
     AlphaComplex part;
     if (!std::isinf(alpha))
       part = build(file.points, alpha, {}, ComplexKind::solid, Links::neighbors, request.run).complex;
-    const std::vector<Contour> lines = contours(file.points, std::isinf(alpha) ? delaunay : part, values, levels,
+    const std::vector<Contour> lines = contours(file.points, std::isinf(alpha) ? triangles : part, values, levels,
                                                 {request.run.threads, until_interrupted()});
     std::vector<Point> corners;
     std::vector<Edge> edges;
@@ -175,17 +183,28 @@ void run_grid(const GridArguments& arguments) {
   Run run(arguments.points, arguments.outputs, request.run);
   Stats stats{.threads = run.options().threads_or_all()};
   PointFile file = run.read_points(request.source);
-  const std::vector<double> values = values_of(arguments.value, file, run.input());
-  stats.points = file.points.size();
+  std::vector<double> values = values_of(arguments.value, file, run.input());
   stats.read_seconds = run.lap();
   stats.alpha = choose_alpha(request.alpha, file.points, run.options());
   stats.alpha_rule = name_of(request.alpha);
-  const Delaunay delaunay = build_delaunay(file.points, run.options());
-  stats.distinct = delaunay.triangulation().distinct;
+  std::optional<Delaunay> delaunay;
+  ConstrainedDelaunay constrained;
+  std::string made;
+  if (request.segments) {
+    file.z = std::move(values);
+    constrained = triangulate_with_segments(run, *request.segments, file);
+    values = std::move(file.z);
+    stats.distinct = file.points.size() - constrained.duplicates.size();
+    made = text_of_segments(constrained);
+  } else {
+    delaunay.emplace(build_delaunay(file.points, run.options()));
+    stats.distinct = delaunay->triangulation().distinct;
+  }
+  stats.points = file.points.size();
   stats.build_seconds = run.lap();
   const double alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
-  const GridRun made_of{request, run, file, values, delaunay.triangulation(), alpha};
-  std::string made;
+  const TriangleArrays triangles = delaunay ? TriangleArrays(delaunay->triangulation()) : TriangleArrays(constrained);
+  const GridRun made_of{request, run, file, values, triangles, alpha};
   try {
     const ProgressLine line = run.writing();
     if (!request.rasters.empty()) made += ", " + made_of.add_rasters();

@@ -18,6 +18,7 @@ namespace {
 void require_of_groups(const MeshArguments& arguments, const ComplexRequest& request,
                        const std::vector<Target>& targets) {
   refuse_given({{arguments.levels.has_value(), "--levels"},
+                {arguments.segments.has_value(), "--segments"},
                 {arguments.complex != "solid", "--complex full"},
                 {request.method.leaf_capacity.has_value(), "--method hrbpa"},
                 {request.method.by_paper, "--search paper"}},

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,7 +11,9 @@
 #include "io/mesh/write_triangles.h"
 #include "picture/picture.h"
 #include "plane/level_report.h"
+#include "plane/segments.h"
 #include "plane/triangle_outputs.h"
+#include "rbpa/plane/link_triangles.h"
 #include "shared/arguments.h"
 #include "shared/complex_run.h"
 #include "shared/verbs.h"
@@ -26,6 +31,40 @@ ComplexKind parse_complex(const MeshArguments& arguments, const Method& method) 
   if (method.leaf_capacity) throw WrongUsage("--complex full requires --method rbpa");
   if (method.by_paper) throw WrongUsage("--complex full requires --search near");
   return ComplexKind::full;
+}
+
+/// Throws WrongUsage for options that cannot be combined with --segments.
+void check_segments(const MeshArguments& arguments, const ComplexRequest& request, ComplexKind kind) {
+  refuse_given({{request.method.leaf_capacity.has_value(), "--method hrbpa"},
+                {request.method.by_paper, "--search paper"},
+                {kind == ComplexKind::full, "--complex full"},
+                {arguments.fields.has_value(), "--fields"}},
+               "cannot be combined with --segments");
+  if (request.alpha.rule != AlphaRule::given || !std::isinf(request.alpha.radius))
+    throw WrongUsage("--segments requires --alpha inf");
+}
+
+/// Returns the triangles as a complex: with `inside`, only those at an odd depth.
+AlphaComplex complex_of(const ConstrainedDelaunay& made, bool inside) {
+  AlphaComplex complex;
+  complex.triangles = made.triangles;
+  complex.neighbors = made.neighbors;
+  complex.duplicates = made.duplicates;
+  complex.distinct = made.points.size() - made.duplicates.size();
+  if (inside) {
+    const SegmentRegions found = regions(made, until_interrupted());
+    complex.triangles.clear();
+    for (std::size_t t = 0; t < made.triangles.size(); ++t)
+      if (found.depth[found.region[t]] % 2 != 0) complex.triangles.push_back(made.triangles[t]);
+    complex.neighbors = link_triangles(complex.triangles, made.points.size(), until_interrupted());
+  }
+  std::vector<bool> is_used(made.points.size(), false);
+  for (const Triangle& triangle : complex.triangles)
+    for (const std::uint32_t corner : triangle) is_used[corner] = true;
+  for (const Duplicate& duplicate : made.duplicates) is_used[duplicate.index] = true;
+  for (std::uint32_t i = 0; i < is_used.size(); ++i)
+    if (!is_used[i]) complex.isolated.push_back(i);
+  return complex;
 }
 
 std::string counts_text(const AlphaComplex& made, ComplexKind kind) {
@@ -75,12 +114,23 @@ void run_mesh(const MeshArguments& arguments) {
   const std::vector<Target> targets =
       parse_targets(Use::triangles, arguments, arguments.points, given({arguments.stats, arguments.levels}), kind);
   const bool any_picture = any_of(targets, is_picture);
+  const std::optional<SegmentSource> segments = parse_segments(arguments, arguments.points, targets, arguments);
+  if (segments) check_segments(arguments, request, kind);
 
   request.source.heights = any_has_vertices(targets);
-  request.source.keeps = parse_fields_of(arguments.fields, targets);
+  if (!segments) request.source.keeps = parse_fields_of(arguments.fields, targets);
   ComplexRun run(request, arguments);
   const Links links = any_picture ? Links::neighbors : arguments.stats ? Links::boundary : Links::none;
-  const Built built = build(run.points(), run.alpha, request.method, kind, links, run.options(), levels.has_value());
+  std::string more;
+  Built built;
+  if (segments) {
+    const ConstrainedDelaunay constrained = triangulate_with_segments(run, *segments, run.file);
+    built.complex = complex_of(constrained, arguments.inside);
+    more = text_of_segments(constrained);
+    run.stats.points = run.points().size();
+  } else {
+    built = build(run.points(), run.alpha, request.method, kind, links, run.options(), levels.has_value());
+  }
   const AlphaComplex& made = built.complex;
   run.stats.build_seconds = run.lap();
 
@@ -103,7 +153,7 @@ void run_mesh(const MeshArguments& arguments) {
     const std::string what = kind == ComplexKind::full ? "there is no triangle: " : "the complex is empty: ";
     say("rbpa", what + run.why_empty(made.distinct));
   }
-  run.summarize(made.duplicates.size(), counts_text(made, kind), list_of(targets));
+  run.summarize(made.duplicates.size(), counts_text(made, kind) + more, list_of(targets));
 }
 
 }  // namespace rbpa::app

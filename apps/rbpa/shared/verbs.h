@@ -17,11 +17,17 @@ class App;
 
 namespace rbpa::app {
 
+/// The options about segments that become edges, as text.
+struct SegmentArguments {
+  std::optional<std::string> segments;  ///< path of a file with lines
+  bool split_crossings = false;
+};
+
 /// The arguments of `rbpa mesh`, which makes files of triangles and pictures from a file of points.
-struct MeshArguments : ComplexArguments {
+struct MeshArguments : ComplexArguments, SegmentArguments {
   std::string complex = "solid";
   std::optional<std::string> levels, fields;
-  bool compact = false;
+  bool compact = false, inside = false;
 };
 void run_mesh(const MeshArguments& arguments);
 /// Runs `rbpa mesh` for each group of the points. Requires: arguments.has_groups().
@@ -46,7 +52,7 @@ struct DiscsArguments : PointArguments, OutputArguments {
 void run_discs(const DiscsArguments& arguments);
 
 /// The arguments of `rbpa grid`, which interpolates heights: rasters and contour lines.
-struct GridArguments : PointArguments, OutputArguments {
+struct GridArguments : PointArguments, OutputArguments, SegmentArguments {
   std::optional<std::string> cell, contours, extent;
   std::string method = "linear", alpha = "inf", value = "z", width = "1200";
   RunArguments run;
