@@ -9,6 +9,7 @@
 #include "meshops/core/contract.h"
 #include "python/module.h"
 #include "rbpa/base/error.h"
+#include "rbpa/plane/constrained_delaunay.h"
 
 namespace rbpa::python {
 namespace {
@@ -25,6 +26,35 @@ py::dict triangulate(const Doubles& points, double alpha, unsigned threads, cons
   result["boundary"] = rows<std::int32_t>(std::move(made.boundary));
   result["isolated"] = line<std::int32_t>(std::move(made.isolated));
   result["duplicates"] = rows<std::int32_t>(std::move(made.duplicates));
+  return result;
+}
+
+/// Returns the members of rbpa.ConstrainedDelaunay.
+py::dict constrain(const Doubles& points, const Indices& segments, bool split_crossings, unsigned threads,
+                   const py::object& progress) {
+  const auto input = points_of(points);
+  require_rows(segments, "segments", 2);
+  std::vector<Segment> ends;
+  for (py::ssize_t i = 0; i < segments.shape(0); ++i)
+    ends.push_back({static_cast<std::uint32_t>(segments.at(i, 0)), static_cast<std::uint32_t>(segments.at(i, 1))});
+  SegmentRegions found;
+  ConstrainedDelaunay made = watched(input.size(), progress, [&](Watch& watch) {
+    ConstrainedDelaunay result = constrained_delaunay(
+        input, ends, {.split_crossings = split_crossings, .threads = threads, .progress = watch.progress()});
+    found = regions(result, watch.until_stopped());
+    return result;
+  });
+  py::dict result;
+  result["points"] = rows<double>(std::move(made.points));
+  result["crossed"] = rows<std::int32_t>(std::move(made.crossed));
+  result["simplices"] = rows<std::int32_t>(std::move(made.triangles));
+  result["neighbors"] = rows<std::int32_t>(std::move(made.neighbors));
+  result["constrained"] = line<std::uint8_t>(std::move(made.constrained));
+  result["segments"] = rows<std::int32_t>(std::move(made.edges));
+  result["convex_hull"] = rows<std::int32_t>(std::move(made.boundary));
+  result["duplicates"] = rows<std::int32_t>(std::move(made.duplicates));
+  result["region"] = line<std::int32_t>(std::move(found.region));
+  result["depth"] = line<std::int32_t>(std::move(found.depth));
   return result;
 }
 
@@ -104,6 +134,8 @@ std::uint64_t fingerprint(const Doubles& points) {
 void bind_triangulation(py::module_& module) {
   using py::arg;
   module.def("triangulate", &triangulate, as_is("points"), arg("alpha"), arg("threads"), arg("progress"));
+  module.def("constrain", &constrain, as_is("points"), as_is("segments"), arg("split_crossings"), arg("threads"),
+             arg("progress"));
   module.def("vertex_neighbors", &vertex_neighbors, as_is("simplices"), arg("points"));
   module.def("fingerprint", &fingerprint, as_is("points"));
 }

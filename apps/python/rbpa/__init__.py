@@ -17,7 +17,7 @@ Contents:
     concave_hull(points, alpha="auto")   the outline, holes filled                              -> Polygons
     alpha_shapes(points, groups), concave_hulls(points, groups)   for many groups of points     -> AlphaShapes
     filtration(points)                   components, holes, area at every radius; plateaus      -> Filtration
-    Delaunay(points)                     replaces scipy.spatial.Delaunay, in the plane and in space
+    Delaunay(points, segments=None)      replaces scipy.spatial.Delaunay, in the plane and in space; keeps segments
     Voronoi(points)                      replaces scipy.spatial.Voronoi in the plane; cells as polygons
     surface(points, normals, radius)     ball pivoting in space: triangles, holes, their causes -> Surface
     surface_of(points, triangles)        given triangles: fill holes, close, measure            -> Surface
@@ -57,7 +57,7 @@ from rbpa._alpha_shape import AlphaShape, alpha_shape, concave_hull
 from rbpa._balls import BallContacts, BallInterfaces, BallMouth, Balls, BallVoid, PoreSizes, balls
 from rbpa._core import Cancelled, ContractViolation, InvalidInput
 from rbpa._core import version as __version__
-from rbpa._delaunay import Delaunay, DelaunayInSpace
+from rbpa._delaunay import ConstrainedDelaunay, Delaunay, DelaunayInSpace
 from rbpa._discs import DiscCurve, Discs, discs
 from rbpa._filtration import Filtration, Plateau, Representative, filtration
 from rbpa._groups import AlphaShapes, alpha_shapes, concave_hulls
@@ -74,7 +74,7 @@ from rbpa._void_tracks import VoidEvent, VoidTracks, follow_voids
 from rbpa._voronoi import Voronoi, VoronoiCells
 
 __all__ = [
-    "AlphaShape", "AlphaShapes", "Contour", "Delaunay", "DelaunayInSpace", "Filtration", "Plateau", "Polygon", "Polygons", "Raster", "Representative",
+    "AlphaShape", "AlphaShapes", "ConstrainedDelaunay", "Contour", "Delaunay", "DelaunayInSpace", "Filtration", "Plateau", "Polygon", "Polygons", "Raster", "Representative",
     "Voronoi", "VoronoiCells",
     "BallContacts", "BallFiltration", "BallInterfaces", "BallMouth", "Balls", "BallUnion", "BallVoid", "DanglingFaces", "DiscCurve", "Discs", "FullComplex", "PeriodicPart", "PeriodicSolid", "PoreSizes", "Solid", "SolidVoid",
     "SolidFiltration", "SolidPlateau", "SolidRepresentative", "VoidEvent", "VoidTracks", "VoidTree",

@@ -25,6 +25,11 @@ class Delaunay(OfPoints, Simplices):
     ----------
     points, threads, progress
         As for `alpha_shape`; points of shape (n, 3) give a `DelaunayInSpace`.
+    segments : array_like of shape (s, 2), optional
+        The ends of segments that become edges, as indices of points, such as breaklines; gives a
+        `ConstrainedDelaunay`.
+    split_crossings : bool
+        Whether segments that cross are split, at the nearest doubles, instead of refused.
 
     Attributes
     ----------
@@ -61,12 +66,24 @@ class Delaunay(OfPoints, Simplices):
     _index: Any  # pandas index of the points, by which values are aligned
 
     def __new__(cls, points: npt.ArrayLike = (), **options: Any) -> Delaunay:
+        if cls is Delaunay and options.get("segments") is not None:
+            return super().__new__(ConstrainedDelaunay)
         if cls is Delaunay and _are_in_space(points):
             return super().__new__(DelaunayInSpace)
         return super().__new__(cls)
 
-    def __init__(self, points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> None:
+    def __init__(
+        self,
+        points: npt.ArrayLike,
+        *,
+        segments: None = None,
+        split_crossings: bool = False,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> None:
         array = as_points(points)
+        if split_crossings:
+            raise _core.InvalidInput("split_crossings: found True without segments, expected segments")
         made = _core.triangulate(array, math.inf, as_threads(threads), progress)
         made["convex_hull"], made["_index"] = made.pop("boundary"), index_of(points)
         del made["isolated"]  # not an attribute of SciPy's class
@@ -305,6 +322,88 @@ class Delaunay(OfPoints, Simplices):
 
     def __repr__(self) -> str:
         return f"<rbpa.Delaunay of {self.npoints} points: {self.nsimplex} triangles, {len(self.duplicates)} duplicates>"
+
+
+class ConstrainedDelaunay(Delaunay):
+    """The constrained Delaunay triangulation of points and segments in the plane, which `Delaunay` returns for segments.
+    Every segment is an edge, or a chain of edges where it passes points. The triangulation is unique: it does not depend
+    on the order of points and segments. It has the members of `Delaunay`; interpolation is linear in each triangle, on
+    the side of a breakline where the place is. Members that differ:
+
+    Attributes
+    ----------
+    points : float64 array of shape (n + a, 2)
+        The given points; then, in lexicographic order, places where segments that cross were split.
+    crossed : int32 array of shape (a, 2)
+        For each such place two of the segments that cross there.
+    segments : int32 array of shape (k, 2)
+        The edges on segments, the smaller index first.
+    constrained : bool array of shape (m, 3)
+        Whether the side opposite to each corner is on a segment.
+    region : int32 array of shape (m,)
+        The region of each triangle; segments bound regions.
+    depth : int32 array of shape (r,)
+        For each region the least number of edges on segments that a way from outside passes: odd is inside of closed
+        curves, by the even-odd rule.
+
+    Raises
+    ------
+    InvalidInput
+        A segment that names no point, has no length, or crosses another unless `split_crossings`.
+
+    Examples
+    --------
+    >>> tri = rbpa.Delaunay([[0, 0], [4, 0], [4, 3], [0, 3]], segments=[[0, 2], [1, 3]], split_crossings=True)
+    >>> tri.points[4:]
+    array([[2. , 1.5]])
+    >>> tri.segments
+    array([[0, 4],
+           [1, 4],
+           [2, 4],
+           [3, 4]], dtype=int32)
+    """
+
+    crossed: Indices
+    segments: Indices
+    constrained: npt.NDArray[np.bool_]
+    region: Indices
+    depth: Indices
+
+    def __init__(
+        self,
+        points: npt.ArrayLike,
+        *,
+        segments: npt.ArrayLike,
+        split_crossings: bool = False,
+        threads: Optional[int] = None,
+        progress: Progress = None,
+    ) -> None:
+        ends = as_array(segments, "segments")
+        if ends.size == 0:
+            ends = np.empty((0, 2), np.int32)
+        if ends.dtype.kind not in "iu" or ends.ndim != 2 or ends.shape[1] != 2:
+            raise _core.InvalidInput(
+                f"segments: found an array of {ends.dtype} of shape {ends.shape}, expected integers of shape (s, 2)"
+            )
+        array = as_points(points)
+        outside = np.flatnonzero(((ends < 0) | (ends >= len(array))).any(axis=1))
+        if len(outside):
+            raise _core.InvalidInput(
+                f"segments: found row {outside[0]}, {ends[outside[0]].tolist()}, expected indices of {len(array)} points"
+            )
+        made = _core.constrain(array, np.ascontiguousarray(ends, np.int32), bool(split_crossings), as_threads(threads), progress)
+        made["constrained"] = (made["constrained"][:, None] >> np.arange(3) & 1).astype(bool)
+        made["_index"] = index_of(points) if not len(made["crossed"]) else None
+        OfPoints.__init__(self, made)
+
+    def _interpolate(self, rows: Floats, at: Floats, method: str) -> Floats:
+        if method == "natural":
+            raise _core.InvalidInput('method: found "natural", expected "linear", as segments bound neighbors')
+        return super()._interpolate(rows, at, method)
+
+    def __repr__(self) -> str:
+        text = super().__repr__().replace("Delaunay", "ConstrainedDelaunay")
+        return f"{text[:-1]}, {len(self.segments)} edges on segments>"
 
 
 class DelaunayInSpace(Delaunay):
