@@ -112,15 +112,7 @@ void run_discs(const DiscsArguments& arguments) {
   }
   const std::vector<PointColumn> columns = {column_of("radius", radii), column_of("area", measures.areas),
                                             column_of("length", measures.lengths)};
-  std::vector<Point> points = std::move(file.points);
-  for (Polygon& polygon : made.polygons) {
-    const auto move = [&](Ring& ring) {
-      for (std::uint32_t& corner : ring.points) corner += static_cast<std::uint32_t>(radii.size());
-    };
-    move(polygon.shell);
-    std::for_each(polygon.holes.begin(), polygon.holes.end(), move);
-  }
-  points.insert(points.end(), made.points.begin(), made.points.end());
+  const std::vector<Point> points = with_corners(std::move(file.points), made.points, made.polygons);
   const Shape shape{points, made.polygons, polygon_of, file.crs, file.degrees, file.index, columns};
   {
     const ProgressLine line = run.writing();

@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
   AlphaArguments alpha;
   ReportArguments report_page;
   DiscsArguments discs;
+  VoronoiArguments voronoi;
   GridArguments grid;
   FillArguments fill;
   SurfaceArguments surface;
@@ -68,6 +69,7 @@ int main(int argc, char** argv) {
                                    {add_alpha(app, alpha), [&] { run_alpha(alpha); }},
                                    {add_shape(app, shape), [&] { run_shape(shape); }},
                                    {add_discs(app, discs), [&] { run_discs(discs); }},
+                                   {add_voronoi(app, voronoi), [&] { run_voronoi(voronoi); }},
                                    {add_grid(app, grid), [&] { run_grid(grid); }},
                                    {add_fill(app, fill), [&] { run_fill(fill); }},
                                    {add_surface(app, surface), [&] { run_surface(surface); }},

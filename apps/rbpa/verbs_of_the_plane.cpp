@@ -215,6 +215,37 @@ CLI::App* add_discs(CLI::App& app, DiscsArguments& arguments) {
   return &verb;
 }
 
+CLI::App* add_voronoi(CLI::App& app, VoronoiArguments& arguments) {
+  CLI::App& verb = *app.add_subcommand("voronoi", "Make the Voronoi cells of points as polygons that tile a boundary");
+  add_point_options(verb, arguments);
+  verb.add_option("--clip", arguments.clip,
+                  "Cut the cells at a box around the points, at their convex hull, at their alpha shape, or at the "
+                  "polygons of a file")
+      ->type_name("box|hull|shape|POLYGON")
+      ->capture_default_str();
+  verb.add_option("--alpha", arguments.alpha, "With --clip shape, as rbpa shape takes it (default plateau)")
+      ->type_name("R|plateau[:K]|auto|min|inf");
+  add_output_options(verb, arguments, endings(Use::shape));
+  add_fields_option(verb, arguments.fields, "on the cells of .geojson and .gpkg, and in .csv");
+  add_width_option(verb, arguments.width);
+  add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
+  verb.footer(
+      "Examples:\n"
+      "  rbpa voronoi stations.csv --columns x,y -o cells.geojson -o cells.png\n"
+      "  rbpa voronoi trees.csv --clip shape --alpha 20 -o crowns.geojson\n"
+      "  rbpa voronoi schools.geojson --clip district.geojson -o catchments.gpkg\n\n"
+      "Cells tile the boundary: neighbors have the same corners, areas add up, and every polygon is valid under OGC "
+      "Simple "
+      "Features, after rounding too. GeoJSON has a Feature for each polygon, with \"point\", the input index of its "
+      "point from 0, and the fields of the point; a cell has several polygons where the boundary is not convex. The "
+      "cell "
+      "of equal points has the index of the first. CSV has a line for each point, with the number of its first "
+      "polygon, "
+      "and none for a point whose cell is outside of the boundary.\n" +
+      std::string(exit_codes));
+  return &verb;
+}
+
 CLI::App* add_grid(CLI::App& app, GridArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("grid", "Interpolate heights of points: a raster of cells, and contour lines");
   add_point_options(verb, arguments);

@@ -185,6 +185,7 @@ TEST_CASE("a program ends within 0.3 seconds of processor time after a signal at
   rbpa({"surface", folder.path("sphere.xyz"), "--radius", "auto", "-o", folder.path("s.png"), "--width", width});
   rbpa({"mesh", folder.path("sphere.xyz"), "--alpha", "inf", "-o", folder.path("p.png"), "--width", width});
   rbpa({"discs", folder.path("sphere.xyz"), "--radius", "0.02", "--corners", "1000", "-o", folder.path("d.wkt")});
+  rbpa({"voronoi", folder.path("sphere.xyz"), "-o", folder.path("v.wkt")});
   rbpa({"grid", folder.path("sphere.xyz"), "--cell", "0.001", "-o", folder.path("g.asc")});
   rbpa({"grid", folder.path("sphere.xyz"), "--contours", "every:0.002", "-o", folder.path("g.wkt")});
   const std::string long_text(40'000'000, 'a'), triangle = "0,0\n1,0\n0,1\n";

@@ -29,6 +29,20 @@ void require_srid(const std::vector<Target>& targets, const std::optional<Crs>& 
             "one with an EPSG code, which EWKT contains (--crs EPSG:28992, or the ending wkt)");
 }
 
+std::vector<Point> with_corners(std::vector<Point> points, std::span<const Point> corners,
+                                std::vector<Polygon>& polygons) {
+  const auto first = static_cast<std::uint32_t>(points.size());
+  const auto move = [&](Ring& ring) {
+    for (std::uint32_t& corner : ring.points) corner += first;
+  };
+  for (Polygon& polygon : polygons) {
+    move(polygon.shell);
+    std::for_each(polygon.holes.begin(), polygon.holes.end(), move);
+  }
+  points.insert(points.end(), corners.begin(), corners.end());
+  return points;
+}
+
 void add_shapes(Run& run, const std::vector<Target>& targets, const Shape& shape,
                 std::span<const std::uint32_t> isolated, int width) {
   std::optional<Drawing> drawing;

@@ -20,6 +20,10 @@ std::string srid_of(const Shape& shape);
 /// Throws WrongUsage if a target is EWKT and the points have no EPSG code, by which EWKT names the coordinate system.
 void require_srid(const std::vector<Target>& targets, const std::optional<Crs>& crs);
 
+/// Returns Shape::points: the points, then the corners of the polygons, whose rings become indices into the result.
+std::vector<Point> with_corners(std::vector<Point> points, std::span<const Point> corners,
+                                std::vector<Polygon>& polygons);
+
 /// Adds a file for each target. Pictures also show the isolated points. Throws Cancelled; as Run::add() and add_ogr().
 void add_shapes(Run& run, const std::vector<Target>& targets, const Shape& shape,
                 std::span<const std::uint32_t> isolated, int width);

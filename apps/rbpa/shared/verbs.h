@@ -51,6 +51,14 @@ struct DiscsArguments : PointArguments, OutputArguments {
 };
 void run_discs(const DiscsArguments& arguments);
 
+/// The arguments of `rbpa voronoi`, which makes the cells of points as polygons.
+struct VoronoiArguments : PointArguments, OutputArguments {
+  std::string clip = "box", width = "1200";
+  std::optional<std::string> alpha, fields;
+  RunArguments run;
+};
+void run_voronoi(const VoronoiArguments& arguments);
+
 /// The arguments of `rbpa grid`, which interpolates heights: rasters and contour lines.
 struct GridArguments : PointArguments, OutputArguments, SegmentArguments {
   std::optional<std::string> cell, contours, extent;
@@ -193,6 +201,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments);
 CLI::App* add_alpha(CLI::App& app, AlphaArguments& arguments);
 CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments);
 CLI::App* add_discs(CLI::App& app, DiscsArguments& arguments);
+CLI::App* add_voronoi(CLI::App& app, VoronoiArguments& arguments);
 CLI::App* add_grid(CLI::App& app, GridArguments& arguments);
 CLI::App* add_fill(CLI::App& app, FillArguments& arguments);
 CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments);
