@@ -31,6 +31,7 @@ class Steps {
  public:
   /// Keeps a reference to the function, which must outlive the counter. An empty function is never called.
   explicit Steps(const GoOn& go_on) : go_on_(go_on) {}
+  explicit Steps(GoOn&&) = delete;  // it would not outlive the statement
 
   /// Counts `steps` more steps, and calls the function at most once. Throws Cancelled when the function returns false,
   /// and whatever the function throws.

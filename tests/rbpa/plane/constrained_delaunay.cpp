@@ -14,6 +14,7 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/plane/predicate/predicates.h"
+#include "support/arguments.h"
 #include "support/random.h"
 
 TEST_SUITE_BEGIN("plane");
@@ -188,9 +189,11 @@ std::string refusal(const Case& of) {
 
 TEST_CASE("segments on small grids, which touch, overlap and repeat, become edges of the only such triangulation") {
   rbpa_test::Random random(1);
-  std::size_t refused = 0, made = 0;
-  for (int i = 0; i < 20'000; ++i) {
-    const Case of = random_case(random, random.integer(1, 7), random.integer(1, 14), random.integer(0, 6));
+  const int trials = rbpa_test::all_trials() ? 100'000 : 10'000;
+  int refused = 0, made = 0;
+  for (int i = 0; i < trials; ++i) {
+    const double unit = i % 10 != 0 ? 1 : i % 20 == 0 ? 0x1p330 : 0x1p-340;
+    const Case of = random_case(random, random.integer(1, 7), random.integer(1, 14), random.integer(0, 6), unit);
     INFO("number ", i);
     const bool is_refused = !refusal(of).empty();
     REQUIRE(is_refused == any_cross(of.points, of.segments));
@@ -205,14 +208,14 @@ TEST_CASE("segments on small grids, which touch, overlap and repeat, become edge
     check_triangulation(found);
     check_edges(found, of.segments);
   }
-  CHECK(refused > 2'000);
-  CHECK(made > 10'000);
+  CHECK(refused > trials / 10);
+  CHECK(made > trials / 2);
 }
 
 TEST_CASE("crossings are split at the nearest doubles, and the parts are edges that do not cross") {
   rbpa_test::Random random(2);
   std::size_t added = 0, again = 0;
-  for (int i = 0; i < 4'000; ++i) {
+  for (int i = 0; i < (rbpa_test::all_trials() ? 40'000 : 4'000); ++i) {
     // With a unit of 2⁻⁵² at 1 nearly every crossing is rounded far from its segments.
     const bool is_fine = i % 4 == 0;
     Case of =
