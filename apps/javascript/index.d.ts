@@ -86,6 +86,40 @@ export interface Filtration {
   plateaus: Plateau[];
 }
 
+/** Voronoi cells within a box, which they tile: neighbors have the same corners, also after rounding. */
+export interface VoronoiCells {
+  /** Coordinates of the corners: x0, y0, x1, y1, … */
+  vertices: Float64Array;
+  /** Cells whose corners are indices of vertices. */
+  polygons: Polygon[];
+  /** For each polygon the point of its cell; of equal points the first. */
+  points: Uint32Array;
+  /** Returns the cell of a point as a closed ring, counter-clockwise if y points up; null for a point that is equal to an
+   * earlier one, or whose cell is outside of the box. */
+  cellPolygon(i: number): number[][] | null;
+  /** Returns all cells, each with the index of its point. */
+  cellPolygons(): Iterable<number[][] & { index: number }>;
+  /** Returns the points whose cells have a side in common with the cell of point i. */
+  neighbors(i: number): Iterable<number>;
+}
+
+/** A constrained Delaunay triangulation: every segment is an edge, or a chain of edges where it passes points. */
+export interface ConstrainedDelaunay extends Omit<AlphaComplex, "isolated"> {
+  /** Coordinates of the given points; then of the places where segments that cross were split. */
+  points: Float64Array;
+  /** For each such place two of the segments that cross there. */
+  crossed: Uint32Array;
+  /** Number 3 t + k is 1 if the side opposite to corner k of triangle t is on a segment, or else 0. */
+  constrained: Uint8Array;
+  /** The two ends of each edge on a segment, the smaller index first. */
+  segments: Uint32Array;
+  /** The region of each triangle; segments bound regions. */
+  region: Uint32Array;
+  /** For each region the least number of edges on segments that a way from outside passes: odd is inside of closed
+   * curves. */
+  depth: Uint32Array;
+}
+
 /** A Delaunay triangulation with the members of the package delaunator; triangles are clockwise if y points up. */
 export interface Delaunator<T extends ArrayLike<number> = Float64Array> {
   coords: T;
@@ -115,6 +149,12 @@ export interface Rbpa {
   concaveHull(points: ArrayLike<number>, alpha?: Alpha): number[][];
   /** Returns the properties of the alpha shape for every alpha. */
   filtration(points: Points): Filtration;
+  /** Returns the Voronoi cells within a box, [least x, least y, greatest x, greatest y], by default one around the
+   * points. */
+  voronoi(points: Points, box?: ArrayLike<number>): VoronoiCells;
+  /** Returns the constrained Delaunay triangulation. Segments are pairs of indices of points; they may touch and
+   * overlap. Those that cross are refused, or split at the nearest numbers. */
+  constrainedDelaunay(points: Points, segments: Points, options?: { splitCrossings?: boolean }): ConstrainedDelaunay;
   Delaunator: DelaunatorConstructor;
   /** Size of the instance's memory in bytes. */
   readonly memoryBytes: number;

@@ -14,8 +14,10 @@
 #include "rbpa/base/alpha_choice.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/point.h"
+#include "rbpa/fill/voronoi_cells.h"
 #include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/choose_alpha.h"
+#include "rbpa/plane/constrained_delaunay.h"
 #include "rbpa/plane/delaunay.h"
 #include "rbpa/plane/filtration.h"
 #include "rbpa/plane/outline_polygons.h"
@@ -175,5 +177,51 @@ RBPA_EXPORT bool rbpa_filtration(const double* points, std::size_t count) {
     results.add(std::vector<double>{chosen({.rule = rbpa::AlphaRule::automatic}, delaunay),
                                     chosen({.rule = rbpa::AlphaRule::least}, delaunay)});
     results.add(std::move(plateaus));
+  });
+}
+
+/// Computes the Voronoi cells within a box, its least x, least y, greatest x and greatest y; if `box` is null, within a
+/// box around the points. The results are the corners, the polygons, and for each polygon the point of its cell.
+RBPA_EXPORT bool rbpa_voronoi(const double* points, const double* box, std::size_t count) {
+  return completes([&] {
+    const auto input = points_of(points, count);
+    std::vector<Point> corners;
+    if (box != nullptr) {
+      corners = {{box[0], box[1]}, {box[2], box[1]}, {box[2], box[3]}, {box[0], box[3]}};
+    } else if (!input.empty()) {
+      const auto around = rbpa::box_around(input);
+      corners.assign(around.begin(), around.end());
+    }
+    std::vector<rbpa::Polygon> boundary;
+    if (!corners.empty()) boundary.push_back({.shell = {{0, 1, 2, 3}}});
+    rbpa::VoronoiCells cells = rbpa::voronoi_cells(rbpa::Delaunay(input), corners, boundary);
+    results.add(std::move(cells.points));
+    results.add(std::move(cells.of));
+    add_polygons(cells.polygons);
+  });
+}
+
+/// Computes a constrained Delaunay triangulation. `segments` has two indices of points for each of `segment_count`
+/// segments; the caller has checked them.
+RBPA_EXPORT bool rbpa_constrained_delaunay(const double* points, const double* segments, std::size_t count,
+                                           double segment_count, double split_crossings) {
+  return completes([&] {
+    std::vector<rbpa::Segment> ends(static_cast<std::size_t>(segment_count));
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      ends[i] = {static_cast<std::uint32_t>(segments[2 * i]), static_cast<std::uint32_t>(segments[2 * i + 1])};
+    rbpa::ConstrainedDelaunay made =
+        rbpa::constrained_delaunay(points_of(points, count), ends, {.split_crossings = split_crossings != 0});
+    rbpa::SegmentRegions found = rbpa::regions(made);
+    results.add(std::move(made.points));
+    results.add(std::move(made.crossed));
+    results.add(std::vector<std::uint32_t>(made.constrained.begin(), made.constrained.end()));
+    results.add(std::move(made.edges));
+    results.add(std::move(found.region));
+    results.add(std::move(found.depth));
+    results.add(halfedges_of(made.triangles, made.neighbors, Seen::y_up));
+    results.add(std::move(made.triangles));
+    results.add(std::move(made.neighbors));
+    results.add(std::move(made.boundary));
+    results.add(std::move(made.duplicates));
   });
 }

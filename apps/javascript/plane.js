@@ -96,6 +96,40 @@ class Rbpa {
     });
   }
 
+  voronoi(points, box = null) {
+    if (box !== null && !(box.length === 4 && Array.from(box).every(Number.isFinite) && box[0] < box[2] && box[1] < box[3]))
+      throw new InvalidInput(`box: found ${JSON.stringify(box)}, expected [least x, least y, greatest x, greatest y]`);
+    const coords = flat(points, 2, "points");
+    return this.#module.call("rbpa_voronoi", [coords, box], coords.length / 2, [], (made) => {
+      return new VoronoiCells(coords.length / 2, made.doubles(0), made.indices(1), polygons(made, 2));
+    });
+  }
+
+  constrainedDelaunay(points, segments, { splitCrossings = false } = {}) {
+    const coords = flat(points, 2, "points");
+    const ends = flat(segments, 2, "segments");
+    for (let i = 0; i < ends.length; ++i)
+      if (!(Number.isInteger(ends[i]) && ends[i] >= 0 && ends[i] < coords.length / 2))
+        throw new InvalidInput(`segments: found ${ends[i]} in segment ${i >> 1}, expected an index of ${coords.length / 2} points`);
+    const numbers = [ends.length / 2, splitCrossings ? 1 : 0];
+    return this.#module.call("rbpa_constrained_delaunay", [coords, ends], coords.length / 2, numbers, (made) => {
+      const bits = made.indices(2);
+      return {
+        points: made.doubles(0),
+        crossed: made.indices(1),
+        constrained: Uint8Array.from({ length: 3 * bits.length }, (_, s) => (bits[Math.floor(s / 3)] >> s % 3) & 1),
+        segments: made.indices(3),
+        region: made.indices(4),
+        depth: made.indices(5),
+        halfedges: made.integers(6),
+        triangles: made.indices(7),
+        neighbors: made.integers(8),
+        boundary: made.indices(9),
+        duplicates: made.indices(10),
+      };
+    });
+  }
+
   #delaunator(coords) {
     const even = coords.length % 2 === 0 ? coords : coords.slice(0, -1);
     return this.#module.call("rbpa_delaunator", [even], even.length / 2, [], (made) => {
@@ -119,6 +153,38 @@ class AlphaShape {
       type: "MultiPolygon",
       coordinates: this.polygons.map(({ shell, holes }) => [closed(shell), ...holes.map(closed)]),
     };
+  }
+}
+
+class VoronoiCells {
+  #of = new Map(); // the polygon of each point that has a cell
+  #beyond; // for each side of a polygon, "from to", the point of the cell on its left
+  constructor(count, vertices, points, polygons) {
+    Object.assign(this, { count, vertices, points, polygons });
+    points.forEach((point, i) => this.#of.set(point, polygons[i]));
+  }
+  cellPolygon(i) {
+    const polygon = this.#of.get(i);
+    if (!polygon) return null;
+    const ring = Array.from(polygon.shell, (v) => [this.vertices[2 * v], this.vertices[2 * v + 1]]);
+    return [...ring, ring[0]];
+  }
+  *cellPolygons() {
+    for (let i = 0; i < this.count; ++i) {
+      const cell = this.cellPolygon(i);
+      if (cell) yield Object.assign(cell, { index: i });
+    }
+  }
+  *neighbors(i) {
+    const sides = ({ shell }) => Array.from(shell, (v, k) => [v, shell[(k + 1) % shell.length]]);
+    if (!this.#beyond) {
+      this.#beyond = new Map();
+      this.polygons.forEach((polygon, p) => sides(polygon).forEach(([a, b]) => this.#beyond.set(`${a} ${b}`, this.points[p])));
+    }
+    const polygon = this.#of.get(i);
+    const found = new Set(polygon ? sides(polygon).map(([a, b]) => this.#beyond.get(`${b} ${a}`)) : []);
+    found.delete(undefined);
+    yield* found;
   }
 }
 

@@ -146,11 +146,11 @@ TEST_SUITE("segments") {
          "--method natural cannot be combined with --segments"},
         {"grid p.csv --cell 1 --segments line.wkt --value y -o g.asc", "--value cannot be combined with --segments"},
     };
-    for (const auto& [call, expected] : calls) {
-      const Outcome outcome = folder.rbpa(call);
-      INFO(call);
+    for (const auto& each : calls) {
+      const Outcome outcome = folder.rbpa(each.first);
+      INFO(each.first);
       CHECK(outcome.code == 2);
-      CHECK_MESSAGE(outcome.err.find(expected) != std::string::npos, outcome.err);
+      CHECK_MESSAGE(outcome.err.find(each.second) != std::string::npos, outcome.err);
     }
     const Outcome none = folder.rbpa("mesh p.csv --alpha inf --segments points.wkt -o m.obj");
     CHECK(none.code == 3);

@@ -95,11 +95,11 @@ TEST_SUITE("voronoi") {
         {"voronoi - --clip - -o c.wkt", "--clip -: found POINTS on standard input as well"},
         {"voronoi p.csv", "-o"},
     };
-    for (const auto& [call, expected] : calls) {
-      const Outcome outcome = folder.rbpa(call);
-      INFO(call);
+    for (const auto& each : calls) {
+      const Outcome outcome = folder.rbpa(each.first);
+      INFO(each.first);
       CHECK(outcome.code == 2);
-      CHECK_MESSAGE(outcome.err.find(expected) != std::string::npos, outcome.err);
+      CHECK_MESSAGE(outcome.err.find(each.second) != std::string::npos, outcome.err);
     }
     CHECK(folder.rbpa("voronoi p.csv --clip bow.wkt -o c.wkt").err.starts_with("rbpa: bow.wkt: "));
     CHECK(folder.rbpa("voronoi p.csv --clip bow.wkt -o c.wkt").code == 3);

@@ -11,6 +11,7 @@
 #include "bench/surface_points.h"
 #include "rbpa/base/point.h"
 #include "rbpa/base/point3.h"
+#include "rbpa/plane/constrained_delaunay.h"
 
 namespace rbpa_bench {
 
@@ -20,6 +21,13 @@ Run solid_by_cgal(std::span<const rbpa::Point3> points, double alpha);
 
 /// Runs CGAL's Delaunay refinement of a ring: angles of at least 20.7° and no edge longer than `longest`.
 Run fill_by_cgal(const std::vector<rbpa::Point>& ring, double longest);
+
+/// Runs CGAL's Constrained_Delaunay_triangulation_2. Counts the finite triangles.
+Run constrained_by_cgal(std::span<const rbpa::Point> points, std::span<const rbpa::Segment> segments);
+
+/// Runs CGAL's Delaunay_triangulation_2, and lists the circumcenter of each triangle, rounded, and for each edge the two
+/// points and the triangles beside it: the arrays of a Voronoi diagram. Counts the circumcenters.
+Run voronoi_by_cgal(std::span<const rbpa::Point> points);
 
 struct PersistenceRun {
   Run complex = {}, all = {};             ///< until the simplices have radii, and to the pairs

@@ -2,11 +2,17 @@
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
 #include <CGAL/Delaunay_mesher_2.h>
+#include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -21,13 +27,17 @@ using Constrained = CGAL::Constrained_Delaunay_triangulation_2<
                                                  CGAL::Delaunay_mesh_face_base_2<Kernel>>>;
 using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Constrained>;
 
-Constrained constrained(const std::vector<rbpa::Point>& ring) {
+std::vector<Kernel::Point_2> places_of(std::span<const rbpa::Point> points) {
   std::vector<Kernel::Point_2> places;
+  places.reserve(points.size());
+  for (const rbpa::Point& p : points) places.emplace_back(p.x, p.y);
+  return places;
+}
+
+Constrained constrained(const std::vector<rbpa::Point>& ring) {
+  const std::vector<Kernel::Point_2> places = places_of(ring);
   std::vector<std::pair<std::size_t, std::size_t>> edges;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    places.emplace_back(ring[i].x, ring[i].y);
-    edges.emplace_back(i, (i + 1) % ring.size());
-  }
+  for (std::size_t i = 0; i < ring.size(); ++i) edges.emplace_back(i, (i + 1) % ring.size());
   Constrained result;
   result.insert_constraints(places.begin(), places.end(), edges.begin(), edges.end());
   return result;
@@ -44,6 +54,42 @@ Run fill_by_cgal(const std::vector<rbpa::Point>& ring, double longest) {
   Run run = watch.run(0);
   for (const auto face : mesh.finite_face_handles()) run.count += face->is_in_domain() ? 1U : 0U;
   return run;
+}
+
+Run constrained_by_cgal(std::span<const rbpa::Point> points, std::span<const rbpa::Segment> segments) {
+  const std::vector<Kernel::Point_2> places = places_of(points);
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  for (const auto& [a, b] : segments) edges.emplace_back(a, b);
+  const Stopwatch watch;
+  CGAL::Constrained_Delaunay_triangulation_2<Kernel> made;
+  made.insert_constraints(places.begin(), places.end(), edges.begin(), edges.end());
+  return watch.run(made.number_of_faces());
+}
+
+Run voronoi_by_cgal(std::span<const rbpa::Point> points) {
+  using Faces = CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Kernel>;
+  using Vertices = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
+  using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertices, Faces>>;
+  std::vector<std::pair<Kernel::Point_2, std::uint32_t>> places;
+  places.reserve(points.size());
+  for (const rbpa::Point& p : points)
+    places.emplace_back(Kernel::Point_2(p.x, p.y), static_cast<std::uint32_t>(places.size()));
+  const Stopwatch watch;
+  const Delaunay delaunay(places.begin(), places.end());
+  std::vector<Kernel::Point_2> centers;
+  centers.reserve(delaunay.number_of_faces());
+  for (const auto face : delaunay.all_face_handles()) {
+    face->info() = std::numeric_limits<std::uint32_t>::max();
+    if (delaunay.is_infinite(face)) continue;
+    face->info() = static_cast<std::uint32_t>(centers.size());
+    centers.push_back(delaunay.circumcenter(face));
+  }
+  std::vector<std::array<std::uint32_t, 4>> ridges;
+  ridges.reserve(3 * points.size());
+  for (const auto& [face, i] : delaunay.finite_edges())
+    ridges.push_back({face->vertex(Delaunay::ccw(i))->info(), face->vertex(Delaunay::cw(i))->info(), face->info(),
+                      face->neighbor(i)->info()});
+  return watch.run(centers.size());
 }
 
 Run solid_by_cgal(std::span<const rbpa::Point3> points, double alpha) {

@@ -184,3 +184,48 @@ test("a million points grow the memory, and views follow it", async () => {
   assert.ok(own.memoryBytes > before);
   assert.equal(made.triangles.length / 3, 2_000_000 - 2 - made.hull.length);
 });
+
+/** Returns twice the area of a closed ring. */
+const doubleOf = (ring) =>
+  ring.slice(1).reduce((sum, [x, y], k) => sum + ring[k][0] * y - ring[k][1] * x, 0);
+
+test("Voronoi cells tile the box, hold their points, and know their neighbors", () => {
+  const coords = numbers(2000, 3);
+  const cells = rbpa.voronoi(coords, [0, 0, 1, 1]);
+  let area = 0;
+  for (const cell of cells.cellPolygons()) {
+    area += doubleOf(cell) / 2;
+    const [x, y] = [coords[2 * cell.index], coords[2 * cell.index + 1]];
+    for (let k = 0; k + 1 < cell.length; ++k)
+      assert.ok((cell[k + 1][0] - cell[k][0]) * (y - cell[k][1]) - (cell[k + 1][1] - cell[k][1]) * (x - cell[k][0]) >= 0);
+    for (const other of cells.neighbors(cell.index)) assert.ok([...cells.neighbors(other)].includes(cell.index));
+    assert.deepEqual(cells.cellPolygon(cell.index), [...cell]);
+  }
+  assert.ok(Math.abs(area - 1) < 1e-12);
+  assert.equal(cells.points.length, 1000);
+  const four = rbpa.voronoi([[0, 0], [2, 0], [2, 2], [0, 2], [0, 0]]);
+  assert.deepEqual(four.cellPolygon(0), [[-0.2, -0.2], [1, -0.2], [1, 1], [-0.2, 1], [-0.2, -0.2]]);
+  assert.equal(four.cellPolygon(4), null);
+  assert.deepEqual([...four.neighbors(0)].sort(), [1, 3]);
+  assert.deepEqual([...rbpa.voronoi([]).cellPolygons()], []);
+  assert.throws(() => rbpa.voronoi(coords, [0, 0, 0, 1]), InvalidInput);
+  assert.throws(() => rbpa.voronoi([[NaN, 1]]), InvalidInput);
+});
+
+test("segments are edges of the constrained triangulation; crossings are refused or split", () => {
+  const square = [[0, 0], [4, 0], [4, 4], [0, 4], [1, 1], [3, 1], [3, 3], [1, 3]];
+  const rings = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]];
+  const made = rbpa.constrainedDelaunay(square, rings);
+  checkHalfedges(made, square.flat(), 1);
+  assert.equal(made.triangles.length / 3, 10);
+  assert.deepEqual([...made.depth].sort(), [1, 2]);
+  assert.deepEqual([...made.segments], [0, 1, 0, 3, 1, 2, 2, 3, 4, 5, 4, 7, 5, 6, 6, 7]);
+  assert.equal(made.constrained.reduce((a, b) => a + b), 4 + 2 * 4);
+  const diagonals = [[0, 2], [1, 3]];
+  assert.throws(() => rbpa.constrainedDelaunay(square, diagonals), /segment 0 from \(0, 0\) to \(4, 4\) and segment 1/);
+  const split = rbpa.constrainedDelaunay(square.slice(0, 4), diagonals, { splitCrossings: true });
+  assert.deepEqual([...split.points.slice(8)], [2, 2]);
+  assert.deepEqual([...split.crossed], [0, 1]);
+  for (const wrong of [[[0, 8]], [[-1, 2]], [[0.5, 1]]])
+    assert.throws(() => rbpa.constrainedDelaunay(square, wrong), InvalidInput);
+});

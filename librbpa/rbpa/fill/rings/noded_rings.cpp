@@ -19,7 +19,7 @@ class PointsOfRings {
   /// Appends the indices of the points on the segment from `low` to `high`, its ends excluded, in lexicographic order
   /// of the points. Requires: low < high; `found` is empty.
   void find_between(const Point& low, const Point& high, std::vector<std::uint32_t>& found) const {
-    const auto [bottom, top] = std::minmax(low.y, high.y);
+    const double bottom = std::min(low.y, high.y), top = std::max(low.y, high.y);
     const auto may_meet = [&](const Box& box) {
       if (box.high.x < low.x || box.low.x > high.x || box.high.y < bottom || box.low.y > top) return false;
       // A box on one side of the line through the segment contains no point of the segment.

@@ -142,7 +142,8 @@ class CellCutter {
     const auto begin = std::lower_bound(on_ridges_.begin(), on_ridges_.end(), ridge,
                                         [&](std::uint32_t j, const auto& r) { return crossings_[j].ridge() < r; });
     const auto end = std::find_if(begin, on_ridges_.end(), [&](auto j) { return crossings_[j].ridge() != ridge; });
-    return {begin, end};
+    return std::span(on_ridges_)
+        .subspan(static_cast<std::size_t>(begin - on_ridges_.begin()), static_cast<std::size_t>(end - begin));
   }
 
   /// Finds the triangles whose circumcenter is in the region: infinity is not, and each crossing of a ridge changes it.

@@ -1,8 +1,10 @@
 #include "rbpa/plane/predicate/constructions.h"
 
 #include <algorithm>
+#include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <limits>
 #include <numeric>
@@ -13,6 +15,12 @@
 namespace rbpa {
 namespace {
 
+/// Returns whether products of five such differences, and their last bits, stay within the exponents of double.
+bool has_usual_size(double difference) {
+  const double size = std::abs(difference);
+  return size == 0 || (size > 0x1p-150 && size < 0x1p150);
+}
+
 /// A number with a bound of its error; an infinite bound if the exponents do not allow a proof.
 struct Bounded {
   DoubleDouble value;
@@ -20,9 +28,7 @@ struct Bounded {
 
   static Bounded difference(double a, double b) {
     const DoubleDouble exact = DoubleDouble::difference(a, b);
-    // Products of five such numbers, and their last bits, stay within the exponents of double.
-    const double size = std::abs(exact.high);
-    return {exact, size == 0 || (size > 0x1p-150 && size < 0x1p150) ? 0 : std::numeric_limits<double>::infinity()};
+    return {exact, has_usual_size(exact.high) ? 0 : std::numeric_limits<double>::infinity()};
   }
   friend Bounded operator+(const Bounded& a, const Bounded& b) {
     return {a.value + b.value, (a.error + b.error) * grown + roundoff * (a.size() + b.size())};
@@ -138,6 +144,35 @@ double rounded_sum(double origin, const Bounded& over, const Bounded& under) {
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Returns origin + over / under, rounded, if it is certain; NaN otherwise. `error` bounds the error of over / under.
+double certain_sum(double origin, double over, double under, double error) {
+  const double quotient = over / under;
+  const auto [result, rest] = detail::two_sum(origin, quotient);
+  constexpr std::uint64_t exponent = 0x7ff0'0000'0000'0000;
+  const double power = std::bit_cast<double>(std::bit_cast<std::uint64_t>(result) & exponent);
+  const double half_gap = power * (std::abs(result) == power ? 0x1p-54 : 0x1p-53);  // the lesser of both gaps
+  return std::abs(rest) + error < half_gap * (1 - 0x1p-40) ? result : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Returns the circumcenter in double, a coordinate that is not certain as NaN. Let r = 2⁻⁵³, and let the sizes be the
+/// sums of the absolute values of products. The errors of numerators are below 8 r times their sizes, that of the
+/// cross product below 5 r times its size, which is less than a tenth of it. So the error of a quotient q is below
+/// 9 r size / |divisor| + 11 r |q| cross_size / |divisor| + r |q|; what is added here exceeds the rounding of the bound.
+Point quick_circumcenter(const Point& a, const Point& b, const Point& c) {
+  constexpr double r = 0x1p-53, nan = std::numeric_limits<double>::quiet_NaN();
+  const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y;
+  if (!(has_usual_size(ux) && has_usual_size(uy) && has_usual_size(vx) && has_usual_size(vy))) return {nan, nan};
+  const double uu = ux * ux + uy * uy, vv = vx * vx + vy * vy;
+  const double cross_size = std::abs(ux * vy) + std::abs(uy * vx), divisor = 2 * (ux * vy - uy * vx);
+  if (!(divisor > 128 * r * cross_size)) return {nan, nan};
+  const double x = vy * uu - uy * vv, y = ux * vv - vx * uu;
+  const double x_size = std::abs(vy) * uu + std::abs(uy) * vv, y_size = std::abs(ux) * vv + std::abs(vx) * uu;
+  const auto error = [&](double over, double size) {
+    return (10 * r * size + (12 * r * cross_size / divisor + 2 * r) * std::abs(over)) / divisor;
+  };
+  return {certain_sum(a.x, x, divisor, error(x, x_size)), certain_sum(a.y, y, divisor, error(y, y_size))};
+}
+
 /// Returns the point that `construct` makes of differences, rounded. `points` has all points that it uses.
 template <typename Construct>
 Point rounded_point(std::initializer_list<Point> points, const Construct& construct) {
@@ -165,6 +200,8 @@ int sign_of(std::initializer_list<Point> points, const Compute& compute) {
 }  // namespace
 
 Point circumcenter(const Point& a, const Point& b, const Point& c) {
+  const Point quick = quick_circumcenter(a, b, c);
+  if (is_finite(quick)) return quick;
   return rounded_point({a, b, c}, [&](const auto& of) { return center_of(of, a, b, c); });
 }
 
