@@ -69,7 +69,8 @@ std::vector<Segment> split(std::span<const Segment> segments, ConstrainedDelauna
   std::vector<Segment> found;
   for (const SegmentPart& part : parts) {
     step();
-    found.push_back({index_of(part.low), index_of(part.high)});
+    for (int copies = part.is_odd ? 1 : 2; copies > 0; --copies)
+      found.push_back({index_of(part.low), index_of(part.high)});
   }
   return found;
 }
@@ -118,8 +119,9 @@ void turn(FixedTriangles& of, std::uint32_t t) {
   const auto by = std::min_element(corners.begin(), corners.end()) - corners.begin();
   std::rotate(corners.begin(), corners.begin() + by, corners.end());
   std::rotate(of.neighbors[t].begin(), of.neighbors[t].begin() + by, of.neighbors[t].end());
-  const unsigned sides = of.fixed[t] & 7U;
-  of.fixed[t] = static_cast<std::uint8_t>((sides >> by | sides << (3 - by)) & 7U);
+  const auto turned = [by](unsigned bits) { return (bits >> by | bits << (3 - by)) & 7U; };
+  const unsigned bits = of.fixed[t];
+  of.fixed[t] = static_cast<std::uint8_t>(turned(bits & 7U) | turned(bits >> 4 & 7U) << 4);
 }
 
 /// Brings the triangles into canonical order, in which those are that no segment has changed.
@@ -186,7 +188,7 @@ std::vector<Segment> edges_of(const ConstrainedDelaunay& of, Steps& step) {
   return edges;
 }
 
-/// Returns for each triangle, on how many edges of segments a way from outside passes at least.
+/// Returns for each triangle the smallest number of edges on segments that a path from outside crosses.
 std::vector<std::uint32_t> depths(const ConstrainedDelaunay& of, Steps& step) {
   std::vector<std::uint32_t> depth(of.triangles.size(), no_index), now, next;
   const auto add = [&](std::uint32_t t, bool is_behind) { (is_behind ? next : now).push_back(t); };
@@ -206,6 +208,25 @@ std::vector<std::uint32_t> depths(const ConstrainedDelaunay& of, Steps& step) {
     std::swap(now, next);
   }
   return depth;
+}
+
+/// Sets is_inside of each region. Of several paths that cross the same number of edges, one that leads inside counts.
+void find_inside(const ConstrainedDelaunay& of, SegmentRegions& result, Steps& step) {
+  const std::vector<std::uint32_t> depth = depths(of, step);
+  std::vector<std::uint32_t> order(of.triangles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return depth[a] < depth[b]; });
+  for (const std::uint32_t t : order) {
+    step();
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      if (!of.is_constrained(t, k)) continue;
+      const std::uint32_t before = of.neighbors[t][k];
+      if (depth[t] != (before == no_index ? 0 : depth[before]) + 1) continue;
+      const bool from_inside = before != no_index && result.is_inside[result.region[before]];
+      const bool is_odd = (of.constrained[t] >> (4 + k) & 1) != 0;
+      if (from_inside != is_odd) result.is_inside[result.region[t]] = true;
+    }
+  }
 }
 
 }  // namespace
@@ -249,12 +270,11 @@ SegmentRegions regions(const ConstrainedDelaunay& of, const GoOn& go_on) {
   Steps step(go_on);
   SegmentRegions result;
   result.region.assign(of.triangles.size(), no_index);
-  const std::vector<std::uint32_t> depth = depths(of, step);
   std::vector<std::uint32_t> at;
   for (std::uint32_t t = 0; t < of.triangles.size(); ++t) {
     if (result.region[t] != no_index) continue;
-    const auto number = static_cast<std::uint32_t>(result.depth.size());
-    result.depth.push_back(depth[t]);
+    const auto number = static_cast<std::uint32_t>(result.is_inside.size());
+    result.is_inside.push_back(false);
     result.region[t] = number;
     at.assign(1, t);
     while (!at.empty()) {
@@ -269,6 +289,7 @@ SegmentRegions regions(const ConstrainedDelaunay& of, const GoOn& go_on) {
       }
     }
   }
+  find_inside(of, result, step);
   return result;
 }
 

@@ -25,8 +25,9 @@ namespace rbpa {
 using Segment = std::array<std::uint32_t, 2>;
 
 struct ConstrainedDelaunayOptions {
-  /// Whether segments that cross are split where they cross. The point is rounded to doubles, so both segments bend
-  /// there by half a unit in the last place; if they then cross others, these are split as well.
+  /// Whether segments that cross are split where they cross: at an end of one of them that is within a few units in the
+  /// last place of the other, or else at the crossing, rounded to doubles. Segments bend by that; if they then cross
+  /// others, these are split as well.
   bool split_crossings = false;
   MaxThreads threads = 0;    ///< maximum number for the Delaunay triangulation; 0: all processors
   OnProgress progress = {};  ///< callback for progress and cancellation
@@ -42,7 +43,8 @@ struct ConstrainedDelaunay {
   std::vector<Triangle> triangles;
   /// For each triangle, entry k is the number of the triangle across from its corner k, or TriangleArrays::none.
   std::vector<Triangle> neighbors;
-  /// For each triangle a set of bits: bit k is 1 if the side across from its corner k is on a segment.
+  /// For each triangle a set of bits: bit k is 1 if the side across from its corner k is on a segment, and bit 4 + k if
+  /// it is on an odd number of segments.
   std::vector<std::uint8_t> constrained;
   /// The edges on segments, the smaller index first, in lexicographic order.
   std::vector<Segment> edges;
@@ -57,7 +59,8 @@ struct ConstrainedDelaunay {
 /// Returns the constrained Delaunay triangulation. Points on a segment split it; segments may overlap and repeat. Of
 /// equal points the one of lowest index is used.
 /// Throws: InvalidInput as alpha_complex() does; when an end of a segment is no point, or both ends are at one place;
-///         when two segments cross at a place that is no point, unless options.split_crossings. Cancelled.
+///         when two segments cross at a place that is no point, unless options.split_crossings; when 100 rounds of
+///         splitting do not suffice. Cancelled.
 RBPA_API ConstrainedDelaunay constrained_delaunay(std::span<const Point> points, std::span<const Segment> segments,
                                                   const ConstrainedDelaunayOptions& options = {});
 
@@ -65,9 +68,10 @@ RBPA_API ConstrainedDelaunay constrained_delaunay(std::span<const Point> points,
 struct SegmentRegions {
   /// For each triangle the number of its region; regions are numbered in the order of their first triangles.
   std::vector<std::uint32_t> region;
-  /// For each region, on how many edges of segments a way from outside of the convex hull passes at least. If the
-  /// segments form closed curves, an odd depth is inside by the even-odd rule.
-  std::vector<std::uint32_t> depth;
+  /// For each region, whether it is inside by the even-odd rule: whether a path from outside crosses an odd number of
+  /// segments. Overlapping segments count each. If all segments are sides of closed curves, every path gives the same
+  /// answer; otherwise those paths count that cross the smallest number of edges.
+  std::vector<bool> is_inside;
 };
 
 /// Returns the regions. Throws: Cancelled. Cost: linear.

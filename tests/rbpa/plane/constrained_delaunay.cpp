@@ -232,8 +232,8 @@ TEST_CASE("crossings are split at the nearest doubles, and the parts are edges t
       const Point& at = found.points[of.points.size() + k];
       for (const std::uint32_t s : found.crossed[k]) {
         const Point &a = of.points[of.segments[s][0]], &b = of.points[of.segments[s][1]];
-        CHECK(std::min(a.x, b.x) <= at.x);
-        CHECK(at.x <= std::max(a.x, b.x));
+        CHECK(std::min(a.x, b.x) <= at.x + 1e-14);
+        CHECK(at.x <= std::max(a.x, b.x) + 1e-14);
       }
     }
     // Every end is joined with the other end of its segment by edges near the segment.
@@ -288,7 +288,7 @@ TEST_CASE("long segments through many points, at any magnitude, become edges") {
     const ConstrainedDelaunay found = rbpa::constrained_delaunay(of.points, of.segments);
     check_triangulation(found);
     CHECK(found.edges.size() == of.segments.size());
-    CHECK(rbpa::regions(found).depth == std::vector<std::uint32_t>(31, 0));
+    CHECK(rbpa::regions(found).is_inside == std::vector<bool>(31, false));
   }
 }
 
@@ -302,21 +302,82 @@ TEST_CASE("points on one line have edges on segments, and no triangle") {
   CHECK(rbpa::constrained_delaunay(Points{{1, 2}}, {}).edges.empty());
 }
 
-TEST_CASE("regions are numbered by their first triangles, and have the depth of the even-odd rule") {
+TEST_CASE("regions are numbered by their first triangles, and are inside by the even-odd rule") {
+  const auto area_inside = [](const Points& points, const Segments& segments, bool splits = false) {
+    const ConstrainedDelaunay found = rbpa::constrained_delaunay(points, segments, {.split_crossings = splits});
+    check_triangulation(found);
+    const rbpa::SegmentRegions regions = rbpa::regions(found);
+    std::uint32_t next = 0;
+    double area = 0;
+    for (std::size_t t = 0; t < found.triangles.size(); ++t) {
+      CHECK(regions.region[t] <= next);
+      if (regions.region[t] == next) ++next;
+      const auto& [a, b, c] = found.triangles[t];
+      const Point &p = found.points[a], &q = found.points[b], &r = found.points[c];
+      if (regions.is_inside[regions.region[t]]) area += (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    }
+    CHECK(next == regions.is_inside.size());
+    return area / 2;
+  };
   // A square, a square in it that touches it in a corner, and an open line.
-  const Points points = {{0, 0}, {8, 0}, {8, 8}, {0, 8}, {4, 2}, {6, 4}, {8, 8}, {2, 4}, {-4, 4}, {-2, 6}, {12, 4}};
-  const Segments segments = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {8, 9}};
-  const ConstrainedDelaunay found = rbpa::constrained_delaunay(points, segments);
-  check_triangulation(found);
-  const rbpa::SegmentRegions regions = rbpa::regions(found);
-  std::map<std::uint32_t, double> area;  // by depth, twice
-  for (std::size_t t = 0; t < found.triangles.size(); ++t) {
-    const auto& [a, b, c] = found.triangles[t];
-    const Point &p = points[a], &q = points[b], &r = points[c];
-    area[regions.depth[regions.region[t]]] += (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  CHECK(area_inside({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {4, 2}, {6, 4}, {8, 8}, {2, 4}, {-4, 4}, {-2, 6}, {12, 4}},
+                    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {8, 9}}) == 64 - 12);
+  // A chord, which divides the square in two.
+  CHECK(area_inside({{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}}) == 4);
+  Points points;
+  Segments segments;
+  const auto add = [&](double x, double y, double width) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    for (const Point& p : {Point{x, y}, {x + width, y}, {x + width, y + width}, {x, y + width}}) points.push_back(p);
+    for (std::uint32_t k = 0; k < 4; ++k) segments.push_back({first + k, first + (k + 1) % 4});
+  };
+  for (int i = 0; i < 9; ++i) add(i % 3, i / 3, 1);  // side by side
+  CHECK(area_inside(points, segments) == 9);
+  CHECK(area_inside(points, segments, true) == 9);
+  add(1, 1, 1);  // the middle one once more
+  CHECK(area_inside(points, segments) == 8);
+  CHECK(area_inside(points, segments, true) == 8);
+  add(0.5, 0.5, 2);  // crosses all but the middle one
+  CHECK(area_inside(points, segments, true) == 9 - 4 + 1);
+}
+
+TEST_CASE("crossings of nearly parallel segments are split in few rounds") {
+  const Point p{0.9999999999999991, 0.9999999999999991};
+  const std::vector<Case> cases = {
+      {{{-0.8660254037844387, 0.4999999999999997},
+        {-1.0, 1.2246467991473532e-16},
+        {3.3306690738754696e-16, 1.0},
+        {-1.0000000000000002, 1.1102230246251565e-16},
+        {-0.7071067811865467, 0.7071067811865485}},
+       {{0, 1}, {2, 3}, {4, 1}}},
+      {{{0, 1}, p, {8.881784197001252e-16, 1}, {1.0000000000000009, 0.9999999999999982}}, {{0, 1}, {2, 1}, {2, 3}}}};
+  for (const Case& of : cases) {
+    const ConstrainedDelaunay found = rbpa::constrained_delaunay(of.points, of.segments, {.split_crossings = true});
+    check_triangulation(found);
+    CHECK(found.crossed.size() < 10);
   }
-  CHECK(area == std::map<std::uint32_t, double>{{0, 2 * 32.0}, {1, 2 * (64 - 12.0)}, {2, 2 * 12.0}});
-  CHECK(regions.region[0] == 0);
+  // Chords of polygons on one circle, whose corners and crossings are nearly equal.
+  rbpa_test::Random random(6);
+  std::size_t added = 0;
+  for (int i = 0; i < 300; ++i) {
+    Case of;
+    for (int k = 0; k < 4; ++k) {
+      const int corners = random.integer(3, 12), shift = random.integer(0, 3), leap = random.integer(1, 4);
+      const auto first = static_cast<std::uint32_t>(of.points.size()), n = static_cast<std::uint32_t>(corners);
+      for (int c = 0; c < corners; ++c) {
+        const double angle = 3.14159265358979323846 * (2 * c + shift) / corners;
+        of.points.push_back({std::cos(angle), std::sin(angle)});
+      }
+      for (std::uint32_t c = 0; c < n; ++c)
+        if (const std::uint32_t to = (c + static_cast<std::uint32_t>(leap)) % n;
+            of.points[first + c] != of.points[first + to])
+          of.segments.push_back({first + c, first + to});
+    }
+    const ConstrainedDelaunay found = rbpa::constrained_delaunay(of.points, of.segments, {.split_crossings = true});
+    check_triangulation(found);
+    added += found.crossed.size();
+  }
+  CHECK(added > 1'000);
 }
 
 TEST_CASE("wrong segments are refused with their numbers and places") {

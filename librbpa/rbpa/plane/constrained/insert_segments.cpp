@@ -77,16 +77,18 @@ class Inserter {
   }
 
   bool is_fixed(const TriangleSide& side) const { return (fixed_[side.triangle] >> side.k & 1) != 0; }
-  /// Fixes an edge, on both sides of it.
-  void fix(const TriangleSide& side) { join(side, beyond(side), true); }
+  /// How an edge lies on segments: on none, an even or an odd number.
+  enum Fixed : std::uint8_t { free = 0, even = 0x01, odd = 0x11 };
+  Fixed fixed(const TriangleSide& side) const { return Fixed(fixed_[side.triangle] >> side.k & 0x11); }
+  /// Counts a segment on an edge, on both sides of it.
+  void fix(const TriangleSide& side) { join(side, beyond(side), fixed(side) == odd ? even : odd); }
   /// Makes two sides the same edge; either may be no side.
-  void join(const TriangleSide& one, const TriangleSide& other, bool is_fixed) {
+  void join(const TriangleSide& one, const TriangleSide& other, Fixed fixed) {
     for (const auto& [side, opposite] : {std::pair(one, other), std::pair(other, one)}) {
       if (side.triangle == no_index) continue;
       across_[side.triangle][side.k] = opposite.triangle;
-      const auto bit = static_cast<std::uint8_t>(1U << side.k);
-      fixed_[side.triangle] =
-          static_cast<std::uint8_t>(is_fixed ? fixed_[side.triangle] | bit : fixed_[side.triangle] & ~bit);
+      std::uint8_t& bits = fixed_[side.triangle];
+      bits = static_cast<std::uint8_t>((bits & ~(0x11 << side.k)) | fixed << side.k);
     }
   }
   void make(std::uint32_t t, const Triangle& corners) {
@@ -189,12 +191,12 @@ class Inserter {
   struct Rim {
     Site site;
     TriangleSide outside;
-    bool is_fixed = false;  // whether the rim's edge is fixed
-    bool is_new = false;    // whether the triangle of `outside` was made for this cavity
+    Fixed fixed = free;   // how the rim's edge lies on segments
+    bool is_new = false;  // whether the triangle of `outside` was made for this cavity
   };
 
   /// Returns the corner at the end of `side`, which is on the rim of the cavity.
-  Rim rim(Site site, const TriangleSide& side) const { return {site, beyond(side), is_fixed(side)}; }
+  Rim rim(Site site, const TriangleSide& side) const { return {site, beyond(side), fixed(side)}; }
 
   void fill_cavities(Site a, Site b) {
     std::vector<std::uint32_t> taken = slots_;
@@ -207,7 +209,7 @@ class Inserter {
     const TriangleSide left = fill_cavity(rim, false);
     rim = right_;
     const TriangleSide right = fill_cavity(rim, true);
-    join(left, right, true);
+    join(left, right, odd);
     meshops::require(free_ == slots_.size() && waiting_.empty(), "insert_segments: a cavity was not filled");
     star_[a] = star_[b] = left.triangle;
     flip_all();
@@ -236,7 +238,7 @@ class Inserter {
         make(t, {p, q, last.site});
         close(first.site, last, {t, is_right ? 0U : 1U}, is_right);
         close(last.site, next, {t, is_right ? 1U : 0U}, is_right);
-        next = {next.site, {t, 2}, false, true};
+        next = {next.site, {t, 2}, free, true};
       }
       rim[kept++] = next;
     }
@@ -268,11 +270,11 @@ class Inserter {
     const Rim aq = rim(q, {o, after(other.k)}), qb = rim(b, {o, before(other.k)});
     make(t, {p, a, q});
     make(o, {q, b, p});
-    join({t, 1}, {o, 1}, false);
-    join({t, 0}, aq.outside, aq.is_fixed);
-    join({t, 2}, pa.outside, pa.is_fixed);
-    join({o, 0}, bp.outside, bp.is_fixed);
-    join({o, 2}, qb.outside, qb.is_fixed);
+    join({t, 1}, {o, 1}, free);
+    join({t, 0}, aq.outside, aq.fixed);
+    join({t, 2}, pa.outside, pa.fixed);
+    join({o, 0}, bp.outside, bp.fixed);
+    join({o, 2}, qb.outside, qb.fixed);
     for (const std::uint32_t k : {0U, 2U}) {
       queue_.push_back({t, k});
       queue_.push_back({o, k});
@@ -309,7 +311,7 @@ class Inserter {
       if (part.first == 0 && part.last + 1 == rim.size())
         base = here;
       else
-        join(here, part.beyond, false);
+        join(here, part.beyond, free);
       parts.push_back({part.first, apex, {t, is_right ? 0U : 1U}});
       parts.push_back({apex, part.last, {t, is_right ? 1U : 0U}});
     }
@@ -319,13 +321,13 @@ class Inserter {
   /// Joins side `inner` of a new triangle to the side beyond the edge of the rim from `from` to `to`.
   void close(Site from, const Rim& to, const TriangleSide& inner, bool is_right) {
     if (to.is_new || !std::binary_search(taken_.begin(), taken_.end(), to.outside.triangle)) {
-      join(inner, to.outside, to.is_fixed);
+      join(inner, to.outside, to.fixed);
       return;
     }
     // The rim passes this edge twice, in both directions. Both triangles at the edge are new; the first waits.
     DirectedEdge edge = is_right ? DirectedEdge{from, to.site} : DirectedEdge{to.site, from};
     if (const auto other = waiting_.find({edge.to, edge.from}); other != waiting_.end()) {
-      join(inner, other->second, to.is_fixed);
+      join(inner, other->second, to.fixed);
       waiting_.erase(other);
     } else {
       waiting_.emplace(edge, inner);

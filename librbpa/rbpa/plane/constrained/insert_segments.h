@@ -24,8 +24,8 @@
 
 namespace rbpa {
 
-/// Triangles with their neighbors. Bit k of fixed[t] is 1 if the side across from corner k of triangle t is on a
-/// segment; the bit `changed` if the triangle is not one of the given ones.
+/// Triangles with their neighbors. fixed[t] has the bits of ConstrainedDelaunay::constrained, and the bit `changed` if
+/// the triangle is not one of the given ones.
 struct FixedTriangles {
   static constexpr std::uint8_t changed = 8;
   std::vector<Triangle> triangles, neighbors;

@@ -1,10 +1,15 @@
 #include "rbpa/plane/constrained/split_crossings.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
+#include <string>
 #include <tuple>
+#include <utility>
 
+#include "rbpa/base/error.h"
 #include "rbpa/plane/grid/plane_box_tree.h"
 #include "rbpa/plane/predicate/constructions.h"
 #include "rbpa/plane/predicate/plane_predicates.h"
@@ -19,23 +24,38 @@ bool cross(const SegmentPart& a, const SegmentPart& b) {
 
 std::vector<Box> boxes_of(std::span<const SegmentPart> parts) {
   std::vector<Box> boxes;
-  for (const auto& [low, high, segment] : parts) boxes.push_back(common_box({low, low}, {high, high}));
+  for (const SegmentPart& part : parts) boxes.push_back(common_box({part.low, part.low}, {part.high, part.high}));
   return boxes;
 }
 
-/// A place on a part.
+/// A place at which a part is cut.
 struct PartCut {
   std::uint32_t part;
   Point at;
 };
 
+/// Returns whether `p`, no end of the part, is as near to it as a few units in the last place of the largest
+/// coordinate, and beside it.
+bool is_close(const Point& p, const SegmentPart& part) {
+  const Point &a = part.low, &b = part.high;
+  if (p == a || p == b) return false;
+  const double x = b.x - a.x, y = b.y - a.y, to_x = p.x - a.x, to_y = p.y - a.y;
+  const double length = std::max(std::abs(x), std::abs(y));
+  const double along = std::abs(x) == length ? to_x / x : to_y / y;
+  const double away = std::abs(to_x * (y / length) - to_y * (x / length));
+  const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+  return along > 0 && along < 1 && away <= 8 * std::numeric_limits<double>::epsilon() * largest;
+}
+
 /// Returns the pieces of parts that are cut.
 std::vector<SegmentPart> pieces_of(std::span<const SegmentPart> parts, std::vector<PartCut>& cuts, Steps& step) {
-  // Rounding keeps the order of points along a part in each coordinate, but not the lexicographic order.
   sort(cuts, step, [&](const PartCut& a, const PartCut& b) {
     if (a.part != b.part) return a.part < b.part;
-    if (a.at.x != b.at.x) return a.at.x < b.at.x;
-    return parts[a.part].low.y <= parts[a.part].high.y ? a.at.y < b.at.y : a.at.y > b.at.y;
+    const Point &low = parts[a.part].low, &high = parts[a.part].high;
+    const bool rises = low.y <= high.y;
+    const double x = a.at.x - b.at.x, y = rises ? a.at.y - b.at.y : b.at.y - a.at.y;
+    const bool is_flat = std::abs(high.x / 2 - low.x / 2) >= std::abs(high.y / 2 - low.y / 2);
+    return is_flat ? std::pair(x, y) < std::pair(0.0, 0.0) : std::pair(y, x) < std::pair(0.0, 0.0);
   });
   std::vector<SegmentPart> pieces;
   auto cut = cuts.begin();
@@ -43,7 +63,7 @@ std::vector<SegmentPart> pieces_of(std::span<const SegmentPart> parts, std::vect
     step();
     Point from = parts[i].low;
     const auto end_at = [&](const Point& to) {
-      if (from != to) pieces.push_back({std::min(from, to), std::max(from, to), parts[i].segment});
+      if (from != to) pieces.push_back({std::min(from, to), std::max(from, to), parts[i].segment, parts[i].is_odd});
       from = to;
     };
     for (; cut != cuts.end() && cut->part == i; ++cut) end_at(cut->at);
@@ -52,30 +72,48 @@ std::vector<SegmentPart> pieces_of(std::span<const SegmentPart> parts, std::vect
   return pieces;
 }
 
-void keep_one_of_equal(std::vector<SegmentPart>& parts, Steps& step) {
+void join_equal(std::vector<SegmentPart>& parts, Steps& step) {
   sort(parts, step, [](const SegmentPart& a, const SegmentPart& b) {
     return std::tie(a.low, a.high, a.segment) < std::tie(b.low, b.high, b.segment);
   });
-  const auto are_equal = [](const SegmentPart& a, const SegmentPart& b) { return a.low == b.low && a.high == b.high; };
-  parts.erase(std::unique(parts.begin(), parts.end(), are_equal), parts.end());
+  std::size_t kept = 0;
+  for (const SegmentPart& part : parts) {
+    if (kept > 0 && parts[kept - 1].low == part.low && parts[kept - 1].high == part.high)
+      parts[kept - 1].is_odd ^= part.is_odd;
+    else
+      parts[kept++] = SegmentPart(part);
+  }
+  parts.resize(kept);
 }
 
 }  // namespace
 
 std::vector<SplitPlace> split_crossings(std::vector<SegmentPart>& parts, Steps& step) {
+  constexpr int rounds_with_ends = 20, most_rounds = 100;
   std::vector<SplitPlace> places;
-  for (;;) {
-    keep_one_of_equal(parts, step);
+  for (int round = 0;; ++round) {
+    join_equal(parts, step);
     std::vector<PartCut> cuts;
     PlaneBoxTree(boxes_of(parts), step).visit_pairs([&](std::uint32_t i, std::uint32_t j) {
       const SegmentPart &a = parts[i], &b = parts[j];
       if (!cross(a, b)) return;
+      const std::size_t before = cuts.size();
+      if (round < rounds_with_ends) {
+        for (const Point& end : {b.low, b.high})
+          if (is_close(end, a)) cuts.push_back({i, end});
+        for (const Point& end : {a.low, a.high})
+          if (is_close(end, b)) cuts.push_back({j, end});
+      }
+      if (cuts.size() > before) return;
       const Point at = crossing({a.low, a.high}, {b.low, b.high});
       cuts.push_back({i, at});
       cuts.push_back({j, at});
       places.push_back({at, {std::min(a.segment, b.segment), std::max(a.segment, b.segment)}});
     });
     if (cuts.empty()) break;
+    if (round == most_rounds)
+      throw InvalidInput("segments: found parts that still cross when they are split for the " +
+                         std::to_string(most_rounds) + "th time, as they are nearly one line, expected lines apart");
     parts = pieces_of(parts, cuts, step);
   }
   sort(places, step, [](const SplitPlace& a, const SplitPlace& b) {

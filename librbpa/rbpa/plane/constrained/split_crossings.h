@@ -1,12 +1,15 @@
 // What: splits segments where they cross.
 // Law:  afterwards no two segments cross, except in points that are an end of one of them or more. The result depends
-//       on the segments as a set. A point where two segments cross is rounded once, to nearest.
-// How:  in rounds: all pairs that cross are found, and all their crossings become ends at once; the parts bend by
-//       rounding, and may cross others, which the next round splits.
-// Why:  the rounds end. A crossing stays in the bounding box of a part when it is rounded, as the sides of the box are
-//       doubles. Parts that cross have no end in common, so the rounded crossing is no end of at least one of them. The
-//       pieces of this part have smaller boxes, and no box has infinitely many doubles in it.
-// Cost: for each round, of which two or three are usual, n log n in the segments and the pairs of boxes that meet.
+//       on the segments as a set. A part lies within a few units in the last place from its segment.
+// How:  in rounds: all pairs that cross are found, and all crossings become ends at once. If an end of one part is
+//       close to the other, this end is taken, or else the crossing, rounded to nearest. The parts bend by that, and
+//       may cross others, which the next round splits.
+// Why:  without the ends, the crossings of nearly parallel lines would be rounded ever anew, a last place farther each
+//       time. With them, lines between places that are all that close might bend to and fro: so ends are taken in 20
+//       rounds only. A rounded crossing stays in the bounding box of its part, whose pieces have smaller boxes, so that
+//       rounds without ends are few where boxes are small.
+// Cost: for each round, of which two or three are usual and 100 the limit, n log n in the segments and the pairs of
+//       boxes that meet.
 #pragma once
 
 #include <array>
@@ -18,10 +21,11 @@
 
 namespace rbpa {
 
-/// A part of a segment, between two places in lexicographic order, and the number of the segment.
+/// A part of one or several segments, between two places in lexicographic order.
 struct SegmentPart {
   Point low, high;
-  std::uint32_t segment;
+  std::uint32_t segment;  ///< the least number of these segments
+  bool is_odd = true;     ///< whether their number is odd
 };
 
 /// A place at which two segments, by their numbers, are split.
@@ -30,8 +34,8 @@ struct SplitPlace {
   std::array<std::uint32_t, 2> segments;
 };
 
-/// Splits the parts; returns the places, in lexicographic order, each once. Of equal parts, only that of the lowest
-/// segment is kept. Requires: low < high for each part. Throws: Cancelled.
+/// Splits the parts; returns the places, in lexicographic order, each once. Equal parts
+/// become one. Requires: low < high for each part. Throws: InvalidInput at the limit of rounds; Cancelled.
 std::vector<SplitPlace> split_crossings(std::vector<SegmentPart>& parts, Steps& step);
 
 }  // namespace rbpa
