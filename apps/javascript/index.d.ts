@@ -115,9 +115,9 @@ export interface ConstrainedDelaunay extends Omit<AlphaComplex, "isolated"> {
   segments: Uint32Array;
   /** The region of each triangle; segments bound regions. */
   region: Uint32Array;
-  /** For each region the least number of edges on segments that a way from outside passes: odd is inside of closed
-   * curves. */
-  depth: Uint32Array;
+  /** For each region 1 if it is inside by the even-odd rule, that is, if a path from outside crosses an odd number of
+   * segments, or else 0. */
+  isInside: Uint8Array;
 }
 
 /** A Delaunay triangulation with the members of the package delaunator; triangles are clockwise if y points up. */

@@ -217,7 +217,7 @@ RBPA_EXPORT bool rbpa_constrained_delaunay(const double* points, const double* s
     results.add(std::vector<std::uint32_t>(made.constrained.begin(), made.constrained.end()));
     results.add(std::move(made.edges));
     results.add(std::move(found.region));
-    results.add(std::move(found.depth));
+    results.add(std::vector<std::uint32_t>(found.is_inside.begin(), found.is_inside.end()));
     results.add(halfedges_of(made.triangles, made.neighbors, Seen::y_up));
     results.add(std::move(made.triangles));
     results.add(std::move(made.neighbors));

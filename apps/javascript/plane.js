@@ -120,7 +120,7 @@ class Rbpa {
         constrained: Uint8Array.from({ length: 3 * bits.length }, (_, s) => (bits[Math.floor(s / 3)] >> s % 3) & 1),
         segments: made.indices(3),
         region: made.indices(4),
-        depth: made.indices(5),
+        isInside: Uint8Array.from(made.indices(5)),
         halfedges: made.integers(6),
         triangles: made.indices(7),
         neighbors: made.integers(8),

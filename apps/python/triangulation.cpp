@@ -38,7 +38,7 @@ py::dict constrain(const Doubles& points, const Indices& segments, bool split_cr
   for (py::ssize_t i = 0; i < segments.shape(0); ++i)
     ends.push_back({static_cast<std::uint32_t>(segments.at(i, 0)), static_cast<std::uint32_t>(segments.at(i, 1))});
   SegmentRegions found;
-  ConstrainedDelaunay made = watched(input.size(), progress, [&](Watch& watch) {
+  ConstrainedDelaunay made = watched(long_work, progress, [&](Watch& watch) {
     ConstrainedDelaunay result = constrained_delaunay(
         input, ends, {.split_crossings = split_crossings, .threads = threads, .progress = watch.progress()});
     found = regions(result, watch.until_stopped());
@@ -54,7 +54,7 @@ py::dict constrain(const Doubles& points, const Indices& segments, bool split_cr
   result["convex_hull"] = rows<std::int32_t>(std::move(made.boundary));
   result["duplicates"] = rows<std::int32_t>(std::move(made.duplicates));
   result["region"] = line<std::int32_t>(std::move(found.region));
-  result["depth"] = line<std::int32_t>(std::move(found.depth));
+  result["is_inside"] = line<std::uint8_t>(std::vector<std::uint8_t>(found.is_inside.begin(), found.is_inside.end()));
   return result;
 }
 

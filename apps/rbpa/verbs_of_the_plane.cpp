@@ -15,7 +15,7 @@ CLI::Option* add_segment_options(CLI::App& verb, SegmentArguments& arguments) {
       verb.add_option(
               "--segments", arguments.segments,
               "Make the sides of the lines and polygons of this file edges of triangles, such as breaklines of a "
-              "terrain: constrained Delaunay triangles. Vertices of lines are points too")
+              "terrain: constrained Delaunay triangles. Vertices of lines are points too; fields are not kept")
           ->type_name("LINES");
   add_switch(verb, "--split-crossings", arguments.split_crossings,
              "Split sides where they cross, at the nearest doubles, instead of refusing them")
@@ -40,7 +40,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
       ->type_name("NAME")
       ->capture_default_str();
   add_switch(verb, "--inside", arguments.inside,
-             "Keep only triangles inside the lines by the even-odd rule; closed lines and polygons bound them")
+             "Keep only triangles inside closed lines and polygons, by the even-odd rule")
       ->needs(add_segment_options(verb, arguments));
   add_method_options(verb, arguments.method);
   verb.add_option("--search", arguments.method.search,
@@ -218,9 +218,10 @@ CLI::App* add_discs(CLI::App& app, DiscsArguments& arguments) {
 CLI::App* add_voronoi(CLI::App& app, VoronoiArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("voronoi", "Make the Voronoi cells of points as polygons that tile a boundary");
   add_point_options(verb, arguments);
-  verb.add_option("--clip", arguments.clip,
-                  "Cut the cells at a box around the points, at their convex hull, at their alpha shape, or at the "
-                  "polygons of a file")
+  verb.add_option(
+          "--clip", arguments.clip,
+          "Cut the cells at a box a tenth larger than the points, at their convex hull, at their alpha shape, or at "
+          "the polygons of a file, which share no edge")
       ->type_name("box|hull|shape|POLYGON")
       ->capture_default_str();
   verb.add_option("--alpha", arguments.alpha, "With --clip shape, as rbpa shape takes it (default plateau)")

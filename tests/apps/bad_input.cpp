@@ -198,7 +198,8 @@ TEST_SUITE("wrong usage") {
     CHECK(folder.rbpa("").code == 2);
     CHECK(folder.rbpa("info p.xy --stats -").code == 2);
     refuses(folder, "mehs p.xy --alpha 1 -o m.off", 2,
-            "found 'mehs', expected one of mesh, alpha, shape, discs, voronoi, grid, fill, surface, solid, balls, stream, info, "
+            "found 'mehs', expected one of mesh, alpha, shape, discs, voronoi, grid, fill, surface, solid, balls, "
+            "stream, info, "
             "report (see "
             "rbpa "
             "--help)");

@@ -107,9 +107,27 @@ TEST_SUITE("segments") {
     folder.file("flat.wkt", "LINESTRING (1 1, 3 2)\n");
     folder.rbpa("mesh p.csv --alpha inf --segments flat.wkt -q -o m.obj");
     CHECK(folder.content("m.obj").find("v 1 1 2\nv 3 2 5\n") != std::string::npos);
-    folder.file("far.wkt", "LINESTRING (1 1, 9 9)\n");
-    CHECK(folder.rbpa("mesh p.csv --alpha inf --segments far.wkt -o m.obj").err.find("1 point has no z") !=
-          std::string::npos);
+    // Outside of the triangles: (9, 9) is nearest to the corner (4, 4), and (2, -3) to the side at y = 0.
+    folder.file("far.wkt", "LINESTRING (9 9, 1 1, 2 -3)\n");
+    const Outcome far = folder.rbpa("mesh p.csv --alpha inf --segments far.wkt -o m.obj");
+    CHECK(far.err == "rbpa: 7 points, 7 triangles, 0 isolated, 3 edges on segments -> m.obj\n");
+    CHECK(folder.content("m.obj").find("v 9 9 8\nv 1 1 2\nv 2 -3 2\n") != std::string::npos);
+    // Heights near the greatest double, at a crossing.
+    folder.file("huge.wkt", "MULTILINESTRING Z ((0 0 1e308, 4 4 1e308), (0 4 1e308, 4 0 1e308))\n");
+    folder.rbpa("mesh p.csv --alpha inf --segments huge.wkt --split-crossings -q -o m.obj");
+    CHECK(folder.content("m.obj").find("v 2 2 1e+308\n") != std::string::npos);
+  }
+
+  TEST_CASE("lines are shifted like the points, and have the system that --crs says") {
+    const Folder folder;
+    folder.file("p.csv", "lon,lat\n179,0\n-179,0\n-179,2\n179,2\n");
+    folder.file("l.geojson", R"({"type":"LineString","coordinates":[[179.5,0.5],[180,1],[-179.5,1.5]]})");
+    folder.rbpa("mesh p.csv --shift-longitude --alpha inf --segments l.geojson -q -o m.obj");
+    CHECK(folder.content("m.obj").find("v 180.5 1.5 0\n") != std::string::npos);
+    folder.file("q.wkt", "SRID=28992;MULTIPOINT (0 0, 4 0, 4 4, 0 4)\n");
+    folder.file("k.geojson", R"({"type":"LineString","coordinates":[[1,1],[3,2]]})");
+    CHECK(folder.rbpa("mesh q.wkt --alpha inf --segments k.geojson -o m.obj").code == 3);
+    CHECK(folder.rbpa("mesh q.wkt --alpha inf --segments k.geojson --crs EPSG:28992 -o m.obj").code == 0);
   }
 
   TEST_CASE("input indices count points that are left out before the vertices of lines") {
@@ -140,7 +158,7 @@ TEST_SUITE("segments") {
          "--segments cannot be combined with --group-by"},
         {"mesh p.csv --alpha inf --segments line.wkt -o line.wkt", "line.wkt"},
         {"mesh p.csv --alpha inf --segments scan.las -o m.obj",
-         "--segments: found a format without lines and polygons"},
+         "--segments: found the ending 'las', expected one of geojson, json, wkt, ewkt"},
         {"mesh - --alpha inf --segments - -o m.obj", "--segments -: found POINTS on standard input as well"},
         {"grid p.csv --cell 1 --segments line.wkt --method natural -o g.asc",
          "--method natural cannot be combined with --segments"},

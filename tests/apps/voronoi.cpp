@@ -103,7 +103,8 @@ TEST_SUITE("voronoi") {
     }
     CHECK(folder.rbpa("voronoi p.csv --clip bow.wkt -o c.wkt").err.starts_with("rbpa: bow.wkt: "));
     CHECK(folder.rbpa("voronoi p.csv --clip bow.wkt -o c.wkt").code == 3);
-    CHECK(folder.rbpa("voronoi p.csv --crs EPSG:32631 --clip other.wkt -o c.wkt").code == 3);
+    folder.file("q.wkt", "SRID=32631;MULTIPOINT (0 0, 4 0, 4 4, 0 4)\n");
+    CHECK(folder.rbpa("voronoi q.wkt --clip other.wkt -o c.wkt").code == 3);
     CHECK(!folder.has("c.wkt"));
   }
 }

@@ -218,7 +218,7 @@ test("segments are edges of the constrained triangulation; crossings are refused
   const made = rbpa.constrainedDelaunay(square, rings);
   checkHalfedges(made, square.flat(), 1);
   assert.equal(made.triangles.length / 3, 10);
-  assert.deepEqual([...made.depth].sort(), [1, 2]);
+  assert.deepEqual([...made.isInside].sort(), [0, 1]);
   assert.deepEqual([...made.segments], [0, 1, 0, 3, 1, 2, 2, 3, 4, 5, 4, 7, 5, 6, 6, 7]);
   assert.equal(made.constrained.reduce((a, b) => a + b), 4 + 2 * 4);
   const diagonals = [[0, 2], [1, 3]];

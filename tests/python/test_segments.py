@@ -59,16 +59,15 @@ def test_walks_end_among_long_thin_triangles():
         assert (d[:, 0] * e[:, 1] - d[:, 1] * e[:, 0] >= -1e-9).all()
 
 
-def test_regions_count_the_segments_around_them():
+def test_regions_are_inside_by_the_even_odd_rule():
     square = numpy.array([[0, 0], [8, 0], [8, 8], [0, 8]], float)
     points = numpy.concatenate((square, square / 4 + 3, [[-4, -4], [12, 12]]))
     rings = [[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4]]
     tri = rbpa.Delaunay(points, segments=rings)
     a, b, c = (tri.points[tri.simplices[:, k]] for k in range(3))
     area = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
-    depth = tri.depth[tri.region]
-    assert area[depth == 1].sum() == 60 and area[depth == 2].sum() == 4
-    assert tri.region[0] == 0 and len(tri.depth) == tri.region.max() + 1
+    assert area[tri.is_inside[tri.region]].sum() == 60
+    assert tri.region[0] == 0 and len(tri.is_inside) == tri.region.max() + 1
 
 
 def test_crossings_are_split_at_the_nearest_doubles_or_refused():
@@ -88,10 +87,10 @@ def test_crossings_are_split_at_the_nearest_doubles_or_refused():
 def test_results_are_frozen_and_pickled():
     tri = rbpa.Delaunay(sets.uniform(50, 4), segments=[[0, 1]])
     again = pickle.loads(pickle.dumps(tri))
-    for name in ("points", "simplices", "neighbors", "segments", "constrained", "region", "depth", "crossed"):
+    for name in ("points", "simplices", "neighbors", "segments", "constrained", "region", "is_inside", "crossed"):
         array = getattr(again, name)
         assert (array == getattr(tri, name)).all() and not array.flags.writeable
-    assert repr(tri) == f"<rbpa.ConstrainedDelaunay of 50 points: {tri.nsimplex} triangles, 0 duplicates, {len(tri.segments)} edges on segments>"
+    assert repr(tri) == f"<rbpa.ConstrainedDelaunay of 50 points: {tri.nsimplex} triangles, 0 duplicates, 1 edge on segments>"
     assert rbpa.Delaunay([[0, 0], [1, 1], [2, 2]], segments=[[2, 0]]).segments.tolist() == [[0, 1], [1, 2]]
     assert rbpa.Delaunay([[0, 0], [1, 1], [2, 0]], segments=[]).nsimplex == 1
 
@@ -112,6 +111,11 @@ def test_wrong_segments_are_refused(segments, message):
 
 
 def test_wrong_calls_are_refused():
+    class Own(rbpa.Delaunay):
+        pass
+
+    with pytest.raises(rbpa.InvalidInput, match="segments: found them for a subclass of Delaunay"):
+        Own([[0, 0], [1, 0], [0, 1]], segments=[[0, 1]])
     with pytest.raises(rbpa.InvalidInput, match="points: found an array of shape"):
         rbpa.Delaunay([[0, 0, 1], [1, 0, 2]], segments=[[0, 1]])
     with pytest.raises(rbpa.InvalidInput, match="split_crossings: found True without segments, expected segments"):

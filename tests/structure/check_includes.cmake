@@ -124,7 +124,7 @@ set(allowed
     rbpa/base rbpa/plane"
   "apps/io/polygon: apps/io apps/io/bytes apps/io/text rbpa rbpa/base rbpa/fill rbpa/plane"
   "apps/io/text: apps/io apps/io/bytes"
-  "apps/javascript: rbpa/base rbpa/plane rbpa/space/surface"
+  "apps/javascript: rbpa/base rbpa/fill rbpa/plane rbpa/space/surface"
   "apps/meshtopo: apps/io apps/io/bytes apps/io/mesh apps/program apps/triangulation meshops/core meshops/topology
     rbpa/base rbpa/space/repair rbpa/space/simplify rbpa/space/surface"
   "apps/picture: apps/io apps/io/bytes apps/io/mesh apps/io/text rbpa/base rbpa/plane rbpa/space/persistence"

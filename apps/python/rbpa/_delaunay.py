@@ -82,6 +82,8 @@ class Delaunay(OfPoints, Simplices):
         progress: Progress = None,
     ) -> None:
         array = as_points(points)
+        if segments is not None:
+            raise _core.InvalidInput("segments: found them for a subclass of Delaunay, expected rbpa.Delaunay(points, segments=...)")
         if split_crossings:
             raise _core.InvalidInput("split_crossings: found True without segments, expected segments")
         made = _core.triangulate(array, math.inf, as_threads(threads), progress)
@@ -327,8 +329,9 @@ class Delaunay(OfPoints, Simplices):
 class ConstrainedDelaunay(Delaunay):
     """The constrained Delaunay triangulation of points and segments in the plane, which `Delaunay` returns for segments.
     Every segment is an edge, or a chain of edges where it passes points. The triangulation is unique: it does not depend
-    on the order of points and segments. It has the members of `Delaunay`; interpolation is linear in each triangle, on
-    the side of a breakline where the place is. Members that differ:
+    on the order of points and segments. It has the members of `Delaunay`. Values are interpolated linearly in each
+    triangle, so that a breakline separates them; with `split_crossings` they are not aligned by an index. Members that
+    differ:
 
     Attributes
     ----------
@@ -342,9 +345,9 @@ class ConstrainedDelaunay(Delaunay):
         Whether the side opposite to each corner is on a segment.
     region : int32 array of shape (m,)
         The region of each triangle; segments bound regions.
-    depth : int32 array of shape (r,)
-        For each region the least number of edges on segments that a way from outside passes: odd is inside of closed
-        curves, by the even-odd rule.
+    is_inside : bool array of shape (r,)
+        For each region, whether it is inside by the even-odd rule: whether a path from outside crosses an odd number of
+        segments.
 
     Raises
     ------
@@ -367,7 +370,7 @@ class ConstrainedDelaunay(Delaunay):
     segments: Indices
     constrained: npt.NDArray[np.bool_]
     region: Indices
-    depth: Indices
+    is_inside: npt.NDArray[np.bool_]
 
     def __init__(
         self,
@@ -393,7 +396,8 @@ class ConstrainedDelaunay(Delaunay):
             )
         made = _core.constrain(array, np.ascontiguousarray(ends, np.int32), bool(split_crossings), as_threads(threads), progress)
         made["constrained"] = (made["constrained"][:, None] >> np.arange(3) & 1).astype(bool)
-        made["_index"] = index_of(points) if not len(made["crossed"]) else None
+        made["is_inside"] = made["is_inside"].astype(bool)
+        made["_index"] = None if split_crossings else index_of(points)
         OfPoints.__init__(self, made)
 
     def _interpolate(self, rows: Floats, at: Floats, method: str) -> Floats:
@@ -403,7 +407,8 @@ class ConstrainedDelaunay(Delaunay):
 
     def __repr__(self) -> str:
         text = super().__repr__().replace("Delaunay", "ConstrainedDelaunay")
-        return f"{text[:-1]}, {len(self.segments)} edges on segments>"
+        edges = "1 edge" if len(self.segments) == 1 else f"{len(self.segments)} edges"
+        return f"{text[:-1]}, {edges} on segments>"
 
 
 class DelaunayInSpace(Delaunay):

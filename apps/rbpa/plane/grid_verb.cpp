@@ -76,7 +76,7 @@ GridRequest parse(const GridArguments& arguments) {
   };
   require(request.rasters, arguments.cell.has_value(), "--cell", is_raster);
   require(request.lines, arguments.contours.has_value(), "--contours", is_of_lines);
-  request.segments = parse_segments(arguments, arguments.points, targets, arguments);
+  request.segments = parse_segments(arguments, request.source, targets, arguments);
   if (request.segments)
     refuse_given({{arguments.value != "z", "--value"},
                   {arguments.method == "natural", "--method natural"},

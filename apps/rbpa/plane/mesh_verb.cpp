@@ -38,13 +38,13 @@ void check_segments(const MeshArguments& arguments, const ComplexRequest& reques
   refuse_given({{request.method.leaf_capacity.has_value(), "--method hrbpa"},
                 {request.method.by_paper, "--search paper"},
                 {kind == ComplexKind::full, "--complex full"},
-                {arguments.fields.has_value(), "--fields"}},
+                {arguments.fields.value_or("none") != "none", "--fields"}},
                "cannot be combined with --segments");
   if (request.alpha.rule != AlphaRule::given || !std::isinf(request.alpha.radius))
     throw WrongUsage("--segments requires --alpha inf");
 }
 
-/// Returns the triangles as a complex: with `inside`, only those at an odd depth.
+/// Returns the triangles as a complex: with `inside`, only those in regions that are inside.
 AlphaComplex complex_of(const ConstrainedDelaunay& made, bool inside) {
   AlphaComplex complex;
   complex.triangles = made.triangles;
@@ -55,7 +55,7 @@ AlphaComplex complex_of(const ConstrainedDelaunay& made, bool inside) {
     const SegmentRegions found = regions(made, until_interrupted());
     complex.triangles.clear();
     for (std::size_t t = 0; t < made.triangles.size(); ++t)
-      if (found.depth[found.region[t]] % 2 != 0) complex.triangles.push_back(made.triangles[t]);
+      if (found.is_inside[found.region[t]]) complex.triangles.push_back(made.triangles[t]);
     complex.neighbors = link_triangles(complex.triangles, made.points.size(), until_interrupted());
   }
   std::vector<bool> is_used(made.points.size(), false);
@@ -114,7 +114,7 @@ void run_mesh(const MeshArguments& arguments) {
   const std::vector<Target> targets =
       parse_targets(Use::triangles, arguments, arguments.points, given({arguments.stats, arguments.levels}), kind);
   const bool any_picture = any_of(targets, is_picture);
-  const std::optional<SegmentSource> segments = parse_segments(arguments, arguments.points, targets, arguments);
+  const std::optional<SegmentSource> segments = parse_segments(arguments, request.source, targets, arguments);
   if (segments) check_segments(arguments, request, kind);
 
   request.source.heights = any_has_vertices(targets);
@@ -151,7 +151,7 @@ void run_mesh(const MeshArguments& arguments) {
 
   if (made.triangles.empty()) {
     const std::string what = kind == ComplexKind::full ? "there is no triangle: " : "the complex is empty: ";
-    say("rbpa", what + run.why_empty(made.distinct));
+    say("rbpa", what + (arguments.inside ? "no closed line encloses a triangle" : run.why_empty(made.distinct)));
   }
   run.summarize(made.duplicates.size(), counts_text(made, kind) + more, list_of(targets));
 }

@@ -33,7 +33,39 @@ std::vector<Segment> sides_of(const PointFile& lines, std::size_t before) {
   return sides;
 }
 
-/// Sets the heights of points that have none, from number `first` on, to those of the triangles of the points before.
+/// Returns the share of the way from a to b that is nearest to `at`; does not overflow.
+double share_of_way(const Point& a, const Point& b, const Point& at) {
+  const double x = b.x / 2 - a.x / 2, y = b.y / 2 - a.y / 2, size = std::max(std::abs(x), std::abs(y));
+  if (size == 0) return 0;
+  const double along = (at.x / 2 - a.x / 2) / size * (x / size) + (at.y / 2 - a.y / 2) / size * (y / size);
+  return std::clamp(along / (x / size * (x / size) + y / size * (y / size)), 0.0, 1.0);
+}
+
+double mixed(double a, double b, double share) { return (1 - share) * a + share * b; }
+
+/// Returns the height at the place of the convex hull that is nearest to `at`, which is outside of it.
+double height_beside(const Point& at, const Delaunay& delaunay, const std::vector<double>& z) {
+  const AlphaComplex& made = delaunay.triangulation();
+  const std::span<const Point> points = delaunay.points();
+  double least = std::numeric_limits<double>::infinity(), height = 0;
+  const auto take = [&](std::uint32_t a, std::uint32_t b) {
+    const double share = share_of_way(points[a], points[b], at);
+    const double away = std::hypot(mixed(points[a].x, points[b].x, share) / 2 - at.x / 2,
+                                   mixed(points[a].y, points[b].y, share) / 2 - at.y / 2);
+    if (away >= least) return;
+    least = away;
+    height = mixed(z[a], z[b], share);
+  };
+  for (std::size_t t = 0; t < made.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (made.neighbors[t][k] == AlphaComplex::none)
+        take(made.triangles[t][(k + 1) % 3], made.triangles[t][(k + 2) % 3]);
+  for (const std::uint32_t i : made.isolated) take(i, i);  // without triangles
+  return height;
+}
+
+/// Sets the heights of points that have none, from number `first` on, to those of the triangles of the points before;
+/// outside of these to the height at the nearest place of their hull.
 void drape(PointFile& file, std::size_t first, const RunOptions& run) {
   std::vector<std::uint32_t> which;
   std::vector<Point> places;
@@ -48,37 +80,45 @@ void drape(PointFile& file, std::size_t first, const RunOptions& run) {
   const Locator locator(points, delaunay.triangulation(), {run.threads, until_interrupted()});
   const std::vector<double> heights = locator.interpolate(std::span(file.z).first(first), 1, places,
                                                           {.threads = run.threads, .go_on = until_interrupted()});
-  for (std::size_t i = 0; i < which.size(); ++i) file.z[which[i]] = heights[i];
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    stop_if_interrupted();
+    file.z[which[i]] = std::isnan(heights[i]) ? height_beside(places[i], delaunay, file.z) : heights[i];
+  }
 }
 
 /// Returns the mean of the heights of two segments at a place where they were split.
 double height_at(const Point& at, const std::array<std::uint32_t, 2>& crossed, const std::vector<Segment>& segments,
                  const PointFile& file) {
-  double sum = 0;
+  double mean = 0;
   for (const std::uint32_t s : crossed) {
     const auto [a, b] = segments[s];
-    const auto distance = [&](std::uint32_t i) { return std::hypot(file.points[i].x - at.x, file.points[i].y - at.y); };
-    const double from_a = distance(a), from_b = distance(b);
-    sum += (from_b * file.z[a] + from_a * file.z[b]) / (from_a + from_b);
+    mean += mixed(file.z[a], file.z[b], share_of_way(file.points[a], file.points[b], at)) / 2;
   }
-  return sum / 2;
+  return mean;
 }
+
+/// Returns whether a format has lines, and nothing else that would be read as points.
+bool holds_lines(Format format) { return has_lines(format) && !is_table(format); }
 
 }  // namespace
 
-std::optional<SegmentSource> parse_segments(const SegmentArguments& arguments, const std::string& points,
+std::optional<SegmentSource> parse_segments(const SegmentArguments& arguments, const PointSource& points,
                                             const std::vector<Target>& targets, const OutputArguments& outputs) {
   if (!arguments.segments) return std::nullopt;
   const std::string& path = *arguments.segments;
-  SegmentSource source{.lines = {.path = path, .vertices = true, .beside_points = true},
+  SegmentSource source{.lines = {.path = path,
+                                 .vertices = true,
+                                 .beside_points = true,
+                                 .crs = points.crs,
+                                 .shift_longitude = points.shift_longitude},
                        .split_crossings = arguments.split_crossings};
-  source.lines.format = parse_format(Use::points, path, std::nullopt, "--segments");
-  require_readable(Use::points, source.lines.format, {.vertices = "--segments"});
-  if (path == "-" && points == "-")
+  source.lines.format =
+      path == "-" ? Format::by_content : target_of("--segments", path, Use::points, holds_lines).format;
+  if (path == "-" && points.path == "-")
     bad_usage("--segments -", "POINTS on standard input as well", "one of them as a file");
   std::vector<std::string> files = given({outputs.stats});
   for (const Target& target : targets) files.push_back(target.path);
-  require_different(files, path, "segments");
+  require_different(files, path, "the segments");
   return source;
 }
 
@@ -97,7 +137,6 @@ ConstrainedDelaunay triangulate_with_segments(const Run& run, const SegmentSourc
     file.z.insert(file.z.end(), lines.z.begin(), lines.z.end());
     file.z.resize(file.points.size(), std::numeric_limits<double>::quiet_NaN());
     drape(file, before, run.options());
-    run.complete_heights(file.z);
   }
   ConstrainedDelaunay made;
   try {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/bytes/same_file.h"
+#include "io/cloud/units.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
@@ -51,12 +52,14 @@ VoronoiRequest parse(const VoronoiArguments& arguments) {
   request.source.keeps = parse_fields_of(arguments.fields, any_of(request.targets, holds_fields),
                                          "an OUT in one of " + endings(Use::shape, holds_fields));
   if (request.clip == "box" || request.clip == "hull" || request.clip == "shape") return request;
+  if (request.clip != "-" && request.clip.find('.') == std::string::npos)
+    bad_usage("--clip", in_quotes(request.clip), "box, hull, shape, or a file of polygons such as clip.geojson");
   request.format = request.clip == "-" ? Format::by_content : target_of("--clip", request.clip, Use::polygons).format;
   if (request.clip == "-" && arguments.points == "-")
     bad_usage("--clip -", "POINTS on standard input as well", "one of them as a file");
   std::vector<std::string> files = given({arguments.stats});
   for (const Target& target : request.targets) files.push_back(target.path);
-  require_different(files, request.clip, "boundary");
+  require_different(files, request.clip, "the boundary");
   return request;
 }
 
@@ -71,7 +74,8 @@ Boundary boundary_of(const VoronoiRequest& request, const Run& run, const PointF
                      Stats& stats) {
   if (request.format) {
     PolygonFile read = run.read([&] { return read_polygons(request.clip, *request.format); });
-    if (read.vertices.crs && file.crs)
+    if (request.source.shift_longitude) shift_longitude(read.vertices.points, input_name(request.clip));
+    if (read.vertices.crs && file.crs && !request.source.crs)
       require_same_crs(read.vertices.crs, input_name(request.clip), file.crs, run.input());
     return {std::move(read.vertices.points), std::move(read.polygons)};
   }
@@ -154,6 +158,7 @@ void run_voronoi(const VoronoiArguments& arguments) {
   run.publish();
   caution(request.targets, shape);
   const std::size_t changed = cells.merged + cells.inserted;
+  if (cells.polygons.empty() && stats.points > 0) say("rbpa", "there is no cell: the boundary has no area");
   run.summarize(text_of_points(stats.points, stats.points - stats.distinct) + ", " +
                 counted(number_of_cells(cells), "cell") + " of " + counted(cells.polygons.size(), "polygon") +
                 ", area " + rounded(totals.area, 6) +
