@@ -34,17 +34,18 @@ struct PartCut {
   Point at;
 };
 
-/// Returns whether `p`, no end of the part, is as near to it as a few units in the last place of the largest
-/// coordinate, and beside it.
-bool is_close(const Point& p, const SegmentPart& part) {
+double largest_coordinate(const SegmentPart& part) {
+  return std::max({std::abs(part.low.x), std::abs(part.low.y), std::abs(part.high.x), std::abs(part.high.y)});
+}
+
+/// Returns whether `p`, no end of the part, is beside it, and at most `distance` away from it.
+bool is_close(const Point& p, const SegmentPart& part, double distance) {
   const Point &a = part.low, &b = part.high;
   if (p == a || p == b) return false;
   const double x = b.x - a.x, y = b.y - a.y, to_x = p.x - a.x, to_y = p.y - a.y;
   const double length = std::max(std::abs(x), std::abs(y));
   const double along = std::abs(x) == length ? to_x / x : to_y / y;
-  const double away = std::abs(to_x * (y / length) - to_y * (x / length));
-  const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
-  return along > 0 && along < 1 && away <= 8 * std::numeric_limits<double>::epsilon() * largest;
+  return along > 0 && along < 1 && std::abs(to_x * (y / length) - to_y * (x / length)) <= distance;
 }
 
 /// Returns the pieces of parts that are cut.
@@ -89,20 +90,26 @@ void join_equal(std::vector<SegmentPart>& parts, Steps& step) {
 }  // namespace
 
 std::vector<SplitPlace> split_crossings(std::vector<SegmentPart>& parts, Steps& step) {
-  constexpr int rounds_with_ends = 20, most_rounds = 100;
+  constexpr int rounds_by_part = 8, rounds_with_ends = 40, most_rounds = 100;
+  double largest = 0;
+  for (const SegmentPart& part : parts) largest = std::max(largest, largest_coordinate(part));
   std::vector<SplitPlace> places;
   for (int round = 0;; ++round) {
     join_equal(parts, step);
     std::vector<PartCut> cuts;
+    const double share = std::ldexp(std::numeric_limits<double>::epsilon(), 2 + round / 4);
     PlaneBoxTree(boxes_of(parts), step).visit_pairs([&](std::uint32_t i, std::uint32_t j) {
       const SegmentPart &a = parts[i], &b = parts[j];
       if (!cross(a, b)) return;
       const std::size_t before = cuts.size();
+      const auto cut_at_ends = [&](std::uint32_t cut, const SegmentPart& other) {
+        const double distance = share * (round < rounds_by_part ? largest_coordinate(parts[cut]) : largest);
+        for (const Point& end : {other.low, other.high})
+          if (is_close(end, parts[cut], distance)) cuts.push_back({cut, end});
+      };
       if (round < rounds_with_ends) {
-        for (const Point& end : {b.low, b.high})
-          if (is_close(end, a)) cuts.push_back({i, end});
-        for (const Point& end : {a.low, a.high})
-          if (is_close(end, b)) cuts.push_back({j, end});
+        cut_at_ends(i, b);
+        cut_at_ends(j, a);
       }
       if (cuts.size() > before) return;
       const Point at = crossing({a.low, a.high}, {b.low, b.high});

@@ -5,9 +5,10 @@
 //       close to the other, this end is taken, or else the crossing, rounded to nearest. The parts bend by that, and
 //       may cross others, which the next round splits.
 // Why:  without the ends, the crossings of nearly parallel lines would be rounded ever anew, a last place farther each
-//       time. With them, lines between places that are all that close might bend to and fro: so ends are taken in 20
-//       rounds only. A rounded crossing stays in the bounding box of its part, whose pieces have smaller boxes, so that
-//       rounds without ends are few where boxes are small.
+//       time. With them, lines between places that are all that close might bend to and fro. So an end is close within
+//       2⁻⁵⁰ of the largest coordinate of the part in the first rounds, of all parts from the ninth on; the distance is
+//       doubled after each four rounds; and from the 41st on ends are not taken. A rounded crossing stays in the
+//       bounding box of its part, whose pieces have smaller boxes, so that the last rounds are few in small boxes.
 // Cost: for each round, of which two or three are usual and 100 the limit, n log n in the segments and the pairs of
 //       boxes that meet.
 #pragma once
