@@ -101,18 +101,19 @@ std::vector<SplitPlace> split_crossings(std::vector<SegmentPart>& parts, Steps& 
     PlaneBoxTree(boxes_of(parts), step).visit_pairs([&](std::uint32_t i, std::uint32_t j) {
       const SegmentPart &a = parts[i], &b = parts[j];
       if (!cross(a, b)) return;
+      const Point at = crossing({a.low, a.high}, {b.low, b.high});
+      const bool is_exact = plane_orientation(a.low, a.high, at) == 0 && plane_orientation(b.low, b.high, at) == 0;
       const std::size_t before = cuts.size();
       const auto cut_at_ends = [&](std::uint32_t cut, const SegmentPart& other) {
         const double distance = share * (round < rounds_by_part ? largest_coordinate(parts[cut]) : largest);
         for (const Point& end : {other.low, other.high})
           if (is_close(end, parts[cut], distance)) cuts.push_back({cut, end});
       };
-      if (round < rounds_with_ends) {
+      if (round < rounds_with_ends && !is_exact) {
         cut_at_ends(i, b);
         cut_at_ends(j, a);
       }
       if (cuts.size() > before) return;
-      const Point at = crossing({a.low, a.high}, {b.low, b.high});
       cuts.push_back({i, at});
       cuts.push_back({j, at});
       places.push_back({at, {std::min(a.segment, b.segment), std::max(a.segment, b.segment)}});

@@ -1,9 +1,9 @@
 // What: splits segments where they cross.
 // Law:  afterwards no two segments cross, except in points that are an end of one of them or more. The result depends
-//       on the segments as a set. A part lies within a few units in the last place from its segment.
-// How:  in rounds: all pairs that cross are found, and all crossings become ends at once. If an end of one part is
-//       close to the other, this end is taken, or else the crossing, rounded to nearest. The parts bend by that, and
-//       may cross others, which the next round splits.
+//       on the segments as a set. Parts usually lie within a few units in the last place from their segments.
+// How:  in rounds: all pairs that cross are found, and all crossings become ends at once. A crossing that doubles
+//       represent is taken as it is. Otherwise an end of one part is taken if it is close to the other, or else the
+//       crossing, rounded to nearest. The parts bend by that, and may cross others, which the next round splits.
 // Why:  without the ends, the crossings of nearly parallel lines would be rounded ever anew, a last place farther each
 //       time. With them, lines between places that are all that close might bend to and fro. So an end is close within
 //       2⁻⁵⁰ of the largest coordinate of the part in the first rounds, of all parts from the ninth on; the distance is
