@@ -151,8 +151,8 @@ def test_a_progressive_mesh_refuses_what_is_none():
             rbpa.meshops.ProgressiveMesh.from_bytes(wrong)
     with pytest.raises(rbpa.ContractViolation, match="places"):
         rbpa.meshops.ProgressiveMesh(mesh, places[1:])
-    many = ball(20000)
-    large = rbpa.surface(many, many, 0.05).mesh()
+    many = ball(80000)  # takes long enough for a progress call on a busy machine
+    large = rbpa.surface(many, many, 0.025).mesh()
     with pytest.raises(rbpa.Cancelled):
         rbpa.meshops.ProgressiveMesh(large, many[large.point_of_vertex], progress=lambda t, p: False)
     with pytest.raises(TypeError):
