@@ -12,6 +12,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/base/mesh.h"
 #include "rbpa/base/run/input.h"
+#include "rbpa/base/run/point_text.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/fill/front/improve.h"
 #include "rbpa/fill/front/link_filling.h"

@@ -11,6 +11,7 @@
 #include "rbpa/base/arrays/distinct.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/run/input.h"
+#include "rbpa/base/run/point_text.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/arrays/boundary_sides.h"
@@ -21,12 +22,10 @@
 namespace rbpa {
 namespace {
 
-std::string place_text(const Point& p) { return "(" + text(p.x) + ", " + text(p.y) + ")"; }
-
 /// Returns "segment 3 from (0, 0) to (1, 2)".
 std::string name_of(std::size_t i, std::span<const Point> points, std::span<const Segment> segments) {
-  return "segment " + std::to_string(i) + " from " + place_text(points[segments[i][0]]) + " to " +
-         place_text(points[segments[i][1]]);
+  return "segment " + std::to_string(i) + " from " + place_of(points[segments[i][0]]) + " to " +
+         place_of(points[segments[i][1]]);
 }
 
 void check(std::span<const Point> points, std::span<const Segment> segments) {

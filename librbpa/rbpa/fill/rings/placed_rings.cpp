@@ -1,4 +1,5 @@
 #include "rbpa/fill/rings/placed_rings.h"
+#include "rbpa/base/run/point_text.h"
 
 #include <utility>
 

@@ -5,6 +5,7 @@
 
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/error.h"
+#include "rbpa/base/run/point_text.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/fill/rings/placed_rings.h"
 #include "rbpa/fill/validity.h"

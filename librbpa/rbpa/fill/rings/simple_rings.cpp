@@ -8,6 +8,7 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/base/run/input.h"
+#include "rbpa/base/run/point_text.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/plane/predicate/plane_predicates.h"
 #include "rbpa/plane/shape/below.h"
@@ -225,11 +226,6 @@ class RingSweep {
 };
 
 }  // namespace
-
-std::string place_of(const Point& p) {
-  std::string place = "(";
-  return place.append(text(p.x)).append(", ").append(text(p.y)).append(")");
-}
 
 void check_points(std::span<const Point> points, std::span<const Ring> rings, const RingName& name, const GoOn& go_on) {
   Steps step(go_on);

@@ -27,9 +27,6 @@ struct RingPlace {
   bool is_hole() const { return depth % 2 != 0; }    ///< whether the ring bounds a hole
 };
 
-/// Returns the text of a point: "(1.5, 2)".
-std::string place_of(const Point& p);
-
 /// A function that returns the name of a ring, given by its number, for messages: "hole 2 of polygon 0".
 using RingName = std::function<std::string(std::size_t)>;
 

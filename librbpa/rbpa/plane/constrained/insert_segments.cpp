@@ -77,7 +77,7 @@ class Inserter {
   }
 
   bool is_fixed(const TriangleSide& side) const { return (fixed_[side.triangle] >> side.k & 1) != 0; }
-  /// How an edge lies on segments: on none, an even or an odd number.
+  /// The number of segments that lie on an edge: none, an even or an odd number.
   enum Fixed : std::uint8_t { free = 0, even = 0x01, odd = 0x11 };
   Fixed fixed(const TriangleSide& side) const { return Fixed(fixed_[side.triangle] >> side.k & 0x11); }
   /// Counts a segment on an edge, on both sides of it.
@@ -191,7 +191,7 @@ class Inserter {
   struct Rim {
     Site site;
     TriangleSide outside;
-    Fixed fixed = free;   // how the rim's edge lies on segments
+    Fixed fixed = free;   // the segments on the rim's edge
     bool is_new = false;  // whether the triangle of `outside` was made for this cavity
   };
 

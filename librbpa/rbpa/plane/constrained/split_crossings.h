@@ -35,8 +35,8 @@ struct SplitPlace {
   std::array<std::uint32_t, 2> segments;
 };
 
-/// Splits the parts; returns the places, in lexicographic order, each once. Equal parts
-/// become one. Requires: low < high for each part. Throws: InvalidInput at the limit of rounds; Cancelled.
+/// Splits the parts; returns the places, in lexicographic order, each once. Equal parts become one.
+/// Requires: low < high for each part. Throws: InvalidInput at the limit of rounds; Cancelled.
 std::vector<SplitPlace> split_crossings(std::vector<SegmentPart>& parts, Steps& step);
 
 }  // namespace rbpa
