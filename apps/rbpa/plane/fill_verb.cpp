@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "io/bytes/available_memory.h"
-#include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/mesh/write_triangles.h"
@@ -55,13 +54,8 @@ FillRequest parse(const FillArguments& arguments) {
     throw WrongUsage("--size inf adds no point and cannot be combined with " +
                      std::string(arguments.grade ? "--grade" : "--size-at"));
   request.targets = parse_targets(Use::triangles, arguments, arguments.polygons, given({arguments.stats}));
-  if (request.size_at) {
-    if (*request.size_at == "-" && request.path == "-")
-      bad_usage("--size-at -", "POLYGON on standard input as well", "one of them as a file");
-    std::vector<std::string> files = given({arguments.stats});
-    for (const Target& target : request.targets) files.push_back(target.path);
-    require_different(files, *request.size_at, "sizes");
-  }
+  if (request.size_at)
+    check_second_input({"--size-at", *request.size_at, "sizes"}, {"POLYGON", request.path}, request.targets, arguments);
   return request;
 }
 

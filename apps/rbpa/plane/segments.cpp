@@ -7,7 +7,6 @@
 #include <span>
 #include <string_view>
 
-#include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
@@ -114,11 +113,7 @@ std::optional<SegmentSource> parse_segments(const SegmentArguments& arguments, c
                        .split_crossings = arguments.split_crossings};
   source.lines.format =
       path == "-" ? Format::by_content : target_of("--segments", path, Use::points, holds_lines).format;
-  if (path == "-" && points.path == "-")
-    bad_usage("--segments -", "POINTS on standard input as well", "one of them as a file");
-  std::vector<std::string> files = given({outputs.stats});
-  for (const Target& target : targets) files.push_back(target.path);
-  require_different(files, path, "the segments");
+  check_second_input({"--segments", path, "the segments"}, {"POINTS", points.path}, targets, outputs);
   return source;
 }
 

@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "io/bytes/same_file.h"
 #include "io/cloud/units.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -55,11 +54,8 @@ VoronoiRequest parse(const VoronoiArguments& arguments) {
   if (request.clip != "-" && request.clip.find('.') == std::string::npos)
     bad_usage("--clip", in_quotes(request.clip), "box, hull, shape, or a file of polygons such as clip.geojson");
   request.format = request.clip == "-" ? Format::by_content : target_of("--clip", request.clip, Use::polygons).format;
-  if (request.clip == "-" && arguments.points == "-")
-    bad_usage("--clip -", "POINTS on standard input as well", "one of them as a file");
-  std::vector<std::string> files = given({arguments.stats});
-  for (const Target& target : request.targets) files.push_back(target.path);
-  require_different(files, request.clip, "the boundary");
+  check_second_input({"--clip", request.clip, "the boundary"}, {"POINTS", arguments.points}, request.targets,
+                     arguments);
   return request;
 }
 

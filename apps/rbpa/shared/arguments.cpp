@@ -118,6 +118,15 @@ std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, con
   return targets;
 }
 
+void check_second_input(const SecondInput& second, const FirstInput& first, const std::vector<Target>& targets,
+                        const OutputArguments& outputs) {
+  if (second.path == "-" && first.path == "-")
+    bad_usage(second.option + " -", first.argument + " on standard input as well", "one of them as a file");
+  std::vector<std::string> files = given({outputs.stats});
+  for (const Target& target : targets) files.push_back(target.path);
+  require_different(files, second.path, second.content);
+}
+
 bool any_of(const std::vector<Target>& targets, bool (*fits)(Format)) {
   return std::any_of(targets.begin(), targets.end(), [&](const Target& target) { return fits(target.format); });
 }

@@ -50,6 +50,19 @@ std::vector<std::string> given(const std::vector<std::optional<std::string>>& re
 std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input,
                                   const std::vector<std::string>& reports, ComplexKind complex = ComplexKind::solid);
 
+/// An input that an option names, and what it has, for messages.
+struct SecondInput {
+  std::string option, path, content;
+};
+/// An input that an argument names.
+struct FirstInput {
+  std::string argument, path;
+};
+/// Checks a second input. Throws WrongUsage if both inputs are standard input, or if a target or the report of --stats
+/// is the second input; Failure as parse_targets() does.
+void check_second_input(const SecondInput& second, const FirstInput& first, const std::vector<Target>& targets,
+                        const OutputArguments& outputs);
+
 /// Returns whether fits() is true for the format of any target.
 bool any_of(const std::vector<Target>& targets, bool (*fits)(Format));
 /// Returns whether any target has vertices with coordinates, that is, is neither a picture nor an array of indices.
