@@ -42,24 +42,29 @@ double share_of_way(const Point& a, const Point& b, const Point& at) {
 
 double mixed(double a, double b, double share) { return (1 - share) * a + share * b; }
 
-/// Returns the height at the place of the convex hull that is nearest to `at`, which is outside of it.
-double height_beside(const Point& at, const Delaunay& delaunay, const std::vector<double>& z) {
-  const AlphaComplex& made = delaunay.triangulation();
-  const std::span<const Point> points = delaunay.points();
+/// Returns the sides of the convex hull; if there is no triangle, each point as a side of no length.
+std::vector<Segment> hull_of(const AlphaComplex& delaunay) {
+  std::vector<Segment> hull;
+  for (std::size_t t = 0; t < delaunay.triangles.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (delaunay.neighbors[t][k] == AlphaComplex::none)
+        hull.push_back({delaunay.triangles[t][(k + 1) % 3], delaunay.triangles[t][(k + 2) % 3]});
+  for (const std::uint32_t i : delaunay.isolated) hull.push_back({i, i});
+  return hull;
+}
+
+/// Returns the height at the place of the hull that is nearest to `at`, which is outside of it.
+double height_beside(const Point& at, const std::vector<Segment>& hull, const std::vector<Point>& points,
+                     const std::vector<double>& z) {
   double least = std::numeric_limits<double>::infinity(), height = 0;
-  const auto take = [&](std::uint32_t a, std::uint32_t b) {
+  for (const auto& [a, b] : hull) {
     const double share = share_of_way(points[a], points[b], at);
     const double away = std::hypot(mixed(points[a].x, points[b].x, share) / 2 - at.x / 2,
                                    mixed(points[a].y, points[b].y, share) / 2 - at.y / 2);
-    if (away >= least) return;
+    if (away >= least) continue;
     least = away;
     height = mixed(z[a], z[b], share);
-  };
-  for (std::size_t t = 0; t < made.triangles.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (made.neighbors[t][k] == AlphaComplex::none)
-        take(made.triangles[t][(k + 1) % 3], made.triangles[t][(k + 2) % 3]);
-  for (const std::uint32_t i : made.isolated) take(i, i);  // without triangles
+  }
   return height;
 }
 
@@ -79,9 +84,10 @@ void drape(PointFile& file, std::size_t first, const RunOptions& run) {
   const Locator locator(points, delaunay.triangulation(), {run.threads, until_interrupted()});
   const std::vector<double> heights = locator.interpolate(std::span(file.z).first(first), 1, places,
                                                           {.threads = run.threads, .go_on = until_interrupted()});
+  const std::vector<Segment> hull = hull_of(delaunay.triangulation());
   for (std::size_t i = 0; i < which.size(); ++i) {
     stop_if_interrupted();
-    file.z[which[i]] = std::isnan(heights[i]) ? height_beside(places[i], delaunay, file.z) : heights[i];
+    file.z[which[i]] = std::isnan(heights[i]) ? height_beside(places[i], hull, points, file.z) : heights[i];
   }
 }
 
