@@ -1,4 +1,4 @@
-/** Alpha shapes, concave hulls and Delaunay triangulations of points in the plane.
+/** Alpha shapes, concave hulls, Delaunay triangulations and Voronoi cells of points in the plane.
  *
  * Every decision is exact, also on grids, duplicates and collinear points; the result depends only on the set of points and on alpha. Alpha is a
  * radius in the units of the points. Points on one line, and fewer than three points, have no triangle.
