@@ -96,7 +96,8 @@ set(allowed
     rbpa/space/surface/levels"
   "rbpa/space/solid/boundary: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run
     rbpa/space/predicate rbpa/space/solid rbpa/space/surface rbpa/space/surface/levels"
-  "rbpa/space/solid/insertion: meshops/core rbpa/base rbpa/space/predicate"
+  "rbpa/space/solid/insertion: meshops/core rbpa/base rbpa/base/parallel rbpa/base/run rbpa/base/sort
+    rbpa/space/predicate"
   "rbpa/space/solid/periodic: rbpa/base rbpa/base/run rbpa/space/predicate rbpa/space/solid"
   "rbpa/space/solid/rows: meshops/core rbpa/base rbpa/base/parallel rbpa/base/run rbpa/base/sort rbpa/space/solid
     rbpa/space/solid/insertion"

@@ -87,31 +87,31 @@ std::vector<Point3> apexes(std::span<const Point3> centers, std::span<const std:
 
 /// Inserts the balls of the order. Calls use(triangulation), and returns true, unless all centers are in one plane.
 template <typename Use>
-bool triangulate(std::span<const Point3> centers, std::span<const double> radii, std::span<const std::uint32_t> order,
-                 const OnProgress& progress, Use use) {
+bool triangulate(std::span<const Point3> centers, std::span<const double> radii, const space::SpatialOrder& order,
+                 Threads& threads, const OnProgress& progress, Use use) {
   const space::Spread spread = space::spread(centers, radii);
   std::vector<Point3> copy;
   std::vector<double> copy_of_radii;
-  space::BallInsertion triangulation(centers, space::scaled(centers, spread, copy), spread, order, radii,
+  space::BallInsertion triangulation(centers, space::scaled(centers, spread, copy), spread, order, threads, radii,
                                      space::scaled(radii, spread, copy_of_radii));
-  if (!space::insert_all(triangulation, progress)) return false;
+  if (!triangulation.insert_all(progress)) return false;
   use(triangulation);
   return true;
 }
 
 /// Returns the triangulation of centers that are all in one plane: RegularTriangulation::flat.
 std::vector<Row> triangulate_flat(std::span<const Point3> centers, std::span<const double> radii,
-                                  std::vector<std::uint32_t> order, const OnProgress& progress) {
+                                  space::SpatialOrder sorted, const OnProgress& progress) {
   std::vector<Point3> with_apexes(centers.begin(), centers.end());
   std::vector<double> their_radii(radii.begin(), radii.end());
-  for (const Point3& apex : apexes(centers, order)) {
-    order.push_back(static_cast<std::uint32_t>(with_apexes.size()));
+  for (const Point3& apex : apexes(centers, sorted.order)) {
+    sorted.order.push_back(static_cast<std::uint32_t>(with_apexes.size()));
     with_apexes.push_back(apex);
     their_radii.push_back(0);
   }
   std::vector<Row> flat;
-  triangulate(with_apexes, their_radii, order, progress, [&](const space::BallInsertion& triangulation) {
-    Threads one(1);
+  Threads one(1);
+  triangulate(with_apexes, their_radii, sorted, one, progress, [&](const space::BallInsertion& triangulation) {
     for (Row row : space::rows_of(triangulation, false, one, [](std::uint32_t) { return true; }).corners) {
       for (std::uint32_t& corner : row) {
         const std::uint32_t index = triangulation.index()[corner];
@@ -153,16 +153,17 @@ RegularTriangulation regular_triangulation(std::span<const Point3> centers, std:
     const auto checkpoint = checkpoint_of(options.progress, centers.size());
     const space::Spread spread = space::spread(centers);
     std::vector<Point3> copy;
-    space::SpatialOrder sorted = space::spatial_order(centers, space::scaled(centers, spread, copy), checkpoint);
+    Threads threads = threads_for(centers.size(), options.threads);
+    space::SpatialOrder sorted =
+        space::spatial_order(centers, space::scaled(centers, spread, copy), threads, checkpoint);
     choose_largest(radii, std::move(sorted.duplicates), sorted.order, result);
     const auto fill_in = [&](const space::BallInsertion& triangulation) {
-      Threads threads = threads_for(centers.size(), options.threads);
       space::fill_in(space::rows_of(triangulation, options.neighbors, threads, [](std::uint32_t) { return true; }),
                      triangulation.index(), centers.size(), options.neighbors, threads,
                      checkpoint_of(options.progress, sorted.order.size(), sorted.order.size()), solid);
     };
-    if (!triangulate(centers, radii, sorted.order, options.progress, fill_in) && !centers.empty())
-      result.flat = triangulate_flat(centers, radii, std::move(sorted.order), options.progress);
+    if (!triangulate(centers, radii, sorted, threads, options.progress, fill_in) && !centers.empty())
+      result.flat = triangulate_flat(centers, radii, std::move(sorted), options.progress);
   }
   result.simplices = std::move(solid.simplices);
   result.neighbors = std::move(solid.neighbors);

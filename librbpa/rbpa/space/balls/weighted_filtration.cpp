@@ -117,7 +117,8 @@ void find_values_of_balls(const PowerRule& rule, std::size_t balls, const Regula
 SolidFiltration weighted_filtration(std::span<const Point3> centers, std::span<const double> radii,
                                     const WeightedFiltrationOptions& options) {
   space::check_balls(centers, radii);
-  const space::CurveOrder order(centers, checkpoint_of(options.progress, centers.size()));
+  Threads threads = threads_for(centers.size(), options.threads);
+  const space::CurveOrder order(centers, threads, checkpoint_of(options.progress, centers.size()));
   const std::vector<Point3> sorted = order.sorted(centers);
   const std::vector<double> sorted_radii = order.sorted(radii);
   RegularTriangulation regular =
@@ -126,7 +127,6 @@ SolidFiltration weighted_filtration(std::span<const Point3> centers, std::span<c
   SolidFiltration filtration;
   const GoOn go_on = go_on_of(options.progress, regular.distinct);
   Steps step(go_on);
-  Threads threads = threads_for(centers.size(), options.threads);
   const PowerRule rule(sorted, sorted_radii, options.roots);
   filtration.delaunay.simplices = std::move(regular.simplices);
   filtration.delaunay.neighbors = std::move(regular.neighbors);

@@ -70,7 +70,8 @@ void take_flat(std::span<const Point3> points, const SolidOptions& options, Thre
 ///   4. rename the corners.
 SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOptions& options) {
   space::check_points(points);
-  const space::CurveOrder order(points, checkpoint_of(options.progress, points.size()));
+  Threads threads = threads_for(points.size(), options.threads);
+  const space::CurveOrder order(points, threads, checkpoint_of(options.progress, points.size()));
   const std::vector<Point3> sorted = order.sorted(points);
 
   SolidFiltration filtration;
@@ -78,7 +79,6 @@ SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOpti
   delaunay = solid(sorted, infinity, {.neighbors = true, .threads = options.threads, .progress = options.progress});
   const GoOn go_on = [&] { return !options.progress || options.progress({delaunay.distinct, delaunay.distinct}); };
   Steps step(go_on);
-  Threads threads = threads_for(points.size(), options.threads);
   const space::RadiusRule rule(sorted);
   if (delaunay.simplices.empty() && delaunay.distinct > 1) {
     take_flat(sorted, options, threads, step, filtration);

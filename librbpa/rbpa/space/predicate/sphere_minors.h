@@ -61,18 +61,20 @@ class ErrorBound {
       : bits_(((std::bit_cast<std::uint64_t>(constant) >> 32U) + 1) |
               ((std::bit_cast<std::uint64_t>(slope) & high_bits) + low_one)) {}
 
-  /// Returns the mark of a deleted tetrahedron. Its numbers are NaN, so that no comparison with the bound is true.
+  /// Returns the mark of a deleted tetrahedron that has no bound.
   static ErrorBound deleted() {
     ErrorBound bound;
     bound.bits_ = ~std::uint64_t{0};
     return bound;
   }
-  ErrorBound deleted_if(bool is_meant) const {
+  /// Returns the bound with the mark of a deleted tetrahedron, or a marked bound without the mark; if not `is_meant`,
+  /// the bound itself. A marked bound is negative or NaN.
+  ErrorBound marked_if(bool is_meant) const {
     ErrorBound bound;
-    bound.bits_ = bits_ | -std::uint64_t{is_meant};
+    bound.bits_ = bits_ ^ -std::uint64_t{is_meant};
     return bound;
   }
-  bool is_deleted() const { return bits_ == ~std::uint64_t{0}; }
+  bool is_deleted() const { return bits_ >> 63U != 0; }
 
   double constant() const { return std::bit_cast<double>(bits_ << 32U); }
   double slope() const { return std::bit_cast<double>(bits_ & high_bits); }

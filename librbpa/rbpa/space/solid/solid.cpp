@@ -79,7 +79,8 @@ bool find_near(std::span<const Point3> points, double alpha, double most_cost, c
   return true;
 }
 
-void list_isolated(std::size_t points, Solid& solid) {
+void list_isolated(std::size_t points, double alpha, Solid& solid) {
+  if (std::isinf(alpha) && !solid.simplices.empty()) return;
   std::vector<bool> is_corner(points, false);
   for (const Row& row : solid.simplices)
     for (const std::uint32_t corner : row) is_corner[corner] = true;
@@ -118,13 +119,13 @@ void insert_all(std::span<const Point3> points, double alpha, const SolidOptions
   const space::Spread spread = space::spread(points);
   std::vector<Point3> copy;
   const auto scaled = space::scaled(points, spread, copy);
-  space::SpatialOrder sorted = space::spatial_order(points, scaled, checkpoint);
+  Threads threads = threads_for(points.size(), options.threads);
+  space::SpatialOrder sorted = space::spatial_order(points, scaled, threads, checkpoint);
 
   solid.distinct = sorted.order.size();
   solid.duplicates = std::move(sorted.duplicates);
-  space::Insertion triangulation(points, scaled, spread, sorted.order);
-  if (!space::insert_all(triangulation, options.progress)) return;
-  Threads threads = threads_for(points.size(), options.threads);
+  space::Insertion triangulation(points, scaled, spread, sorted, threads);
+  if (!triangulation.insert_all(options.progress)) return;
   const double scaled_alpha = std::ldexp(alpha, spread.exponent);
   const auto is_kept = [&](std::uint32_t t) {
     return std::isinf(alpha) || triangulation.is_within(t, alpha, scaled_alpha);
@@ -154,7 +155,7 @@ Solid solid(std::span<const Point3> points, double alpha, const SolidOptions& gi
           ? by_triples(by_insertion)
           : by_triples(by_tiles) || find_in_tiles(points, alpha, options, solid) || by_triples(by_insertion);
   if (!is_found) insert_all(points, alpha, options, checkpoint, solid);
-  list_isolated(points.size(), solid);
+  list_isolated(points.size(), alpha, solid);
   return solid;
 }
 

@@ -25,10 +25,8 @@
 namespace rbpa {
 
 struct SolidOptions {
-  bool neighbors = true;  ///< whether Solid::neighbors is filled in
-  /// Maximum number of threads; 0: all processors. Insertion of points one by one uses one thread
-  /// (docs/explanation/space.md).
-  MaxThreads threads = 0;
+  bool neighbors = true;     ///< whether Solid::neighbors is filled in
+  MaxThreads threads = 0;    ///< 0: all processors
   OnProgress progress = {};  ///< Progress::triangles is the number of finished points
 };
 

@@ -8,9 +8,9 @@
 
 namespace rbpa::space {
 
-CurveOrder::CurveOrder(std::span<const Point3> points, const Checkpoint& checkpoint) {
+CurveOrder::CurveOrder(std::span<const Point3> points, Threads& threads, const Checkpoint& checkpoint) {
   std::vector<Point3> copy;
-  index_ = order_on_curve(points, scaled(points, spread(points), copy), checkpoint);
+  index_ = order_on_curve(points, scaled(points, spread(points), copy), threads, checkpoint);
 }
 
 void CurveOrder::rename_corners(SolidFiltration& filtration) const {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/base/progress.h"
 #include "rbpa/space/persistence/solid_filtration.h"
@@ -16,7 +17,7 @@ namespace rbpa::space {
 class CurveOrder {
  public:
   /// Sorts the points along the curve. Requires: finite points. Throws what `checkpoint` throws.
-  CurveOrder(std::span<const Point3> points, const Checkpoint& checkpoint);
+  CurveOrder(std::span<const Point3> points, Threads& threads, const Checkpoint& checkpoint);
 
   /// Returns the items in the order of the curve. Requires: of_points[i] is the item of point i.
   template <typename Item>

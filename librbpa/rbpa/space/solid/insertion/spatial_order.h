@@ -12,25 +12,27 @@
 #include <vector>
 
 #include "rbpa/base/duplicate.h"
+#include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/point3.h"
 #include "rbpa/base/progress.h"
 
 namespace rbpa::space {
 
 /// Returns the indices of all points in the order of the Hilbert curve. Equal points are adjacent, the lowest index
-/// first. Calls `checkpoint`, if any, repeatedly; `checkpoint` may throw.
+/// first. Calls `checkpoint`, if any, repeatedly, one call at a time; `checkpoint` may throw.
 /// Requires: finite points; `scaled` holds the points, each multiplied by the same factor; differences in `scaled` do
 ///           not overflow. Rounding in `scaled` affects only the order of points near each other.
 std::vector<std::uint32_t> order_on_curve(std::span<const Point3> points, std::span<const Point3> scaled,
-                                          const Checkpoint& checkpoint);
+                                          Threads& threads, const Checkpoint& checkpoint);
 
 struct SpatialOrder {
   std::vector<std::uint32_t> order;   ///< indices of the distinct points
+  std::vector<std::uint32_t> place;   ///< for each point of the order, its place on the curve
   std::vector<Duplicate> duplicates;  ///< the points equal to one of lower index; ascending by index
 };
 
 /// Returns the insertion order. The requirements, and the calls of `checkpoint`, are those of order_on_curve().
-SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled,
+SpatialOrder spatial_order(std::span<const Point3> points, std::span<const Point3> scaled, Threads& threads,
                            const Checkpoint& checkpoint);
 
 }  // namespace rbpa::space

@@ -1,4 +1,5 @@
-// What: stores tetrahedra in arrays, each with the minors of its circumsphere (space/predicate/sphere_minors.h).
+// What: stores the vertices and tetrahedra of a triangulation in arrays, each tetrahedron with the minors of its
+//       circumsphere (space/predicate/sphere_minors.h), and tests whether a vertex is inside of such a sphere.
 // How:  a corner may be at infinity: the tetrahedron is then a ghost over a face of the hull, and its sphere is the
 //       half-space beyond the face. Corner 3 is never at infinity; the minors are relative to corner 3.
 //
@@ -7,9 +8,20 @@
 #pragma once
 
 #include <array>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <type_traits>
+#include <vector>
 
+#include "meshops/core/fresh_vector.h"
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/point3.h"
+#include "rbpa/space/predicate/sphere.h"
 #include "rbpa/space/predicate/sphere_minors.h"
+#include "rbpa/space/predicate/spread.h"
 
 namespace rbpa::space {
 
@@ -41,5 +53,85 @@ struct alignas(32) InsertedPoint {
 struct InsertedBall : InsertedPoint {
   double radius = 0;
 };
+
+/// The vertices and tetrahedra of points or, if `weighted`, of balls. BasicInserter makes and deletes tetrahedra.
+template <bool weighted>
+class BasicTetrahedra {
+ public:
+  using VertexData = std::conditional_t<weighted, InsertedBall, InsertedPoint>;
+  /// An estimate of V(q) in sphere_minors.h, and a bound of its error.
+  struct Estimate {
+    double value, error;
+  };
+
+  /// Makes point order[i] vertex i + 1. Keeps the spans of points and radii. Has room for `room` tetrahedra.
+  /// Requires: what BasicInsertion requires (insertion.h).
+  BasicTetrahedra(std::span<const Point3> points, std::span<const Point3> scaled, const Spread& spread,
+                  std::span<const std::uint32_t> order, std::span<const double> radii,
+                  std::span<const double> scaled_radii, std::size_t room, Threads& threads);
+
+  Vertex size() const { return static_cast<Vertex>(vertex_.size() - 1); }
+  void exchange(Vertex v, Vertex w);
+  /// Returns the input index of each vertex.
+  std::span<const std::uint32_t> index() const { return index_; }
+  /// Returns the point of a vertex for exact predicates: scaled where scaling is exact, else the given point.
+  const Point3& point(Vertex v) const { return points_[index_[v]]; }
+  double underflow() const { return spread_.underflow(); }
+
+  /// Returns the number of tetrahedra, deleted ones included.
+  std::uint32_t used() const { return used_; }
+  bool is_deleted(std::uint32_t t) const { return error_[t].is_deleted(); }
+  const Tetrahedron& operator[](std::uint32_t t) const { return tetrahedra_[t]; }
+  std::span<const Tetrahedron> tetrahedra() const { return {tetrahedra_.data(), used_}; }
+
+  /// Adds `count` deleted tetrahedra, and returns the first. The arrays may move.
+  /// Throws: InvalidInput for more than 2^30 tetrahedra.
+  std::uint32_t add(std::uint32_t count);
+  /// Adds `count` deleted tetrahedra where there is room, in any thread: returns false if there is none.
+  bool add_in_room(std::uint32_t count, std::uint32_t& first);
+
+  VertexData* vertices() { return vertex_.data(); }
+  Tetrahedron* all() { return tetrahedra_.data(); }
+  ErrorBound* errors() { return error_.data(); }
+
+  Estimate estimate(std::uint32_t t, const VertexData& q) const {
+    const Tetrahedron& tetrahedron = tetrahedra_[t];
+    const VertexData& d = vertex_[tetrahedron.corner[3]];
+    const double x = q.x - d.x, y = q.y - d.y, z = q.z - d.z, square = x * x + y * y + z * z;
+    const auto& m = tetrahedron.minor;
+    if constexpr (weighted) {
+      const double weight = weight_difference(q.radius, d.radius);
+      return {m[0] * x + m[1] * y + m[2] * z + m[3] * (square - weight), error_[t].at(square + std::abs(weight))};
+    }
+    return {m[0] * x + m[1] * y + m[2] * z + m[3] * square, error_[t].at(square)};
+  }
+  /// Returns whether vertex v is inside of the sphere of t. `estimate` is estimate(t, v).
+  bool is_inside(std::uint32_t t, Vertex v, const Estimate& estimate) const {
+    if (estimate.value > estimate.error) return true;
+    if (estimate.value < -estimate.error) return false;
+    return decide(t, v, estimate);
+  }
+  /// Returns what is_inside() returns, by exact arithmetic.
+  bool decide(std::uint32_t t, Vertex v, const Estimate& estimate) const;
+  /// Returns whether the circumradius of a tetrahedron is at most alpha. Requires: points, no balls; the tetrahedron is
+  /// no ghost; alpha is finite, and `scaled_alpha` is alpha times the power of two by which the points are scaled.
+  bool is_within(std::uint32_t t, double alpha, double scaled_alpha) const;
+
+ private:
+  bool decide_ghost(const Tetrahedron& ghost, Vertex v) const;
+
+  std::span<const Point3> original_, points_;
+  std::span<const double> radii_;  // for exact predicates, scaled if points_ are
+  Spread spread_;
+  BeyondFilter beyond_filter_;
+  std::vector<std::uint32_t> index_;  // for each vertex, its input index
+  meshops::FreshVector<VertexData> vertex_;
+  meshops::FreshVector<Tetrahedron> tetrahedra_;
+  meshops::FreshVector<ErrorBound> error_;
+  std::atomic<std::uint32_t> used_ = 0;
+};
+
+extern template class BasicTetrahedra<false>;
+extern template class BasicTetrahedra<true>;
 
 }  // namespace rbpa::space

@@ -70,10 +70,10 @@ void add_remainder(const Leaves& leaves, const Spread& spread, double alpha, con
   std::vector<Point3> points;
   points.reserve(unsettled.size());
   for (const Place i : unsettled) points.push_back(leaves.point(i));
-  const SpatialOrder sorted = spatial_order(points, points, {});
-  Insertion triangulation(points, points, spread, sorted.order);
-  if (!triangulation.begin()) return;
-  for (Vertex v = 5; v <= triangulation.size(); ++v) triangulation.insert(v);
+  Threads one(1);
+  const SpatialOrder sorted = spatial_order(points, points, one, {});
+  Insertion triangulation(points, points, spread, sorted, one);
+  if (!triangulation.insert_all({})) return;
 
   const auto tetrahedra = triangulation.tetrahedra();
   const auto corners_of = [&](std::uint32_t t) {

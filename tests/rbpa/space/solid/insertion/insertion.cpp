@@ -8,13 +8,15 @@
 #include <numeric>
 #include <vector>
 
+#include "rbpa/base/error.h"
 #include "rbpa/space/predicate/exact.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;
 using rbpa::Point3;
+using rbpa::space::BasicInsertion;
 using rbpa::space::ErrorBound;
-using rbpa::space::Insertion;
+using rbpa::space::SpatialOrder;
 
 TEST_SUITE_BEGIN("space");
 
@@ -22,14 +24,18 @@ namespace {
 
 /// Returns the finite tetrahedra, with sorted corners, after inserting points in that order. Counts in `wrong`
 /// neighbors that are not mutual.
-std::vector<std::array<std::uint32_t, 4>> inserted(const Points3& points, const std::vector<std::uint32_t>& order,
+template <bool weighted>
+std::vector<std::array<std::uint32_t, 4>> inserted(const Points3& points, const std::vector<double>& radii,
+                                                   const SpatialOrder& order, rbpa::space::Division division,
                                                    std::size_t& wrong) {
-  const rbpa::space::Spread spread = rbpa::space::spread(points);
+  const rbpa::space::Spread spread = rbpa::space::spread(points, radii);
   std::vector<Point3> copy;
-  Insertion insertion(points, rbpa::space::scaled(points, spread, copy), spread, order);
+  std::vector<double> copy_of_radii;
+  rbpa::Threads threads(2);
+  BasicInsertion<weighted> insertion(points, rbpa::space::scaled(points, spread, copy), spread, order, threads, radii,
+                                     rbpa::space::scaled(std::span(radii), spread, copy_of_radii), division);
   std::vector<std::array<std::uint32_t, 4>> found;
-  if (!insertion.begin()) return found;
-  for (rbpa::space::Vertex v = 5; v <= insertion.size(); ++v) insertion.insert(v);
+  if (!insertion.insert_all({})) return found;
   const auto tetrahedra = insertion.tetrahedra();
   for (std::uint32_t t = 0; t < tetrahedra.size(); ++t) {
     if (insertion.is_deleted(t)) continue;
@@ -45,6 +51,11 @@ std::vector<std::array<std::uint32_t, 4>> inserted(const Points3& points, const 
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+std::vector<std::array<std::uint32_t, 4>> inserted(const Points3& points, const std::vector<std::uint32_t>& order,
+                                                   std::size_t& wrong) {
+  return inserted<false>(points, {}, {order, {}, {}}, {.workers = 1}, wrong);
 }
 
 }  // namespace
@@ -67,6 +78,59 @@ TEST_CASE("the order of insertion does not change the tetrahedra") {
       }
     }
   CHECK(wrong == 0);
+}
+
+TEST_CASE("the tetrahedra do not depend on how workers in several threads share the insertion") {
+  Random random(103);
+  rbpa::Threads threads(2);
+  std::size_t wrong = 0;
+  for (int k = 0; k < space_kinds; ++k) {
+    CAPTURE(name(static_cast<SpaceKind>(k)));
+    const Points3 points = space_set(static_cast<SpaceKind>(k), 700, random);
+    std::vector<double> radii(points.size());
+    double size = 0;
+    for (const Point3& p : points) size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    for (double& radius : radii) radius = random.below(3) == 0 ? size / 16 : size / 16 * random.unit();
+    const rbpa::space::Spread spread = rbpa::space::spread(points);
+    std::vector<Point3> copy;
+    const SpatialOrder order =
+        rbpa::space::spatial_order(points, rbpa::space::scaled(points, spread, copy), threads, {});
+    const auto expected = inserted<false>(points, {}, order, {.workers = 1}, wrong);
+    const auto of_balls = inserted<true>(points, radii, order, {.workers = 1}, wrong);
+    for (const std::size_t workers : {2u, 3u, 7u, 64u})
+      for (const std::size_t least : {2u, 30u}) {
+        CHECK(inserted<false>(points, {}, order, {workers, least}, wrong) == expected);
+        CHECK(inserted<true>(points, radii, order, {workers, least}, wrong) == of_balls);
+      }
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("workers in several threads insert nearly all points, and one worker inserts the few others") {
+  Random random(104);
+  const Points3 points = space_set(SpaceKind::cube, 40'000, random);
+  rbpa::Threads threads(2);
+  const rbpa::space::Spread spread = rbpa::space::spread(points);
+  std::vector<Point3> copy;
+  const auto scaled = rbpa::space::scaled(points, spread, copy);
+  const SpatialOrder order = rbpa::space::spatial_order(points, scaled, threads, {});
+  rbpa::space::Insertion insertion(points, scaled, spread, order, threads, {}, {}, {4, 2000});
+  REQUIRE(insertion.insert_all({}));
+  const auto [after_half, alone] = insertion.waited();
+  CHECK(after_half > 0);
+  CHECK(after_half < points.size() / 5);
+  CHECK(alone < points.size() / 25);
+
+  rbpa::space::Insertion cancelled(points, scaled, spread, order, threads, {}, {}, {4, 2000});
+  std::size_t most = 0;
+  CHECK_THROWS_AS(cancelled.insert_all([&](const rbpa::Progress& now) {
+    CHECK(now.triangles >= most);
+    CHECK(now.points == order.order.size());
+    most = now.triangles;
+    return now.triangles < 20'000;
+  }),
+                  rbpa::Cancelled);
+  CHECK(most >= 20'000);
 }
 
 TEST_CASE("a cavity with more vertices than the table has room for is filled correctly") {

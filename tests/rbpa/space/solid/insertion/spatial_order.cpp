@@ -44,12 +44,13 @@ TEST_CASE("the Hilbert curve visits each cell once, and continues through a face
 
 TEST_CASE("each distinct point comes once, with its lowest index, in an order that depends on the set alone") {
   Random random(97);
+  rbpa::Threads threads(2);
   for (int k = 0; k < space_kinds; ++k) {
     CAPTURE(name(static_cast<SpaceKind>(k)));
     Points3 points = space_set(static_cast<SpaceKind>(k), 500, random);
     for (int i = 0; i < 20; ++i) points.push_back(points[random.below(points.size())]);
     points.push_back({points[0].x + 0.0, points[0].y == 0 ? -0.0 : points[0].y, points[0].z});
-    const auto order = spatial_order(points, points, {});
+    const auto order = spatial_order(points, points, threads, {});
     std::vector<std::uint32_t> all = order.order;
     for (const rbpa::Duplicate& d : order.duplicates) {
       all.push_back(d.index);
@@ -67,7 +68,7 @@ TEST_CASE("each distinct point comes once, with its lowest index, in an order th
     CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
 
     random.shuffle(points);
-    const auto other = spatial_order(points, points, {});
+    const auto other = spatial_order(points, points, threads, {});
     Points3 again;
     for (const std::uint32_t i : other.order) again.push_back(points[i]);
     CHECK(again == distinct);
@@ -76,11 +77,12 @@ TEST_CASE("each distinct point comes once, with its lowest index, in an order th
 
 TEST_CASE("consecutive points are near each other, also in clusters of any size") {
   Random random(98);
+  rbpa::Threads threads(2);
   Points3 points;
   for (const double size : {1.0, 1e-5, 1e-12})
     for (int i = 0; i < 1000; ++i)
       points.push_back({1 + size * random.unit(), size * random.unit(), -size * random.unit()});
-  const auto order = spatial_order(points, points, {}).order;
+  const auto order = spatial_order(points, points, threads, {}).order;
   // Within the last round, which has seven points in eight, most steps are shorter than a fifth of the cluster.
   std::array<int, 3> near{};
   for (std::size_t i = points.size() / 5; i < points.size(); ++i) {
