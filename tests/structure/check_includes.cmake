@@ -22,6 +22,7 @@ set(allowed
   "rbpa/base/exact: rbpa/base"
   "rbpa/base/parallel: rbpa/base"
   "rbpa/base/run: meshops/core rbpa/base rbpa/base/parallel"
+  "rbpa/base/radii: meshops/core rbpa/base/run"
   "rbpa/base/sort: meshops/core meshops/patch rbpa/base rbpa/base/parallel"
   "rbpa/fill: meshops/core meshops/topology rbpa/base rbpa/base/arrays rbpa/base/run rbpa/fill/rings rbpa/fill/voronoi
     rbpa/plane rbpa/plane/predicate rbpa/plane/shape"
@@ -74,8 +75,8 @@ set(allowed
   "rbpa/space/persistence: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/radii rbpa/base/run
     rbpa/space/cells rbpa/space/persistence/pairing rbpa/space/predicate rbpa/space/solid rbpa/space/solid/boundary
     rbpa/space/solid/insertion rbpa/space/surface"
-  "rbpa/space/persistence/pairing: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/run
-    rbpa/space/persistence rbpa/space/predicate rbpa/space/solid rbpa/space/solid/insertion"
+  "rbpa/space/persistence/pairing: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/radii
+    rbpa/base/run rbpa/space/persistence rbpa/space/predicate rbpa/space/solid rbpa/space/solid/insertion"
   "rbpa/space/predicate: rbpa/base rbpa/base/exact rbpa/base/lanes"
   "rbpa/space/repair: meshops/core meshops/front meshops/handle meshops/patch meshops/stellar rbpa/base
     rbpa/base/arrays rbpa/base/parallel rbpa/base/run rbpa/space/cells rbpa/space/predicate rbpa/space/repair/closing
@@ -90,8 +91,8 @@ set(allowed
   "rbpa/space/simplify/moving: meshops/core meshops/stellar rbpa/base rbpa/space/cells rbpa/space/predicate"
   "rbpa/space/simplify/remeshing: meshops/core meshops/stellar rbpa/base rbpa/space/predicate rbpa/space/simplify
     rbpa/space/simplify/distance rbpa/space/simplify/moving"
-  "rbpa/space/solid: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/run rbpa/base/sort
-    rbpa/space/cells rbpa/space/predicate rbpa/space/solid/boundary rbpa/space/solid/insertion
+  "rbpa/space/solid: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/radii rbpa/base/run
+    rbpa/base/sort rbpa/space/cells rbpa/space/predicate rbpa/space/solid/boundary rbpa/space/solid/insertion
     rbpa/space/solid/periodic rbpa/space/solid/rows rbpa/space/solid/tiles rbpa/space/solid/triples rbpa/space/surface
     rbpa/space/surface/levels"
   "rbpa/space/solid/boundary: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run

@@ -209,6 +209,7 @@ void run_space_alpha(const AlphaArguments& arguments) {
   require_different(outputs, arguments.points, "points");
 
   SpacePersistence run(source, outputs, arguments);
+  if (!request) run.drop_faces();
   const std::vector<SolidPlateau> plateaus = arguments.csv ? std::vector<SolidPlateau>() : run.find_plateaus();
   if (arguments.picture) run.add(*arguments.picture, [&](OutputFile& out) { out.write(svg_of(marked_plot(run))); });
   if (request) {

@@ -1,5 +1,7 @@
 #include "space/space_persistence.h"
 
+#include <algorithm>
+#include <future>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -54,16 +56,27 @@ SpacePersistence::SpacePersistence(const SpacePointSource& source, const std::ve
     throw BadInput(input() + ": " + e.what());
   }
   const ProgressLine line = options().line("persistence");
-  least = min_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, until_interrupted());
-  automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, until_interrupted());
-  pairs = solid_persistence(filtration, until_interrupted());
+  const unsigned threads = options().threads_or_all();
+  auto radii = std::async(threads > 1 ? std::launch::async : std::launch::deferred, [&] {
+    least = min_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, until_interrupted());
+    automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, until_interrupted());
+  });
+  pairs = solid_persistence(filtration, until_interrupted(), std::max(1u, threads - 1));
+  radii.get();
   build_seconds_ = lap();
+}
+
+void SpacePersistence::drop_faces() {
+  SolidFiltration kept;
+  kept.delaunay = std::move(filtration.delaunay);
+  kept.tetrahedron_alpha = std::move(filtration.tetrahedron_alpha);
+  filtration = std::move(kept);
 }
 
 std::vector<SolidPlateau> SpacePersistence::find_plateaus() {
   const ProgressLine line = options().line("plateaus");
-  std::vector<SolidPlateau> plateaus =
-      solid_plateaus(file.points, filtration.delaunay, filtration.tetrahedron_alpha, until_interrupted());
+  std::vector<SolidPlateau> plateaus = solid_plateaus(file.points, filtration.delaunay, filtration.tetrahedron_alpha,
+                                                      until_interrupted(), options().threads);
   build_seconds_ += lap();
   return plateaus;
 }

@@ -30,6 +30,8 @@ struct SpacePersistence : Run {
 
   /// Returns the plateaus, the best first. Adds its own time to the seconds of building. Throws Cancelled.
   std::vector<SolidPlateau> find_plateaus();
+  /// Frees the triangles and edges of the filtration.
+  void drop_faces();
   void write_stats(OutputFile& file);
 
   SpacePoints file;

@@ -29,7 +29,8 @@ MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOp
     begin(SolidStep::choosing);
     made.triangulation = std::move(made.solid);
     made.radii = circumradii(points, made.triangulation.simplices, options.threads, go_on);
-    ChosenSolidAlpha chosen = choose_solid_alpha(options.alpha, points, made.triangulation, made.radii, go_on);
+    ChosenSolidAlpha chosen =
+        choose_solid_alpha(options.alpha, points, made.triangulation, made.radii, go_on, options.threads);
     made.alpha = chosen.alpha;
     made.plateaus = std::move(chosen.plateaus);
     made.solid = within(made.triangulation, made.radii, made.alpha);

@@ -29,6 +29,6 @@ struct ChosenSolidAlpha {
 ///           or solid_plateaus(). For `plateau` also InvalidInput when there are plateaus, but none of the wanted rank.
 RBPA_API ChosenSolidAlpha choose_solid_alpha(const AlphaChoice& choice, std::span<const Point3> points,
                                              const Solid& delaunay, std::span<const double> radii,
-                                             const GoOn& go_on = {});
+                                             const GoOn& go_on = {}, MaxThreads threads = 0);
 
 }  // namespace rbpa

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/space/persistence/pairing/pairing.h"
 
@@ -29,10 +30,11 @@ void sort_equal_births(std::vector<SolidPair>& pairs, std::size_t first, Steps& 
 
 }  // namespace
 
-std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const GoOn& go_on) {
+std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const GoOn& go_on, unsigned wanted) {
   space::check_filtration("solid_persistence", filtration);
   Steps step(go_on);
-  space::Pairing pairing(filtration, step);
+  Threads threads = threads_for(filtration.edges.size(), wanted);
+  space::Pairing pairing(filtration, threads, go_on, step);
   const std::vector<std::uint32_t> end_of = std::move(pairing.tunnels).all_ended_by();
   std::vector<SolidPair> pairs;
   // Memory is reserved first, because a growing vector would need twice as much.

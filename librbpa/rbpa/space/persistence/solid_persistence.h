@@ -36,6 +36,7 @@ struct SolidPair {
 /// Requires: `filtration` is the result of solid_filtration() or of weighted_filtration(); the values of the latter
 ///           take the place of alpha.
 /// Throws:   ContractViolation when sizes or numbers in the arrays of the filtration do not fit together; Cancelled.
-RBPA_API std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const GoOn& go_on = {});
+RBPA_API std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const GoOn& go_on = {},
+                                                  MaxThreads threads = 0);
 
 }  // namespace rbpa

@@ -7,12 +7,14 @@
 #include <utility>
 
 #include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/radii/cube_root.h"
 #include "rbpa/base/radii/plateau_rules.h"
+#include "rbpa/base/radii/sorted_by_alpha.h"
 #include "rbpa/base/radii/still_ranges.h"
+#include "rbpa/base/run/checkpoint_of_threads.h"
+#include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
-#include "rbpa/space/persistence/pairing/sorted_by_alpha.h"
-#include "rbpa/space/persistence/void_tree.h"
 #include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/predicate/vector3.h"
 #include "rbpa/space/solid/boundary/check_triangulation.h"
@@ -84,56 +86,134 @@ class Parts {
   std::vector<std::uint32_t> size_;  // size_[i]: number of points in the set with least index i
 };
 
-/// Returns for each tetrahedron the radius from which on it is in the complex or in a void of the complex.
-std::vector<double> enclosed_from(std::span<const double> radii, const VoidTree& tree) {
-  std::vector<double> outermost(tree.nodes.size());  // for each node, the closing radius of the root of its tree
-  for (std::size_t n = 0; n < tree.nodes.size(); ++n)
-    outermost[n] = tree.nodes[n].parent == VoidTree::none ? tree.nodes[n].closes : outermost[tree.nodes[n].parent];
-  std::vector<double> from(radii.begin(), radii.end());
-  for (std::size_t t = 0; t < from.size(); ++t)
-    if (tree.node_of[t] != VoidTree::none) from[t] = outermost[tree.node_of[t]];
+constexpr std::size_t ahead = 16;  // the orders jump about in memory, so data is prefetched
+
+/// Returns for each tetrahedron the radius from which on it is in the complex or in a void of the complex. Tetrahedra
+/// leave the complex in descending order, and join the outside or their neighbors that have left before.
+std::vector<double> enclosed_from(const Solid& delaunay, std::span<const double> alpha,
+                                  std::span<const std::uint32_t> order, Steps& step) {
+  const auto outside = static_cast<std::uint32_t>(alpha.size());
+  std::vector<double> from(alpha.size());
+  std::vector<std::uint32_t> next(alpha.size() + 1);  // the tetrahedra of a set in a circle
+  std::vector<bool> has_left(alpha.size(), false);
+  meshops::DisjointSets sets(alpha.size() + 1);
+  next[outside] = outside;
+  for (std::size_t i = order.size(); i-- > 0;) {
+    step(4);
+    if (i >= ahead) __builtin_prefetch(&delaunay.neighbors[order[i - ahead]]);
+    const std::uint32_t t = order[i];
+    has_left[t] = true;
+    next[t] = t;
+    for (const std::uint32_t n : delaunay.neighbors[t]) {
+      if (n != Solid::none && !has_left[n]) continue;
+      const std::uint32_t a = sets.find(t), b = sets.find(n == Solid::none ? outside : n), out = sets.find(outside);
+      if (a == b) continue;
+      if (a == out || b == out) {
+        const std::uint32_t inner = a == out ? n : t;
+        for (std::uint32_t one = inner;;) {
+          from[one] = alpha[t];
+          if ((one = next[one]) == inner) break;
+        }
+      } else {
+        std::swap(next[a], next[b]);
+      }
+      sets.link(a, b);
+    }
+  }
   return from;
 }
 
-Growth growth_of(std::span<const Point3> points, const Solid& delaunay, std::span<const double> alpha,
-                 const VoidTree& tree, Steps& step) {
-  std::vector<Wide> volumes(alpha.size());
-  for (std::size_t t = 0; t < volumes.size(); ++t) {
-    step();
-    volumes[t] = space::volume<Wide>(points, delaunay.simplices[t]);
-  }
-  const std::vector<double> from = enclosed_from(alpha, tree);
-  const auto order = space::sorted_by_alpha<Wide>(alpha, volumes, step),
-             by_enclosing = space::sorted_by_alpha<Wide>(from, volumes, step);
-  // The volume of a flat tetrahedron may round to 0.
-  const auto positive = [](Wide v) { return std::max(v, std::numeric_limits<Wide>::min()); };
-  Wide whole = 0;
-  for (const std::uint32_t t : by_enclosing) whole += volumes[t];
-  Parts parts(points.size());
+/// Steps of the solid complex: for each of its radii, the volume and the most Σ nᵢ² up to there.
+struct SolidSteps {
+  std::vector<double> alpha;
+  std::vector<Wide> volume;
+  std::vector<std::uint64_t> most_squares;
+  std::size_t begin = 0;  // index of the first radius from which on enough points are covered
+};
+
+SolidSteps steps_of(const Solid& delaunay, std::size_t points, std::span<const double> alpha,
+                    std::span<const std::uint32_t> order, const std::vector<Wide>& volumes, Steps& step) {
+  SolidSteps steps;
+  steps.alpha.reserve(order.size());
+  steps.volume.reserve(order.size());
+  steps.most_squares.reserve(order.size());
+  Parts parts(points);
   std::uint64_t most_squares = 0;
-  Wide solid = 0, enclosed = 0, turns = 1, filled_before = 1;
-  Growth growth;
-  for (std::size_t i = 0, next = 0; i < order.size();) {
+  Wide solid = 0;
+  for (std::size_t i = 0; i < order.size();) {
     const double now = alpha[order[i]];
     for (; i < order.size() && alpha[order[i]] == now; ++i) {
       step(2);
+      if (i + ahead < order.size()) {
+        __builtin_prefetch(&volumes[order[i + ahead]]);
+        __builtin_prefetch(&alpha[order[i + ahead]]);
+        __builtin_prefetch(&delaunay.simplices[order[i + ahead]]);
+      }
       solid += volumes[order[i]];
       if (!parts.is_whole(delaunay.distinct)) parts.add(delaunay.simplices[order[i]]);
     }
-    for (; next < by_enclosing.size() && from[by_enclosing[next]] <= now; ++next)
-      enclosed += volumes[by_enclosing[next]];
     most_squares = std::max(most_squares, parts.squares);
-    const Wide filled = std::min(Wide(1), positive(solid) / positive(enclosed));
+    if (static_cast<double>(parts.points) / static_cast<double>(delaunay.distinct) < plateau_rules::least_share)
+      steps.begin = steps.alpha.size() + 1;
+    steps.alpha.push_back(now);
+    steps.volume.push_back(solid);
+    steps.most_squares.push_back(most_squares);
+  }
+  return steps;
+}
+
+Growth growth_of(std::span<const Point3> points, const Solid& delaunay, std::span<const double> alpha, Threads& threads,
+                 const GoOn& go_on) {
+  constexpr std::size_t at_a_time = 1u << 13;
+  std::vector<Wide> volumes(alpha.size());
+  for_each_part(threads, volumes.size(), at_a_time, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) volumes[t] = space::volume<Wide>(points, delaunay.simplices[t]);
+  });
+  Steps step(go_on);
+  meshops::FreshVector<std::uint32_t> order = sorted_by_alpha<Wide>(alpha, volumes, step);
+  SolidSteps steps;
+  std::vector<double> from;
+  for_each_index(threads, 2, [&](std::size_t task) {
+    Steps of_task(go_on);
+    if (task == 0)
+      from = enclosed_from(delaunay, alpha, order, of_task);
+    else
+      steps = steps_of(delaunay, points.size(), alpha, order, volumes, of_task);
+  });
+  order = sorted_by_alpha<Wide>(from, volumes, step);
+  // The volume of a flat tetrahedron may round to 0.
+  const auto positive = [](Wide v) { return std::max(v, std::numeric_limits<Wide>::min()); };
+  Wide whole = 0;
+  for (const std::uint32_t t : order) whole += volumes[t];
+  Wide enclosed = 0, turns = 1, filled_before = 1;
+  Growth growth;
+  growth.begin = steps.begin;
+  growth.change.resize(steps.alpha.size());
+  growth.volume.resize(steps.alpha.size());
+  growth.void_share.resize(steps.alpha.size());
+  std::vector<Wide>& enclosed_at = steps.volume;  // the volume of a step is replaced when it has been used
+  for (std::size_t i = 0, next = 0; i < steps.alpha.size(); ++i) {
+    step();
+    for (; next < order.size() && from[order[next]] <= steps.alpha[i]; ++next) {
+      if (next + ahead < order.size()) {
+        __builtin_prefetch(&from[order[next + ahead]]);
+        __builtin_prefetch(&volumes[order[next + ahead]]);
+      }
+      enclosed += volumes[order[next]];
+    }
+    const Wide solid = steps.volume[i], filled = std::min(Wide(1), positive(solid) / positive(enclosed));
     turns *= std::max(filled / filled_before, filled_before / filled);
     filled_before = filled;
-    const Wide twelfth_root = std::sqrt(std::sqrt(cube_root(positive(enclosed) / positive(whole))));
-    if (static_cast<double>(parts.points) / static_cast<double>(delaunay.distinct) < plateau_rules::least_share)
-      growth.begin = growth.alpha.size() + 1;
-    growth.alpha.push_back(now);
-    growth.change.push_back(static_cast<Wide>(most_squares) * turns * twelfth_root);
-    growth.volume.push_back(static_cast<double>(solid));
-    growth.void_share.push_back(static_cast<double>(1 - filled));
+    growth.change[i] = static_cast<Wide>(steps.most_squares[i]) * turns;
+    growth.volume[i] = static_cast<double>(solid);
+    growth.void_share[i] = static_cast<double>(1 - filled);
+    enclosed_at[i] = enclosed;
   }
+  for_each_part(threads, growth.change.size(), at_a_time, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)  // times the twelfth root of the enclosed share
+      growth.change[i] *= std::sqrt(std::sqrt(cube_root(positive(enclosed_at[i]) / positive(whole))));
+  });
+  growth.alpha = std::move(steps.alpha);
   return growth;
 }
 
@@ -168,20 +248,23 @@ void count(std::size_t points, const Solid& delaunay, std::span<const double> ra
 }  // namespace
 
 std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const Solid& delaunay,
-                                         std::span<const double> radii, const GoOn& go_on) {
+                                         std::span<const double> radii, const GoOn& given, unsigned wanted) {
   space::check_triangulation("solid_plateaus", points, delaunay, radii);
   if (radii.empty()) return {};
-  Steps step(go_on);
+  CheckpointOfThreads checkpoint(given);
+  const GoOn go_on = [&] { return checkpoint.goes_on(); };
+  Threads threads = threads_for(points.size(), wanted);
   const std::size_t distinct = delaunay.distinct;
-  Growth growth =
-      growth_of(points, delaunay, radii, void_tree(points, delaunay, radii, ComplexKind::solid, 1, go_on), step);
+  Growth growth = growth_of(points, delaunay, radii, threads, go_on);
   const StillRanges ranges(growth.alpha, std::move(growth.change), reach_of(points));
   std::vector<SolidPlateau> found;
   for (const StepRange& range :
-       ranges.longest({growth.begin, growth.alpha.size()}, plateau_rules::most_plateaus, plateau_rules::least_ratio)) {
+       ranges.longest({growth.begin, growth.alpha.size()}, plateau_rules::most_plateaus, plateau_rules::least_ratio))
     found.push_back(plateau_of(range, growth, ranges.ratio_of(range), distinct));
-    count(points.size(), delaunay, radii, step, found.back());
-  }
+  for_each_index(threads, found.size(), [&](std::size_t i) {
+    Steps step(go_on);
+    count(points.size(), delaunay, radii, step, found[i]);
+  });
   plateau_rules::rank(found, [&](const SolidPlateau& p) {
     return plateau_rules::Weight{p.is_structured, static_cast<double>(p.covered) / static_cast<double>(distinct)};
   });

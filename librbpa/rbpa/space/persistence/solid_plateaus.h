@@ -53,6 +53,7 @@ struct SolidPlateau {
 /// Throws:   ContractViolation when the numbers of tetrahedra, rows of neighbors and radii differ, or a corner is not a
 ///           point; Cancelled.
 RBPA_API std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const Solid& delaunay,
-                                                  std::span<const double> radii, const GoOn& go_on = {});
+                                                  std::span<const double> radii, const GoOn& go_on = {},
+                                                  MaxThreads threads = 0);
 
 }  // namespace rbpa

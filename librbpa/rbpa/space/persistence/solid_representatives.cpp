@@ -113,7 +113,8 @@ std::vector<SolidRepresentative> solid_representatives(std::span<const Point3> p
   VoidSearch voids(points, filtration);
   const auto cycle_of = [&](const SolidPair& pair) {
     if (!cycles) {
-      pairing.emplace(filtration, step);
+      Threads one(1);
+      pairing.emplace(filtration, one, go_on, step);
       cycles.emplace(points, filtration, *pairing, step);
     }
     meshops::require(pairing->tunnels.ended_by(pair.born_by) == pair.ended_by,

@@ -11,10 +11,10 @@
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/arrays/simplices_at.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/radii/sorted_by_alpha.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/space/persistence/pairing/number_faces.h"
-#include "rbpa/space/persistence/pairing/sorted_by_alpha.h"
 #include "rbpa/space/persistence/pairing/triangle_radii.h"
 #include "rbpa/space/persistence/pairing/void_pairs.h"
 #include "rbpa/space/predicate/outer_faces.h"
@@ -38,7 +38,7 @@ void find_volumes(std::span<const Point3> points, const Solid& delaunay, std::sp
                   VoidTree& tree) {
   std::vector<double> volumes(radii.size());
   for (std::size_t t = 0; t < volumes.size(); ++t) volumes[t] = space::volume<double>(points, delaunay.simplices[t]);
-  const auto order = space::sorted_by_alpha<double>(radii, volumes, step);
+  const auto order = sorted_by_alpha<double>(radii, volumes, step);
   meshops::DisjointSets sets(tree.nodes.size());
   std::vector<double> sum(tree.nodes.size(), 0);
   std::size_t left = order.size();

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <iterator>
 #include <limits>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "meshops/core/contract.h"
@@ -14,6 +13,7 @@
 #include "rbpa/base/arrays/simplices_at.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/radii/sorted_by_alpha.h"
 #include "rbpa/base/run/checkpoint_of_threads.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
@@ -44,81 +44,83 @@ std::size_t share_of(std::size_t all, double share) {
   return count;
 }
 
-/// A test whether one solid component of the complex of alpha has at least a given share of all corners, for several
-/// alphas that are all at least `least`.
+/// The solid components of a complex to which tetrahedra are added, and a test whether one of them has enough corners.
 class GrowingPieces {
  public:
-  /// Keeps references to all arguments.
-  GrowingPieces(const Solid& delaunay, std::span<const double> radii, double least, double share, Steps& step)
+  /// Keeps a reference to the triangulation. Enough is at least `share` of all corners.
+  GrowingPieces(const Solid& delaunay, double share)
       : delaunay_(delaunay),
-        radii_(radii),
-        step_(step),
-        seen_(corner_bound<4>(delaunay.simplices), none),
-        at_least_(radii.size()) {
-    std::size_t corners = 0;
-    for (std::uint32_t t = 0; t < radii.size(); ++t) {
-      step(2);
-      for (const std::uint32_t corner : delaunay.simplices[t]) corners += std::exchange(seen_[corner], unseen) == none;
-      if (radii[t] <= least)
-        join_neighbors(t, least, at_least_);
-      else
-        later_.push_back(t);
-    }
-    wanted_ = share_of(corners, share);
+        bound_(corner_bound<4>(delaunay.simplices)),
+        sets_(delaunay.simplices.size()),
+        size_(delaunay.simplices.size(), 0),
+        next_(delaunay.simplices.size()) {
+    Corners all(bound_);
+    for (const Row& row : delaunay.simplices) all.add(row);
+    wanted_ = share_of(all.count, share);
   }
 
-  bool is_whole(double alpha) {
-    Pieces pieces = at_least_;
-    for (const std::uint32_t t : later_) {
-      step_();
-      if (radii_[t] <= alpha) join_neighbors(t, alpha, pieces);
-    }
-    // A component of n tetrahedra has at most 4 n corners. Most components are thus too small to be counted.
-    for (std::uint32_t root = 0; root < pieces.size.size(); ++root)
-      if (4 * std::size_t{pieces.size[root]} >= wanted_ && pieces.sets.is_least(root) && radii_[root] <= alpha &&
-          count_corners(root, alpha, pieces.sets) >= wanted_)
-        return true;
-    return false;
+  /// Adds a tetrahedron. Returns whether its component has enough corners.
+  bool add(std::uint32_t t) {
+    size_[t] = 1;
+    next_[t] = t;
+    is_enough_ = delaunay_.simplices[t].size() >= wanted_;
+    for (const std::uint32_t n : delaunay_.neighbors[t])
+      if (n != Solid::none && size_[n] > 0) join(sets_.find(t), sets_.find(n));
+    return is_enough_;
   }
 
  private:
-  static constexpr std::uint32_t none = 0xffffffff, unseen = 0xfffffffe;  // marks: no corner; not seen yet
-
-  /// Sets of tetrahedra. `size` has the number of tetrahedra of each set at the least number of the set.
-  struct Pieces {
-    explicit Pieces(std::size_t tetrahedra) : sets(tetrahedra), size(tetrahedra, 1) {}
-    meshops::DisjointSets sets;
-    std::vector<std::uint32_t> size;
+  struct Corners {
+    explicit Corners(std::size_t bound = 0) : has(bound, false) {}
+    void add(const Row& row) {
+      for (const std::uint32_t corner : row)
+        if (!has[corner]) {
+          has[corner] = true;
+          ++count;
+        }
+    }
+    std::vector<bool> has;
+    std::size_t count = 0;
   };
 
-  void join_neighbors(std::uint32_t t, double alpha, Pieces& pieces) const {
-    for (const std::uint32_t n : delaunay_.neighbors[t]) {
-      if (n == Solid::none || !(radii_[n] <= alpha)) continue;
-      const std::uint32_t a = pieces.sets.find(t), b = pieces.sets.find(n);
-      if (a == b) continue;
-      const std::uint32_t both = pieces.size[a] + pieces.size[b];
-      pieces.size[pieces.sets.link(a, b)] = both;
+  /// Returns whether a component of so many tetrahedra may have enough corners. A tetrahedron that is joined at a face
+  /// adds one corner at most.
+  bool may_have_enough(std::uint32_t tetrahedra) const { return std::size_t{tetrahedra} + 3 >= wanted_; }
+
+  void join(std::uint32_t a, std::uint32_t b) {
+    if (a == b) return;
+    if (size_[a] < size_[b]) std::swap(a, b);
+    const std::uint32_t both = size_[a] + size_[b];
+    const bool is_counted = may_have_enough(both);
+    if (is_counted) {
+      Corners& corners = corners_.try_emplace(a, bound_).first->second;
+      if (corners.count == 0) add_all(a, corners);
+      add_all(b, corners);
+      corners_.erase(b);
+      is_enough_ = is_enough_ || corners.count >= wanted_;
     }
+    std::swap(next_[a], next_[b]);
+    const std::uint32_t root = sets_.link(a, b);
+    size_[root] = both;
+    if (!is_counted || root == a) return;
+    auto node = corners_.extract(a);
+    node.key() = root;
+    corners_.insert(std::move(node));
   }
 
-  std::size_t count_corners(std::uint32_t root, double alpha, meshops::DisjointSets& sets) {
-    std::size_t count = 0;
-    for (std::uint32_t t = 0; t < delaunay_.simplices.size(); ++t) {
-      step_();
-      if (!(radii_[t] <= alpha) || sets.find(t) != root) continue;
-      for (const std::uint32_t corner : delaunay_.simplices[t]) count += std::exchange(seen_[corner], root) != root;
-    }
-    std::fill(seen_.begin(), seen_.end(), unseen);
-    return count;
+  void add_all(std::uint32_t root, Corners& corners) const {
+    std::uint32_t t = root;
+    do corners.add(delaunay_.simplices[t]);
+    while ((t = next_[t]) != root);
   }
 
   const Solid& delaunay_;
-  std::span<const double> radii_;
-  Steps& step_;
-  std::vector<std::uint32_t> seen_;   // for each point: the root of its component, or a mark
-  Pieces at_least_;                   // components at the least alpha
-  std::vector<std::uint32_t> later_;  // tetrahedra of greater radius
-  std::size_t wanted_ = 0;
+  std::size_t bound_, wanted_ = 0;
+  meshops::DisjointSets sets_;
+  std::vector<std::uint32_t> size_;  // at each root, its number of tetrahedra; 0 for a tetrahedron that is not added
+  std::vector<std::uint32_t> next_;  // the tetrahedra of a component in a circle
+  std::unordered_map<std::uint32_t, Corners> corners_;  // by root, where may_have_enough()
+  bool is_enough_ = false;
 };
 
 }  // namespace
@@ -167,29 +169,13 @@ double auto_alpha(const Solid& delaunay, std::span<const double> radii, double s
   meshops::require(delaunay.neighbors.size() == radii.size(),
                    "auto_alpha: the triangulation has no neighbors, expected solid() with the option neighbors");
   if (delaunay.simplices.empty()) return infinity;
-  // A component keeps its points as alpha grows, so the least alpha is found by bisection over the radii.
-  const double least = min_alpha(delaunay, radii, share, go_on);
-  std::vector<double> sorted;
-  std::copy_if(radii.begin(), radii.end(), std::back_inserter(sorted), [&](double radius) { return radius >= least; });
-  Steps asked(go_on);
-  sort(sorted, asked, std::less<>());
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
-  GrowingPieces connection(delaunay, radii, least, share, asked);
-  std::size_t first = 0;  // the least candidate
-  std::size_t last = first;
-  for (std::size_t step = 1; !connection.is_whole(sorted[last]); step *= 2) {
-    first = last + 1;
-    if (first == sorted.size()) return infinity;
-    last = std::min(last + step, sorted.size() - 1);
+  Steps step(go_on);
+  GrowingPieces pieces(delaunay, share);
+  for (const std::uint32_t t : sorted_by_alpha(radii, step)) {
+    step(4);
+    if (pieces.add(t)) return radii[t];
   }
-  while (first < last) {
-    const std::size_t middle = first + (last - first) / 2;
-    if (connection.is_whole(sorted[middle]))
-      last = middle;
-    else
-      first = middle + 1;
-  }
-  return sorted[last];
+  return infinity;
 }
 
 Solid within(const Solid& solid, std::span<const double> radii, double alpha) {

@@ -4,7 +4,7 @@
 
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/arrays/simplices_at.h"
-#include "rbpa/space/persistence/pairing/sorted_by_alpha.h"
+#include "rbpa/base/radii/sorted_by_alpha.h"
 
 namespace rbpa::space {
 

@@ -5,6 +5,9 @@
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/arrays/simplices_at.h"
+#include "rbpa/base/radii/sorted_by_alpha.h"
+#include "rbpa/base/run/checkpoint_of_threads.h"
+#include "rbpa/base/run/steps.h"
 
 namespace rbpa::space {
 
@@ -30,6 +33,21 @@ void check_filtration(const char* function, std::span<const Point3> points, cons
   check_filtration(function, filtration);
   if (corner_bound<2>(filtration.edges) > points.size())
     meshops::require(false, (std::string(function) + ": expected the points of the filtration").c_str());
+}
+
+OuterPairing::OuterPairing(const SolidFiltration& filtration, Threads& threads, const GoOn& go_on) {
+  CheckpointOfThreads checkpoint(go_on);
+  const GoOn goes_on = [&] { return checkpoint.goes_on(); };
+  for_each_index(threads, 2, [&](std::size_t task) {
+    Steps step(goes_on);
+    if (task == 0) {
+      voids = find_voids(filtration.delaunay, filtration.tetrahedron_alpha, filtration.triangles_of,
+                         filtration.triangle_alpha, step);
+    } else {
+      edges = sorted_by_alpha(filtration.edge_alpha, step);
+      components = find_components(filtration, edges, step);
+    }
+  });
 }
 
 }  // namespace rbpa::space

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "meshops/core/disjoint_sets.h"
-#include "rbpa/space/persistence/pairing/sorted_by_alpha.h"
+#include "rbpa/base/radii/sorted_by_alpha.h"
 
 namespace rbpa::space {
 namespace {

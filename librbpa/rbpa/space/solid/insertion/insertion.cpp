@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <mutex>
 #include <utility>
 
+#include "rbpa/base/run/checkpoint_of_threads.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/space/predicate/orientation.h"
 
@@ -23,19 +23,18 @@ template <bool weighted>
 class BasicInsertion<weighted>::Counter {
  public:
   Counter(const OnProgress& progress, std::size_t size)
-      : report_([this, &progress, size] {
-          const std::lock_guard<std::mutex> lock(mutex_);
-          is_stopped_ = is_stopped_ || (progress && !progress({done_, size}));
-          return !is_stopped_;
-        }) {}
+      : progress_([this, &progress, size] {
+          return !progress || progress({done_, size});
+        }),
+        report_([this] { return checkpoint_.goes_on(); }) {}
   /// Returns what report() calls, to be counted in steps.
   const GoOn& report() const { return report_; }
   void add(std::size_t vertices) { done_ += vertices; }
 
  private:
   std::atomic<std::size_t> done_ = 0;
-  bool is_stopped_ = false;
-  std::mutex mutex_;
+  GoOn progress_;
+  CheckpointOfThreads checkpoint_ = CheckpointOfThreads(progress_);
   GoOn report_;
 };
 

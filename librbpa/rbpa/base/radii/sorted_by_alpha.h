@@ -15,7 +15,7 @@
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/base/run/steps.h"
 
-namespace rbpa::space {
+namespace rbpa {
 
 /// Returns the numbers of the simplices, sorted by alpha, then by number. Requires: no alpha is −0 or NaN.
 inline meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const double> alpha, Steps& step) {
@@ -80,4 +80,4 @@ meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const double> alph
   return order;
 }
 
-}  // namespace rbpa::space
+}  // namespace rbpa
