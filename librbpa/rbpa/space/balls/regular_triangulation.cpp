@@ -111,7 +111,7 @@ std::vector<Row> triangulate_flat(std::span<const Point3> centers, std::span<con
   }
   std::vector<Row> flat;
   Threads one(1);
-  triangulate(with_apexes, their_radii, sorted, one, progress, [&](const space::BallInsertion& triangulation) {
+  triangulate(with_apexes, their_radii, sorted, one, progress, [&](space::BallInsertion& triangulation) {
     for (Row row : space::rows_of(triangulation, false, one, [](std::uint32_t) { return true; }).corners) {
       for (std::uint32_t& corner : row) {
         const std::uint32_t index = triangulation.index()[corner];
@@ -157,7 +157,7 @@ RegularTriangulation regular_triangulation(std::span<const Point3> centers, std:
     space::SpatialOrder sorted =
         space::spatial_order(centers, space::scaled(centers, spread, copy), threads, checkpoint);
     choose_largest(radii, std::move(sorted.duplicates), sorted.order, result);
-    const auto fill_in = [&](const space::BallInsertion& triangulation) {
+    const auto fill_in = [&](space::BallInsertion& triangulation) {
       space::fill_in(space::rows_of(triangulation, options.neighbors, threads, [](std::uint32_t) { return true; }),
                      triangulation.index(), centers.size(), options.neighbors, threads,
                      checkpoint_of(options.progress, sorted.order.size(), sorted.order.size()), solid);

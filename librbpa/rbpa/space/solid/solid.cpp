@@ -125,6 +125,7 @@ void insert_all(std::span<const Point3> points, double alpha, const SolidOptions
   solid.distinct = sorted.order.size();
   solid.duplicates = std::move(sorted.duplicates);
   space::Insertion triangulation(points, scaled, spread, sorted, threads);
+  sorted = {};
   if (!triangulation.insert_all(options.progress)) return;
   const double scaled_alpha = std::ldexp(alpha, spread.exponent);
   const auto is_kept = [&](std::uint32_t t) {

@@ -171,9 +171,12 @@ double auto_alpha(const Solid& delaunay, std::span<const double> radii, double s
   if (delaunay.simplices.empty()) return infinity;
   Steps step(go_on);
   GrowingPieces pieces(delaunay, share);
-  for (const std::uint32_t t : sorted_by_alpha(radii, step)) {
+  const auto order = sorted_by_alpha(radii, step);
+  constexpr std::size_t ahead = 16;  // the order jumps about in memory
+  for (std::size_t i = 0; i < order.size(); ++i) {
     step(4);
-    if (pieces.add(t)) return radii[t];
+    if (i + ahead < order.size()) __builtin_prefetch(&delaunay.neighbors[order[i + ahead]]);
+    if (pieces.add(order[i])) return radii[order[i]];
   }
   return infinity;
 }

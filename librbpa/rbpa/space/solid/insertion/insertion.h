@@ -55,6 +55,13 @@ class BasicInsertion {
   bool is_within(std::uint32_t t, double alpha, double scaled_alpha) const requires(!weighted) {
     return all_.is_within(t, alpha, scaled_alpha);
   }
+  /// Frees all but the tetrahedra and the input indices: only index() and tetrahedra() can be called later.
+  void keep_rows() {
+    all_.keep_rows();
+    workers_.clear();
+    for (auto* const of : {&place_, &hint_}) std::vector<std::uint32_t>().swap(*of);
+    std::vector<std::uint8_t>().swap(owner_);
+  }
   /// Returns the number of vertices that waited after the first pass of a round, and after the last one.
   std::array<std::size_t, 2> waited() const { return waited_; }
 

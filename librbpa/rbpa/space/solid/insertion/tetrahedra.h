@@ -90,6 +90,12 @@ class BasicTetrahedra {
   /// Adds `count` deleted tetrahedra where there is room, in any thread: returns false if there is none.
   bool add_in_room(std::uint32_t count, std::uint32_t& first);
 
+  /// Frees all but the tetrahedra and the input indices. Requires: none of the other data is used later.
+  void keep_rows() {
+    meshops::FreshVector<VertexData>().swap(vertex_);
+    meshops::FreshVector<ErrorBound>().swap(error_);
+  }
+
   VertexData* vertices() { return vertex_.data(); }
   Tetrahedron* all() { return tetrahedra_.data(); }
   ErrorBound* errors() { return error_.data(); }

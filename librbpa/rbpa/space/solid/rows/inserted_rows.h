@@ -15,9 +15,10 @@
 namespace rbpa::space {
 
 /// Returns the tetrahedra t, without ghosts, for which keep(t) is true, and their neighbors if `neighbors` is true.
-/// Corners are vertices of the triangulation. Several threads may call keep().
+/// Corners are vertices of the triangulation, of which only tetrahedra() and index() can be called later. Several threads
+/// may call keep().
 template <bool weighted, typename Keep>
-SolidRows rows_of(const BasicInsertion<weighted>& triangulation, bool neighbors, Threads& threads, Keep keep) {
+SolidRows rows_of(BasicInsertion<weighted>& triangulation, bool neighbors, Threads& threads, Keep keep) {
   const auto tetrahedra = triangulation.tetrahedra();
   constexpr std::size_t at_a_time = 1u << 15;
   meshops::FreshVector<std::uint32_t> number(tetrahedra.size());  // at first within the part, then in all
@@ -30,6 +31,7 @@ SolidRows rows_of(const BasicInsertion<weighted>& triangulation, bool neighbors,
     }
     count[first / at_a_time + 1] = kept;
   });
+  triangulation.keep_rows();
   std::partial_sum(count.begin(), count.end(), count.begin());
   SolidRows rows;
   rows.corners.resize(count.back());
