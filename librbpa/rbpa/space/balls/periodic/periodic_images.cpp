@@ -9,23 +9,24 @@
 #include "rbpa/base/run/input.h"
 
 namespace rbpa::space {
-PeriodicImages::PeriodicImages(std::span<const Point3> centers, std::span<const double> radii,
+
+PeriodicImages::PeriodicImages(std::span<const Point3> of_centers, std::span<const double> of_radii,
                                const RepeatingCell& cell, double probe)
     : cell_(cell), axes_(cell) {
-  const double greatest = find_greatest(radii, probe);
+  const double greatest = find_greatest(of_radii, probe);
   std::vector<std::array<double, 3>> place;  // in the cell: 0 to 1 along each edge
-  for (std::size_t i = 0; i < centers.size(); ++i) {
+  for (std::size_t i = 0; i < of_centers.size(); ++i) {
     Offset offset{};  // of the own image in the cell
-    std::array<double, 3> along = axes_.along(centers[i]);
+    std::array<double, 3> along = axes_.along(of_centers[i]);
     for (std::size_t k = 0; k < 3; ++k)
       if (cell.repeats[k]) {
         offset[k] = -CellAxes::whole(along[k], i);
         along[k] += offset[k];
       }
-    add(centers[i], radii[i], static_cast<std::uint32_t>(i), offset);
+    add(of_centers[i], of_radii[i], static_cast<std::uint32_t>(i), offset);
     place.push_back(along);
   }
-  for (std::uint32_t i = 0; i < centers.size(); ++i) add_images(i, place[i], radii[i] + probe + greatest);
+  for (std::uint32_t i = 0; i < of_centers.size(); ++i) add_images(i, place[i], of_radii[i] + probe + greatest);
 }
 
 /// Returns the greatest radius with the probe. Throws InvalidInput if images would be too many.

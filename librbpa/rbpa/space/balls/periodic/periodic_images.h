@@ -20,7 +20,7 @@ class PeriodicImages {
   using Offset = Boxes;
 
   /// Throws InvalidInput that names the violated requirement of measure_periodic_balls().
-  PeriodicImages(std::span<const Point3> centers, std::span<const double> radii, const RepeatingCell& cell,
+  PeriodicImages(std::span<const Point3> of_centers, std::span<const double> of_radii, const RepeatingCell& cell,
                  double probe);
 
   std::vector<Point3> centers = {};
