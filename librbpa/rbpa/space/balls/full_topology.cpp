@@ -7,6 +7,7 @@
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/run/checkpoint_of_threads.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/space/balls/full/edges.h"
@@ -67,18 +68,12 @@ std::size_t pieces(const Surface& boundary, const SolidVoid& hollow) {
   return count;
 }
 
-}  // namespace
-
-FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                      double alpha, unsigned wanted, const GoOn& go_on) {
-  Threads threads = space::check_triangulation("count_full", points, delaunay, radii, alpha, wanted);
-  if (delaunay.simplices.empty() && delaunay.distinct > 1) return count_flat(points, alpha, wanted);
-  const space::Triangulated cells(points, delaunay);
-  const space::FacesWithin faces(cells, radii, alpha, threads, go_on);
+/// Counts the simplices of a complex. `sets` is connected_outside().
+FullCounts count(const space::Triangulated& cells, const space::FacesWithin& faces, meshops::DisjointSets& sets,
+                 std::size_t distinct, Threads& threads, const GoOn& go_on) {
   FullCounts counts;
-  counts.points = delaunay.distinct;
-  meshops::DisjointSets sets = connected_outside(delaunay, faces, go_on);
-  const auto outside = static_cast<std::uint32_t>(radii.size());
+  counts.points = distinct;
+  const auto outside = static_cast<std::uint32_t>(cells.simplices.size());
   for (std::uint32_t t = 0; t < outside; ++t) {
     const bool is_in = faces.has_tetrahedron(t);
     counts.tetrahedra += is_in ? 1U : 0U;
@@ -95,17 +90,33 @@ FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std
   return counts;
 }
 
-Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, double alpha,
-                 unsigned wanted, const GoOn& go_on) {
-  Threads threads = space::check_triangulation("void_space", points, delaunay, radii, alpha, wanted);
-  const space::Triangulated cells(points, delaunay);
-  const space::FacesWithin faces(cells, radii, alpha, threads, go_on);
-  meshops::DisjointSets sets = connected_outside(delaunay, faces, go_on);
-  const auto outside = static_cast<std::uint32_t>(radii.size());
+/// Returns the tetrahedra in voids of a complex. `sets` is connected_outside().
+Solid in_voids(const Solid& delaunay, const space::FacesWithin& faces, meshops::DisjointSets& sets) {
+  const auto outside = static_cast<std::uint32_t>(delaunay.simplices.size());
   std::vector<std::uint32_t> kept;
   for (std::uint32_t t = 0; t < outside; ++t)
     if (!faces.has_tetrahedron(t) && sets.find(t) != sets.find(outside)) kept.push_back(t);
   return space::part_of(delaunay, kept, [&](std::uint32_t t, std::size_t k) { return !faces.has_triangle(t, k); });
+}
+
+}  // namespace
+
+FullCounts count_full(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
+                      double alpha, unsigned wanted, const GoOn& go_on) {
+  Threads threads = space::check_triangulation("count_full", points, delaunay, radii, alpha, wanted);
+  if (delaunay.simplices.empty() && delaunay.distinct > 1) return count_flat(points, alpha, wanted);
+  const space::Triangulated cells(points, delaunay);
+  const space::FacesWithin faces(cells, radii, alpha, threads, go_on);
+  meshops::DisjointSets sets = connected_outside(delaunay, faces, go_on);
+  return count(cells, faces, sets, delaunay.distinct, threads, go_on);
+}
+
+Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, double alpha,
+                 unsigned wanted, const GoOn& go_on) {
+  Threads threads = space::check_triangulation("void_space", points, delaunay, radii, alpha, wanted);
+  const space::FacesWithin faces({points, delaunay}, radii, alpha, threads, go_on);
+  meshops::DisjointSets sets = connected_outside(delaunay, faces, go_on);
+  return in_voids(delaunay, faces, sets);
 }
 
 FullVoids full_voids(std::span<const Point3> points, const Solid& space, double alpha, unsigned wanted,
@@ -144,10 +155,24 @@ FullVoids full_voids(std::span<const Point3> points, const Solid& space, double 
 }
 
 FullTopology full_topology(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii,
-                           double alpha, unsigned threads, const GoOn& go_on) {
-  const FullCounts counts = count_full(points, delaunay, radii, alpha, threads, go_on);
-  return {counts,
-          full_voids(points, void_space(points, delaunay, radii, alpha, threads, go_on), alpha, threads, go_on)};
+                           double alpha, unsigned wanted, const GoOn& given) {
+  Threads threads = space::check_triangulation("full_topology", points, delaunay, radii, alpha, wanted);
+  CheckpointOfThreads checkpoint(given);
+  const GoOn go_on = [&] { return checkpoint.goes_on(); };
+  const space::Triangulated cells(points, delaunay);
+  const space::FacesWithin faces(cells, radii, alpha, threads, go_on);
+  meshops::DisjointSets sets = connected_outside(delaunay, faces, go_on);
+  const Solid in_void = in_voids(delaunay, faces, sets);
+  FullTopology full;
+  for_each_index(threads, 2, [&](std::size_t task) {
+    if (task == 0)
+      full.voids = full_voids(points, in_void, alpha, wanted, go_on);
+    else if (delaunay.simplices.empty() && delaunay.distinct > 1)
+      full.counts = count_flat(points, alpha, wanted);
+    else
+      full.counts = count(cells, faces, sets, delaunay.distinct, threads, go_on);
+  });
+  return full;
 }
 
 }  // namespace rbpa

@@ -4,6 +4,9 @@
 #include <limits>
 #include <utility>
 
+#include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/run/checkpoint_of_threads.h"
+#include "rbpa/base/run/input.h"
 #include "rbpa/space/persistence/choose_solid_alpha.h"
 #include "rbpa/space/solid/solid_radii.h"
 
@@ -40,20 +43,23 @@ MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOp
     made.boundary = solid_boundary(made.solid);
   }
   if (options.counts || options.full || options.components) begin(SolidStep::counting);
-  if (options.counts) {
-    made.measures = measure(points, made.boundary.surface);
-    Voids found = voids(points, made.solid, made.boundary);
-    made.counts = found.counts;
-    made.voids = std::move(found.all);
-    if (check) check();
-  }
-  if (options.full) {
-    FullTopology full = full_topology(points, made.triangulation, made.radii, made.alpha, options.threads, go_on);
-    made.full = full.counts;
-    made.voids = std::move(full.voids.all);
-    made.full_void_boundary = std::move(full.voids.boundary);
-  }
-  if (options.components) made.components = solid_components(points, made.solid, made.boundary).all;
+  CheckpointOfThreads checkpoint(go_on);
+  const GoOn goes_on = [&] { return checkpoint.goes_on(); };
+  Voids of_solid;
+  FullTopology full;
+  Threads threads = threads_for(points.size(), options.threads);
+  for_each_index(threads, 4, [&](std::size_t task) {
+    checkpoint();
+    if (task == 0 && options.full)
+      full = full_topology(points, made.triangulation, made.radii, made.alpha, options.threads, goes_on);
+    if (task == 1 && options.counts) of_solid = voids(points, made.solid, made.boundary);
+    if (task == 2 && options.components) made.components = solid_components(points, made.solid, made.boundary).all;
+    if (task == 3 && options.counts) made.measures = measure(points, made.boundary.surface);
+  });
+  made.counts = of_solid.counts;
+  if (options.full) made.full = full.counts;
+  made.voids = std::move(options.full ? full.voids.all : of_solid.all);
+  made.full_void_boundary = std::move(full.voids.boundary);
   if (options.balls && std::isfinite(made.alpha)) {
     begin(SolidStep::balls);
     made.balls = union_of_balls(points, made.alpha, {.threads = options.threads, .progress = on_progress_of(go_on)});
