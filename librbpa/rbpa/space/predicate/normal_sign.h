@@ -1,6 +1,6 @@
 // What: computes the sign of the scalar product of a triangle's normal with a vector or another triangle's normal.
 // Law:  exact for every finite input (docs/explanation/surfaces.md, section 15).
-// Cost: some nanoseconds; microseconds when the filter fails.
+// Cost: some nanoseconds; microseconds when the filters fail.
 #pragma once
 
 #include <cmath>
@@ -33,6 +33,8 @@ class RoundedNormal {
   /// roundoffs of magnitude().
   Real product(const RoundedNormal& other) const { return dot(normal_, other.normal_); }
   Real magnitude(const RoundedNormal& other) const { return dot(magnitude_, other.magnitude_); }
+  /// Returns the sum of the absolute values of all products of differences.
+  Real size() const { return magnitude_.x + magnitude_.y + magnitude_.z; }
 
  private:
   Vector3<Real> normal_, magnitude_;
@@ -63,6 +65,14 @@ class TriangleNormal {
 /// Returns the sign of (b − a) × (c − a) · (e − d) × (f − d).
 inline int compare_normals(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& e,
                            const Point3& f) {
+  {
+    const RoundedNormal<double> one(a, b, c), other(d, e, f);
+    const double product = one.product(other),
+                 bound = 8 * std::numeric_limits<double>::epsilon() * one.magnitude(other) +
+                         0x1p-1000 * (1 + one.size() + other.size());
+    if (product > bound) return 1;
+    if (product < -bound) return -1;
+  }
   using Real = long double;  // its exponents hold products of four differences of doubles
   const RoundedNormal<Real> one(a, b, c), other(d, e, f);
   const Real product = one.product(other), bound = 8 * std::numeric_limits<Real>::epsilon() * one.magnitude(other);

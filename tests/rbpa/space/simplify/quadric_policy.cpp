@@ -297,6 +297,16 @@ TEST_CASE("the sign of the product of two normals is exact where rounding decide
     CHECK(rbpa::space::compare_normals(p[0], p[1], p[2], p[3], p[4], p[5]) ==
           rbpa::space::exact::compare_normals(p[0], p[1], p[2], p[3], p[4], p[5]));
   }
+  for (int i = 0; i < 2000; ++i) {  // where products of doubles underflow or overflow
+    std::array<Point3, 6> p;
+    for (std::size_t t = 0; t < 6; t += 3) {
+      const int exponent = t == 0 ? static_cast<int>(random() % 12) - 542 : static_cast<int>(random() % 1000) - 480;
+      const auto number = [&] { return std::ldexp(double(random() >> 11), exponent - 53); };
+      for (std::size_t k = t; k < t + 3; ++k) p[k] = {number(), number(), number()};
+    }
+    CHECK(rbpa::space::compare_normals(p[0], p[1], p[2], p[3], p[4], p[5]) ==
+          rbpa::space::exact::compare_normals(p[0], p[1], p[2], p[3], p[4], p[5]));
+  }
 }
 
 TEST_SUITE_END();
