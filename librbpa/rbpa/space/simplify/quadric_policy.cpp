@@ -25,12 +25,18 @@ using Vector = space::Vector3<double>;
 
 /// Sums of quadrics around vertices. The order of the terms of each sum does not depend on numbers.
 struct Sums {
+  struct Plane {
+    Point3 normal, through;  // unit normal and centroid of a triangle
+    double area = 0;         // 0 if there is no triangle
+  };
+
   const Connectivity& mesh;
   const std::vector<Point3>& at;  // the scaled place of each vertex
   const std::vector<std::uint32_t>& rank;
   const QuadricOptions& options;
   const double noise = options.normal_deviation * options.normal_deviation;
   const double least_cosine = std::cos(options.sharp_angle * std::numbers::pi / 180);
+  const std::vector<Plane> planes = planes_of_faces();
 
   Quadric around(Vertex v) const {
     Quadric sum;
@@ -39,7 +45,7 @@ struct Sums {
     Halfedge out = first;
     do {
       if (!mesh.is_boundary(out)) {
-        const Plane plane = plane_of(out);
+        const Plane& plane = plane_of(out);
         sum += Quadric::plane(plane.normal, plane.through, plane.area, noise);
       }
       add_edge(sum, out);
@@ -47,11 +53,6 @@ struct Sums {
     } while (out != first);
     return sum;
   }
-
-  struct Plane {
-    Point3 normal, through;  // unit normal and centroid of a triangle
-    double area = 0;         // 0 if there is no triangle
-  };
 
   std::uint32_t rank_at_end(Halfedge h) const { return rank[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())]; }
   const Point3& at_end(Halfedge h) const { return at[static_cast<std::size_t>(mesh.to_vertex_handle(h).idx())]; }
@@ -65,21 +66,31 @@ struct Sums {
     return first;
   }
 
-  /// Returns the plane of the triangle of a halfedge, computed from the triangle's corner of least rank on.
-  Plane plane_of(Halfedge h) const {
-    if (mesh.is_boundary(h)) return {};
-    std::array<Halfedge, 3> sides = {h, mesh.next_halfedge_handle(h), mesh.prev_halfedge_handle(h)};
-    std::rotate(sides.begin(),
-                std::min_element(sides.begin(), sides.end(),
-                                 [&](Halfedge a, Halfedge b) { return rank_at_end(a) < rank_at_end(b); }),
-                sides.end());
-    const Point3 &a = at_end(sides[0]), &b = at_end(sides[1]), &c = at_end(sides[2]);
-    const Vector n = space::cross(space::from<double>(a, b), space::from<double>(a, c));
-    const double length = std::sqrt(space::dot(n, n));
-    if (length == 0) return {};
-    return {{n.x / length, n.y / length, n.z / length},
+  /// Returns the plane of the triangle of a halfedge.
+  const Plane& plane_of(Halfedge h) const {
+    static const Plane none;
+    return mesh.is_boundary(h) ? none : planes[static_cast<std::size_t>(mesh.face_handle(h).idx())];
+  }
+
+  /// Returns the plane of each triangle by index, computed from the triangle's corner of least rank on.
+  std::vector<Plane> planes_of_faces() const {
+    std::vector<Plane> result(mesh.n_faces());
+    for (const meshops::Face f : meshops::live_faces(mesh)) {
+      const Halfedge h = mesh.halfedge_handle(f);
+      std::array<Halfedge, 3> sides = {h, mesh.next_halfedge_handle(h), mesh.prev_halfedge_handle(h)};
+      std::rotate(sides.begin(),
+                  std::min_element(sides.begin(), sides.end(),
+                                   [&](Halfedge a, Halfedge b) { return rank_at_end(a) < rank_at_end(b); }),
+                  sides.end());
+      const Point3 &a = at_end(sides[0]), &b = at_end(sides[1]), &c = at_end(sides[2]);
+      const Vector n = space::cross(space::from<double>(a, b), space::from<double>(a, c));
+      if (const double length = std::sqrt(space::dot(n, n)); length != 0)
+        result[static_cast<std::size_t>(f.idx())] = {
+            {n.x / length, n.y / length, n.z / length},
             {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3},
             length / 2};
+    }
+    return result;
   }
 
   /// Adds the planes that stand on the edge of a halfedge, if the edge is on the boundary or sharp: for each triangle
@@ -87,7 +98,7 @@ struct Sums {
   void add_edge(Quadric& sum, Halfedge h) const {
     if (rank_at_end(mesh.opposite_halfedge_handle(h)) > rank_at_end(h)) h = mesh.opposite_halfedge_handle(h);
     const Halfedge o = mesh.opposite_halfedge_handle(h);
-    const Plane left = plane_of(h), right = plane_of(o);
+    const Plane &left = plane_of(h), &right = plane_of(o);
     const bool on_boundary = mesh.is_boundary(h) || mesh.is_boundary(o);
     const double cosine =
         left.normal.x * right.normal.x + left.normal.y * right.normal.y + left.normal.z * right.normal.z;
