@@ -27,7 +27,7 @@ using Vector = space::Vector3<double>;
 struct Sums {
   struct Plane {
     Point3 normal, through;  // unit normal and centroid of a triangle
-    double area = 0;         // 0 if there is no triangle
+    double weight = 0;       // the square root of the area; 0 if there is no triangle
   };
 
   const Connectivity& mesh;
@@ -46,7 +46,7 @@ struct Sums {
     do {
       if (!mesh.is_boundary(out)) {
         const Plane& plane = plane_of(out);
-        sum += Quadric::plane(plane.normal, plane.through, plane.area, noise);
+        sum += Quadric::plane(plane.normal, plane.through, plane.weight, noise);
       }
       add_edge(sum, out);
       out = mesh.next_halfedge_handle(mesh.opposite_halfedge_handle(out));
@@ -88,7 +88,7 @@ struct Sums {
         result[static_cast<std::size_t>(f.idx())] = {
             {n.x / length, n.y / length, n.z / length},
             {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3, (a.z + b.z + c.z) / 3},
-            length / 2};
+            std::sqrt(length / 2)};
     }
     return result;
   }
@@ -102,13 +102,14 @@ struct Sums {
     const bool on_boundary = mesh.is_boundary(h) || mesh.is_boundary(o);
     const double cosine =
         left.normal.x * right.normal.x + left.normal.y * right.normal.y + left.normal.z * right.normal.z;
-    if (!on_boundary && !(left.area > 0 && right.area > 0 && cosine < least_cosine)) return;
+    if (!on_boundary && !(left.weight > 0 && right.weight > 0 && cosine < least_cosine)) return;
     const Vector along = space::from<double>(at_end(o), at_end(h));
-    const double weight = (on_boundary ? options.boundary_weight : options.sharp_weight) * space::dot(along, along);
+    const double weight =
+        (on_boundary ? options.boundary_weight : options.sharp_weight) * std::sqrt(space::dot(along, along));
     for (const Plane& plane : {left, right}) {
       const Vector across = space::cross(along, Vector{plane.normal.x, plane.normal.y, plane.normal.z});
       const double length = std::sqrt(space::dot(across, across));
-      if (plane.area > 0 && length > 0)
+      if (plane.weight > 0 && length > 0)
         sum += Quadric::plane({across.x / length, across.y / length, across.z / length}, at_end(h), weight);
     }
   }

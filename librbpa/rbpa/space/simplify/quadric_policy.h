@@ -29,12 +29,12 @@ class LiveTriangles;
 }
 
 struct QuadricOptions {
-  /// Weight of the planes that stand on boundary edges, as a multiple of the squared length of the edge, where the
-  /// plane of a triangle weighs the area of the triangle. The weight keeps boundary curves in place.
-  double boundary_weight = 100;
+  /// Weight of the planes that stand on boundary edges, as a multiple of the length of the edge, where the plane of a
+  /// triangle weighs the square root of the triangle's area. The weight keeps boundary curves in place.
+  double boundary_weight = 20;
   /// Weight of the planes that stand on sharp edges, one for each of the two triangles. An edge is sharp if the normals
   /// of its triangles differ by more than `sharp_angle`, in degrees.
-  double sharp_weight = 1;
+  double sharp_weight = 0.5;
   double sharp_angle = 60;
   /// Standard deviation of the normals, in radians. If above 0, the least error is at one point even where planes do
   /// not determine it, and vertices in a plane stay evenly spread.
@@ -61,8 +61,9 @@ class RBPA_API QuadricPolicy {
   QuadricPolicy(QuadricPolicy&&) noexcept;
   ~QuadricPolicy();
 
-  /// Returns the error at the place of the edge: the sum of area · distance² over the triangles that were merged into
-  /// its ends, each counted up to three times, and of the terms of boundary edges, sharp edges and `normal_deviation`.
+  /// Returns the error at the place of the edge: the sum of √area · distance² over the triangles that were merged
+  /// into its ends, each counted up to three times, and of the terms of boundary edges, sharp edges and
+  /// `normal_deviation`.
   /// Lengths are multiplied by scale(). The error never falls when ends are merged, unless `at_ends`.
   double cost(const meshops::Connectivity& mesh, meshops::Edge e) const;
   /// Returns the place to which the edge collapses: an end with `at_ends`, otherwise the place of the least error.
