@@ -78,8 +78,9 @@ std::string change_option(const TopologyArguments& arguments) {
 /// --repair, if another option changes the mesh, and --output-format is given or the ending of -o is that of a mesh.
 bool writes_mesh(const TopologyArguments& arguments) {
   if (arguments.repair) return arguments.repaired.empty();
-  const bool changes = arguments.weld || arguments.keep_largest || arguments.drop_small || arguments.orient ||
-                       arguments.fill_holes || arguments.close_tunnels_below || arguments.decimate || arguments.remesh;
+  const bool changes = arguments.at_faces || arguments.weld || arguments.keep_largest || arguments.drop_small ||
+                       arguments.orient || arguments.fill_holes || arguments.close_tunnels_below ||
+                       arguments.decimate || arguments.remesh;
   return changes && (arguments.output_format || find_format(Use::mesh, ending(*arguments.output)));
 }
 
@@ -91,6 +92,7 @@ void require_reports_alone(const TopologyArguments& arguments) {
   if (arguments.repair) refuse("--repair");
   if (arguments.output && writes_mesh(arguments)) refuse("-o");
   if (arguments.generators) refuse("--generators");
+  if (arguments.progressive) refuse("--progressive");
   if (std::count(arguments.meshes.begin(), arguments.meshes.end(), "-") > 1)
     bad_usage("MESH", "-, standard input, twice", "once");
 }
@@ -99,6 +101,7 @@ void require_reports_alone(const TopologyArguments& arguments) {
 
 std::vector<std::string> TopologyPlan::outputs() const {
   std::vector<std::string> paths;
+  if (progressive) paths.push_back(*progressive);
   if (written) paths.push_back(written->path);
   if (generators) paths.push_back(generators->path);
   if (report) paths.push_back(report->path);
@@ -112,7 +115,10 @@ TopologyPlan plan(TopologyArguments arguments) {
   if (arguments.meshes.empty())
     throw WrongUsage("MESH is required: a mesh file, or - for standard input (see meshtopo --help)");
   std::vector<MeshSource> sources;
-  for (const std::string& mesh : arguments.meshes) sources.push_back(parse_source(mesh, arguments.format));
+  if (arguments.at_faces && arguments.format)
+    throw WrongUsage("--format does not apply to progressive meshes, which --at-faces reads");
+  for (const std::string& mesh : arguments.meshes)
+    sources.push_back(arguments.at_faces ? MeshSource{mesh, Format::by_content} : parse_source(mesh, arguments.format));
   if (sources.size() > 1) require_reports_alone(arguments);
   TopologyPlan plan{.sources = std::move(sources),
                     .max_defects = parse_whole("--max-defects", arguments.max_defects, {}),
@@ -128,6 +134,10 @@ TopologyPlan plan(TopologyArguments arguments) {
     plan.decimate = parse_decimation("--decimate", *arguments.decimate);
     plan.decimate->no_crossings = arguments.no_crossings;
   }
+  if (arguments.at_faces) plan.at_faces = parse_whole("--at-faces", *arguments.at_faces, {});
+  if (arguments.progressive && !arguments.decimate) throw WrongUsage("--progressive requires --decimate");
+  if (arguments.progressive == "-") bad_usage("--progressive", "-", "a file (standard output is that of the report)");
+  plan.progressive = arguments.progressive;
   if (arguments.remesh) plan.remesh = parse_real("--remesh", *arguments.remesh, above_0, "a length, such as 2.5");
   for (const std::string& list : arguments.checks)
     for (Check& check : parse_checks(list)) plan.checks.push_back(std::move(check));
@@ -153,7 +163,7 @@ TopologyPlan plan(TopologyArguments arguments) {
           option +
           " -: the mesh and the report cannot both go to standard output (name a file for the mesh, or leave out the "
           "report with --quiet)");
-  } else if (plan.changes() && plan.checks.empty() && !arguments.generators) {
+  } else if (plan.changes() && plan.checks.empty() && !arguments.generators && !arguments.progressive) {
     throw WrongUsage(change_option(arguments) +
                      " changes the mesh, and requires a file for it (-o OUT or --repair OUT), or --check");
   }

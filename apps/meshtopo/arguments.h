@@ -31,6 +31,8 @@ struct TopologyArguments {
   std::optional<std::string> decimate;
   std::optional<std::string> remesh;
   bool no_crossings = false;
+  std::optional<std::string> progressive;
+  std::optional<std::string> at_faces;
   bool repair = false;
   std::string repaired;  ///< path OUT of --repair; empty if -o names the mesh
   std::optional<std::string> generators;
@@ -57,7 +59,9 @@ struct TopologyPlan {
   std::optional<HoleChoice> fill = std::nullopt;
   std::optional<double> tunnels_below = std::nullopt;
   std::optional<DecimationOptions> decimate = std::nullopt;
-  std::optional<double> remesh = std::nullopt;  ///< target length of an edge, in units of the vertices
+  std::optional<std::size_t> at_faces = std::nullopt;     ///< the meshes are progressive, and are read at this number
+  std::optional<std::string> progressive = std::nullopt;  ///< file for the progressive mesh of a decimation
+  std::optional<double> remesh = std::nullopt;            ///< target length of an edge, in units of the vertices
   std::optional<TopologyTarget> report = std::nullopt;
   std::optional<TopologyTarget> written = std::nullopt;  ///< file for the mesh after all edits and repairs
   std::optional<Shift> shift = std::nullopt;             ///< vector to subtract from the positions in STL
@@ -66,7 +70,7 @@ struct TopologyPlan {
 
   /// Returns whether an option other than --repair changes the mesh.
   bool changes() const { return edits.any() || fill || tunnels_below || decimate || remesh; }
-  /// Returns the paths of the outputs that are written, in this order: mesh, generators, report.
+  /// Returns the paths of the outputs that are written, in this order: progressive mesh, mesh, generators, report.
   std::vector<std::string> outputs() const;
 };
 

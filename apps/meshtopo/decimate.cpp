@@ -4,11 +4,14 @@
 #include <utility>
 #include <vector>
 
+#include "io/bytes/input_bytes.h"
+#include "io/failure.h"
 #include "io/interrupt.h"
 #include "meshops/core/live.h"
 #include "meshops/core/live_range.h"
 #include "meshops/topology/build_mesh.h"
-#include "rbpa/space/simplify/decimate_mesh.h"
+#include "rbpa/base/error.h"
+#include "rbpa/space/simplify/progressive_mesh.h"
 
 namespace rbpa::app {
 namespace {
@@ -45,14 +48,53 @@ std::size_t polygons_in(const MeshFile& mesh) {
   return count;
 }
 
-DecimatedMesh decimate(const MeshFile& mesh, const DecimationOptions& choice) {
+DecimatedMesh decimate(const MeshFile& mesh, const DecimationOptions& choice, bool progressive) {
   DecimatedMesh result;
   DecimationOptions options = choice;
   options.measured = true;
   options.go_on = until_interrupted();
-  result.mesh =
-      changed(mesh, [&](auto& halfedges, auto& places) { result.report = rbpa::decimate(halfedges, places, options); });
+  result.mesh = changed(mesh, [&](auto& halfedges, auto& places) {
+    if (!progressive) {
+      result.report = rbpa::decimate(halfedges, places, options);
+      return;
+    }
+    const ProgressiveMesh made(std::move(halfedges), std::move(places), options);
+    result.report = made.decimation();
+    result.progressive = made.write();
+    halfedges = made.mesh();
+    places = made.places();
+  });
   return result;
+}
+
+MeshFile read_progressive(const std::string& path, std::size_t faces) try {
+  const InputBytes input(path, "a progressive mesh");
+  ProgressiveMesh mesh = ProgressiveMesh::read(std::as_bytes(std::span(input.bytes())));
+  const std::vector<Triangle> whole = mesh.triangles();
+  mesh.go_to(faces);
+  const std::vector<Triangle> triangles = mesh.triangles();
+  const std::vector<Point3> places = mesh.positions();
+  std::vector<bool> is_left(places.size(), true);
+  const auto set = [&](const std::vector<Triangle>& of, bool value) {
+    for (const Triangle& t : of)
+      for (const std::uint32_t v : t) is_left[v] = value;
+  };
+  set(whole, false);  // isolated vertices stay
+  set(triangles, true);
+  MeshFile result;
+  std::vector<std::uint32_t> number(places.size());
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    number[v] = static_cast<std::uint32_t>(result.positions.size());
+    if (is_left[v]) result.positions.push_back({places[v].x, places[v].y, places[v].z});
+  }
+  result.soup.points = result.positions.size();
+  for (Triangle t : triangles) {
+    for (std::uint32_t& corner : t) corner = number[corner];
+    result.soup.add_face(t);
+  }
+  return result;
+} catch (const InvalidInput& error) {
+  throw BadInput((path == "-" ? "standard input" : path) + ": " + error.what());
 }
 
 RemeshedMesh remesh(const MeshFile& mesh, double length) {

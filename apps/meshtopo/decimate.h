@@ -1,10 +1,11 @@
-// What: decimates or remeshes a mesh of triangles, for --decimate and --remesh.
-// Law:  that of rbpa::decimate() and rbpa::remesh(). The vertices left by a decimation keep the order of the given
+// What: decimates or remeshes a mesh of triangles, for --decimate and --remesh; writes and reads progressive meshes.
+// Law:  that of rbpa::decimate(), rbpa::ProgressiveMesh and rbpa::remesh(). The vertices left by a decimation keep the order of the given
 //       mesh.
 // Cost: that of meshops::build_mesh(), and of rbpa::decimate() or rbpa::remesh().
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "io/mesh/read_mesh.h"
 #include "rbpa/space/simplify/remesh.h"
@@ -15,11 +16,17 @@ namespace rbpa::app {
 struct DecimatedMesh {
   MeshFile mesh;  ///< without line numbers; one vertex for each fan of faces
   Decimation report;
+  std::vector<std::byte> progressive;  ///< the bytes of the progressive mesh, if they are wanted
 };
 
 /// Decimates a copy of `mesh`, and measures the distance. Requires: `mesh` is a surface of triangles without defects
 /// other than pinches. Throws Cancelled.
-DecimatedMesh decimate(const MeshFile& mesh, const DecimationOptions& choice);
+DecimatedMesh decimate(const MeshFile& mesh, const DecimationOptions& choice, bool progressive);
+
+/// Reads a progressive mesh, and returns it at the greatest possible number of triangles that is at most `faces`, or at
+/// its least number. Vertices that no triangle has at this number are left out. Throws BadInput that names the file and
+/// what is wrong with the bytes; Failure.
+MeshFile read_progressive(const std::string& path, std::size_t faces);
 
 struct RemeshedMesh {
   MeshFile mesh;  ///< without line numbers; vertices ascend by their positions

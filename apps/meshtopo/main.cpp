@@ -93,6 +93,13 @@ int main(int argc, char** argv) {
   app.add_flag("--no-crossings", arguments.no_crossings,
                "With --decimate, collapse no edge by which faces would cross or touch that did not before; exact")
       ->disable_flag_override();
+  app.add_option("--progressive", arguments.progressive,
+                 "With --decimate, write all steps between the mesh before and after to this file, the coarse mesh "
+                 "first: --at-faces reads it")
+      ->type_name("OUT");
+  app.add_option("--at-faces", arguments.at_faces,
+                 "Read meshes that --progressive wrote, each at the greatest number of faces up to N that it has")
+      ->type_name("N");
   app.add_option("--remesh", arguments.remesh,
                  "Make the edges of a mesh of triangles about as long as LENGTH, in units of the vertices, with six at "
                  "a vertex, after a decimation. Sharp edges and boundary curves stay, and the topology is the same")
@@ -119,6 +126,8 @@ int main(int argc, char** argv) {
       "  meshtopo part.stl --weld 1e-6 --keep-largest 1 --orient -o part.ply\n"
       "  meshtopo scan.ply --repair whole.ply --fill-holes all --check closed\n"
       "  meshtopo scan.ply --decimate 10000 -o small.ply --check closed\n"
+      "  meshtopo scan.ply --decimate 500 --progressive scan.pm\n"
+      "  meshtopo scan.pm --at-faces 20000 -o part.ply\n"
       "  meshtopo part.stl --weld 0 --remesh 2.5 -o even.ply\n\n"
       "Properties for --check: " +
       known_checks() +

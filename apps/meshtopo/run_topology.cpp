@@ -118,6 +118,9 @@ class Run {
       decimated = decimate(closed);
       findings.decimated = decimated->report;
     }
+    if (plan_.progressive)
+      write(outputs_.add(*plan_.progressive),
+            [&](OutputFile& file) { file.write_binary(std::span<const std::byte>(decimated->progressive)); });
     const MeshFile& small = decimated ? decimated->mesh : closed;
     std::optional<RemeshedMesh> remeshed;
     if (plan_.remesh) {
@@ -239,7 +242,7 @@ class Run {
 
   MeshFile read(const MeshSource& source) const {
     const ProgressLine shown = line("reading", read_from_terminal(source.path));
-    return read_mesh(source);
+    return plan_.at_faces ? read_progressive(source.path, *plan_.at_faces) : read_mesh(source);
   }
 
   Examined examine(const MeshFile& mesh) const {
@@ -273,7 +276,7 @@ class Run {
 
   DecimatedMesh decimate(const MeshFile& mesh) const {
     const ProgressLine shown = line("decimating");
-    return app::decimate(mesh, *plan_.decimate);
+    return app::decimate(mesh, *plan_.decimate, plan_.progressive.has_value());
   }
 
   RemeshedMesh remesh(const MeshFile& mesh, const MeshSource& source) const try {

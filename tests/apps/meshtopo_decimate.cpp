@@ -141,6 +141,72 @@ TEST_SUITE("meshtopo --decimate") {
     CHECK(outcome.err == "meshtopo: --no-crossings requires --decimate\n");
   }
 
+  TEST_CASE("--at-faces reads of what --progressive wrote the mesh of each number of faces, up to the given one") {
+    const Folder folder;
+    for (const std::string name : {"m3_spot.off", "m3_plate_holes.off"}) {
+      CAPTURE(name);
+      const std::string given = data + "/" + name;
+      const Outcome made = folder.meshtopo(given + " --decimate 130 --progressive m.pm -o coarse.off --json");
+      CHECK(made.code == 0);
+      CHECK(json::parse(made.out) == changed(folder, given + " --decimate 130 -o alone.off"));
+      CHECK(folder.content("coarse.off") == folder.content("alone.off"));
+      const auto at = [&](const std::string& faces) {
+        return folder.meshtopo("m.pm --at-faces " + faces + " -q -o at.off").code == 0 ? folder.content("at.off") : "";
+      };
+      CHECK(at("130") == folder.content("coarse.off"));
+      CHECK(at("0") == folder.content("coarse.off"));
+      for (const std::string faces : {"131", "200", "777"}) {
+        CHECK(folder.meshtopo(given + " -q --decimate " + faces + " -o n.off").code == 0);
+        CHECK(at(faces) == folder.content("n.off"));
+      }
+      CHECK(folder.meshtopo(given + " -q --decimate 100% -o n.off").code == 0);
+      CHECK(at("1000000") == folder.content("n.off"));
+      CHECK(folder.meshtopo("- --at-faces 200 -q --check defects=0,faces=200 < m.pm").code == 0);
+    }
+    // With a pinch, whose fans have vertices of their own, and an isolated vertex.
+    folder.file("m.off", "OFF\n7 3 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n-1 0 0\n0 -1 0\n7 7 7\n3 0 1 2\n3 0 2 3\n3 0 4 5\n");
+    CHECK(folder.meshtopo("m.off -q --decimate 2 --progressive m.pm").code == 0);
+    CHECK(json::parse(folder.meshtopo("m.pm --at-faces 3 --json").out)["vertices"] == 8);
+    CHECK(json::parse(folder.meshtopo("m.pm --at-faces 2 --json").out)["vertices"] == 7);
+    CHECK(json::parse(folder.meshtopo("m.pm --at-faces 2 --json").out)["isolated"] == 1);
+  }
+
+  TEST_CASE("--progressive and --at-faces are refused where they do not apply, and other bytes with the reason") {
+    const Folder folder;
+    const std::string spot = data + "/m3_spot.off";
+    const auto refused = [&](const std::string& arguments, int code, const std::string& why) {
+      const Outcome outcome = folder.meshtopo(arguments);
+      CHECK(outcome.code == code);
+      CHECK(outcome.err == "meshtopo: " + why + "\n");
+      CHECK(outcome.out == "");
+    };
+    refused(spot + " --progressive m.pm", 2, "--progressive requires --decimate");
+    refused(spot + " --decimate 9 --progressive -", 2,
+            "--progressive: found -, expected a file (standard output is "
+            "that of the report)");
+    refused(spot + " " + spot + " --decimate 9 --progressive m.pm", 2, "--progressive: found 2 meshes, expected one");
+    refused(spot + " --decimate 9 --progressive m.off -o m.off", 2,
+            "m.off: found twice among the files to write, expected once");
+    refused(spot + " --at-faces 9 --format off", 2,
+            "--format does not apply to progressive meshes, which --at-faces reads");
+    refused(spot + " --at-faces x", 2, "--at-faces: found 'x', expected a whole number from 0");
+    refused(spot + " --at-faces 9 -o o.off", 3,
+            spot +
+                ": progressive mesh: found another beginning, expected rbpaprog (ProgressiveMesh::write() writes "
+                "such bytes)");
+    CHECK(folder.meshtopo(spot + " --decimate 9 --progressive m.pm -q").code == 0);
+    const std::string whole = folder.content("m.pm");
+    folder.file("cut.pm", whole.substr(0, whole.size() - 1));
+    refused("cut.pm --at-faces 9 -o o.off", 3,
+            "cut.pm: progressive mesh: found " + std::to_string(whole.size() - 1) + " bytes, expected " +
+                std::to_string(whole.size()) + " by the numbers in the head");
+    refused("m.pm --at-faces 9 --decimate 4 --progressive m.pm", 2,
+            "m.pm: found the file of the mesh, expected another file to write to");
+    CHECK(folder.content("m.pm") == whole);
+    CHECK_FALSE(folder.has("o.off"));
+    CHECK_FALSE(folder.has("m.off"));
+  }
+
   TEST_CASE("holes are filled before, and checks are those of the result") {
     const Folder folder;
     const Outcome outcome = folder.meshtopo(data + "/m3_cube_no_bottom.off --fill-holes rims --decimate 12 -o o.off " +

@@ -181,9 +181,8 @@ ProgressiveMesh::ProgressiveMesh(Connectivity mesh, std::vector<Point3> places, 
   require_none_deleted(mesh_.all_vertices());
   require_none_deleted(mesh_.all_faces());
   std::vector<RecordedCollapse> record;
-  const Decimation counts = decimate(mesh_, places_, options, quadrics, &record);
-  most_ = counts.given;
-  least_ = faces_ = counts.left;
+  counts_ = decimate(mesh_, places_, options, quadrics, &record);
+  faces_ = counts_.left;
   done_ = record.size();
   for (const auto& [effect, before, after] : record) {
     moves_ = moves_ || bits_of(before) != bits_of(after);
@@ -227,7 +226,7 @@ std::vector<Point3> ProgressiveMesh::positions() const {
 }
 
 std::vector<std::byte> ProgressiveMesh::write() const {
-  meshops::require(most_ < most_faces, "ProgressiveMesh: found ", static_cast<long long>(most_),
+  meshops::require(most() < most_faces, "ProgressiveMesh: found ", static_cast<long long>(most()),
                    " triangles, expected fewer than 2^29, to write them");
   ProgressiveMesh copy = *this;
   copy.go_to(0);
@@ -235,7 +234,7 @@ std::vector<std::byte> ProgressiveMesh::write() const {
   NumbersOut out;
   for (const char c : magic) out.add(static_cast<std::uint64_t>(c), 1);
   for (const std::size_t number :
-       {std::size_t{version}, std::size_t{moves_}, mesh.n_vertices() - steps_.size(), least_, steps_.size(), most_})
+       {std::size_t{version}, std::size_t{moves_}, mesh.n_vertices() - steps_.size(), least(), steps_.size(), most()})
     out.add(static_cast<std::uint32_t>(number));
   std::vector<std::uint32_t> place_of_vertex(mesh.n_vertices()), place_of_face(mesh.n_faces());
   std::uint32_t vertices = 0, faces = 0;
@@ -324,8 +323,8 @@ ProgressiveMesh ProgressiveMesh::read(std::span<const std::byte> bytes) {
   require_bytes(mesh.n_faces() == most, "found ", mesh.n_faces(), " triangles after all splits, expected ", most);
   std::reverse(result.steps_.begin(), result.steps_.end());
   result.moves_ = move == 1;
-  result.least_ = least;
-  result.most_ = result.faces_ = most;
+  result.counts_ = {.given = most, .left = least, .collapses = splits};
+  result.faces_ = most;
   result.vertex_number_ = std::move(of_vertices.all);
   result.face_number_ = std::move(of_faces.all);
   return result;

@@ -39,9 +39,11 @@ class RBPA_API ProgressiveMesh {
   /// Cost:     that of go_to() on a copy.
   std::vector<std::byte> write() const;
 
-  std::size_t least() const { return least_; }  ///< number of triangles of the coarse mesh
-  std::size_t most() const { return most_; }    ///< number of triangles of the full mesh
-  std::size_t faces() const { return faces_; }  ///< number of triangles now
+  std::size_t least() const { return counts_.left; }  ///< number of triangles of the coarse mesh
+  std::size_t most() const { return counts_.given; }  ///< number of triangles of the full mesh
+  std::size_t faces() const { return faces_; }        ///< number of triangles now
+  /// The report of the decimation. A mesh that was read has only the numbers of triangles and collapses.
+  const Decimation& decimation() const { return counts_; }
   /// Collapses edges, or undoes collapses, until the mesh has as many triangles as possible, but at most `faces`. If
   /// every state has more, the mesh becomes the coarse mesh.
   void go_to(std::size_t faces);
@@ -67,7 +69,8 @@ class RBPA_API ProgressiveMesh {
   std::vector<Point3> places_;
   std::vector<Step> steps_;  // the collapses; the first done_ of them are done
   bool moves_ = false;       // whether a survivor moves
-  std::size_t done_ = 0, least_ = 0, most_ = 0, faces_ = 0;
+  std::size_t done_ = 0, faces_ = 0;
+  Decimation counts_;
   std::vector<std::uint32_t> vertex_number_, face_number_;  // numbers in the given mesh
 };
 

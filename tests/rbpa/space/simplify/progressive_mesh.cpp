@@ -144,6 +144,7 @@ TEST_CASE("what is written and read has the same triangles at every number of th
       CHECK(records(mesh) == before);
       ProgressiveMesh again = ProgressiveMesh::read(bytes);
       CHECK((again.least() == mesh.least() && again.most() == mesh.most() && again.faces() == mesh.most()));
+      CHECK(again.decimation().collapses == mesh.decimation().collapses);
       CHECK(again.triangles() == t.corners);
       check_same(again.positions(), t.points);
       CHECK(meshops::validate(again.mesh()).empty());
