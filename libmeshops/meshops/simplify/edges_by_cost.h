@@ -106,7 +106,9 @@ class EdgesByCost {
   bool split_last() {
     std::vector<Entry>& entries = bands_.back().entries;
     std::array<double, 128> sample;
-    for (std::size_t i = 0; i < sample.size(); ++i) sample[i] = entries[i * entries.size() / sample.size()].cost;
+    // Steps of the golden ratio are not in step with the rows of a grid, whose costs repeat.
+    for (std::uint64_t i = 0; i < sample.size(); ++i)
+      sample[i] = entries[(i * 0x9E3779B97F4A7C15U >> 33U) * entries.size() >> 31U].cost;
     std::nth_element(sample.begin(), sample.begin() + sample.size() / 8, sample.end());
     const double limit = sample[sample.size() / 8];
     const auto first = std::partition(entries.begin(), entries.end(), [&](const Entry& e) { return e.cost > limit; });
