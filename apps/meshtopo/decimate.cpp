@@ -16,6 +16,20 @@
 namespace rbpa::app {
 namespace {
 
+/// Returns the mesh of the vertices that are left, in their order. Requires: `soup` has no others.
+MeshFile mesh_of(const std::vector<Point3>& places, const std::vector<bool>& is_left, meshops::PolygonSoup soup) {
+  MeshFile result;
+  std::vector<std::uint32_t> number(places.size());
+  for (std::size_t v = 0; v < places.size(); ++v) {
+    number[v] = static_cast<std::uint32_t>(result.positions.size());
+    if (is_left[v]) result.positions.push_back({places[v].x, places[v].y, places[v].z});
+  }
+  result.soup = std::move(soup);
+  result.soup.points = result.positions.size();
+  for (std::uint32_t& corner : result.soup.corners) corner = number[corner];
+  return result;
+}
+
 /// Calls change(halfedges, places) with the halfedge mesh of `mesh` and its positions, and returns the changed mesh.
 template <typename Change>
 MeshFile changed(const MeshFile& mesh, Change change) {
@@ -27,17 +41,9 @@ MeshFile changed(const MeshFile& mesh, Change change) {
   }
   meshops::request_status(halfedges);
   change(halfedges, places);
-  MeshFile result;
-  std::vector<std::uint32_t> number(places.size());
-  for (const meshops::Vertex v : meshops::live_vertices(halfedges)) {
-    const Point3& p = places[static_cast<std::size_t>(v.idx())];
-    number[static_cast<std::size_t>(v.idx())] = static_cast<std::uint32_t>(result.positions.size());
-    result.positions.push_back({p.x, p.y, p.z});
-  }
-  result.soup = meshops::soup_of(halfedges);
-  result.soup.points = result.positions.size();
-  for (std::uint32_t& corner : result.soup.corners) corner = number[corner];
-  return result;
+  std::vector<bool> is_left(places.size(), false);
+  for (const meshops::Vertex v : meshops::live_vertices(halfedges)) is_left[static_cast<std::size_t>(v.idx())] = true;
+  return mesh_of(places, is_left, meshops::soup_of(halfedges));
 }
 
 }  // namespace
@@ -70,29 +76,19 @@ DecimatedMesh decimate(const MeshFile& mesh, const DecimationOptions& choice, bo
 MeshFile read_progressive(const std::string& path, std::size_t faces) try {
   const InputBytes input(path, "a progressive mesh");
   ProgressiveMesh mesh = ProgressiveMesh::read(std::as_bytes(std::span(input.bytes())));
-  const std::vector<Triangle> whole = mesh.triangles();
-  mesh.go_to(faces);
-  const std::vector<Triangle> triangles = mesh.triangles();
-  const std::vector<Point3> places = mesh.positions();
-  std::vector<bool> is_left(places.size(), true);
-  const auto set = [&](const std::vector<Triangle>& of, bool value) {
-    for (const Triangle& t : of)
-      for (const std::uint32_t v : t) is_left[v] = value;
+  std::vector<bool> is_left(mesh.positions().size(), true);
+  const auto soup_of_vertices = [&](bool left) {
+    meshops::PolygonSoup soup;
+    for (const Triangle& t : mesh.triangles()) {
+      soup.add_face(t);
+      for (const std::uint32_t v : t) is_left[v] = left;
+    }
+    return soup;
   };
-  set(whole, false);  // isolated vertices stay
-  set(triangles, true);
-  MeshFile result;
-  std::vector<std::uint32_t> number(places.size());
-  for (std::size_t v = 0; v < places.size(); ++v) {
-    number[v] = static_cast<std::uint32_t>(result.positions.size());
-    if (is_left[v]) result.positions.push_back({places[v].x, places[v].y, places[v].z});
-  }
-  result.soup.points = result.positions.size();
-  for (Triangle t : triangles) {
-    for (std::uint32_t& corner : t) corner = number[corner];
-    result.soup.add_face(t);
-  }
-  return result;
+  soup_of_vertices(false);  // of the full mesh; isolated vertices stay
+  mesh.go_to(faces);
+  meshops::PolygonSoup soup = soup_of_vertices(true);
+  return mesh_of(mesh.positions(), is_left, std::move(soup));
 } catch (const InvalidInput& error) {
   throw BadInput((path == "-" ? "standard input" : path) + ": " + error.what());
 }
