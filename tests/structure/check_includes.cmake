@@ -109,7 +109,8 @@ set(allowed
     rbpa/base/parallel rbpa/base/radii rbpa/base/run rbpa/space/cells rbpa/space/predicate rbpa/space/surface/levels
     rbpa/space/surface/normals rbpa/space/surface/pivot rbpa/space/surface/spacing rbpa/space/surface/star"
   "rbpa/space/surface/levels: rbpa/base rbpa/base/arrays rbpa/space/cells rbpa/space/surface"
-  "rbpa/space/surface/normals: meshops/core rbpa/base rbpa/base/parallel rbpa/space/cells rbpa/space/surface"
+  "rbpa/space/surface/normals: meshops/core rbpa/base rbpa/base/parallel rbpa/space/cells rbpa/space/solid
+    rbpa/space/surface"
   "rbpa/space/surface/pivot: rbpa/space/predicate"
   "rbpa/space/surface/spacing: rbpa/base"
   "rbpa/space/surface/star: meshops/core rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/base/run rbpa/space/cells
@@ -148,14 +149,16 @@ set(allowed
   "apps/stream: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon rbpa/base rbpa/plane"
   "apps/triangulation: apps/io apps/io/bytes apps/io/mesh rbpa/base rbpa/space/repair rbpa/space/simplify rbpa/space/surface")
 # Rooms, from the ground floor up: no folder may include one of a room above its own, and the plane and space are siblings.
+# Solids and surfaces share a floor: a solid has a surface, and the sides of a surface are those of tetrahedra.
 set(floors meshops rbpa/base rbpa/plane rbpa/fill rbpa/paper rbpa/space/predicate rbpa/space/cells rbpa/space/surface rbpa/space/simplify rbpa/space/repair
-  rbpa/space/solid rbpa/space/persistence rbpa/space/balls rbpa apps)
+  rbpa/space/persistence rbpa/space/balls rbpa apps)
 function(floor_of folder result)
   if(folder MATCHES "^(meshops|apps|rbpa$)")
     set(room ${CMAKE_MATCH_1})
   else()
     string(REGEX MATCH "^rbpa/(space/)?[a-z_]+" room ${folder})
   endif()
+  string(REPLACE space/solid space/surface room ${room})
   list(FIND floors "${room}" floor)
   if(floor LESS 0)
     message(FATAL_ERROR "${folder} is in no room of the list of floors")

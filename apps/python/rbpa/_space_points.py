@@ -54,11 +54,11 @@ def estimate_normals(
     Returns
     -------
     float64 array of shape (n, 3), or with `confidence` a tuple of it and one of shape (n,)
-        Unit vectors; equal points have equal ones. The sign is a guess: in each piece the normal of an extreme point is
-        turned outward (upward on a plane or a terrain), and the side is passed from neighbor to neighbor along a
-        spanning tree. A step at which the planes of neighbors do not determine the side, as at sharp edges, may turn
-        all later normals to the wrong side, also on closed surfaces. On thin bodies a ball outside decides. If the side
-        matters, give your own normals. The arrays are writable.
+        Unit vectors; equal points have equal ones. The sign is a guess: on closed surfaces outward, and into cavities;
+        in other pieces the normal of an extreme point is turned outward (upward on a plane or a terrain), and the side
+        is passed from neighbor to neighbor along a spanning tree. A step at which the planes of neighbors do not
+        determine the side, as at sharp edges, may turn all later normals to the wrong side. If the side matters, give
+        your own normals. The arrays are writable.
 
         Confidences are in [0, 1]. Below 0.5 the normal is in doubt: the nearest points determine no plane, or neighbors
         disagree about its side (docs/explanation/surfaces.md, section 3).

@@ -59,12 +59,10 @@ EstimatedNormals normals_of(std::vector<Point3> points, const NormalOptions& opt
   Threads threads(count < 1000 ? 1 : options.threads);  // for few points, another thread would start too late
   auto [near, normals, confidence] = space::fit_planes<Real>(std::move(points), options.neighbors, threads, go_on);
   if (options.viewpoints.empty()) {
-    space::OrientationTree tree = space::orient_normals<Real>(near, normals, go_on);
     space::OuterSides sides;
-    if constexpr (std::is_same_v<Real, double>) {  // points that require long double do not fit the sums of areas
+    if constexpr (std::is_same_v<Real, double>)  // points that require long double do not fit the circumcenters
       sides = space::outer_sides(near, normals, {.threads = options.threads, .progress = on_progress_of(going)});
-      if (!sides.empty()) tree = space::orient_normals<Real>(near, normals, go_on, sides.side);
-    }
+    const space::OrientationTree tree = space::orient_normals<Real>(near, normals, go_on, sides.side);
     if (with_confidence) {
       const std::vector<double> of_side = space::side_confidence<Real>(near, normals, tree, sides, go_on);
       for (std::size_t i = 0; i < count; ++i) confidence[i] = std::min(confidence[i], of_side[i]);

@@ -1,12 +1,13 @@
 // What:   estimates normals of points in space: fits a plane to each point and its nearest others, and turns all
-//         normals to one side of the surface.
+//         normals to one side of the surface, of closed surfaces outward.
 // Law:    the normals depend on the set of points and their viewpoints only, not on any order or thread; multiplying
 //         all points and viewpoints by a power of two changes no normal. Equal points have equal normals, unless their
 //         viewpoints differ. The result is an estimate, in rounded numbers; docs/explanation/surfaces.md, section 3,
 //         shows where it is wrong.
-// Cost:   O(n log n); about 30 times as long for points on the lines of a scanner, ten times as long for closed bodies
-//         thinner than the spacing of the points. Memory: at most about 25 · `neighbors` + 100 bytes a point.
-// Source: Hoppe, DeRose, Duchamp, McDonald, Stuetzle, Surface reconstruction from unorganized points (1992).
+// Cost:   O(n log n) for points on surfaces; a third of it is the Delaunay triangulation. Three times as long for
+//         points on the lines of a scanner. Memory: about 1200 bytes a point.
+// Source: Hoppe, DeRose, Duchamp, McDonald, Stuetzle, Surface reconstruction from unorganized points (1992); for the
+//         outer side those in docs/explanation/surfaces.md, section 19.
 #pragma once
 
 #include <cstddef>
@@ -36,15 +37,18 @@ struct NormalOptions {
 /// apart than eight points along a line. The plane is then fitted to as many points, chosen far from each other among
 /// the nearest 8 · `neighbors` or, if the chosen ones are on a line too, among the nearest 16 · `neighbors`.
 ///
-/// Points that are connected through nearest others have normals on one side: the normals are turned along a minimum
-/// spanning tree, whose weights measure the uncertainty of the side across an edge. The first normal points outward at
-/// the extreme point in one direction: the first of +z, −z, +y, −y, +x, −x that is within 60 degrees of the normal of
-/// its extreme point, or else the direction nearest to the normal of its extreme point. If no step errs
-/// (docs/explanation/surfaces.md, section 3), the normals of each component of a closed surface point outward, also
-/// those of a component inside another one. The normals of a plane that is not too steep point upward.
+/// Components, connected through nearest others, that are closed surfaces have outward normals: away from the inside of
+/// a body, and so into a cavity; of a body in the cavity again outward. The Delaunay tetrahedra around a point decide.
+/// A normal that lies nearly in the surface, as of a plane fitted to both sides of a thin wall, is replaced. A
+/// component counts as closed if at least 0.91 of what the tetrahedra say about it agrees, and if large triangles, with
+/// an edge of more than four spacings, close less than a tenth of its area. None does if more than a tenth of the
+/// points are along curves, or if squares of distances do not fit double.
 ///
-/// The spanning tree errs if the two sides of a closed body are nearer to each other than the points are. In this case,
-/// the outer shells of the exposed_triangles() of balls with a radius of a few spacings decide the side.
+/// The normals of other components, and those for which the tetrahedra do not decide, are turned to one side along a
+/// minimum spanning tree, whose weights measure the uncertainty of the side across an edge. The first normal points
+/// outward at the extreme point in one direction: the first of +z, −z, +y, −y, +x, −x that is within 60 degrees of the
+/// normal of its extreme point, or else the direction nearest to the normal of its extreme point. The normals of a
+/// plane that is not too steep point upward.
 ///
 /// If there are viewpoints, each normal is turned by turn_toward() instead.
 ///
@@ -71,10 +75,10 @@ inline constexpr double least_confidence = 0.5;
 /// - the confidence in the side. Each edge of the spanning tree cuts the graph of nearest points in two; the edges
 ///   across the cut vote whether the normals at their ends agree, each edge weighted by its own confidence. A cut
 ///   counts 1 if all edges agree, 0 if half of the weight or more does not; the confidence is the least cut on the path
-///   from the middle of the tree to the point. If balls decide the sides of points, each of these points begins a part
-///   of the tree; the confidence in the middle of a part is then 1 if balls see the first point of the part from one
-///   side only, 0 if they see as much of it from both sides. With viewpoints, the confidence in the side is four times
-///   the cosine of the angle between normal and view, at most 1; 0 at the viewpoint itself.
+///   from the middle of the tree to the point. Where tetrahedra decide, the confidence is instead the length, along
+///   the normal, of the mean of the unit normals of the facets between inside and outside around the point. With
+///   viewpoints, the confidence in the side is four times the cosine of the angle between normal and view, at most 1; 0
+///   at the viewpoint itself.
 /// Requires: what estimate_normals() requires.
 /// Throws:   what estimate_normals() throws.
 /// Cost:     O(n log n) in addition, in one thread; measured, 0 to 16 % of the estimate's time in one thread.
