@@ -6,7 +6,7 @@
 
 #include "javascript/exports.h"
 #include "rbpa/base/point3.h"
-#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/normals/estimate_normals.h"
 #include "rbpa/space/surface/surface.h"
 
 namespace {

@@ -2,7 +2,7 @@
 #include <tuple>
 
 #include "python/module.h"
-#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/normals/estimate_normals.h"
 #include "rbpa/space/surface/outliers.h"
 #include "rbpa/space/surface/scale_space.h"
 

@@ -1,4 +1,4 @@
-// What: includes all public headers of rbpa/space/: solids, surfaces, repair, simplification, persistence, balls.
+// What: includes all public headers of rbpa/space/: solids, surfaces, normals, repair, simplification, persistence, balls.
 #pragma once
 
 #include "rbpa/space/balls/ball_interfaces.h"
@@ -16,6 +16,7 @@
 #include "rbpa/space/balls/regular_triangulation.h"
 #include "rbpa/space/balls/union_of_balls.h"
 #include "rbpa/space/balls/weighted_filtration.h"
+#include "rbpa/space/normals/estimate_normals.h"
 #include "rbpa/space/persistence/choose_solid_alpha.h"
 #include "rbpa/space/persistence/solid_filtration.h"
 #include "rbpa/space/persistence/solid_persistence.h"
@@ -45,7 +46,6 @@
 #include "rbpa/space/solid/voids.h"
 #include "rbpa/space/surface/auto_radii.h"
 #include "rbpa/space/surface/curve_kinds.h"
-#include "rbpa/space/surface/estimate_normals.h"
 #include "rbpa/space/surface/facing_sides.h"
 #include "rbpa/space/surface/holes.h"
 #include "rbpa/space/surface/outer_shells.h"

@@ -9,7 +9,7 @@
 
 #include "bench/options.h"
 #include "bench/tables.h"
-#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/normals/estimate_normals.h"
 #include "support/data_folder.h"
 #include "support/random.h"
 #include "support/vectors.h"

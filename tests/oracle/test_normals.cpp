@@ -5,7 +5,7 @@
 #include <set>
 
 #include "oracle/cgal_normals.h"
-#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/normals/estimate_normals.h"
 #include "support/space_sets.h"
 #include "support/vectors.h"
 
@@ -34,7 +34,7 @@ Points3 distinct(SpaceKind kind, std::size_t count, std::uint64_t seed) {
 }  // namespace
 
 // The sets have no equal distances and no two directions that fit equally well. CGAL's own iteration ends when it is
-// near; tests/rbpa/space/surface/normals/fit_plane.cpp is exact.
+// near; tests/rbpa/space/surface/neighbors/fit_plane.cpp is exact.
 TEST_CASE("the fitted planes are those of CGAL") {
   for (const std::size_t neighbors : {6u, 16u, 40u}) {
     CAPTURE(neighbors);

@@ -2,7 +2,7 @@ cmake_minimum_required(VERSION 3.22)
 # Fails if docs/reference/cpp_headers.md is not the table of the public headers and their "What:" lines. Regenerate it by
 #   cmake -DROOT=. -DWRITE=ON -P tests/structure/check_cpp_headers.cmake
 # Public headers are directly in these folders: in librbpa those of PublicHeaders.cmake; in libmeshops, which installs all headers, those that are not in a namespace detail.
-set(librbpa_folders rbpa rbpa/plane rbpa/fill rbpa/space/solid rbpa/space/surface rbpa/space/repair rbpa/space/simplify rbpa/space/persistence rbpa/space/balls rbpa/base)
+set(librbpa_folders rbpa rbpa/plane rbpa/fill rbpa/space/solid rbpa/space/surface rbpa/space/normals rbpa/space/repair rbpa/space/simplify rbpa/space/persistence rbpa/space/balls rbpa/base)
 set(libmeshops_folders meshops meshops/core meshops/handle meshops/stellar meshops/history meshops/patch meshops/front
   meshops/topology meshops/graph meshops/simplify)
 get_filename_component(ROOT "${ROOT}" ABSOLUTE)

@@ -15,7 +15,7 @@ set(allowed
 
   "rbpa: meshops/core meshops/front meshops/topology rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/run
     rbpa/base/sort rbpa/fill rbpa/fill/front rbpa/fill/rings rbpa/paper rbpa/plane rbpa/plane/hierarchy rbpa/plane/mesh
-    rbpa/plane/patches rbpa/plane/predicate rbpa/plane/shape rbpa/space/balls rbpa/space/persistence rbpa/space/repair rbpa/space/simplify
+    rbpa/plane/patches rbpa/plane/predicate rbpa/plane/shape rbpa/space/balls rbpa/space/normals rbpa/space/persistence rbpa/space/repair rbpa/space/simplify
     rbpa/space/solid rbpa/space/surface"
   "rbpa/base: meshops/core"
   "rbpa/base/arrays: meshops/core rbpa/base rbpa/base/run"
@@ -72,6 +72,9 @@ set(allowed
     rbpa/space/predicate rbpa/space/solid"
   "rbpa/space/cells: meshops/core rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/run rbpa/base/sort
     rbpa/space/predicate"
+  "rbpa/space/normals: rbpa/base rbpa/space/cells rbpa/space/normals/sides rbpa/space/surface/neighbors"
+  "rbpa/space/normals/sides: meshops/core rbpa/base rbpa/base/parallel rbpa/space/cells rbpa/space/solid
+    rbpa/space/surface/neighbors"
   "rbpa/space/persistence: meshops/core rbpa/base rbpa/base/arrays rbpa/base/parallel rbpa/base/radii rbpa/base/run
     rbpa/space/cells rbpa/space/persistence/pairing rbpa/space/predicate rbpa/space/solid rbpa/space/solid/boundary
     rbpa/space/solid/insertion rbpa/space/surface"
@@ -79,7 +82,7 @@ set(allowed
     rbpa/base/run rbpa/space/persistence rbpa/space/predicate rbpa/space/solid rbpa/space/solid/insertion"
   "rbpa/space/predicate: rbpa/base rbpa/base/exact rbpa/base/lanes"
   "rbpa/space/repair: meshops/core meshops/front meshops/handle meshops/patch meshops/stellar rbpa/base
-    rbpa/base/arrays rbpa/base/parallel rbpa/base/run rbpa/space/cells rbpa/space/predicate rbpa/space/repair/closing
+    rbpa/base/arrays rbpa/base/parallel rbpa/base/run rbpa/space/cells rbpa/space/normals rbpa/space/predicate rbpa/space/repair/closing
     rbpa/space/repair/refining rbpa/space/simplify rbpa/space/surface rbpa/space/surface/levels"
   "rbpa/space/repair/closing: meshops/core rbpa/base rbpa/base/arrays rbpa/base/run rbpa/space/cells
     rbpa/space/predicate"
@@ -107,10 +110,9 @@ set(allowed
   "rbpa/space/solid/triples: meshops/core rbpa/base/lanes rbpa/base/parallel rbpa/space/cells rbpa/space/predicate"
   "rbpa/space/surface: meshops/core meshops/patch meshops/stellar rbpa/base rbpa/base/arrays rbpa/base/exact
     rbpa/base/parallel rbpa/base/radii rbpa/base/run rbpa/space/cells rbpa/space/predicate rbpa/space/surface/levels
-    rbpa/space/surface/normals rbpa/space/surface/pivot rbpa/space/surface/spacing rbpa/space/surface/star"
+    rbpa/space/surface/neighbors rbpa/space/surface/pivot rbpa/space/surface/spacing rbpa/space/surface/star"
   "rbpa/space/surface/levels: rbpa/base rbpa/base/arrays rbpa/space/cells rbpa/space/surface"
-  "rbpa/space/surface/normals: meshops/core rbpa/base rbpa/base/parallel rbpa/space/cells rbpa/space/solid
-    rbpa/space/surface"
+  "rbpa/space/surface/neighbors: meshops/core rbpa/base rbpa/base/parallel rbpa/space/cells rbpa/space/surface"
   "rbpa/space/surface/pivot: rbpa/space/predicate"
   "rbpa/space/surface/spacing: rbpa/base"
   "rbpa/space/surface/star: meshops/core rbpa/base rbpa/base/lanes rbpa/base/parallel rbpa/base/run rbpa/space/cells
@@ -127,13 +129,13 @@ set(allowed
     rbpa/base rbpa/plane"
   "apps/io/polygon: apps/io apps/io/bytes apps/io/text rbpa rbpa/base rbpa/fill rbpa/plane"
   "apps/io/text: apps/io apps/io/bytes"
-  "apps/javascript: rbpa/base rbpa/fill rbpa/plane rbpa/space/surface"
+  "apps/javascript: rbpa/base rbpa/fill rbpa/plane rbpa/space/normals rbpa/space/surface"
   "apps/meshtopo: apps/io apps/io/bytes apps/io/mesh apps/program apps/triangulation meshops/core meshops/topology
     rbpa/base rbpa/space/repair rbpa/space/simplify rbpa/space/surface"
   "apps/picture: apps/io apps/io/bytes apps/io/mesh apps/io/text rbpa/base rbpa/plane rbpa/space/persistence"
   "apps/program: apps/io apps/io/bytes rbpa/base"
   "apps/python: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon meshops/core meshops/front
-    meshops/handle meshops/stellar meshops/topology rbpa/base rbpa/fill rbpa/plane rbpa/space/balls
+    meshops/handle meshops/stellar meshops/topology rbpa/base rbpa/fill rbpa/plane rbpa/space/balls rbpa/space/normals
     rbpa/space/persistence rbpa/space/repair rbpa/space/simplify rbpa/space/solid rbpa/space/surface"
   "apps/rbpa: apps/io apps/io/bytes apps/io/cloud apps/io/polygon apps/picture apps/program apps/rbpa/plane
     apps/rbpa/shared apps/rbpa/space apps/rbpa/tiles apps/report rbpa/base rbpa/plane rbpa/space/balls
@@ -149,16 +151,14 @@ set(allowed
   "apps/stream: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon rbpa/base rbpa/plane"
   "apps/triangulation: apps/io apps/io/bytes apps/io/mesh rbpa/base rbpa/space/repair rbpa/space/simplify rbpa/space/surface")
 # Rooms, from the ground floor up: no folder may include one of a room above its own, and the plane and space are siblings.
-# Solids and surfaces share a floor: a solid has a surface, and the sides of a surface are those of tetrahedra.
-set(floors meshops rbpa/base rbpa/plane rbpa/fill rbpa/paper rbpa/space/predicate rbpa/space/cells rbpa/space/surface rbpa/space/simplify rbpa/space/repair
-  rbpa/space/persistence rbpa/space/balls rbpa apps)
+set(floors meshops rbpa/base rbpa/plane rbpa/fill rbpa/paper rbpa/space/predicate rbpa/space/cells rbpa/space/surface rbpa/space/solid
+  rbpa/space/normals rbpa/space/simplify rbpa/space/repair rbpa/space/persistence rbpa/space/balls rbpa apps)
 function(floor_of folder result)
   if(folder MATCHES "^(meshops|apps|rbpa$)")
     set(room ${CMAKE_MATCH_1})
   else()
     string(REGEX MATCH "^rbpa/(space/)?[a-z_]+" room ${folder})
   endif()
-  string(REPLACE space/solid space/surface room ${room})
   list(FIND floors "${room}" floor)
   if(floor LESS 0)
     message(FATAL_ERROR "${folder} is in no room of the list of floors")

@@ -8,7 +8,7 @@
 
 #include "rbpa/plane/alpha_complex.h"
 #include "rbpa/rbpa.h"
-#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/normals/estimate_normals.h"
 #include "rbpa/space/surface/surface.h"
 
 namespace {

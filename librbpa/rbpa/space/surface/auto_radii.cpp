@@ -13,8 +13,8 @@
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/predicate/orientation.h"
-#include "rbpa/space/surface/normals/find_nearest.h"
-#include "rbpa/space/surface/normals/fit_plane.h"
+#include "rbpa/space/surface/neighbors/find_nearest.h"
+#include "rbpa/space/surface/neighbors/fit_plane.h"
 #include "rbpa/space/surface/spacing/tangent_cell.h"
 
 namespace rbpa {

@@ -8,8 +8,8 @@
 #include "rbpa/base/error.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/space/cells/check_input.h"
-#include "rbpa/space/surface/normals/distinct_points.h"
-#include "rbpa/space/surface/normals/find_nearest.h"
+#include "rbpa/space/surface/neighbors/distinct_points.h"
+#include "rbpa/space/surface/neighbors/find_nearest.h"
 
 namespace rbpa {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/normals/estimate_normals.h"
 #include "rbpa/space/surface/surface_levels.h"
 #include "rbpa/space/surface/unused_points.h"
 #include "support/space_sets.h"

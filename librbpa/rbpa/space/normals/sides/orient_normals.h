@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "rbpa/base/point3.h"
-#include "rbpa/space/surface/normals/find_nearest.h"
+#include "rbpa/space/surface/neighbors/find_nearest.h"
 
 namespace rbpa::space {
 

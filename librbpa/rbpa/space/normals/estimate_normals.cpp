@@ -1,4 +1,4 @@
-#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/normals/estimate_normals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,12 +9,12 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/space/cells/check_input.h"
-#include "rbpa/space/surface/normals/distinct_points.h"
-#include "rbpa/space/surface/normals/find_nearest.h"
-#include "rbpa/space/surface/normals/fit_plane.h"
-#include "rbpa/space/surface/normals/orient_normals.h"
-#include "rbpa/space/surface/normals/outer_sides.h"
-#include "rbpa/space/surface/normals/side_confidence.h"
+#include "rbpa/space/normals/sides/orient_normals.h"
+#include "rbpa/space/normals/sides/outer_sides.h"
+#include "rbpa/space/normals/sides/side_confidence.h"
+#include "rbpa/space/surface/neighbors/distinct_points.h"
+#include "rbpa/space/surface/neighbors/find_nearest.h"
+#include "rbpa/space/surface/neighbors/fit_plane.h"
 
 namespace rbpa {
 namespace {

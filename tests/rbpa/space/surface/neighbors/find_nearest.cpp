@@ -1,4 +1,4 @@
-#include "rbpa/space/surface/normals/find_nearest.h"
+#include "rbpa/space/surface/neighbors/find_nearest.h"
 
 #include <doctest/doctest.h>
 

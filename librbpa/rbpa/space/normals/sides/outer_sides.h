@@ -17,7 +17,7 @@
 
 #include "rbpa/base/point3.h"
 #include "rbpa/space/solid/solid.h"
-#include "rbpa/space/surface/normals/find_nearest.h"
+#include "rbpa/space/surface/neighbors/find_nearest.h"
 
 namespace rbpa::space {
 

@@ -1,4 +1,4 @@
-#include "rbpa/space/surface/normals/orient_normals.h"
+#include "rbpa/space/normals/sides/orient_normals.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "rbpa/space/surface/normals/distinct_points.h"
+#include "rbpa/space/surface/neighbors/distinct_points.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "rbpa/space/surface/normals/outer_sides.h"
+#include "rbpa/space/normals/sides/outer_sides.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "meshops/core/disjoint_sets.h"
-#include "rbpa/space/surface/normals/fit_plane.h"
+#include "rbpa/space/surface/neighbors/fit_plane.h"
 
 namespace rbpa::space {
 namespace {

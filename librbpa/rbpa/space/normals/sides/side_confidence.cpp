@@ -1,11 +1,11 @@
-#include "rbpa/space/surface/normals/side_confidence.h"
+#include "rbpa/space/normals/sides/side_confidence.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
-#include "rbpa/space/surface/normals/compare_normals.h"
+#include "rbpa/space/normals/sides/compare_normals.h"
 
 namespace rbpa::space {
 namespace {

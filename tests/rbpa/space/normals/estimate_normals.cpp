@@ -1,4 +1,4 @@
-#include "rbpa/space/surface/estimate_normals.h"
+#include "rbpa/space/normals/estimate_normals.h"
 
 #include <doctest/doctest.h>
 

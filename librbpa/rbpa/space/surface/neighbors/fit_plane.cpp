@@ -1,4 +1,4 @@
-#include "rbpa/space/surface/normals/fit_plane.h"
+#include "rbpa/space/surface/neighbors/fit_plane.h"
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>

@@ -1,4 +1,4 @@
-#include "rbpa/space/surface/normals/orient_normals.h"
+#include "rbpa/space/normals/sides/orient_normals.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@
 #include <numeric>
 #include <utility>
 
-#include "rbpa/space/surface/normals/compare_normals.h"
+#include "rbpa/space/normals/sides/compare_normals.h"
 
 namespace rbpa::space {
 namespace {

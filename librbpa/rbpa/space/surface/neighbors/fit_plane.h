@@ -6,7 +6,7 @@
 
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/point3.h"
-#include "rbpa/space/surface/normals/find_nearest.h"
+#include "rbpa/space/surface/neighbors/find_nearest.h"
 
 namespace rbpa::space {
 

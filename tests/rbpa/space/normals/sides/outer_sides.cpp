@@ -1,4 +1,4 @@
-#include "rbpa/space/surface/normals/outer_sides.h"
+#include "rbpa/space/normals/sides/outer_sides.h"
 
 #include <doctest/doctest.h>
 
@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "rbpa/base/error.h"
-#include "rbpa/space/surface/estimate_normals.h"
-#include "rbpa/space/surface/normals/find_nearest.h"
+#include "rbpa/space/normals/estimate_normals.h"
+#include "rbpa/space/surface/neighbors/find_nearest.h"
 #include "space/simplify/triangle_sets.h"
 #include "support/data_folder.h"
 #include "support/space_sets.h"

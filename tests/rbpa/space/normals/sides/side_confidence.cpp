@@ -1,4 +1,4 @@
-#include "rbpa/space/surface/normals/side_confidence.h"
+#include "rbpa/space/normals/sides/side_confidence.h"
 
 #include <doctest/doctest.h>
 
@@ -9,9 +9,9 @@
 #include <set>
 #include <vector>
 
-#include "rbpa/space/surface/estimate_normals.h"
-#include "rbpa/space/surface/normals/compare_normals.h"
-#include "rbpa/space/surface/normals/fit_plane.h"
+#include "rbpa/space/normals/estimate_normals.h"
+#include "rbpa/space/normals/sides/compare_normals.h"
+#include "rbpa/space/surface/neighbors/fit_plane.h"
 #include "support/space_sets.h"
 #include "support/vectors.h"
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "rbpa/base/point3.h"
-#include "rbpa/space/surface/normals/find_nearest.h"
-#include "rbpa/space/surface/normals/orient_normals.h"
-#include "rbpa/space/surface/normals/outer_sides.h"
+#include "rbpa/space/normals/sides/orient_normals.h"
+#include "rbpa/space/normals/sides/outer_sides.h"
+#include "rbpa/space/surface/neighbors/find_nearest.h"
 
 namespace rbpa::space {
 
