@@ -14,7 +14,7 @@ void for_each_input_block(std::span<const PointSource> sources, const InputPlace
   InputPlace at = from;
   std::unique_ptr<PointBlocks> file;  // null until the next file is open
   std::atomic<std::uint64_t> bytes = at.bytes;
-  ReadAhead<InputBlock> blocks(4, [&](InputBlock& block) {
+  ReadAhead<InputBlock> blocks(1, 4, [&](InputBlock& block) {
     if (at.files >= sources.size()) return false;
     if (!file) file = open_point_blocks(sources[at.files]);
     block.first = at.points;

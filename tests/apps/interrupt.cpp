@@ -19,6 +19,8 @@
 
 #include "support/arguments.h"
 #include "support/child.h"
+#include "support/las_file.h"
+#include "support/laz_file.h"
 #include "support/program.h"
 
 using namespace apps_test;
@@ -206,6 +208,11 @@ TEST_CASE("a program ends within 0.3 seconds of processor time after a signal at
                       "--keep-boundary", "-o", folder.path("f.ply")});
   commands.push_back(
       {MESHTOPO_PROGRAM, folder.path("ring.obj"), "-q", "--decimate", "100", "-o", folder.path("d.ply")});
+  LasFile las{.points = std::vector<LasPoint>(5 * many)};
+  for (std::size_t i = 0; i < las.points.size(); ++i) las.points[i].x = static_cast<std::int32_t>(i * i % 100'000);
+  const std::string laz =
+      laz_of(bytes_of(las), {.items = {{0, 20, 2}}, .chunks = std::vector<std::size_t>(50, many / 10)});
+  commands.push_back({RBPA_PROGRAM, "info", folder.file("p.laz", laz), "--threads", "2"});
   for (const auto& command : commands) {
     const std::string name = command[1] + " " + command[2];
     CAPTURE(name);

@@ -14,7 +14,9 @@
 #include "io/cloud/las_fields.h"
 #include "io/cloud/las_header.h"
 #include "io/failure.h"
+#include "io/interrupt.h"
 #include "io/laz/laz_records.h"
+#include "rbpa/base/error.h"
 #include "support/data_folder.h"
 #include "support/las_file.h"
 #include "support/laz_file.h"
@@ -26,21 +28,26 @@ using Table = LazOptions::Table;
 
 namespace {
 
-/// Calls take() with the records of a file, compressed or not, some at a time; `wanted` as for ChunkDecoder.
+/// Calls take() with the records of a file, compressed or not, some at a time; `wanted` as for ChunkDecoder. Returns why
+/// records are left out.
 template <typename Take>
-void for_records(const Content& content, const Take& take, std::vector<bool> wanted = {}, bool skip_invalid = false) {
+std::string for_records(const Content& content, const Take& take, std::vector<bool> wanted = {},
+                        bool skip_invalid = false, unsigned threads = 0) {
   Content bytes = content.again();
   LasHeader header = read_las_header(bytes.ahead(65536), content.size(), content.name());
   const std::string_view first = bytes.ahead(header.begin + 2);
   header = read_las_header(first, content.size(), content.name());
   const std::size_t count = header.count.room();
-  if (!header.is_compressed)
-    return take(bytes.ahead(header.begin + count * header.length).substr(header.begin, count * header.length));
+  if (!header.is_compressed) {
+    take(bytes.ahead(header.begin + count * header.length).substr(header.begin, count * header.length));
+    return "";
+  }
   if (wanted.empty()) wanted.assign(header.length, true);
   LazRecords records(content, header.begin,
                      read_laz_format(laszip_record(first, header), header.length, content.name()), count,
-                     {.wanted = wanted, .skip_invalid = skip_invalid});
+                     {.wanted = wanted, .skip_invalid = skip_invalid, .threads = threads});
   for (std::string_view some; !(some = records.ahead()).empty(); records.skip(some.size())) take(some);
+  return records.fault();
 }
 
 std::string records_of(const Content& content, std::vector<bool> wanted = {}, bool skip_invalid = false) {
@@ -60,6 +67,18 @@ std::string refusal(const std::string& bytes) {
   } catch (const BadInput& error) {
     return error.what();
   }
+}
+
+/// The records of a file that some threads decode, and why it is refused or records are left out.
+std::string outcome(const std::string& bytes, bool skip_invalid, unsigned threads) {
+  std::string all, why;
+  try {
+    why = for_records(
+        Content(bytes, "p.laz"), [&](std::string_view some) { all += some; }, {}, skip_invalid, threads);
+  } catch (const BadInput& error) {
+    return error.what();  // the records before are returned or not
+  }
+  return why + all;
 }
 
 /// The records of format `format` with `extra` bytes, like those of a scan; `wild`: all fields are random.
@@ -370,6 +389,61 @@ TEST_SUITE("laz") {
           CHECK(std::string(error.what()).starts_with("p.laz: "));
         }
       }
+    }
+  }
+
+  TEST_CASE("any number of threads gives the records and the refusal of one thread, also of damaged files") {
+    std::mt19937 random(12);
+    const std::string las = las_of(scan(7, 1000, 2, false));
+    const std::vector<std::size_t> chunks = {150, 150, 150, 150, 150, 150, 100};
+    std::size_t refused = 0, cut = 0;
+    for (const unsigned compressor : {1U, 2U, 3U}) {
+      LazOptions options{.compressor = compressor, .items = {{0, 38, 2}}, .chunks = chunks};
+      if (compressor == 1) options.chunks = {1000};
+      if (compressor == 3) options.items = layered_items(7, 2, 3);
+      for (const Table table : {Table::behind, Table::none}) {
+        options.table = table;
+        const std::string laz = laz_of(las, options);
+        for (int i = 0; i < 100; ++i) {
+          std::string damaged = laz;
+          if (i % 4 == 1) damaged.resize(400 + random() % (laz.size() - 400));
+          for (unsigned k = 0; i % 4 > 1 && k < 3; ++k)
+            damaged[400 + random() % (laz.size() - 400)] = static_cast<char>(random());
+          for (const bool skip_invalid : {false, true}) {
+            const std::string expected = outcome(damaged, skip_invalid, 1);
+            refused += !skip_invalid && expected.starts_with("p.laz: ") ? 1U : 0U;
+            cut += skip_invalid && expected.starts_with("p.laz: ") ? 1U : 0U;
+            for (const unsigned threads : {2U, 5U}) CHECK(outcome(damaged, skip_invalid, threads) == expected);
+          }
+        }
+      }
+    }
+    CHECK(refused > 100);
+    CHECK(cut > 100);
+
+    LazOptions options{.compressor = 3, .items = layered_items(7, 2, 3), .chunks = chunks};
+    std::string laz = laz_of(las, options);
+    const std::string records = records_of(las);
+    const std::size_t at = laz.find(records.substr(450 * 38, 38)) + 38;  // behind the first record of a chunk
+    laz[at] = static_cast<char>(151);
+    for (const unsigned threads : {1U, 2U, 5U}) {
+      const std::string why = "p.laz: byte " + std::to_string(at) + ": found a chunk of 151 points";
+      CHECK(outcome(laz, false, threads) == why + ", expected 150");
+      CHECK(outcome(laz, true, threads) == why + records.substr(0, 450 * 38));
+    }
+  }
+
+  TEST_CASE("an interruption ends the decoding by any number of threads") {
+    const std::string las = las_of(scan(0, 1000, 0, false));
+    const std::string laz = laz_of(las, {.items = {{0, 20, 2}}, .chunks = std::vector<std::size_t>(10, 100)});
+    for (const unsigned threads : {1U, 2U, 5U}) {
+      bool go_on = true;
+      const Interruption interruption([&] { return go_on; });
+      const auto cloud = las_reader.open(Content(laz, "p"), {.threads = threads});
+      CloudBlock block;
+      CHECK(cloud->next(block));
+      go_on = false;
+      CHECK_THROWS_AS(cloud->next(block), rbpa::Cancelled);
     }
   }
 

@@ -1,20 +1,18 @@
 #include "io/laz/laz_records.h"
 
 #include <algorithm>
-#include <functional>
 #include <thread>
 #include <utility>
 
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/laz/item_models.h"
-#include "rbpa/base/join_in_order.h"
 
 namespace rbpa::app {
 namespace {
 
-constexpr std::size_t piece_bytes = std::size_t{8} << 20U;  // most bytes of the records of a piece
-constexpr std::size_t batch_bytes = 4 * piece_bytes;        // limit for several chunks that are decoded together
+constexpr std::size_t piece_bytes = std::size_t{8} << 20U;  // most bytes of a piece, compressed and decompressed
+constexpr std::size_t all_bytes = 4 * piece_bytes;          // limit for the pieces that are decoded or wait
 constexpr std::size_t window_points = 16384;                // points in a piece of a chunk whose size is not known
 constexpr std::size_t most_growth = 8;  // most bytes of a compressed record for each byte of the record
 
@@ -90,12 +88,7 @@ std::optional<std::vector<LazChunk>> read_chunk_table(const Content& content, st
 
 LazRecords::LazRecords(const Content& content, std::size_t begin, LazFormat format, std::size_t points,
                        LazChoice choice)
-    : content_(content.again()),
-      format_(std::move(format)),
-      choice_(std::move(choice)),
-      left_(points),
-      place_(begin),
-      threads_(choice_.threads > 0 ? choice_.threads : std::max(std::thread::hardware_concurrency(), 1U)) {
+    : content_(content.again()), format_(std::move(format)), choice_(std::move(choice)), left_(points), place_(begin) {
   require_ratio(content, begin, format_.length, points);
   if (format_.has_chunks && points > 0) {
     try {
@@ -109,8 +102,15 @@ LazRecords::LazRecords(const Content& content, std::size_t begin, LazFormat form
   }
   if (choice_.nodes) choose_chunks();
   content_.skip(place_);
-  if (threads_ > 1 && table_ && table_->size() > 1)
-    batches_ = std::make_unique<ReadAhead<Batch>>(1, [this](Batch& batch) { return make(batch); });
+  std::size_t greatest = table_ ? 1 : piece_bytes;  // bytes of a piece
+  if (table_)
+    for (const LazChunk& chunk : *table_) greatest = std::max(greatest, std::min(piece_bytes, bytes_of(chunk)));
+  const std::size_t threads = choice_.threads > 0 ? choice_.threads : std::max(std::thread::hardware_concurrency(), 1U),
+                    pieces = table_ ? table_->size() : left_ / window_points,
+                    most = std::clamp<std::size_t>(std::min(all_bytes / greatest, pieces), 1, 2 * threads);
+  pieces_.emplace(
+      std::min(threads, most) - 1, most, [this](Piece& piece) { return make(piece); },
+      [this](Piece& piece) { decode(piece); });
 }
 
 void LazRecords::choose_chunks() {
@@ -132,134 +132,108 @@ void LazRecords::choose_chunks() {
   }
 }
 
-std::uint64_t LazRecords::place_of(const char* at) const {
-  for (std::size_t i = 0; i < in_use_; ++i) {
-    const std::string_view bytes = slots_[i].bytes;
-    if (!slots_[i].copy.empty() && !std::less<>()(at, bytes.data()) && !std::less<>()(bytes.data() + bytes.size(), at))
-      return slots_[i].place + static_cast<std::uint64_t>(at - bytes.data());
-  }
-  return place_ + static_cast<std::uint64_t>(at - window_.data());
-}
-
 std::string_view LazRecords::ahead() {
-  while (piece_ == batch_.pieces.size() || skipped_ == batch_.pieces[piece_].records.size()) {
+  while (skipped_ == piece_.records.size()) {
+    if (!piece_.fault.empty() || !pieces_->next(piece_)) return {};
     skipped_ = 0;
-    if (piece_ < batch_.pieces.size() && ++piece_ < batch_.pieces.size()) continue;
-    Batch next;
-    if (!(batches_ ? batches_->next(next) : make(next))) return {};
-    batch_ = std::move(next);
-    piece_ = 0;
   }
-  const std::vector<char>& records = batch_.pieces[piece_].records;
-  return {records.data() + skipped_, records.size() - skipped_};
+  return {piece_.records.data() + skipped_, piece_.records.size() - skipped_};
 }
 
-bool LazRecords::make(Batch& batch) {
-  if (in_use_ == 0 && (ended_ || left_ == 0)) return false;
+bool LazRecords::make(Piece& piece) {
+  if (ended_ || (chunk_left_ == 0 && left_ == 0)) return false;
   stop_if_interrupted();
   try {
-    if (in_use_ == 0) begin_chunks();
-    if (is_windowed()) {
-      Slot& slot = slots_.front();
-      const std::size_t count = std::min(slot.left, most_at_once()) + 1;
-      slot.bytes = window_ = content_.ahead(count * format_.length * most_growth);
-      if (slot.left < slot.points) slot.decoder->move_to(window_);
+    if (chunk_left_ == 0) begin_chunk();
+    piece.first = first_ - chunk_left_;
+    const bool is_sized = chunk_.size > 0;
+    if (is_sized && bytes_of(chunk_) <= piece_bytes) {
+      piece.place = place_;
+      piece.compressed.assign(window_.begin(), window_.end());  // as the view ends with the next chunk
+      piece.points = std::exchange(chunk_left_, 0);
+    } else {
+      const std::size_t count =
+          std::min({chunk_left_, piece_bytes / format_.length, is_sized ? chunk_left_ : window_points});
+      if (!is_sized) window_ = content_.ahead((count + 1) * format_.length * most_growth);
+      if (!is_sized && decoder_) decoder_->move_to(window_);
+      if (!decoder_) decoder_.emplace(format_, choice_.wanted).begin(window_, chunk_.points);
+      decode(*decoder_, count, piece);
+      chunk_left_ -= count;
     }
-    join_in_order(
-        threads_, in_use_, [&](std::size_t i) { return decode(slots_[i]); }, [](std::size_t) { return true; },
-        [&](std::size_t, Piece piece) {
-          batch.pieces.push_back(std::move(piece));
-          if (batch.pieces.back().fault) throw *batch.pieces.back().fault;
-        });
-    const bool all_decoded = slots_.front().left == 0;  // if there are several chunks, each is decoded whole
-    const std::size_t size = is_windowed() ? static_cast<std::size_t>(slots_.front().decoder->at() - window_.data())
-                             : all_decoded ? window_.size()
-                                           : 0;
+    const std::size_t size = !is_sized          ? static_cast<std::size_t>(decoder_->at() - window_.data())
+                             : chunk_left_ == 0 ? chunk_.size
+                                                : 0;
     content_.skip(size);
     place_ += size;
-    if (all_decoded) in_use_ = 0;
+    if (chunk_left_ == 0) decoder_.reset();
   } catch (const BadStream& fault) {
-    const std::string where = byte_of(content_, place_of(fault.at));
-    if (!choice_.skip_invalid) bad_input(where, fault.found, fault.expected);
-    batch.fault = where + ": found " + fault.found;
     ended_ = true;
-    in_use_ = 0;
+    end_at(fault, window_, place_, piece);
   }
-  batch.bytes_read = content_.bytes_read();
+  piece.bytes_read = content_.bytes_read();
   return true;
 }
 
-void LazRecords::begin_chunks() {
+void LazRecords::begin_chunk() {
   if (table_) {
-    for (std::size_t bytes = 0; next_chunk_ < table_->size() && in_use_ < threads_; ++next_chunk_) {
-      const LazChunk& chunk = (*table_)[next_chunk_];
-      const bool is_wanted = is_wanted_.empty() || is_wanted_[next_chunk_];
-      const std::size_t more = is_wanted ? chunk.points * format_.length : 0;
-      if (in_use_ > 0 && (std::max(more, bytes) > piece_bytes || bytes + more > batch_bytes)) break;
-      bytes += more;
-      if (is_wanted) {
-        const std::string_view found = require_ahead(chunk.size);
-        begin(chunk.points, {});
-        Slot& slot = slots_[in_use_ - 1];
-        slot.copy.assign(found.begin(), found.end());  // as the view ends with the next require_ahead()
-        slot.bytes = {slot.copy.data(), slot.copy.size()};
-      } else {
-        first_ += chunk.points;
-      }
-      content_.skip(chunk.size);
-      place_ += chunk.size;
+    const auto is_wanted = [&](std::size_t k) {
+      return (*table_)[k].points > 0 && (is_wanted_.empty() || is_wanted_[k]);
+    };
+    for (; !is_wanted(next_chunk_); ++next_chunk_) {
+      content_.skip((*table_)[next_chunk_].size);
+      place_ += (*table_)[next_chunk_].size;
+      first_ += (*table_)[next_chunk_].points;
     }
-    window_ = {};
+    chunk_ = (*table_)[next_chunk_++];
   } else if (format_.is_layered) {
-    window_ = require_ahead(format_.head());
-    const LazChunk chunk = layered_chunk(format_, window_);
-    if (chunk.points == 0 || chunk.points > left_)
-      throw BadStream{window_.data() + format_.length, "a chunk of " + counted(chunk.points, "point"),
+    chunk_ = layered_chunk(format_, require_ahead(format_.head()));
+    if (chunk_.points == 0 || chunk_.points > left_)
+      throw BadStream{window_.data() + format_.length, "a chunk of " + counted(chunk_.points, "point"),
                       "from 1 to " + std::to_string(left_) + " of them"};
-    window_ = require_ahead(chunk.size);
-    begin(chunk.points, window_);
   } else {
-    begin(std::min<std::size_t>(left_, format_.chunk_size), {});
+    chunk_ = {std::min<std::size_t>(left_, format_.chunk_size), 0};
   }
+  require_ahead(chunk_.size);
+  chunk_left_ = chunk_.points;
+  left_ -= chunk_.points;
+  first_ += chunk_.points;
 }
 
 std::string_view LazRecords::require_ahead(std::uint64_t size) {
   window_ = content_.ahead(size);
-  if (window_.size() >= size) return window_.substr(0, size);
-  throw BadStream{window_.data() + window_.size(), "the end of the file", "more compressed points"};
+  if (window_.size() < size)
+    throw BadStream{window_.data() + window_.size(), "the end of the file", "more compressed points"};
+  return window_ = window_.substr(0, size);
 }
 
-void LazRecords::begin(std::size_t points, std::string_view bytes) {
-  if (in_use_ == slots_.size()) slots_.push_back({.decoder = std::make_unique<ChunkDecoder>(format_, choice_.wanted)});
-  Slot& slot = slots_[in_use_++];
-  slot.bytes = bytes;
-  slot.copy.clear();
-  slot.place = place_;
-  slot.first = first_;
-  slot.points = slot.left = points;
-  left_ -= points;
-  first_ += points;
+void LazRecords::decode(Piece& piece) const {
+  if (piece.compressed.empty()) return;
+  const std::string_view bytes(piece.compressed.data(), piece.compressed.size());
+  try {
+    ChunkDecoder decoder(format_, choice_.wanted);
+    decoder.begin(bytes, piece.points);
+    decode(decoder, piece.points, piece);
+  } catch (const BadStream& fault) {
+    end_at(fault, bytes, piece.place, piece);
+  }
 }
 
-std::size_t LazRecords::most_at_once() const {
-  const std::size_t most = piece_bytes / format_.length;
-  return is_windowed() ? std::min(most, window_points) : most;
-}
-
-LazRecords::Piece LazRecords::decode(Slot& slot) const {
-  const std::size_t length = format_.length, count = std::min(slot.left, most_at_once());
-  Piece piece{.first = slot.first + slot.points - slot.left};
-  piece.records.resize(count * length);
+void LazRecords::decode(ChunkDecoder& decoder, std::size_t points, Piece& piece) const {
+  const std::size_t length = format_.length;
+  piece.records.resize(points * length);
   std::size_t done = 0;
   try {
-    if (slot.left == slot.points && count > 0) slot.decoder->begin(slot.bytes, slot.points);
-    for (; done < count; ++done) slot.decoder->next(piece.records.data() + done * length);
-  } catch (const BadStream& fault) {
-    piece.fault = fault;
+    for (; done < points; ++done) decoder.next(piece.records.data() + done * length);
+  } catch (const BadStream&) {
     piece.records.resize(done * length);
+    throw;
   }
-  slot.left -= done;
-  return piece;
+}
+
+void LazRecords::end_at(const BadStream& fault, std::string_view bytes, std::uint64_t place, Piece& piece) const {
+  const std::string where = byte_of(content_, place + static_cast<std::uint64_t>(fault.at - bytes.data()));
+  if (!choice_.skip_invalid) bad_input(where, fault.found, fault.expected);
+  piece.fault = where + ": found " + fault.found;
 }
 
 }  // namespace rbpa::app

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 #include "rbpa/base/read_ahead.h"
@@ -69,26 +71,50 @@ TEST_CASE("an exception of work or joining reaches the caller") {
   }
 }
 
-TEST_CASE("items come in the order in which they are made, then the maker's exception; a consumer may stop early") {
-  int made = 0;
-  const auto make = [&](int& item) {
-    if (made == 50) throw std::runtime_error("fifty");
-    item = made++;
-    return true;
-  };
-  {
-    ReadAhead<int> items(3, make);
-    int item = -1;
-    for (int i = 0; i < 50; ++i) {
-      REQUIRE(items.next(item));
-      CHECK(item == i);
-    }
-    CHECK_THROWS_WITH(items.next(item), "fifty");
-  }
-  made = 0;
-  { ReadAhead<int> items(3, make); }
-  CHECK(made <= 4);
-  ReadAhead<int> none(3, [](int&) { return false; });
+TEST_CASE("items come in the order in which they are made, then an exception; a consumer may stop early") {
+  for (const std::size_t others : {0U, 1U, 4U})
+    for (const std::size_t most : {1U, 3U, 9U})
+      for (const bool fails_in_work : {false, true}) {
+        CAPTURE(others);
+        CAPTURE(most);
+        CAPTURE(fails_in_work);
+        std::atomic<int> in_make = 0, strangers = 0, worked = 0, made = 0;
+        const auto fail_at = [](int i, int at) {
+          if (i == at) throw std::runtime_error("fifty");
+        };
+        const auto make = [&](int& item) {
+          strangers += in_make.fetch_add(1) != 0 || item != 0;
+          if (!fails_in_work) fail_at(made, 50);
+          item = static_cast<int>(slow(static_cast<std::size_t>(made)));
+          ++made;
+          --in_make;
+          return made < 80;
+        };
+        const auto work = [&](int& item) {
+          slow(static_cast<std::size_t>(item));
+          if (fails_in_work) fail_at(item, 50);
+          item *= 2;
+          ++worked;
+        };
+        {
+          ReadAhead<int> items(others, most, make, work);
+          int item = -1;
+          for (int i = 0; i < 50; ++i) {
+            REQUIRE(items.next(item));
+            CHECK(item == 2 * i);
+            if (i % 16 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));  // until the queue is full
+            CHECK(made <= i + 1 + static_cast<int>(most));
+          }
+          for (int i = 0; i < 2; ++i) CHECK_THROWS_WITH(items.next(item), "fifty");
+        }
+        CHECK(strangers == 0);
+        CHECK(worked >= 50);
+        made = worked = 0;
+        { ReadAhead<int> items(others, most, make, work); }
+        CHECK(made <= static_cast<int>(most));
+        CHECK(worked == made);
+      }
+  ReadAhead<int> none(2, 3, [](int&) { return false; });
   int item = 0;
   CHECK_FALSE(none.next(item));
 }
