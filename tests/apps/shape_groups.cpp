@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "io/cloud/cloud.h"
+#include "support/las_file.h"
 #include "support/program.h"
 #include "support/random.h"
 
@@ -269,6 +270,85 @@ TEST_SUITE("shape groups") {
     CHECK(outcome.err ==
           "rbpa: c.geojson: found points in EPSG:4326, expected no system, as in a.csv (--crs EPSG:4326 applies to "
           "all)\n");
+  }
+
+  TEST_CASE("groups by several columns are those by one column of all values, in the order of the columns") {
+    const Folder folder;
+    rbpa_test::Random random(5);
+    const std::vector<std::string> kinds = {"oak", "\"elm, \"\"wych\"\"\"", "", "1"};
+    std::string points = "x,y,kind,\"age, years\",both\n";
+    for (int i = 0; i < 400; ++i) {
+      const std::string kind = kinds[random.below(4)],
+                        age = random.below(9) == 0 ? "" : std::to_string(random.below(12));
+      const std::string plain = kind.front() == '"' ? "elm" : kind;
+      points += std::to_string(random.below(100)) + "," + std::to_string(random.below(100)) + "," + kind + "," + age +
+                "," + (kind.empty() || age.empty() ? "" : plain + " " + (age.size() == 1 ? "0" : "") + age) + "\n";
+    }
+    folder.file("p.csv", points);
+    const auto made = [&](const std::string& by) {
+      const Outcome outcome =
+          folder.rbpa("shape p.csv --group-by '" + by + "' --alpha auto -o - --output-format geojson");
+      CAPTURE(outcome.err);
+      CHECK(outcome.code == 0);
+      return json::parse(outcome.out)["features"];
+    };
+    const json by_one = made("both"), by_two = made("kind,\"age, years\""), exchanged = made("\"age, years\",kind");
+    REQUIRE(by_two.size() == 36);
+    REQUIRE(by_one.size() == 36);
+    REQUIRE(exchanged.size() == 36);
+    for (std::size_t g = 0; g < 36; ++g) {
+      // Texts are in the order of their bytes, numbers in that of their values.
+      const std::size_t kind = g / 12, age = g % 12;
+      const json& one = by_one[g];
+      for (json two : {by_two[g], exchanged[3 * age + kind]}) {
+        json& properties = two["properties"];
+        CHECK(properties["kind"] == std::array{"1", "elm, \"wych\"", "oak"}[kind]);
+        CHECK(properties["age, years"] == age);
+        properties.erase("kind");
+        properties.erase("age, years");
+        properties["group"] = one["properties"]["group"];
+        CHECK(two == one);
+      }
+    }
+    CHECK(by_two[13]["properties"]["group"] == "\"elm, \"\"wych\"\"\",1");
+    CHECK(exchanged[4]["properties"]["group"] == "1,\"elm, \"\"wych\"\"\"");
+    const json infos = json::parse(folder.rbpa("info p.csv --group-by kind,both --json -q").out);
+    REQUIRE(infos.size() == 36);
+    CHECK(infos[35]["group"] == "oak,\"oak 11\"");
+    REQUIRE(folder.rbpa("shape p.csv --group-by kind,both --alpha auto -o s.csv -q").code == 0);
+    CHECK(folder.content("s.csv").starts_with(
+        "group,points,alpha,area,perimeter,polygons,problem,geometry,kind,both\n\"1,\"\"1 00\"\"\","));
+  }
+
+  TEST_CASE("several columns may be fields of LAS and properties of GeoJSON, and each must be there, once") {
+    const Folder folder;
+    LasFile las;
+    for (int i = 0; i < 12; ++i)
+      las.points.push_back({.x = i % 3,
+                            .y = i * i,
+                            .classification = static_cast<unsigned>(i) % 2,
+                            .source = static_cast<unsigned>(i) / 6 + 9});
+    folder.file("p.las", bytes_of(las));
+    CHECK(json::parse(folder.rbpa("info p.las --group-by point_source_id,class --json -q").out)[2]["group"] == "10,0");
+    folder.file("p.geojson", R"({"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"a":"10","b":10},"geometry":{"type":"Point","coordinates":[0,0]}},
+{"type":"Feature","properties":{"a":"9","b":9},"geometry":{"type":"Point","coordinates":[1,0]}},
+{"type":"Feature","properties":{"a":"9","b":10},"geometry":{"type":"Point","coordinates":[0,1]}}]})");
+    REQUIRE(folder.rbpa("shape p.geojson --group-by a,b --alpha 1 -o s.geojson -q").code == 0);
+    const json found = properties(folder.content("s.geojson"));  // texts "10" < "9", but numbers 9 < 10
+    for (std::size_t g = 0; g < 3; ++g) CHECK(found[g]["group"] == std::array{"10,10", "9,9", "9,10"}[g]);
+    CHECK(found[1]["a"] == "9");
+    CHECK(found[1]["b"] == 9);
+    folder.file("p.csv", "x,y,points,b\n0,0,1,2\n0,1,1,2\n1,0,1,2\n");
+    REQUIRE(folder.rbpa("shape p.csv --group-by points,b --alpha 1 -o s.geojson -q").code == 0);
+    CHECK(properties(folder.content("s.geojson"))[0]["points_2"] == 1);
+    refuses(folder, "p.csv --group-by b,points,b --alpha 1 -o s.csv", "--group-by: found 'b' twice, expected once", 2);
+    refuses(folder, "p.csv --group-by b,,points --alpha 1 -o s.csv",
+            "--group-by: found '', expected the name of a column (in double quotes unless it is a word other than and, "
+            "or, not, in)",
+            2);
+    refuses(folder, "p.csv --group-by b,c --alpha 1 -o s.csv",
+            "p.csv:1: found 'x,y,points,b', expected a header with a column 'c'", 3);
   }
 
   TEST_CASE("a column of radii gives one for each group, or a problem of the group; --stats counts groups") {

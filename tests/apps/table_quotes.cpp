@@ -34,7 +34,7 @@ std::string refusal(const std::string& text, const PointSource& source = {}, con
 
 /// Returns the groups that `--group-by name` finds.
 std::vector<std::string> keys(const std::string& text) {
-  const PointFile file = read(text, {.where = Condition::of_groups({.key = "name"}, "", names_of_columns())});
+  const PointFile file = read(text, {.where = Condition::of_groups({.keys = "name"}, "", names_of_columns())});
   std::vector<std::string> found;
   for (const double number : file.fields.at(0)) found.push_back(file.texts.at(0)->at(static_cast<std::size_t>(number)));
   return found;

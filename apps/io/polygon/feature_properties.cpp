@@ -85,7 +85,10 @@ void FeatureProperties::end_points(const std::vector<Property>& properties, std:
       const std::string& name = where_->column(k).name;
       const Property& property = property_of(properties, name);
       const Kind kind = where_->column(k).kind;
-      if (kind == Kind::text) file.keys_are_texts = file.keys_are_texts || (property.is_text && !property.text.empty());
+      if (kind == Kind::text && property.is_text && !property.text.empty()) {
+        file.keys_are_texts.resize(where_->columns());
+        file.keys_are_texts[k] = true;
+      }
       file.fields[k].resize(ended_ + count, kind == Kind::text     ? numbers_[k].number_of(property.text)
                                             : kind == Kind::number ? number(properties, name)
                                             : property.is_text     ? std::numeric_limits<double>::quiet_NaN()

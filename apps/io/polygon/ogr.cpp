@@ -234,7 +234,7 @@ class OgrWriter {
     for (const char* name : {"points", "polygons"}) add_field(layer, name, OFTInteger64);
     for (const char* name : {"alpha", "area", "perimeter"}) add_field(layer, name, OFTReal);
     add_field(layer, "problem", OFTString);
-    add_attributes(layer, groups.summaries);
+    add_attributes(layer, groups.attributes);
     const std::vector<std::string_view> problems = problems_of(groups);
     for (std::size_t g = 0; g < groups.names.size(); ++g) {
       const std::uint64_t first = groups.shapes.polygon_begin[g], last = groups.shapes.polygon_begin[g + 1];
@@ -245,7 +245,7 @@ class OgrWriter {
       set(feature, "alpha", groups.shapes.alphas[g]);
       set(feature, "area", groups.shapes.totals[g].area);
       set(feature, "perimeter", groups.shapes.totals[g].perimeter);
-      set(feature, groups.summaries, g);
+      set(feature, groups.attributes, g);
       if (!problems[g].empty()) feature.SetField("problem", std::string(problems[g]).c_str());
       OGRMultiPolygon geometry;
       for (std::uint64_t i = first; i < last; ++i) {

@@ -254,7 +254,7 @@ void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
                    ",\"points\":", groups.sizes[g], ",\"alpha\":", finite_or_null(groups.shapes.alphas[g]),
                    ",\"area\":", finite_or_null(totals.area), ",\"perimeter\":", finite_or_null(totals.perimeter),
                    ",\"polygons\":", groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g],
-                   json_members(groups.summaries, g));
+                   json_members(groups.attributes, g));
     if (!problem.empty()) file.write(",\"problem\":" + json_text(problem));
     file.write("},\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[");
     write_polygons_of(file, geojson, groups, g, cuts);
@@ -264,7 +264,7 @@ void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
 }
 
 void write_groups_csv(OutputFile& file, const NamedShapes& groups) {
-  file.write_all("group,points,alpha,area,perimeter,polygons,problem,geometry", csv_names(groups.summaries), "\n");
+  file.write_all("group,points,alpha,area,perimeter,polygons,problem,geometry", csv_names(groups.attributes), "\n");
   for_each_named(groups, [&](std::size_t g, std::string_view problem) {
     const double alpha = groups.shapes.alphas[g];
     file.write_all(csv_text(groups.names[g]), ",", groups.sizes[g], ",", std::isnan(alpha) ? "" : text_of(alpha), ",",
@@ -277,7 +277,7 @@ void write_groups_csv(OutputFile& file, const NamedShapes& groups) {
     } else {
       file.write("MULTIPOLYGON EMPTY");
     }
-    file.write_all(csv_values(groups.summaries, g), "\n");
+    file.write_all(csv_values(groups.attributes, g), "\n");
   });
 }
 

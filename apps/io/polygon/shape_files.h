@@ -123,17 +123,17 @@ struct NamedShapes {
   const GroupShapes& shapes;
   std::optional<Crs> crs = std::nullopt;
   bool degrees = false;
-  std::span<const Attribute> summaries = {};  ///< further attributes of the groups
+  std::span<const Attribute> attributes = {};  ///< further attributes of the groups
 };
 
 /// Returns for each group the reason why it has no polygon; an empty text if it has one.
 std::vector<std::string_view> problems_of(const NamedShapes& groups);
 
 /// Writes GeoJSON: one Feature for each group, with a MultiPolygon and "group", a number or a text, "points", "alpha",
-/// "area", "perimeter", "polygons", the summaries, and, if the group has no polygon, "problem".
+/// "area", "perimeter", "polygons", the attributes, and, if the group has no polygon, "problem".
 void write_groups_geojson(OutputFile& file, const NamedShapes& groups);
 
-/// Writes CSV with columns group,points,alpha,area,perimeter,polygons,problem,geometry and the summaries, one line for
+/// Writes CSV with columns group,points,alpha,area,perimeter,polygons,problem,geometry and the attributes, one line for
 /// each group; the geometry is well-known text.
 void write_groups_csv(OutputFile& file, const NamedShapes& groups);
 

@@ -269,16 +269,24 @@ Condition::Condition(const std::string& text, const FieldNames& names, const std
 
 Condition Condition::of_groups(const GroupColumns& columns, const std::string& text, const FieldNames& names) {
   Condition condition;
-  const auto add = [&](const char* option, const std::optional<std::string>& column, WantedColumn::Kind kind,
-                       std::optional<std::string>& to) {
-    if (!column) return;
-    if (!names.are(*column)) bad_usage(option, in_quotes(*column), names.described);
-    to = std::string(unquoted(*column));
-    condition.fields_.push_back(*to);
-    condition.columns_.push_back({.name = *to, .kind = kind});
+  condition.is_of_groups_ = true;
+  const auto add = [&](const char* option, std::string_view column, WantedColumn::Kind kind) {
+    if (!names.are(column)) bad_usage(option, in_quotes(column), names.described);
+    const std::string name(unquoted(column));
+    if (kind == WantedColumn::Kind::text && std::count(condition.fields_.begin(), condition.fields_.end(), name) > 0)
+      bad_usage(option, in_quotes(column) + " twice", "once");
+    condition.fields_.push_back(name);
+    condition.columns_.push_back({.name = name, .kind = kind});
   };
-  add("--group-by", columns.key, WantedColumn::Kind::text, condition.of_groups_.key);
-  add("--alpha column", columns.radius, WantedColumn::Kind::radius, condition.of_groups_.radius);
+  const std::string_view keys = columns.keys ? std::string_view(*columns.keys) : std::string_view();
+  bool is_quoted = false;
+  for (std::size_t begin = 0, end = 0; columns.keys && end <= keys.size(); ++end) {
+    if (end < keys.size() && keys[end] == '"') is_quoted = !is_quoted;
+    if (end < keys.size() && (is_quoted || keys[end] != ',')) continue;
+    add("--group-by", keys.substr(begin, end - begin), WantedColumn::Kind::text);
+    begin = end + 1;
+  }
+  if (columns.radius) add("--alpha column", *columns.radius, WantedColumn::Kind::radius);
   condition.parse(text, names);
   return condition;
 }

@@ -41,7 +41,7 @@ struct WantedColumn {
 
 /// The fields that assign points to groups.
 struct GroupColumns {
-  std::optional<std::string> key = std::nullopt;     ///< `--group-by`: field of the group's name
+  std::optional<std::string> keys = std::nullopt;    ///< `--group-by`: fields of the group's name, between commas
   std::optional<std::string> radius = std::nullopt;  ///< `--alpha column:NAME`: field of the group's radius
 };
 
@@ -59,9 +59,9 @@ class Condition {
   /// column is not a name of a field.
   Condition(const std::string& text, const FieldNames& names, const std::vector<WantedColumn>& columns,
             std::string_view option = "--where");
-  /// Parses a condition. The first of fields() are the key and the radius of groups, if `columns` names them. Keys are
-  /// texts, even if they look like numbers. An empty text selects all points. Throws WrongUsage, also if the key or the
-  /// radius is not a name of a field.
+  /// Parses a condition. The first of fields() are the keys and the radius of groups, if `columns` names them. Keys are
+  /// texts, even if they look like numbers. An empty text selects all points. Throws WrongUsage, also if a key or the
+  /// radius is not a name of a field, or a key comes twice.
   static Condition of_groups(const GroupColumns& columns, const std::string& text, const FieldNames& names);
 
   enum class Step {
@@ -95,13 +95,15 @@ class Condition {
   /// Returns the number of columns that are requested for each point. They are the first of fields().
   std::size_t columns() const { return columns_.size(); }
   const WantedColumn& column(std::size_t i) const { return columns_[i]; }
-  /// Returns the option that names a field: "--group-by" for the key of groups, "--alpha" for their radius, `option` of
+  /// Returns the option that names a field: "--group-by" for the keys of groups, "--alpha" for their radius, `option` of
   /// the constructor for other columns, and "--where" for all other fields.
   std::string_view option_of(const std::string& field) const {
-    if (field == of_groups_.key) return "--group-by";
-    if (field == of_groups_.radius) return "--alpha";
-    const auto is_it = [&](const WantedColumn& column) { return column.name == field; };
-    return std::any_of(columns_.begin(), columns_.end(), is_it) ? std::string_view(option_) : "--where";
+    for (const WantedColumn& column : columns_) {
+      if (column.name != field) continue;
+      if (!is_of_groups_) return option_;
+      return column.kind == WantedColumn::Kind::text ? "--group-by" : "--alpha";
+    }
+    return "--where";
   }
   /// Returns whether the condition may exclude points.
   bool selects() const { return selects_; }
@@ -119,7 +121,7 @@ class Condition {
   std::vector<std::string> fields_ = {};
   std::vector<Text> texts_ = {};
   std::vector<WantedColumn> columns_ = {};
-  GroupColumns of_groups_ = {};
+  bool is_of_groups_ = false;       // columns_ are those of groups
   std::string option_ = "--where";  // requests columns_
   bool selects_ = true;
 };

@@ -33,7 +33,10 @@ void require_of_groups(const ShapeArguments& arguments, const std::vector<Target
 void write_targets(GroupRun& run, const std::vector<Attribute>& summaries) {
   const ProgressLine line = run.writing();
   NamedShapes result = run.named_shapes();
-  result.summaries = summaries;
+  std::vector<Attribute> attributes = attributes_of(
+      run.named.keys, {"group", "points", "alpha", "area", "perimeter", "polygons", "problem", "geometry"});
+  attributes.insert(attributes.end(), summaries.begin(), summaries.end());
+  result.attributes = attributes;
   for (const Target& target : run.request.targets) {
     stop_if_interrupted();
     if (is_ogr(target.format)) {

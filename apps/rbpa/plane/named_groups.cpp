@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "io/interrupt.h"
 #include "io/number.h"
 #include "io/values_at.h"
+#include "io/words.h"
 #include "shared/arguments.h"
 
 namespace rbpa::app {
@@ -22,18 +24,27 @@ namespace {
 
 constexpr double no_radius = std::numeric_limits<double>::quiet_NaN(), no_height = no_radius;
 
-/// The names of groups, numbered in the order of their first use.
-class NameTable {
- public:
+/// The names of groups by one column, or by files, and the number of the name of each point.
+struct Key {
   std::uint32_t number_of(std::string_view name) {
-    const auto [place, is_new] = numbers_.try_emplace(std::string(name), static_cast<std::uint32_t>(names.size()));
+    const auto [place, is_new] = numbers.try_emplace(std::string(name), static_cast<std::uint32_t>(names.size()));
     if (is_new) names.emplace_back(name);
     return place->second;
   }
-  std::vector<std::string> names = {};
+  /// Appends the numbers of the points of a file, whose names are in column `k` of its fields.
+  void add(const PointFile& file, std::size_t k);
+  /// Sorts the names, by their values if all are numbers, else by their bytes. Sets are_numbers.
+  void sort();
+  /// Replaces each number i of a name by label[i].
+  void renumber(const std::vector<std::uint32_t>& label) {
+    for (std::uint32_t& of : labels)
+      if (of != no_group) of = label[of];
+  }
 
- private:
-  std::unordered_map<std::string, std::uint32_t> numbers_ = {};
+  std::vector<std::string> names = {};
+  std::vector<std::uint32_t> labels = {};
+  bool are_texts = false, are_numbers = false;
+  std::unordered_map<std::string, std::uint32_t> numbers = {};
 };
 
 /// Returns whether the text is a number of JSON (RFC 8259); "007" and "+1" are not.
@@ -76,15 +87,90 @@ std::optional<std::vector<double>> values_of(const std::vector<std::string>& nam
   return values;
 }
 
+void Key::add(const PointFile& file, std::size_t k) {
+  if (file.points.empty()) return;
+  if (file.texts.size() > k && file.texts[k]) {
+    are_texts = are_texts || (file.keys_are_texts.size() > k && file.keys_are_texts[k]);
+    constexpr std::uint32_t not_yet = no_group - 1;
+    std::vector<std::uint32_t> label(file.texts[k]->size(), not_yet);
+    for (const double key : file.fields[k]) {
+      std::uint32_t& number = label[static_cast<std::size_t>(key)];
+      const std::string& text = (*file.texts[k])[static_cast<std::size_t>(key)];
+      if (number == not_yet) number = text.empty() ? no_group : number_of(text);
+      labels.push_back(number);
+    }
+    return;
+  }
+  std::unordered_map<std::uint64_t, std::uint32_t> label;  // number of the name, by the bits of the key
+  for (const double key : file.fields[k]) {
+    if (std::isnan(key)) {
+      labels.push_back(no_group);
+      continue;
+    }
+    const double value = key + 0.0;  // -0 becomes 0
+    const auto [place, is_new] = label.try_emplace(std::bit_cast<std::uint64_t>(value), 0);
+    if (is_new) place->second = number_of(text_of(value));
+    labels.push_back(place->second);
+  }
+}
+
+void Key::sort() {
+  const std::optional<std::vector<double>> values = are_texts ? std::nullopt : values_of(names);
+  are_numbers = values.has_value();
+  std::vector<std::uint32_t> order(names.size()), label(names.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    return values ? (*values)[i] < (*values)[j] : names[i] < names[j];
+  });
+  std::vector<std::string> sorted;
+  for (std::uint32_t k = 0; k < order.size(); ++k) {
+    label[order[k]] = k;
+    sorted.push_back(std::move(names[order[k]]));
+  }
+  names = std::move(sorted);
+  renumber(label);
+}
+
+/// Returns groups by several sorted keys, in the order of the first, then of the second and so on. A name is a line of
+/// CSV. Appends the values of each group to `columns`, one for each key.
+Key joined(const std::vector<Key>& keys, std::vector<PointColumn>& columns) {
+  Key all;
+  std::map<std::vector<std::uint32_t>, std::uint32_t> numbers;  // of the groups, by those of their names
+  std::vector<std::uint32_t> of(keys.size());
+  for (std::size_t i = 0; i < keys.front().labels.size(); ++i) {
+    for (std::size_t k = 0; k < keys.size(); ++k) of[k] = keys[k].labels[i];
+    const bool is_in_one = std::count(of.begin(), of.end(), no_group) == 0;
+    const auto next = static_cast<std::uint32_t>(numbers.size());
+    all.labels.push_back(is_in_one ? numbers.try_emplace(of, next).first->second : no_group);
+  }
+  std::vector<std::uint32_t> label(numbers.size());
+  for (const auto& [names, number] : numbers) {
+    label[number] = static_cast<std::uint32_t>(all.names.size());
+    std::string& line = all.names.emplace_back();
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      const std::string& name = keys[k].names[names[k]];
+      (line += k == 0 ? "" : ",") += csv_text(name);
+      keys[k].are_numbers ? columns[k].append(parse_whole_number(name).value)
+                          : columns[k].append(columns[k].number_of(name));
+    }
+  }
+  all.renumber(label);
+  return all;
+}
+
 /// Appends the points of one file after another, and records the group of each point.
 class Gatherer {
  public:
-  explicit Gatherer(const GroupSources& sources) : sources_(sources) {}
+  explicit Gatherer(const GroupSources& sources) : sources_(sources), keys_(1) {
+    if (!sources.by_file) keys_.resize(sources.files.front().where->columns() - (sources.radius ? 1 : 0));
+  }
 
   void add(PointFile file, const std::string& path) {
     agree(file, path);
     const std::size_t count = file.points.size();
-    add_labels(file, path, count);
+    if (sources_.by_file)  // a file without points is a group too
+      keys_[0].labels.resize(keys_[0].labels.size() + count, keys_[0].number_of(path));
+    for (std::size_t k = 0; k < keys_.size() && !sources_.by_file; ++k) keys_[k].add(file, k);
     if (sources_.radius) {
       if (file.fields.empty())
         radii_.resize(radii_.size() + count, no_radius);
@@ -110,9 +196,8 @@ class Gatherer {
   }
 
   NamedGroups finish() {
-    sort_names();
+    settle_names();
     result_.file.index = unless_identity(std::move(result_.file.index));
-    result_.groups = groups_of(labels_, result_.names.size());
     if (sources_.radius) settle_radii();
     return std::move(result_);
   }
@@ -125,53 +210,19 @@ class Gatherer {
     result_.file.crs = file.crs;
   }
 
-  void add_labels(const PointFile& file, const std::string& path, std::size_t count) {
-    if (sources_.by_file) {
-      labels_.resize(labels_.size() + count, table_.number_of(path));  // a file without points is a group too
-    } else if (count > 0 && !file.texts.empty() && file.texts[0]) {
-      are_texts_ = are_texts_ || file.keys_are_texts;
-      constexpr std::uint32_t not_yet = no_group - 1;
-      std::vector<std::uint32_t> label(file.texts[0]->size(), not_yet);
-      for (const double key : file.fields[0]) {
-        std::uint32_t& number = label[static_cast<std::size_t>(key)];
-        const std::string& text = (*file.texts[0])[static_cast<std::size_t>(key)];
-        if (number == not_yet) number = text.empty() ? no_group : table_.number_of(text);
-        labels_.push_back(number);
-      }
-    } else if (count > 0) {
-      std::unordered_map<std::uint64_t, std::uint32_t> label;  // number of the group, by the bits of the key
-      for (const double key : file.fields[0]) {
-        if (std::isnan(key)) {
-          labels_.push_back(no_group);
-          continue;
-        }
-        const double value = key + 0.0;  // -0 becomes 0
-        const auto [place, is_new] = label.try_emplace(std::bit_cast<std::uint64_t>(value), 0);
-        if (is_new) place->second = table_.number_of(text_of(value));
-        labels_.push_back(place->second);
-      }
+  void settle_names() {
+    if (!sources_.by_file)
+      for (Key& key : keys_) key.sort();
+    if (keys_.size() > 1) {
+      for (std::size_t k = 0; k < keys_.size(); ++k)
+        result_.keys.push_back({.name = sources_.files.front().where->column(k).name,
+                                .type = keys_[k].are_numbers ? Scalar::float64 : Scalar::int32,
+                                .is_text = !keys_[k].are_numbers});
+      keys_ = {joined(keys_, result_.keys)};
     }
-  }
-
-  void sort_names() {
-    std::vector<std::string>& names = table_.names;
-    if (sources_.by_file) {
-      result_.names = std::move(names);
-      return;
-    }
-    const std::optional<std::vector<double>> values = are_texts_ ? std::nullopt : values_of(names);
-    result_.are_numbers = values.has_value();
-    std::vector<std::uint32_t> order(names.size()), label(names.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-    std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
-      return values ? (*values)[i] < (*values)[j] : names[i] < names[j];
-    });
-    for (std::uint32_t k = 0; k < order.size(); ++k) {
-      label[order[k]] = k;
-      result_.names.push_back(std::move(names[order[k]]));
-    }
-    for (std::uint32_t& of : labels_)
-      if (of != no_group) of = label[of];
+    result_.are_numbers = keys_.front().are_numbers;
+    result_.names = std::move(keys_.front().names);
+    result_.groups = groups_of(keys_.front().labels, result_.names.size());
   }
 
   /// Sets the radius of each group, or its problem if the points of the group do not have one radius above 0.
@@ -195,10 +246,9 @@ class Gatherer {
 
   const GroupSources& sources_;
   NamedGroups result_ = {};
-  NameTable table_ = {};
-  std::vector<std::uint32_t> labels_ = {};
+  std::vector<Key> keys_;
   std::vector<double> radii_ = {};
-  bool are_texts_ = false, any_ = false, any_columns_ = false;
+  bool any_ = false, any_columns_ = false;
 };
 
 }  // namespace
@@ -209,7 +259,7 @@ GroupSources parse_group_sources(const PointArguments& arguments, const GroupArg
   PointArguments one = arguments;
   for (const std::string& path : groups.inputs) {
     one.points = path;
-    sources.files.push_back(parse_source(one, {.key = groups.group_by, .radius = radius}));
+    sources.files.push_back(parse_source(one, {.keys = groups.group_by, .radius = radius}));
   }
   if (std::count(groups.inputs.begin(), groups.inputs.end(), "-") > 1)
     bad_usage("POINTS", "-, standard input, twice", "once");

@@ -1,7 +1,8 @@
 // What: reads points in named groups from one or several files. A column, a property of Features or the file gives the
 //       name of the group of a point.
 // Law:  groups depend on names and points alone. Groups are in numerical order if all names are numbers, otherwise in
-//       the order of the bytes of their names; groups named by files are in the order of the command line.
+//       the order of the bytes of their names; groups named by files are in the order of the command line. Groups by
+//       several columns are in the order of the first column, then of the second, and so on.
 // Cost: one look-up for each point.
 #pragma once
 
@@ -32,10 +33,11 @@ GroupSources parse_group_sources(const PointArguments& arguments, const GroupArg
 void require_different(const std::vector<std::string>& outputs, const GroupSources& sources);
 
 struct NamedGroups {
-  PointFile file = {};  ///< the points of all files, one file after another
-  std::vector<std::string> names = {};
+  PointFile file = {};                  ///< the points of all files, one file after another
+  std::vector<std::string> names = {};  ///< by several columns: their values as a line of CSV
   bool are_numbers = false;  ///< whether all names are numbers of JSON, with different values of magnitude below 2^53
   Groups groups = {};
+  std::vector<PointColumn> keys = {};  ///< the columns, if there are several, with a value for each group
   /// The radius of each group, or NaN; and for NaN the reason, otherwise "". Both are empty without a column of radii.
   std::vector<double> radii = {};
   std::vector<std::string> radius_problems = {};

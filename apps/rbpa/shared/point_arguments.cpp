@@ -67,12 +67,12 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
   const Format format = source.format;
   const bool ogr = format == Format::ogr;
   if (ogr && source.path == "-") bad_usage("POINTS", "-, standard input, which GDAL cannot read", "a file name");
-  const bool of_groups = columns.key || columns.radius;
+  const bool of_groups = columns.keys || columns.radius;
   OptionNames options{.columns = arguments.columns ? "--columns" : nullptr,
                       .skip_invalid = arguments.skip_invalid ? "--skip-invalid" : nullptr,
                       .vertices = arguments.vertices ? "--vertices" : nullptr,
                       .fields = arguments.where ? "--where" : nullptr};
-  if (of_groups) options.fields = columns.key ? "--group-by" : "--alpha column";
+  if (of_groups) options.fields = columns.keys ? "--group-by" : "--alpha column";
   require_readable(Use::points, format, options);
   if (of_groups)
     source.where = Condition::of_groups(columns, arguments.where.value_or(""), *fields_of(format));

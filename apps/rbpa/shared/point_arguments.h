@@ -54,7 +54,7 @@ inline constexpr const char* not_with_groups = "cannot be combined with --group-
 /// The options about groups of points, as text.
 struct GroupArguments {
   std::vector<std::string> inputs;      ///< paths of all files; the first is also PointArguments::points
-  std::optional<std::string> group_by;  ///< name of the column with the names of groups
+  std::optional<std::string> group_by;  ///< names of the columns with the names of groups, with commas between them
   bool group_by_file = false;
 
   /// Returns whether groups are requested. Throws WrongUsage for several files without --group-by or --group-by-file,

@@ -123,7 +123,7 @@ void add_group_options(CLI::App& verb, Arguments& arguments, const std::string& 
           "--group-by", arguments.group_by,
           what +
               " for each group of points: those with the same value in a column of text, in a field of LAS, PLY "
-              "or PCD, or in a property of GeoJSON")
+              "or PCD, or in a property of GeoJSON; of several columns, a,b, those with the same value in each")
       ->type_name("COLUMN");
   add_switch(verb, "--group-by-file", arguments.group_by_file, what + " for each file of points");
 }
