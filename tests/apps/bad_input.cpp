@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "support/gdal_endings.h"
 #include "support/npy_file.h"
 #include "support/program.h"
 
@@ -172,7 +173,7 @@ TEST_SUITE("wrong usage") {
               "(download it first: curl -LO https://x.org/p.csv)"},
              {"shape https://x.org/p --alpha 1 -o s.wkt", "https://x.org/p: found the ending",
               "(download it first: curl -LO https://x.org/p)"},
-             {shape + "-o s.gpx", "s.gpx: found the ending 'gpx'", "(write .geojson, of which ogr2ogr makes s.gpx)"},
+             {shape + "-o s.gpx", "s.gpx: found the ending 'gpx'", "(write s.geojson, then ogr2ogr s.gpx s.geojson)"},
              {shape + "s.geojson", "POINTS: found 2 files, the last 's.geojson', expected one",
               "(-o OUT names a file to write; a list such as X,Y has no blanks)"},
              {shape + "-o s.wkt --columns x, y", "POINTS: found 2 files, the last 'y'",
@@ -290,8 +291,8 @@ TEST_SUITE("wrong usage") {
     folder.file("p.xy", corner);
     folder.file("p.foo", corner);
     refuses(folder, "mesh p.xy --alpha 1 -o m.foo", 2,
-            "m.foo: found the ending 'foo', expected one of off, ply, obj, npy, vtu, geojson, json, svg, png, or "
-            "--output-format");
+            "m.foo: found the ending 'foo', expected one of off, ply, obj, npy, vtu, geojson, json, svg, png" +
+                gdal_endings() + ", or --output-format");
     const Outcome outcome = folder.rbpa("mesh p.foo --alpha 1 -o m.off");
     CHECK(outcome.code == 2);
     CHECK(outcome.err.find("npy") != std::string::npos);

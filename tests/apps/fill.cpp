@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/child.h"
+#include "support/gdal_endings.h"
 #include "support/program.h"
 
 using namespace apps_test;
@@ -257,8 +258,8 @@ TEST_SUITE("fill") {
     refuses(folder, "- --size 1 -o m.off </dev/null", 3, "standard input: found an empty file, expected polygons");
     refuses(folder, "p.wkt --size 1", 2, "-o: found no OUT, expected at least one (or --stats FILE)");
     refuses(folder, "p.wkt --size 1 -o m.abc", 2,
-            "m.abc: found the ending 'abc', expected one of off, ply, obj, npy, vtu, geojson, json, svg, png, or "
-            "--output-format");
+            "m.abc: found the ending 'abc', expected one of off, ply, obj, npy, vtu, geojson, json, svg, png" +
+                gdal_endings() + ", or --output-format");
     CHECK(folder.rbpa("fill p.wkt --size 1 --size-at s.txt -o s.txt --output-format off").code == 2);
     CHECK(folder.rbpa("fill p.wkt --size 1 -o p.wkt --output-format off").code == 2);
     CHECK(folder.rbpa("fill - --format wkt --size-at - --size 1 -o m.off").code == 2);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/formats.h"
 #include "support/claiming_files.h"
 #include "support/gzip.h"
 #include "support/image_files.h"
@@ -32,7 +33,8 @@ bool can_limit() {
 #endif
 }
 
-constexpr std::size_t limit = 160, more_than_that = std::size_t{192} << 20U;
+const std::size_t limit = rbpa::app::has_gdal() ? 280 : 160;  // mebibytes; the libraries of GDAL take some
+constexpr std::size_t more_than_that = std::size_t{192} << 20U;
 
 /// Checks a file for which memory is the limit. `way_out` is the hint at the end of the message.
 void check_memory(const Folder& folder, const std::string& command, const std::string& name,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "support/gdal_endings.h"
 #include "support/pictures.h"
 #include "support/program.h"
 
@@ -191,13 +192,13 @@ TEST_SUITE("shape") {
             "--min-hole-area: found '-1', expected an area: a number >= 0, or inf");
     refuses(folder, "shape p.xy --alpha 1 -o s.wkt --min-part-area nan",
             "--min-part-area: found 'nan', expected an area: a number >= 0, or inf");
-    refuses(
-        folder, "shape p.xy --alpha 1 -o s.off",
-        "s.off: found the ending 'off', expected one of geojson, json, wkt, ewkt, csv, svg, png, or --output-format");
+    refuses(folder, "shape p.xy --alpha 1 -o s.off",
+            "s.off: found the ending 'off', expected one of geojson, json, wkt, ewkt, csv, svg, png" + gdal_endings() +
+                ", or --output-format");
     refuses(folder, "shape p.xy --alpha 1 -o s --output-format ply",
-            "--output-format: found 'ply', expected one of geojson, json, wkt, ewkt, csv, svg, png");
+            "--output-format: found 'ply', expected one of geojson, json, wkt, ewkt, csv, svg, png" + gdal_endings());
     refuses(folder, "shape p.xy --alpha 1 -o -",
-            "-o - requires --output-format: one of geojson, json, wkt, ewkt, csv, svg, png");
+            "-o - requires --output-format: one of geojson, json, wkt, ewkt, csv, svg, png" + gdal_endings());
     refuses(folder, "shape p.xy --alpha 1", "-o: found no OUT, expected at least one (or --stats FILE)");
     refuses(folder, "shape p.xy --alpha 1 -o s.png --width 1",
             "--width: found '1', expected a whole number of pixels from 64 to 8192");

@@ -9,6 +9,7 @@
 
 #include "io/cloud/read_points.h"
 #include "io/number.h"
+#include "support/gdal_endings.h"
 #include "support/generate.h"
 #include "support/program.h"
 
@@ -179,7 +180,8 @@ TEST_SUITE("shape files") {
     const Folder folder;
     folder.file("p.xy", squares);
     CHECK(folder.rbpa("shape p.xy --alpha 1 --isolated i.svg").err ==
-          "rbpa: --isolated: found the ending 'svg', expected one of geojson, json, wkt, ewkt, csv\n");
+          "rbpa: --isolated: found the ending 'svg', expected one of geojson, json, wkt, ewkt, csv" +
+              std::string(rbpa::app::has_gdal() ? ", gpkg, fgb" : "") + "\n");
     CHECK(folder.rbpa("shape p.xy --alpha 1 -o s.csv --isolated ./s.csv").code == 2);
     CHECK(folder.rbpa("shape p.xy --alpha 1 -o s.csv --isolated p.xy").code == 2);
     CHECK(folder.rbpa("shape p.xy --alpha 1 -o s.csv --isolated none/i.csv").code == 1);

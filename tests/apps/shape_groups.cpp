@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "io/cloud/cloud.h"
+#include "support/gdal_endings.h"
 #include "support/las_file.h"
 #include "support/program.h"
 #include "support/random.h"
@@ -151,7 +152,9 @@ TEST_SUITE("shape groups") {
     refuses(folder, "p.xy --group-by a --alpha 1 -o s.csv",
             "p.xy: found no header line, expected one with the names that --group-by requires", 3);
     refuses(folder, "p.csv --group-by animal --alpha 1 -o s.wkt",
-            "--group-by: found s.wkt, whose format has no groups, expected one of geojson, json, csv, svg, png", 2);
+            "--group-by: found s.wkt, whose format has no groups, expected one of geojson, json, csv, svg, png" +
+                gdal_endings(),
+            2);
     refuses(folder, "p.csv --group-by animal --alpha 1 -o s.csv --isolated i.csv",
             "--isolated cannot be combined with --group-by or --group-by-file", 2);
     refuses(folder, "p.npy --group-by animal --alpha 1 -o s.csv",

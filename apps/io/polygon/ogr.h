@@ -1,5 +1,5 @@
 // What: reads any source of OGR and writes GeoPackage, FlatGeobuf and Shapefile, by GDAL. In a build without GDAL
-//       (RBPA_WITH_GDAL, off by default) all functions that call GDAL throw WrongUsage.
+//       (RBPA_WITH_GDAL) all functions that call GDAL throw WrongUsage.
 // Law:  coordinates are the same doubles before and after; files keep the coordinate system.
 #pragma once
 

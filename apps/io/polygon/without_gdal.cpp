@@ -5,7 +5,7 @@ namespace rbpa::app {
 namespace {
 
 [[noreturn]] void refuse() {
-  throw WrongUsage("found a format of GDAL, expected a program that is built with GDAL (cmake -DRBPA_WITH_GDAL=ON)");
+  throw WrongUsage("found a format of GDAL, expected a program that is built with GDAL (libgdal-dev)");
 }
 
 }  // namespace

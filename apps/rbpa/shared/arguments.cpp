@@ -30,10 +30,11 @@ std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool a
     if (!known) known = otherwise;
     if (!known && path == "-") throw WrongUsage("-o - requires --output-format: one of " + known_formats);
     const bool is_of_gdal = is_word_of(ending(path), "shp gpkg fgb kml gml gpx dxf parquet");
+    const std::string geojson = path.substr(0, path.size() - ending(path).size()) + "geojson";
     if (!known)
       refuse_ending(path, known_formats,
                     std::string("--output-format") +
-                        (is_of_gdal ? " (write .geojson, of which ogr2ogr makes " + path + ")" : ""));
+                        (is_of_gdal ? " (write " + geojson + ", then ogr2ogr " + path + " " + geojson + ")" : ""));
     targets.push_back({path, *known});
   }
   return targets;
