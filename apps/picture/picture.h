@@ -12,10 +12,8 @@ namespace rbpa::app {
 
 inline bool is_picture(Format format) { return format == Format::svg || format == Format::png; }
 
-/// Writes the drawing. Requires: is_picture(format); least_width ≤ width ≤ greatest_width. Throws as write_svg() and
-/// write_png() do; Cancelled.
-inline void write_picture(OutputFile& file, Format format, const Drawing& drawing, int width) {
-  const Scene scene = place(drawing, width);
+/// Writes the scene. Requires: is_picture(format). Throws as write_svg() and write_png() do; Cancelled.
+inline void write_picture(OutputFile& file, Format format, const Scene& scene) {
   format == Format::svg ? write_svg(file, scene) : write_png(file, scene);
 }
 

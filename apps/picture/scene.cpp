@@ -89,7 +89,10 @@ Scene place(const Drawing& drawing, int width) {
               .height = static_cast<int>(std::round(inner_height + 2 * margin)),
               .at = {},
               .strokes = {},
-              .drawing = &drawing};
+              .drawing = &drawing,
+              .pixel_size = std::scalbn(box / box_pixels, -frame.exponent),
+              .corner = {std::scalbn(frame.least.x - left * (box / box_pixels), -frame.exponent),
+                         std::scalbn(frame.least.y + bottom * (box / box_pixels), -frame.exponent)}};
   scene.at.reserve(drawing.points.size());
   const auto fraction = [&](double part) { return box > 0 ? part / box : 0.5; };
   for (const Point& p : drawing.points) {

@@ -20,6 +20,8 @@ struct Scene {
   std::vector<Pixel> at;  ///< position of each point of the drawing
   Strokes strokes;
   const Drawing* drawing;
+  double pixel_size;  ///< in units of the coordinates; 0 if all points are equal, infinite beyond the range of a double
+  Point corner;       ///< coordinates of the upper left corner of the canvas; may be infinite too
 };
 
 constexpr int least_width = 64;

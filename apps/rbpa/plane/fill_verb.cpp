@@ -12,6 +12,7 @@
 #include "io/number.h"
 #include "io/polygon/read_polygons.h"
 #include "picture/picture.h"
+#include "plane/picture_outputs.h"
 #include "plane/triangle_outputs.h"
 #include "plane/valid_features.h"
 #include "rbpa/base/error.h"
@@ -166,9 +167,8 @@ void run_fill(const FillArguments& arguments) {
     const ProgressLine line = run.writing();
     for (const Target& target : request.targets) {
       if (is_picture(target.format))
-        run.add(target.path, [&](OutputFile& out) {
-          write_picture(out, target.format, drawing_of(filling.points, arrays, ComplexKind::solid), request.width);
-        });
+        add_picture(run, target, drawing_of(filling.points, arrays, ComplexKind::solid), request.width,
+                    file.vertices.crs);
       else
         add_triangles(run, target, {filling.points, filling.triangles, {}, {}, &features, {}, z}, file.vertices);
     }

@@ -12,6 +12,7 @@
 #include "io/number.h"
 #include "io/polygon/height_files.h"
 #include "picture/picture.h"
+#include "plane/picture_outputs.h"
 #include "plane/segments.h"
 #include "plane/triangle_outputs.h"
 #include "rbpa/base/error.h"
@@ -167,11 +168,15 @@ struct GridRun {
     std::vector<Point> corners;
     std::vector<Edge> edges;
     std::optional<Drawing> drawing;
-    run.add(request.lines, [&](OutputFile& output, const Target& target) {
-      if (!is_picture(target.format)) return write_contours(output, target.format, lines, levels, file.crs);
-      if (!drawing) drawing = drawing_of_lines(lines, corners, edges);
-      write_picture(output, target.format, *drawing, request.width);
-    });
+    for (const Target& target : request.lines) {
+      stop_if_interrupted();
+      if (is_picture(target.format)) {
+        if (!drawing) drawing = drawing_of_lines(lines, corners, edges);
+        add_picture(run, target, *drawing, request.width, file.crs);
+        continue;
+      }
+      run.add(target.path, [&](OutputFile& output) { write_contours(output, target.format, lines, levels, file.crs); });
+    }
     return counted(lines.size(), "contour line") + " at " + counted(levels.size(), "height");
   }
 };

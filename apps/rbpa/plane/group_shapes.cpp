@@ -11,6 +11,7 @@
 #include "picture/picture.h"
 #include "plane/group_run.h"
 #include "plane/ogr_outputs.h"
+#include "plane/picture_outputs.h"
 #include "shared/arguments.h"
 #include "shared/verbs.h"
 
@@ -46,15 +47,13 @@ void write_targets(GroupRun& run, const std::vector<Attribute>& summaries) {
                     " without a polygon: FlatGeobuf has no feature without a geometry");
       continue;
     }
+    if (is_picture(target.format)) {
+      const Drawing drawing = drawing_of(result.points, run.shapes.polygons, run.shapes.polygon_begin, result.names);
+      add_picture(run, target, drawing, run.request.complex.width, result.crs);
+      continue;
+    }
     run.add(target.path, [&](OutputFile& out) {
-      if (target.format == Format::geojson)
-        write_groups_geojson(out, result);
-      else if (target.format == Format::csv)
-        write_groups_csv(out, result);
-      else
-        write_picture(out, target.format,
-                      drawing_of(result.points, run.shapes.polygons, run.shapes.polygon_begin, result.names),
-                      run.request.complex.width);
+      target.format == Format::geojson ? write_groups_geojson(out, result) : write_groups_csv(out, result);
     });
   }
 }

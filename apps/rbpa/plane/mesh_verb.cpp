@@ -11,6 +11,7 @@
 #include "io/mesh/write_triangles.h"
 #include "picture/picture.h"
 #include "plane/level_report.h"
+#include "plane/picture_outputs.h"
 #include "plane/segments.h"
 #include "plane/triangle_outputs.h"
 #include "rbpa/plane/link_triangles.h"
@@ -92,7 +93,7 @@ void write_targets(ComplexRun& run, const std::vector<Target>& targets, const Bu
     stop_if_interrupted();
     if (is_picture(target.format)) {
       if (!drawing) drawing = drawing_of(run.points(), made, kind);
-      run.add(target.path, [&](OutputFile& file) { write_picture(file, target.format, *drawing, run.request.width); });
+      add_picture(run, target, *drawing, run.request.width, run.file.crs);
     } else if (compacted && !is_array(target.format)) {
       if (!compact) compact.emplace(whole);
       add_triangles(run, target, compact->mesh(), run.file);

@@ -6,6 +6,7 @@
 #include "io/polygon/ogr.h"
 #include "picture/picture.h"
 #include "plane/ogr_outputs.h"
+#include "plane/picture_outputs.h"
 
 namespace rbpa::app {
 namespace {
@@ -52,11 +53,12 @@ void add_shapes(Run& run, const std::vector<Target>& targets, const Shape& shape
       add_ogr(run, target, ogr_polygons(target.format, shape));
       continue;
     }
+    if (is_picture(target.format)) {
+      if (!drawing) drawing = drawing_of(shape.points, shape.polygons, isolated);
+      add_picture(run, target, *drawing, width, shape.crs);
+      continue;
+    }
     run.add(target.path, [&](OutputFile& file) {
-      if (is_picture(target.format)) {
-        if (!drawing) drawing = drawing_of(shape.points, shape.polygons, isolated);
-        return write_picture(file, target.format, *drawing, width);
-      }
       if (target.format == Format::csv) return write_points_csv(file, shape);
       if (target.format == Format::ewkt) file.write(srid_of(shape));
       write_polygons(file, target.format == Format::geojson ? Format::geojson : Format::wkt, shape);
