@@ -242,6 +242,22 @@ TEST_SUITE("atoms") {
           "m:10: found an atom of model '1' behind another model, expected all atoms of a model together");
   }
 
+  TEST_CASE("charges of PDB are a digit and a sign in either order, and anything else is none") {
+    const std::string atom = "ATOM      1  N   LYS A   1       1.000   2.000   3.000  1.00  5.28           N";
+    REQUIRE(atom.size() == 78);
+    for (const char a : {' ', '0', '1', '9', '+', '-', 'A'})
+      for (const char b : {' ', '0', '2', '9', '+', '-', '*'}) {
+        CAPTURE(a);
+        CAPTURE(b);
+        const double charge = frame_of(atom + a + b + "\n", Format::pdb).rows[0].charge;
+        const bool comes_last = a >= '0' && a <= '9' && (b == '+' || b == '-');
+        const bool comes_first = b >= '0' && b <= '9' && (a == '+' || a == '-');
+        if (!comes_last && !comes_first) CHECK(std::isnan(charge));
+        if (comes_last) CHECK(charge == (b == '-' ? '0' - a : a - '0'));
+        if (comes_first) CHECK(charge == (a == '-' ? '0' - b : b - '0'));
+      }
+  }
+
   TEST_CASE("PQR is read in words and in columns, with charges and radii") {
     for (const std::string line :
          {"ATOM      1  CA  ALA A  12B     1.500   2.000  -3.000 -0.5000 1.9080\n",

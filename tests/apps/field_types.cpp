@@ -130,7 +130,7 @@ TEST_SUITE("fields") {
         {"m.pdb",
          "ATOM  99999  N   LYS 1   1       0.000   0.000   0.000  1.00  5.28           N\n"
          "ATOM  A0000  CA ALYS 1  -1A      1.000   0.000   0.000  0.50 20.00           C\n"
-         "HETATM    3 NA    NA 2 201       0.000   1.000   0.000  1.00                NA\n"
+         "HETATM    3 NA    NA 2 201       0.000   1.000   0.000  1.00                NA1+\n"
          "HETATM    4  O   HOH 2 202       0.000   0.000   1.000  1.00 20.00           O\n",
          "<!-- chain: 0 = 1, 1 = 2 -->\n<!-- icode: 0 = , 1 = A -->\n<!-- resname: 0 = LYS, 1 = NA, 2 = HOH -->\n"
          "<!-- name: 0 = N, 1 = CA, 2 = NA, 3 = O -->\n<!-- element: 0 = N, 1 = C, 2 = NA, 3 = O -->\n"
@@ -144,7 +144,8 @@ TEST_SUITE("fields") {
           {"element", "Int32 0 1 2 3"},
           {"altloc", "Int32 0 1 0 0"},
           {"occupancy", "Float64 1 0.5 1 1"},
-          {"bfactor", "Float64 5.28 20 nan 20"}}},
+          {"bfactor", "Float64 5.28 20 nan 20"},
+          {"charge", "Float64 nan nan 1 nan"}}},
         {"m.pqr",
          "ATOM 1 N LYS 1 0 0 0 -0.3 1.85\nATOM 2 CA LYS 1 1 0 0 0.21 2\nATOM 3 C LYS 1 0 1 0 1 2\nATOM 4 O LYS 1 0 0 1 "
          "-1 2\n",
@@ -158,14 +159,16 @@ TEST_SUITE("fields") {
         {"m.cif",
          "data_a\nloop_\n_atom_site.id\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_asym_id\n"
          "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n_atom_site.B_iso_or_equiv\n"
-         "7 N N A 0 0 0 5.28(3)\n8 C CA A 1 0 0 ?\n9 C C A 0 1 0 7\n10 O O B 0 0 1 7.5\n",
+         "_atom_site.pdbx_formal_charge\n"
+         "7 N N A 0 0 0 5.28(3) 1\n8 C CA A 1 0 0 ? 0\n9 C C A 0 1 0 7 0\n10 O O B 0 0 1 7.5 -1\n",
          "<!-- chain: 0 = A, 1 = B -->\n<!-- name: 0 = N, 1 = CA, 2 = C, 3 = O -->\n"
          "<!-- element: 0 = N, 1 = C, 2 = O -->\n",
          {{"serial", "Int64 7 8 9 10"},
           {"chain", "Int32 0 0 0 1"},
           {"name", "Int32 0 1 2 3"},
           {"element", "Int32 0 1 1 2"},
-          {"bfactor", "Float64 5.28 nan 7 7.5"}}},
+          {"bfactor", "Float64 5.28 nan 7 7.5"},
+          {"charge", "Int64 1 0 0 -1"}}},
         {"m.gro",
          "title\n4\n    1LYS      N    1   0.000   0.000   0.000\n    1LYS     CA    2   0.100   0.000   0.000\n"
          "    1LYS      C    3   0.000   0.100   0.000\n    2SOD     NA    4   0.000   0.000   0.100\n   5.0   5.0   "

@@ -22,7 +22,7 @@ namespace rbpa::app {
 inline constexpr std::array<std::string_view, 15> atom_columns = {"serial", "chain",     "resseq",  "icode",  "resname",
                                                                   "name",   "element",   "x",       "y",      "z",
                                                                   "altloc", "occupancy", "bfactor", "charge", "radius"};
-inline constexpr std::size_t names_of_atom = 7, x_of_atom = 7, columns_of_pdb = 13, no_atom_column = 15;
+inline constexpr std::size_t names_of_atom = 7, x_of_atom = 7, columns_of_pdb = 14, no_atom_column = 15;
 
 /// The indices of the columns in atom_columns.
 struct AtomColumn {

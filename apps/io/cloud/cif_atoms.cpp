@@ -145,7 +145,8 @@ constexpr std::array<std::array<std::string_view, 2>, atom_columns.size()> names
      {"Cartn_z"},
      {"label_alt_id"},
      {"occupancy"},
-     {"B_iso_or_equiv"}}};
+     {"B_iso_or_equiv"},
+     {"pdbx_formal_charge"}}};
 
 /// Returns the name of an item of the category without the category; empty for an item of another category. Early
 /// dictionaries have an underscore in place of the dot.

@@ -50,6 +50,15 @@ std::string number_in(std::string_view text, std::size_t columns) {
   return std::to_string(upper ? value - 10 * leading + decimal : value + 16 * leading + decimal);
 }
 
+/// Returns the decimal text of a formal charge of two columns, "2+", "1-" or "-1"; empty for any other text, as files
+/// before version 3 have other things there.
+std::string formal_charge(std::string_view text) {
+  const auto is_sign = [](char c) { return c == '+' || c == '-'; };
+  if (text.size() != 2 || is_sign(text[0]) == is_sign(text[1]) || is_digit(text[0]) == is_digit(text[1])) return {};
+  const std::size_t sign = is_sign(text[0]) ? 0 : 1;
+  return (text[sign] == '-' ? "-" : "") + std::string(1, text[1 - sign]);
+}
+
 class PdbAtoms final : public AtomSource {
  public:
   PdbAtoms(std::string_view text, const std::string& name, bool is_pqr)
@@ -116,7 +125,8 @@ class PdbAtoms final : public AtomSource {
                    std::string(at_columns(line, 47, 54)),
                    std::string(at_columns(line, 17, 17)),
                    std::string(at_columns(line, 55, 60)),
-                   std::string(at_columns(line, 61, 66))};
+                   std::string(at_columns(line, 61, 66)),
+                   formal_charge(at_columns(line, 79, 80))};
   }
 
   /// Takes an atom of PQR: words, with or without the chain; or the columns of PDB, then words: charge, radius.

@@ -37,9 +37,9 @@ def read_points(
     fields : sequence of str, or mapping of str to float or str
         Names of fields to read with the points: "intensity" and others of LAS ("name[0]", "name[1]" of a list),
         properties of PLY and GeoJSON, fields of PCD, columns of a table with a header; for molecules serial, chain,
-        resseq, icode, resname, name, element, altloc, occupancy and bfactor. A column of a table has texts if its first
-        value is not a number, or if a mapping requests str: ``{"plot": str}``. If a mapping requests float, numbers
-        become float64.
+        resseq, icode, resname, name, element, altloc, occupancy, bfactor and charge. A column of a table has texts if
+        its first value is not a number, or if a mapping requests str: ``{"plot": str}``. If a mapping requests float,
+        numbers become float64.
     where : str, optional
         A condition on fields of the file that selects points: "classification == 2 and not overlap", as in ``--where``
         of the program.
