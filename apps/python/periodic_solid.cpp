@@ -58,7 +58,7 @@ double periodic_alpha_of(const Doubles& points, const Box& box, const AlphaChoic
     const PeriodicSolid all = periodic_solid(input, sides_of(box), std::numeric_limits<double>::infinity(),
                                              {.threads = threads, .progress = watch.progress()});
     const std::vector<double> radii = circumradii(all.positions, all.simplices, threads);
-    return choose_solid_alpha(choice, input, without_offsets(all), radii).alpha;
+    return choose_solid_alpha(choice, input, without_offsets(all), radii, {}, threads).alpha;
   });
 }
 

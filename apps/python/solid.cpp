@@ -42,12 +42,12 @@ Doubles radii_of(const Doubles& points, const Indices& simplices, unsigned threa
 
 /// Returns the radius that `choice` chooses. Requires: `simplices` are all tetrahedra of the points.
 double choose_solid_alpha_of(const Doubles& points, const Indices& simplices, const Indices& neighbors,
-                             const Doubles& radii, std::size_t distinct, const AlphaChoice& choice) {
+                             const Doubles& radii, std::size_t distinct, const AlphaChoice& choice, unsigned threads) {
   const auto input = points3_of(points, "points");
   return watched(input.size(), py::none(), [&](Watch& watch) {
     Solid delaunay = solid_again(simplices, neighbors);
     delaunay.distinct = distinct;
-    return choose_solid_alpha(choice, input, delaunay, line_of(radii), watch.until_stopped()).alpha;
+    return choose_solid_alpha(choice, input, delaunay, line_of(radii), watch.until_stopped(), threads).alpha;
   });
 }
 
@@ -142,7 +142,7 @@ void bind_solid(py::module_& module) {
   module.def("solid", &solid_of, as_is("points"), arg("alpha"), arg("threads"), arg("progress"));
   module.def("circumradii", &radii_of, as_is("points"), as_is("simplices"), arg("threads"));
   module.def("choose_solid_alpha", &choose_solid_alpha_of, as_is("points"), as_is("simplices"), as_is("neighbors"),
-             as_is("radii"), arg("distinct"), arg("choice"));
+             as_is("radii"), arg("distinct"), arg("choice"), arg("threads"));
   module.def("solid_within", &within_of, as_is("simplices"), as_is("neighbors"), as_is("radii"), arg("alpha"));
   module.def("union_of_balls", &balls_of, as_is("points"), arg("radius"), arg("threads"), arg("progress"));
   module.def("solid_dangling", &dangling_of, as_is("points"), arg("alpha"));

@@ -65,7 +65,7 @@ py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::
              .pairs = {},
              .least = infinity,
              .automatic = infinity};
-    all.pairs = solid_persistence(all.filtration, watch.until_stopped());
+    all.pairs = solid_persistence(all.filtration, watch.until_stopped(), threads);
     all.least = min_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha, 1, watch.until_stopped());
     all.automatic = auto_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha, 1, watch.until_stopped());
     return all;
@@ -83,7 +83,7 @@ py::dict weighted_filtration_of(const Doubles& centers, const Doubles& radii, bo
   const std::vector<SolidPair> pairs = watched(input.size(), py::none(), [&](Watch& watch) {
     filtration =
         weighted_filtration(input, line_of(radii), {.roots = roots, .threads = threads, .progress = watch.progress()});
-    return solid_persistence(filtration, watch.until_stopped());
+    return solid_persistence(filtration, watch.until_stopped(), threads);
   });
   std::vector<double> of_balls = std::move(filtration.point_alpha);
   py::dict result = arrays_of(std::move(filtration), pairs);
@@ -104,7 +104,7 @@ py::list solid_representatives_of(const Doubles& points, int dimension, double m
     Made all{.filtration = solid_filtration(input, {.threads = threads, .progress = watch.progress()}),
              .pairs = {},
              .found = {}};
-    all.pairs = solid_persistence(all.filtration, watch.until_stopped());
+    all.pairs = solid_persistence(all.filtration, watch.until_stopped(), threads);
     std::erase_if(all.pairs, [&](const SolidPair& pair) { return pair.dimension != dimension; });
     PairChoice choice{.min_persistence = min_persistence};
     if (top) choice.top = *top;
@@ -128,12 +128,12 @@ py::list solid_representatives_of(const Doubles& points, int dimension, double m
 
 /// Returns the arguments of rbpa.SolidPlateau for each plateau, the best first.
 py::list solid_plateaus_of(const Doubles& points, const Indices& simplices, const Indices& neighbors,
-                           const Doubles& radii, std::size_t distinct) {
+                           const Doubles& radii, std::size_t distinct, unsigned threads) {
   const auto input = points3_of(points, "points");
   const std::vector<SolidPlateau> found = watched(input.size(), py::none(), [&](Watch& watch) {
     Solid delaunay = solid_again(simplices, neighbors);
     delaunay.distinct = distinct;
-    return solid_plateaus(input, delaunay, line_of(radii), watch.until_stopped());
+    return solid_plateaus(input, delaunay, line_of(radii), watch.until_stopped(), threads);
   });
   py::list list;
   for (const SolidPlateau& p : found)
@@ -168,7 +168,7 @@ void bind_solid_filtration(py::module_& module) {
   module.def("weighted_filtration", &weighted_filtration_of, as_is("centers"), as_is("radii"), arg("roots"),
              arg("threads"));
   module.def("solid_plateaus", &solid_plateaus_of, as_is("points"), as_is("simplices"), as_is("neighbors"),
-             as_is("radii"), arg("distinct"));
+             as_is("radii"), arg("distinct"), arg("threads"));
   module.def("void_tree", &void_tree_of, as_is("points"), as_is("simplices"), as_is("neighbors"), as_is("radii"),
              arg("full"), arg("threads"));
   module.def("solid_representatives", &solid_representatives_of, as_is("points"), arg("dimension"),

@@ -217,8 +217,8 @@ def test_names_of_atoms_are_arrays_of_texts(tmp_path):
     assert some.fields["chain"].tolist() == ["A", "B"] and some.index.tolist() == [0, 2]
     assert rbpa.read_points(path, space=True, fields=["chain"], where="serial == 9").fields["chain"].dtype.kind == "U"
     assert rbpa.read_points(path, space=True, fields={"resseq": str}).fields["resseq"].tolist() == ["1", "1", "201", "202"]
-    with pytest.raises(rbpa.InvalidInput, match="fields: found 'charge', expected a column of atoms: serial, chain"):
-        rbpa.read_points(path, space=True, fields=["charge"])
+    with pytest.raises(rbpa.InvalidInput, match="fields: found 'charges', expected a column of atoms: serial, chain"):
+        rbpa.read_points(path, space=True, fields=["charges"])
 
 
 @pytest.mark.parametrize("space", [False, True])

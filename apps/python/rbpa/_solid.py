@@ -65,7 +65,7 @@ def solid(
     if choice.is_given:
         return made
     distinct = len(array) - len(made.duplicates)
-    return made.within(_core.choose_solid_alpha(array, made.simplices, made.neighbors, made.radii, distinct, choice))
+    return made.within(_core.choose_solid_alpha(array, made.simplices, made.neighbors, made.radii, distinct, choice, as_threads(threads)))
 
 
 class BallUnion(NamedTuple):

@@ -229,7 +229,7 @@ class SolidFiltration(SpaceFiltration):
         """Returns ranges of radii over which parts and voids of the solid hardly change, the best first, at most eight.
         Every call computes them again."""
         self._require_unchanged()
-        found = _core.solid_plateaus(self.points, self.simplices, self.neighbors, self.simplex_alpha, self.distinct)
+        found = _core.solid_plateaus(self.points, self.simplices, self.neighbors, self.simplex_alpha, self.distinct, as_threads(None))
         return [SolidPlateau(*one) for one in found]
 
     def void_tree(self, walls: str = "full") -> VoidTree:

@@ -109,8 +109,9 @@ void PeriodicRun::select_within() {
   stop_if_interrupted();
   facts_.alpha_rule = name_of(request_.alpha);
   if (request_.alpha.rule != AlphaRule::given) {
-    facts_.alpha =
-        choose_solid_alpha(request_.alpha, file_.points, without_offsets(solid_), radii, until_interrupted()).alpha;
+    facts_.alpha = choose_solid_alpha(request_.alpha, file_.points, without_offsets(solid_), radii, until_interrupted(),
+                                      options().threads)
+                       .alpha;
     stop_if_interrupted();
   }
   if (is_counted())

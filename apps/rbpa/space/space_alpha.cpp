@@ -174,7 +174,7 @@ void run_ball_alpha(const AlphaArguments& arguments, const SpacePointSource& sou
     throw BadInput(run.input() + ": " + e.what());
   }
   const std::size_t hidden = filtration.delaunay.isolated.size();
-  const std::vector<SolidPair> pairs = solid_persistence(filtration, until_interrupted());
+  const std::vector<SolidPair> pairs = solid_persistence(filtration, until_interrupted(), run.options().threads);
   run.add("-", [&](OutputFile& out) {
     if (arguments.json) {
       Json json = {{"balls", of_atoms.size()}, {"hidden", hidden}, {"radii", json_of(0, radii, {})["radii"]}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <mutex>
+#include <utility>
 
 #include "rbpa/base/progress.h"
 
@@ -16,11 +17,12 @@ class CheckpointOfThreads {
   void operator()() {
     if (!goes_on()) throw Cancelled();
   }
-  /// Returns the result of go_on(), or false, without a call, once a result was false.
+  /// Returns the result of go_on(), or false, without a call, once a result was false or go_on() has thrown.
   bool goes_on() {
     if (!go_on_) return true;
     const std::lock_guard<std::mutex> lock(one_call_);
-    return is_going_on_ = is_going_on_ && go_on_();
+    if (std::exchange(is_going_on_, false)) is_going_on_ = go_on_();
+    return is_going_on_;
   }
 
  private:

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/radii/cube_root.h"
@@ -105,6 +106,7 @@ std::vector<double> enclosed_from(const Solid& delaunay, std::span<const double>
     has_left[t] = true;
     next[t] = t;
     for (const std::uint32_t n : delaunay.neighbors[t]) {
+      meshops::require(n == Solid::none || n < outside, "solid_plateaus: a neighbor is no tetrahedron");
       if (n != Solid::none && !has_left[n]) continue;
       const std::uint32_t a = sets.find(t), b = sets.find(n == Solid::none ? outside : n), out = sets.find(outside);
       if (a == b) continue;

@@ -50,8 +50,8 @@ struct SolidPlateau {
 ///   H  product, over all radii up to alpha, of the factors ≥ 1 by which 1 − void_share rises or falls;
 ///   E  volume of tetrahedra and voids together.
 /// Requires: `delaunay` is solid() of `points` at infinity, with neighbors; `radii` are its circumradii().
-/// Throws:   ContractViolation when the numbers of tetrahedra, rows of neighbors and radii differ, or a corner is not a
-///           point; Cancelled.
+/// Throws:   ContractViolation when the numbers of tetrahedra, rows of neighbors and radii differ, a corner is not a
+///           point, or a neighbor no tetrahedron; Cancelled.
 RBPA_API std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const Solid& delaunay,
                                                   std::span<const double> radii, const GoOn& go_on = {},
                                                   MaxThreads threads = 0);

@@ -59,15 +59,15 @@ class GrowingPieces {
     wanted_ = share_of(all.count, share);
   }
 
-  /// Adds a tetrahedron. Returns whether its component has enough corners.
-  bool add(std::uint32_t t) {
+  void add(std::uint32_t t) {
     size_[t] = 1;
     next_[t] = t;
-    is_enough_ = delaunay_.simplices[t].size() >= wanted_;
+    is_enough_ = is_enough_ || delaunay_.simplices[t].size() >= wanted_;
     for (const std::uint32_t n : delaunay_.neighbors[t])
       if (n != Solid::none && size_[n] > 0) join(sets_.find(t), sets_.find(n));
-    return is_enough_;
   }
+  /// Returns whether a component has enough corners.
+  bool is_enough() const { return is_enough_; }
 
  private:
   struct Corners {
@@ -171,12 +171,21 @@ double auto_alpha(const Solid& delaunay, std::span<const double> radii, double s
   if (delaunay.simplices.empty()) return infinity;
   Steps step(go_on);
   GrowingPieces pieces(delaunay, share);
+  // Up to the least radius at which enough points are covered, the order does not matter.
+  const double least = min_alpha(delaunay, radii, share, go_on);
+  for (std::uint32_t t = 0; t < radii.size(); ++t) {
+    step();
+    if (radii[t] <= least) pieces.add(t);
+  }
+  if (pieces.is_enough()) return least;
   const auto order = sorted_by_alpha(radii, step);
   constexpr std::size_t ahead = 16;  // the order jumps about in memory
   for (std::size_t i = 0; i < order.size(); ++i) {
     step(4);
     if (i + ahead < order.size()) __builtin_prefetch(&delaunay.neighbors[order[i + ahead]]);
-    if (pieces.add(order[i])) return radii[order[i]];
+    if (radii[order[i]] <= least) continue;
+    pieces.add(order[i]);
+    if (pieces.is_enough()) return radii[order[i]];
   }
   return infinity;
 }

@@ -7,11 +7,14 @@
 #include <cstdint>
 #include <limits>
 #include <set>
+#include <thread>
 #include <vector>
 
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/error.h"
+#include "rbpa/space/persistence/solid_filtration.h"
+#include "rbpa/space/persistence/solid_persistence.h"
 #include "rbpa/space/solid/solid.h"
 #include "rbpa/space/solid/solid_boundary.h"
 #include "rbpa/space/solid/solid_radii.h"
@@ -163,6 +166,20 @@ TEST_CASE("sets of every kind have plateaus in order, and a run can be cancelled
   CHECK_THROWS_AS(rbpa::solid_plateaus(points, delaunay, radii, [] { return false; }), rbpa::Cancelled);
   CHECK_THROWS_AS(rbpa::solid_plateaus(Points3(points.begin(), points.end() - 1), delaunay, radii),
                   meshops::ContractViolation);
+  Solid broken = delaunay;
+  broken.neighbors[5][2] = 100'000;
+  CHECK_THROWS_AS(rbpa::solid_plateaus(points, broken, radii), meshops::ContractViolation);
   const Points3 one = {{1, 2, 3}};
   CHECK(plateaus_of(one).empty());
+}
+
+TEST_CASE("plateaus and pairs are the same with any number of threads; with one, nothing runs in another thread") {
+  const Points3 points = uniform_cube(12'000, 5403);
+  const rbpa::SolidFiltration filtration = rbpa::solid_filtration(points);
+  const auto self = std::this_thread::get_id();
+  const rbpa::GoOn stays = [&] { return std::this_thread::get_id() == self; };
+  const auto& radii = filtration.tetrahedron_alpha;
+  CHECK(rbpa::solid_plateaus(points, filtration.delaunay, radii, stays, 1) ==
+        rbpa::solid_plateaus(points, filtration.delaunay, radii, {}, 2));
+  CHECK(rbpa::solid_persistence(filtration, stays, 1) == rbpa::solid_persistence(filtration, {}, 2));
 }

@@ -99,6 +99,7 @@ bool BasicInsertion<weighted>::insert_all(const OnProgress& progress) {
     end = std::min<std::size_t>(begin * growth, size() + 1);
     vertices.clear();
     for (std::size_t v = begin; v < end; ++v) vertices.push_back(static_cast<Vertex>(v));
+    all_.make_room(all_.used() / begin * (end + end / 4));
     const std::size_t pieces = std::min(workers_.size(), begin / division_.least);
     insert_shared(vertices, pieces, false, counter);
     waited_[0] += vertices.size();
@@ -165,6 +166,7 @@ void BasicInsertion<weighted>::insert_part(std::size_t number, Counter& counter)
     }
     step(1 + inserter.made());
   }
+  counter.add(done % counted_at_once);
   worker.vertices.resize(waiting);
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "meshops/core/fresh_vector.h"
+#include "rbpa/base/error.h"
 #include "rbpa/base/sort/distribute.h"
 #include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/solid/insertion/hilbert.h"
@@ -41,7 +42,9 @@ class Sorter {
   void sort(std::span<Place> places, Threads& threads) {
     if (checkpoint_) {
       const std::lock_guard<std::mutex> lock(one_call_);
+      if (std::exchange(is_stopped_, true)) throw Cancelled();
       checkpoint_();
+      is_stopped_ = false;
     }
     if (places.size() < 2) return;
     Box box;
@@ -99,6 +102,7 @@ class Sorter {
   Threads& threads_;
   const Checkpoint& checkpoint_;
   std::mutex one_call_;
+  bool is_stopped_ = false;  // after checkpoint_() has thrown
 };
 
 /// Returns a pseudo-random number. Source: Steele, Lea, Flood, Fast splittable pseudorandom number generators (2014).

@@ -28,8 +28,8 @@ BasicTetrahedra<weighted>::BasicTetrahedra(std::span<const Point3> points, std::
       beyond_filter_(spread),
       index_(order.size() + 1),
       vertex_(order.size() + 1),
-      tetrahedra_(room),
-      error_(room) {
+      tetrahedra_(std::min<std::size_t>(room, max_tetrahedra)),
+      error_(tetrahedra_.size()) {
   vertex_[at_infinity] = {};
   index_[at_infinity] = 0;
   for_each_part(threads, order.size(), 1u << 14, [&](std::size_t first, std::size_t last) {
@@ -58,11 +58,16 @@ std::uint32_t BasicTetrahedra<weighted>::add(std::uint32_t count) {
     if (used_ > max_tetrahedra - count)
       throw InvalidInput("more than " + std::to_string(max_tetrahedra) +
                          " tetrahedra at a time, expected so few that 32 bits number their faces");
-    const std::size_t room = std::min<std::size_t>(tetrahedra_.size() + tetrahedra_.size() / 2 + count, max_tetrahedra);
-    tetrahedra_.resize(room);
-    error_.resize(room);
+    make_room(tetrahedra_.size() + tetrahedra_.size() / 2 + count);
   }
   return first;
+}
+
+template <bool weighted>
+void BasicTetrahedra<weighted>::make_room(std::size_t room) {
+  if (room <= tetrahedra_.size()) return;
+  tetrahedra_.resize(std::min<std::size_t>(room, max_tetrahedra));
+  error_.resize(tetrahedra_.size());
 }
 
 template <bool weighted>

@@ -87,6 +87,8 @@ class BasicTetrahedra {
   /// Adds `count` deleted tetrahedra, and returns the first. The arrays may move.
   /// Throws: InvalidInput for more than 2^30 tetrahedra.
   std::uint32_t add(std::uint32_t count);
+  /// Has room for at least `room` tetrahedra, or for 2^30. The arrays may move.
+  void make_room(std::size_t room);
   /// Adds `count` deleted tetrahedra where there is room, in any thread: returns false if there is none.
   bool add_in_room(std::uint32_t count, std::uint32_t& first);
 

@@ -15,8 +15,8 @@
 namespace rbpa::space {
 
 /// Returns the tetrahedra t, without ghosts, for which keep(t) is true, and their neighbors if `neighbors` is true.
-/// Corners are vertices of the triangulation, of which only tetrahedra() and index() can be called later. Several threads
-/// may call keep().
+/// Corners are vertices of the triangulation, of which only tetrahedra() and index() can be called later. Several
+/// threads may call keep().
 template <bool weighted, typename Keep>
 SolidRows rows_of(BasicInsertion<weighted>& triangulation, bool neighbors, Threads& threads, Keep keep) {
   const auto tetrahedra = triangulation.tetrahedra();
