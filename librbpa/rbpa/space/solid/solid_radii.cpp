@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "meshops/core/contract.h"
@@ -54,9 +55,9 @@ class GrowingPieces {
         sets_(delaunay.simplices.size()),
         size_(delaunay.simplices.size(), 0),
         next_(delaunay.simplices.size()) {
-    Corners all(bound_);
+    Corners all(bound_, bound_);
     for (const Row& row : delaunay.simplices) all.add(row);
-    wanted_ = share_of(all.count, share);
+    wanted_ = share_of(all.size(), share);
   }
 
   void add(std::uint32_t t) {
@@ -70,17 +71,25 @@ class GrowingPieces {
   bool is_enough() const { return is_enough_; }
 
  private:
-  struct Corners {
-    explicit Corners(std::size_t bound = 0) : has(bound, false) {}
+  /// A set of corners: a bit for each point, or a table of its members where these are few.
+  class Corners {
+   public:
+    Corners(std::size_t bound, std::size_t most) : has_(64 * most < bound ? 0 : bound, false) {}
     void add(const Row& row) {
       for (const std::uint32_t corner : row)
-        if (!has[corner]) {
-          has[corner] = true;
-          ++count;
+        if (has_.empty())
+          few_.insert(corner);
+        else if (!has_[corner]) {
+          has_[corner] = true;
+          ++count_;
         }
     }
-    std::vector<bool> has;
-    std::size_t count = 0;
+    std::size_t size() const { return has_.empty() ? few_.size() : count_; }
+
+   private:
+    std::vector<bool> has_;
+    std::unordered_set<std::uint32_t> few_ = {};
+    std::size_t count_ = 0;
   };
 
   /// Returns whether a component of so many tetrahedra may have enough corners. A tetrahedron that is joined at a face
@@ -93,11 +102,11 @@ class GrowingPieces {
     const std::uint32_t both = size_[a] + size_[b];
     const bool is_counted = may_have_enough(both);
     if (is_counted) {
-      Corners& corners = corners_.try_emplace(a, bound_).first->second;
-      if (corners.count == 0) add_all(a, corners);
+      Corners& corners = corners_.try_emplace(a, bound_, wanted_).first->second;
+      if (corners.size() == 0) add_all(a, corners);
       add_all(b, corners);
       corners_.erase(b);
-      is_enough_ = is_enough_ || corners.count >= wanted_;
+      is_enough_ = is_enough_ || corners.size() >= wanted_;
     }
     std::swap(next_[a], next_[b]);
     const std::uint32_t root = sets_.link(a, b);
