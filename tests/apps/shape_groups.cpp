@@ -465,4 +465,11 @@ TEST_SUITE("shape groups") {
     REQUIRE(png_image_finish_read(&two, nullptr, pixels.data(), 0, nullptr) != 0);
     CHECK(common_colors(pixels) == 4);  // the background, either alone, and both
   }
+
+  TEST_CASE("a key with the name of a summary gets another name") {
+    const Folder folder;
+    folder.file("p.csv", "x,y,n,n_mean,m\n0,0,1,3,4\n4,0,1,3,4\n0,4,1,3,4\n");
+    REQUIRE(folder.rbpa("shape p.csv --group-by n_mean,m --summarize n:mean --alpha inf -q -o g.csv").code == 0);
+    CHECK(folder.content("g.csv").find(",n_mean_2,m,n_mean") != std::string::npos);
+  }
 }

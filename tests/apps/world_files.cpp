@@ -102,5 +102,26 @@ TEST_SUITE("world files") {
     folder.file("one.csv", "1,1\n1,1\n1,1\n");
     CHECK(folder.rbpa("mesh one.csv --alpha 1 -o one.png --crs EPSG:25832 -q").code == 0);
     CHECK(folder.names() == std::vector<std::string>{"f.geojson", "f.pgw", "f.png", "one.csv", "one.png", "p.csv"});
+    // The picture may be of other points now.
+    const Outcome again = folder.rbpa("mesh p.csv --columns x,y --alpha inf -o f.png");
+    CHECK(again.code == 0);
+    CHECK(again.err.find("f.pgw: this world file is of an earlier picture") != std::string::npos);
+  }
+
+  TEST_CASE("a world file replaces neither the points nor another output") {
+    const Folder folder;
+    const std::string points = "0,0\n4,0\n0,4\n";
+    folder.file("in.pgw", points);
+    folder.run("/bin/sh", "-c 'ln -s in.pgw l.pgw'");
+    for (const std::string name : {"in.png", "l.png"}) {
+      const Outcome outcome = folder.rbpa("mesh in.pgw --format xy --alpha inf --crs EPSG:3857 -o " + name);
+      CHECK(outcome.code == 2);
+      CHECK(outcome.err.find("found the file of points, expected another file to write to") != std::string::npos);
+      CHECK(folder.content("in.pgw") == points);
+    }
+    folder.file("p.xy", points);
+    const Outcome twice = folder.rbpa("mesh p.xy --alpha inf --crs EPSG:3857 -o c.png --stats c.pgw");
+    CHECK(twice.code == 2);
+    CHECK(twice.err.find("found twice among the files to write") != std::string::npos);
   }
 }

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "io/failure.h"
+#include "io/formats.h"
+#include "io/words.h"
 
 namespace rbpa::app {
 
@@ -69,15 +71,23 @@ void require_place(const std::string& path) {
 
 }  // namespace
 
+std::optional<std::string> world_file_of(const std::string& path) {
+  if (!same_letters(ending(path), "png")) return std::nullopt;
+  return path.substr(0, path.size() - 2) + (path.ends_with('G') ? "GW" : "gw");
+}
+
 void require_different(const std::vector<std::string>& outputs, const std::string& input, const std::string& content) {
   for (const std::string& output : outputs)
     if (output.empty()) bad_usage("-o, or another option with a file to write", "an empty name", "a path");
+  std::vector<std::string> all = outputs;
+  for (const std::string& output : outputs)
+    if (const auto world = world_file_of(output)) all.push_back(*world);
   const Place read{input, STDIN_FILENO};
-  for (std::size_t i = 0; i < outputs.size(); ++i) {
-    const Place written{outputs[i], STDOUT_FILENO};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Place written{all[i], STDOUT_FILENO};
     if (same_file(written, read)) bad_usage(written.name(), "the file of " + content, "another file to write to");
     for (std::size_t k = 0; k < i; ++k)
-      if (same_file(written, {outputs[k], STDOUT_FILENO}))
+      if (same_file(written, {all[k], STDOUT_FILENO}))
         bad_usage(written.name(), "twice among the files to write", "once");
   }
   for (const std::string& output : outputs) require_place(output);

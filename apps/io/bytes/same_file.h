@@ -2,6 +2,7 @@
 //       into a folder that does not exist.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,10 @@ namespace rbpa::app {
 /// the returned path replaces the file, not a link. Throws Failure for a loop of links.
 std::string behind_links(const std::string& path);
 
-/// Checks the names of output files before a long run. Throws WrongUsage if a name is empty, if two of `outputs` are,
+/// Returns the path of the world file, .pgw, of a picture .png; nothing for files with other endings.
+std::optional<std::string> world_file_of(const std::string& path);
+
+/// Checks the names of output files, and of world files beside them, before a long run. Throws WrongUsage if a name is empty, if two of `outputs` are,
 /// or will be, the same file, or if one is `input`, which messages call the file of `content`; Failure if a name is a
 /// folder or a loop of symbolic links, or if the folder of a file does not exist. Outputs may be the same device. "-"
 /// is standard output among `outputs` and standard input as `input`; each counts as the file to which it is redirected.

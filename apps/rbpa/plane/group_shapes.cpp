@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/failure.h"
@@ -34,8 +35,11 @@ void require_of_groups(const ShapeArguments& arguments, const std::vector<Target
 void write_targets(GroupRun& run, const std::vector<Attribute>& summaries) {
   const ProgressLine line = run.writing();
   NamedShapes result = run.named_shapes();
-  std::vector<Attribute> attributes = attributes_of(
-      run.named.keys, {"group", "points", "alpha", "area", "perimeter", "polygons", "problem", "geometry"});
+  // "fid" and "geom" are columns of each layer of a GeoPackage.
+  std::vector<std::string> taken = {"group",    "points",  "alpha",    "area", "perimeter",
+                                    "polygons", "problem", "geometry", "fid",  "geom"};
+  for (const Attribute& summary : summaries) taken.push_back(summary.name);
+  std::vector<Attribute> attributes = attributes_of(run.named.keys, std::move(taken));
   attributes.insert(attributes.end(), summaries.begin(), summaries.end());
   result.attributes = attributes;
   for (const Target& target : run.request.targets) {

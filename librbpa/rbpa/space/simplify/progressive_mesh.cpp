@@ -277,7 +277,7 @@ ProgressiveMesh ProgressiveMesh::read(std::span<const std::byte> bytes) {
   require_bytes(bytes.size() >= size_of_head, "found ", bytes.size(), " bytes, expected at least ", size_of_head);
   for (const char c : magic)
     require_bytes(in.next(1) == static_cast<std::uint64_t>(c), "found another beginning, expected ", magic,
-                  " (ProgressiveMesh::write() writes such bytes)");
+                  ", with which a progressive mesh begins");
   std::array<std::uint32_t, 6> head{};
   for (std::uint32_t& number : head) number = in.next();
   const auto& [found, move, vertices, least, splits, most] = head;
