@@ -70,7 +70,8 @@ struct PointLine {
 /// The points of a file in the plane, in memory.
 struct PointFile : PointFacts {
   std::vector<Point> points = {};  ///< in the order of the file, all finite
-  /// For each key of groups whether some of its values are texts in the file, so that all count as texts; may be shorter.
+  /// For each key of groups whether some of its values are texts in the file, so that all count as texts; may be
+  /// shorter.
   std::vector<bool> keys_are_texts = {};
   /// Third coordinates, one for each point, NaN if it has none; empty unless they were requested and any point has one.
   std::vector<double> z = {};

@@ -1,6 +1,6 @@
 // What: decimates or remeshes a mesh of triangles, for --decimate and --remesh; writes and reads progressive meshes.
-// Law:  that of rbpa::decimate(), rbpa::ProgressiveMesh and rbpa::remesh(). The vertices left by a decimation keep the order of the given
-//       mesh.
+// Law:  that of rbpa::decimate(), rbpa::ProgressiveMesh and rbpa::remesh(). The vertices left by a decimation keep the
+//       order of the given mesh.
 // Cost: that of meshops::build_mesh(), and of rbpa::decimate() or rbpa::remesh().
 #pragma once
 

@@ -95,8 +95,8 @@ class Condition {
   /// Returns the number of columns that are requested for each point. They are the first of fields().
   std::size_t columns() const { return columns_.size(); }
   const WantedColumn& column(std::size_t i) const { return columns_[i]; }
-  /// Returns the option that names a field: "--group-by" for the keys of groups, "--alpha" for their radius, `option` of
-  /// the constructor for other columns, and "--where" for all other fields.
+  /// Returns the option that names a field: "--group-by" for the keys of groups, "--alpha" for their radius, `option`
+  /// of the constructor for other columns, and "--where" for all other fields.
   std::string_view option_of(const std::string& field) const {
     for (const WantedColumn& column : columns_) {
       if (column.name != field) continue;
