@@ -95,10 +95,9 @@ std::vector<double> enclosed_from(const Solid& delaunay, std::span<const double>
                                   std::span<const std::uint32_t> order, Steps& step) {
   const auto outside = static_cast<std::uint32_t>(alpha.size());
   std::vector<double> from(alpha.size());
-  std::vector<std::uint32_t> next(alpha.size() + 1);  // the tetrahedra of a set in a circle
+  std::vector<std::uint32_t> next(alpha.size());  // the tetrahedra of a set in a circle
   std::vector<bool> has_left(alpha.size(), false);
   meshops::DisjointSets sets(alpha.size() + 1);
-  next[outside] = outside;
   for (std::size_t i = order.size(); i-- > 0;) {
     step(4);
     if (i >= ahead) __builtin_prefetch(&delaunay.neighbors[order[i - ahead]]);
@@ -112,10 +111,9 @@ std::vector<double> enclosed_from(const Solid& delaunay, std::span<const double>
       if (a == b) continue;
       if (a == out || b == out) {
         const std::uint32_t inner = a == out ? n : t;
-        for (std::uint32_t one = inner;;) {
-          from[one] = alpha[t];
-          if ((one = next[one]) == inner) break;
-        }
+        std::uint32_t one = inner;
+        do from[one] = alpha[t];
+        while ((one = next[one]) != inner);
       } else {
         std::swap(next[a], next[b]);
       }

@@ -9,7 +9,7 @@
 //         tetrahedron, and follows or changes a link across a face, only if it owns all corners. Every word that an
 //         inserter reads is then written by no other one (docs/explanation/space.md, section 7). An insertion that
 //         would need more is refused, and changes nothing.
-// Cost:   a microsecond a point in spatial order; 90 bytes a tetrahedron.
+// Cost:   a microsecond a point in spatial order; 72 bytes a tetrahedron.
 // Source: Bowyer, Computing Dirichlet tessellations (1981); Watson (1981); ghosts: Shewchuk, Lecture notes on Delaunay
 //         mesh generation (1999); stored minors: Marot, Pellerin, Remacle, One machine, one minute, three billion
 //         tetrahedra (2019).

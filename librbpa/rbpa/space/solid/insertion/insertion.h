@@ -5,7 +5,7 @@
 //         belong to several workers wait for further passes, with half as many pieces each, moved by half a piece along
 //         the curve. One worker inserts the few vertices that wait after the passes with two pieces.
 // Law:    exact on any finite input. The tetrahedra depend neither on the order of the points nor on the workers.
-// Cost:   a few microseconds a point (docs/explanation/space.md, section 7).
+// Cost:   a few microseconds a point (docs/explanation/space.md, section 16).
 #pragma once
 
 #include <array>
