@@ -1,6 +1,7 @@
 #include "rbpa/space/normals/estimate_normals.h"
 
 #include <doctest/doctest.h>
+#include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/space/surface/surface.h"
 #include "support/data_folder.h"
+#include "support/one_target.h"
 #include "support/space_sets.h"
 #include "support/vectors.h"
 
@@ -210,7 +212,7 @@ TEST_CASE("the inner of two spheres is a cavity, whose normals point into it") {
   CHECK(agreeing(both, estimate_normals(both.points)) == 1);
 }
 
-TEST_CASE("neither the order of the points nor the threads nor a power of two changes a byte") {
+TEST_CASE("neither the order of the points nor the threads nor the vector unit nor a power of two changes a byte") {
   Random random(11);
   for (int k = 0; k < space_kinds; ++k) {
     CAPTURE(name(static_cast<SpaceKind>(k)));
@@ -229,6 +231,10 @@ TEST_CASE("neither the order of the points nor the threads nor a power of two ch
       }
       CHECK(same_bytes(estimate_normals(shuffled, {.threads = 2}), expected_shuffled));
       CHECK(same_bytes(estimate_normals(scaled, {.threads = 5}), expected_shuffled));
+      for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+        const OneTarget only(target);
+        CHECK(same_bytes(estimate_normals(points), expected));
+      }
     }
   }
 }
