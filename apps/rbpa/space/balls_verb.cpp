@@ -72,7 +72,6 @@ BallsRequest parse(const BallsArguments& arguments) {
        {std::pair("--contacts", &arguments.contacts), {"--interfaces", &arguments.interfaces}})
     if (*path) target_of(option, **path, Use::rows);
   const auto has_no_surface = [](Format format) { return format != Format::obj; };
-  ;
   if (arguments.voids)
     request.voids =
         target_of("--voids", *arguments.voids, Use::lined, arguments.box ? +has_no_surface : nullptr).format;
