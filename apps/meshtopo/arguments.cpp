@@ -84,6 +84,22 @@ bool writes_mesh(const TopologyArguments& arguments) {
   return changes && (arguments.output_format || find_format(Use::mesh, ending(*arguments.output)));
 }
 
+/// Parses LENGTH or LENGTH,error=E. Throws WrongUsage that names the text.
+RemeshOptions parse_remesh(const std::string& text) {
+  constexpr std::string_view error = ",error=";
+  const std::size_t end = std::min(text.find(error), text.size());
+  const auto size = [&](std::string_view word) {
+    const ParsedNumber number = parse_whole_number(word);
+    if (number.fault != NumberFault::none || !(number.value > 0))
+      bad_usage("--remesh", in_quotes(text),
+                "a length, such as 2.5, or a length and a distance, such as 2.5,error=0.1");
+    return number.value;
+  };
+  RemeshOptions options{.length = size(std::string_view(text).substr(0, end))};
+  if (end < text.size()) options.error = size(std::string_view(text).substr(end + error.size()));
+  return options;
+}
+
 /// Throws WrongUsage for options that require a single input, as they write a mesh or generators, and for a second "-".
 void require_reports_alone(const TopologyArguments& arguments) {
   const auto refuse = [&](const char* option) {
@@ -138,7 +154,7 @@ TopologyPlan plan(TopologyArguments arguments) {
   if (arguments.progressive && !arguments.decimate) throw WrongUsage("--progressive requires --decimate");
   if (arguments.progressive == "-") bad_usage("--progressive", "-", "a file (standard output is that of the report)");
   plan.progressive = arguments.progressive;
-  if (arguments.remesh) plan.remesh = parse_real("--remesh", *arguments.remesh, above_0, "a length, such as 2.5");
+  if (arguments.remesh) plan.remesh = parse_remesh(*arguments.remesh);
   for (const std::string& list : arguments.checks)
     for (Check& check : parse_checks(list)) plan.checks.push_back(std::move(check));
   const bool output_is_mesh = arguments.output && writes_mesh(arguments);

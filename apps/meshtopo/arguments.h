@@ -61,7 +61,7 @@ struct TopologyPlan {
   std::optional<DecimationOptions> decimate = std::nullopt;
   std::optional<std::size_t> at_faces = std::nullopt;     ///< the meshes are progressive, and are read at this number
   std::optional<std::string> progressive = std::nullopt;  ///< file for the progressive mesh of a decimation
-  std::optional<double> remesh = std::nullopt;            ///< target length of an edge, in units of the vertices
+  std::optional<RemeshOptions> remesh = std::nullopt;     ///< length and error
   std::optional<TopologyTarget> report = std::nullopt;
   std::optional<TopologyTarget> written = std::nullopt;  ///< file for the mesh after all edits and repairs
   std::optional<Shift> shift = std::nullopt;             ///< vector to subtract from the positions in STL

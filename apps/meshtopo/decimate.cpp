@@ -93,9 +93,10 @@ MeshFile read_progressive(const std::string& path, std::size_t faces) try {
   throw BadInput((path == "-" ? "standard input" : path) + ": " + error.what());
 }
 
-RemeshedMesh remesh(const MeshFile& mesh, double length) {
+RemeshedMesh remesh(const MeshFile& mesh, RemeshOptions options) {
   RemeshedMesh result;
-  const RemeshOptions options{.length = length, .measured = true, .go_on = until_interrupted()};
+  options.measured = true;
+  options.go_on = until_interrupted();
   result.mesh =
       changed(mesh, [&](auto& halfedges, auto& places) { result.report = rbpa::remesh(halfedges, places, options); });
   return result;

@@ -35,7 +35,7 @@ struct RemeshedMesh {
 
 /// Remeshes a copy of `mesh` to edges of about `length`, and measures the distance. Requires: `mesh` is a surface of
 /// triangles without defects other than pinches. Throws InvalidInput if the length does not suit the mesh; Cancelled.
-RemeshedMesh remesh(const MeshFile& mesh, double length);
+RemeshedMesh remesh(const MeshFile& mesh, RemeshOptions options);
 
 /// Returns the number of faces of `mesh` that are not triangles.
 std::size_t polygons_in(const MeshFile& mesh);

@@ -102,8 +102,9 @@ int main(int argc, char** argv) {
       ->type_name("N");
   app.add_option("--remesh", arguments.remesh,
                  "Make the edges of a mesh of triangles about as long as LENGTH, in units of the vertices, with six at "
-                 "a vertex, after a decimation. Sharp edges and boundary curves stay, and the topology is the same")
-      ->type_name("LENGTH");
+                 "a vertex, after a decimation; with error=E shorter where the surface curves, so that triangles are "
+                 "about within E of it. Sharp edges and boundary curves stay, and the topology is the same")
+      ->type_name("LENGTH[,error=E]");
   app.add_option("--check", arguments.checks,
                  "Check properties of each mesh, such as closed,manifold,oriented,genus=0,components=1; print a line "
                  "on standard error for each that does not hold, and exit with code 4. Check the changed mesh, and a "

@@ -1,5 +1,6 @@
 #include "python/mesh.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <span>
@@ -271,12 +272,15 @@ auto decimate_copy(Mesh& mesh, const Doubles& points, std::size_t faces, std::op
   return std::make_tuple(places, counts.given, counts.left, counts.collapses, counts.refused, counts.distance);
 }
 
-auto remesh_copy(Mesh& mesh, const Doubles& points, double length, unsigned rounds, double sharp_angle,
-                 bool keep_boundary, const py::object& progress) {
+auto remesh_copy(Mesh& mesh, const Doubles& points, const Doubles& lengths, std::optional<double> error,
+                 unsigned rounds, double sharp_angle, bool keep_boundary, const py::object& progress) {
+  const std::span<const double> wanted(lengths.data(), static_cast<std::size_t>(lengths.size()));
   const auto [places, counts] =
       change_copy(mesh, points, long_work, progress, [&](auto& copy, auto& moved, const GoOn& go_on) {
         return remesh(static_cast<meshops::Connectivity&>(copy), moved,
-                      {.length = length,
+                      {.length = *std::max_element(wanted.begin(), wanted.end()),
+                       .lengths = lengths.ndim() == 0 ? std::span<const double>() : wanted,
+                       .error = error,
                        .rounds = rounds,
                        .sharp_angle = sharp_angle,
                        .keep_boundary = keep_boundary,
@@ -385,7 +389,7 @@ void bind_mesh(py::module_& module) {
   bind_mesh_operators(module, mesh);
   mesh.def("_decimate", &decimate_copy, as_is("points"), arg("faces"), arg("error"), arg("no_crossings"),
            arg("progress"));
-  mesh.def("_remesh", &remesh_copy, as_is("points"), arg("length"), arg("rounds"), arg("sharp_angle"),
+  mesh.def("_remesh", &remesh_copy, as_is("points"), as_is("length"), arg("error"), arg("rounds"), arg("sharp_angle"),
            arg("keep_boundary"), arg("progress"));
   mesh.def(py::pickle(&state_of, [](const py::tuple& state) {
     return mesh_of(state[0].cast<Indices>(), state[1].cast<Indices>(), state[2].cast<Indices>(),

@@ -69,17 +69,19 @@ TEST_SUITE("meshtopo --remesh") {
 
   TEST_CASE("wrong lengths, lengths that do not suit the mesh, and polygons are refused, nothing written") {
     const Folder folder;
-    for (const std::string wrong : {"0", "-1", "x", "nan", "inf", "10%"}) {
+    for (const std::string wrong : {"0", "-1", "x", "nan", "inf", "10%", "1,error=0", "1,error=", "1,0.1", "error=1"}) {
       CAPTURE(wrong);
       const Outcome outcome = folder.meshtopo(data + "/m3_spot.off --remesh='" + wrong + "' -o o.off");
       CHECK(outcome.code == 2);
-      CHECK(outcome.err == "meshtopo: --remesh: found '" + wrong + "', expected a length, such as 2.5\n");
+      CHECK(outcome.err == "meshtopo: --remesh: found '" + wrong +
+                               "', expected a length, such as 2.5, or a length and a distance, "
+                               "such as 2.5,error=0.1\n");
     }
-    for (const std::string wrong : {"1e-9", "100"}) {
+    for (const std::string wrong : {"1e-9", "100", "0.1,error=1e-12"}) {
       CAPTURE(wrong);
       const Outcome outcome = folder.meshtopo(data + "/m3_spot.off --remesh " + wrong + " -o o.off");
       CHECK(outcome.code == 3);
-      CHECK(outcome.err.find("m3_spot.off: --remesh: found the length ") != std::string::npos);
+      CHECK(outcome.err.find("m3_spot.off: --remesh: found the length") != std::string::npos);
     }
     folder.file("p.off", pyramid_off);
     CHECK(folder.meshtopo("p.off --remesh 1 -o o.off").err ==

@@ -59,6 +59,21 @@ def test_the_result_does_not_depend_on_numbers_and_the_boundary_stays_if_wanted(
     assert [len(curve) for curve in kept.boundary_curves()] == curves
 
 
+def test_lengths_follow_a_list_and_the_curvature():
+    points, triangles = torus()
+    mesh = rbpa.meshops.Mesh(triangles)
+    wanted = np.where(points[:, 0] < 0, 0.05, 0.2)
+    made = mesh.remesh(points, wanted)
+    ends = made.points[mesh.triangles()]
+    middle = ends.mean(axis=1)[:, 0]
+    mean = np.linalg.norm(ends - np.roll(ends, 1, axis=1), axis=2).mean(axis=1)
+    assert 0.04 < np.median(mean[middle < -0.3]) < 0.06 and 0.16 < np.median(mean[middle > 0.5]) < 0.24
+    even, same = (rbpa.meshops.Mesh(triangles) for _ in range(2))
+    assert np.array_equal(even.remesh(points, 0.2).points, same.remesh(points, np.full(640, 0.2)).points)
+    fine = [rbpa.meshops.Mesh(triangles).remesh(points, 0.3, error=error).faces for error in (0.02, 0.005, 0.00125)]
+    assert 3 < fine[1] / fine[0] < 5 and 3 < fine[2] / fine[1] < 5  # a quarter of the error, half of the length
+
+
 def test_what_cannot_be_remeshed_is_refused_and_the_mesh_stays():
     points, triangles = torus()
     mesh = rbpa.meshops.Mesh(triangles)
@@ -72,6 +87,14 @@ def test_what_cannot_be_remeshed_is_refused_and_the_mesh_stays():
         ((points, 1e-9), {}, rbpa.InvalidInput, "expected at least"),
         ((points, 100), {}, rbpa.InvalidInput, "diagonal"),
         ((points, "a"), {}, rbpa.InvalidInput, "length"),
+        ((points, []), {}, rbpa.InvalidInput, "one for each vertex"),
+        ((points, [[0.1]]), {}, rbpa.InvalidInput, "one for each vertex"),
+        ((points, [0.1] * 639), {}, rbpa.InvalidInput, "found a number of lengths of 639, expected one for each of 640"),
+        ((points, [0.1] * 639 + [0]), {}, rbpa.InvalidInput, "found the length 0"),
+        ((points, [0.1] * 639 + [np.nan]), {}, rbpa.InvalidInput, "found the length nan"),
+        ((points, 0.1), {"error": 0}, rbpa.InvalidInput, "found the error 0"),
+        ((points, 0.1), {"error": "a"}, rbpa.InvalidInput, "error"),
+        ((points, 0.1), {"error": 1e-30}, rbpa.InvalidInput, "a greater error"),
         ((points, 0.1), {"rounds": -1}, rbpa.InvalidInput, "rounds"),
         ((points, 0.1), {"sharp_angle": 200}, rbpa.InvalidInput, "sharp angle"),
         ((points, 0.01), {"progress": lambda triangles, points: False}, rbpa.Cancelled, "cancelled"),

@@ -31,12 +31,13 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import ComponentReport, Defect, Delta, InvalidInput, RepairStep, Report
-from rbpa._input import Floats, Indices, Integers, Progress, as_count, as_limits, as_number, as_points
+from rbpa._input import Floats, Indices, Integers, Progress, as_count, as_limits, as_number, as_numbers, as_points, shown
 from rbpa._result import short_repr
 
 __all__ = ["ComponentReport", "Decimation", "Defect", "Delta", "Mesh", "ProgressiveMesh", "Remeshing", "Repair", "RepairStep", "Report", "find_defects", "repair", "report"]
 
 Faces = Union[npt.NDArray[Any], Iterable[Sequence[int]]]
+_LENGTHS = "a length, > 0, or one for each vertex"
 
 
 class Mesh(_core.Mesh):
@@ -122,14 +123,15 @@ class Mesh(_core.Mesh):
     def remesh(
         self,
         points: npt.ArrayLike,
-        length: float,
+        length: npt.ArrayLike,
         *,
+        error: Optional[float] = None,
         rounds: int = 10,
         sharp_angle: float = 60,
         keep_boundary: bool = False,
         progress: Progress = None,
     ) -> Remeshing:
-        """Remeshes the mesh in place: edges of about one length, six at most vertices, near the triangles before.
+        """Remeshes the mesh in place: edges of wanted lengths, six at most vertices, near the triangles before.
 
         The topology stays, as in `decimate`, and no triangle turns over. Vertices and faces are numbered anew, and do
         not depend on the numbers before.
@@ -138,8 +140,12 @@ class Mesh(_core.Mesh):
         ----------
         points
             As for `decimate`.
-        length : float
-            The length of edges: above 0, and at most the diagonal of the box around the mesh.
+        length : float, or array_like of shape (vertex_bound,)
+            The length of edges, everywhere or at each vertex: above 0, and at most the diagonal of the box around the
+            mesh. From a vertex on, it grows at most by half of the distance.
+        error : float
+            Makes edges shorter where the surface curves, down to this distance: triangles with corners on a ball of
+            the same curvature are within it of the ball. What comes out is not measured.
         rounds : int
             The number of rounds, each of which splits, collapses and flips edges, and moves vertices.
         sharp_angle : float
@@ -162,10 +168,14 @@ class Mesh(_core.Mesh):
             As in `decimate`.
         """
         array = as_points(points, columns=3)
-        length = as_number(length, "length", "a length, > 0")
+        lengths = as_numbers(length, "length", _LENGTHS)
+        if lengths.ndim > 1 or not lengths.size:
+            raise InvalidInput(f"length: found {shown(length)}, expected {_LENGTHS}")
+        if error is not None:
+            error = as_number(error, "error", "a distance, > 0")
         sharp_angle = as_number(sharp_angle, "sharp_angle", "degrees from 0 to 180")
         rounds = as_count(rounds, "rounds", 0)
-        return Remeshing(*self._remesh(array, length, rounds, sharp_angle, bool(keep_boundary), progress))
+        return Remeshing(*self._remesh(array, lengths, error, rounds, sharp_angle, bool(keep_boundary), progress))
 
 
 class ProgressiveMesh(_core.ProgressiveMesh):

@@ -1,16 +1,18 @@
-// What:   remeshes a halfedge mesh of triangles in place: edges of about one length, six at each inner vertex, and
-//         triangles near the old ones.
+// What:   remeshes a halfedge mesh of triangles in place: edges of about one length, or of lengths that follow the
+//         curvature or a list, six at each inner vertex, and triangles near the old ones.
 // Law:    components, genus, orientation and Betti numbers stay, each boundary curve stays one curve, and closed
 //         components stay closed. Sharp edges and boundary curves stay curves; their ends and corners stay in place. No
 //         operation turns a triangle by a right angle or more. These decisions are exact; places are rounded. The
 //         result, numbers of vertices and faces included, does not depend on the numbers of the input, if vertices on
 //         one point have neighbors on different points.
 // Cost:   microseconds for each triangle in each round.
-// Source: Botsch and Kobbelt, A remeshing approach to multiresolution modeling (2004).
+// Source: Botsch and Kobbelt, A remeshing approach to multiresolution modeling (2004); for the curvature Dunyach,
+//         Vanderhaeghe, Barthe, Botsch, Adaptive remeshing for real-time mesh deformation (2013).
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -25,7 +27,13 @@
 namespace rbpa {
 
 struct RemeshOptions {
-  double length = 0;     ///< length of edges, in units of the places: above 0, at most the size of the mesh
+  double length = 0;  ///< length of edges, in units of the places: above 0, at most the size of the mesh
+  /// Length of edges at each vertex of the given mesh, by index; empty if it is `length` everywhere. Lengths above
+  /// `length` count as `length`. From a vertex on, the length grows at most by half of the distance.
+  std::span<const double> lengths = {};
+  /// Makes edges shorter where the surface curves, down to this distance: triangles with corners on a ball of the same
+  /// curvature are within this distance of it. Sharp edges do not count as curved. Nothing certifies this distance.
+  std::optional<double> error = {};
   unsigned rounds = 10;  ///< number of times that edges are split, collapsed and flipped, and vertices moved
   /// An edge is sharp if the normals of its triangles differ by more than this angle, in degrees. A vertex between two
   /// edges of a curve is a corner if the directions of the edges differ by more than this angle. At 180, no edge is
@@ -57,9 +65,10 @@ struct Remeshing {
 ///           several fans; `places` has a position for each vertex by index, finite if the vertex is not deleted.
 /// Throws:   ContractViolation unless there is one place for each vertex and each face is a triangle, and as
 ///           meshops::build_mesh() throws it when edges join the same vertices. InvalidInput when a place is not
-///           finite, a coordinate is beyond 1e60 (1e38 with single_precision), the angle is not from 0 to 180, or the
-///           length is not from 1e-60 to 1e60, exceeds the diagonal of the mesh's box, or would need more than
-///           `most_faces` triangles. Cancelled. In each case, the mesh and `places` are unchanged.
+///           finite, a coordinate is beyond 1e60 (1e38 with single_precision), the angle is not from 0 to 180, the
+///           number of `lengths` is not that of vertices, a length or the error is not from 1e-60 to 1e60, `length`
+///           exceeds the diagonal of the mesh's box, or more than `most_faces` triangles would be needed. Cancelled. In
+///           each case, the mesh and `places` are unchanged.
 RBPA_API Remeshing remesh(meshops::Connectivity& mesh, std::vector<Point3>& places, const RemeshOptions& options);
 
 /// Remeshes a mesh whose vertices have points, as above, with `places` = places_of(mesh).

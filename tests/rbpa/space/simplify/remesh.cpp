@@ -11,6 +11,7 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -174,6 +175,69 @@ TEST_CASE("the remeshed mesh is the same, numbers included, for shuffled vertice
   }
 }
 
+TEST_CASE("lengths at vertices are those of the list, grow slowly, and make the same mesh in any order") {
+  std::mt19937 random(12);
+  const auto wanted = [](const Point3& p) { return p.x < 7 ? 0.3 : 9.0; };
+  const Triangles t = sheet(40, 4);
+  Placed one(t), other(shuffled(t, random)), even(t);
+  const auto before = meshops::report(one.mesh);
+  for (Placed* with : {&one, &other}) {
+    std::vector<double> lengths;
+    for (const Point3& p : with->places) lengths.push_back(wanted(p));
+    rbpa::remesh(with->mesh, with->places, {.length = 2, .lengths = lengths});
+  }
+  CHECK(one.places == other.places);
+  CHECK(meshops::soup_of(one.mesh).corners == meshops::soup_of(other.mesh).corners);
+  check_topology(one.mesh, before);
+  std::array<double, 3> sum{}, count{};  // left, where the length grows, right
+  for (const auto e : one.mesh.edges()) {
+    const double x = one.at(one.mesh.to_vertex_handle(one.mesh.halfedge_handle(e, 0))).x, length = one.length(e);
+    const std::size_t part = x < 6 ? 0 : x < 12 ? 1 : 2;
+    sum[part] += length;
+    ++count[part];
+    CHECK(length <= 4.0 / 3 * std::clamp(0.3 + 0.5 * (x - 5), 0.3, 2.0) + 0.5);
+  }
+  CHECK(sum[0] / count[0] == doctest::Approx(0.3).epsilon(0.1));
+  CHECK(sum[2] / count[2] == doctest::Approx(2).epsilon(0.15));
+  // A list without shorter lengths is none.
+  Placed same(t);
+  rbpa::remesh(even.mesh, even.places, {.length = 2});
+  rbpa::remesh(same.mesh, same.places, {.length = 2, .lengths = std::vector<double>(t.points.size(), 3)});
+  CHECK(even.places == same.places);
+}
+
+TEST_CASE("with an error, edges are as long as the curvature allows, also between coarse triangles, and no shorter") {
+  const auto remeshed = [](Placed& with, double length, double error) {
+    return rbpa::remesh(with.mesh, with.places, {.length = length, .error = error, .measured = true});
+  };
+  for (const double error : {0.003, 0.012}) {
+    INFO(error);
+    Placed ball(sphere(6));
+    CHECK(remeshed(ball, 1, error).distance.value() < 1.5 * error);
+    CHECK(ball.mean_length() == doctest::Approx(std::sqrt(6 * error)).epsilon(0.12));
+    // Points of a cylinder of height 6 at its ends only.
+    Triangles tube;
+    constexpr std::uint32_t sides = 48;
+    for (std::uint32_t i = 0; i < sides; ++i) {
+      const double angle = 2 * 3.14159265358979 * i / sides;
+      for (const double z : {0.0, 6.0}) tube.points.push_back({std::cos(angle), std::sin(angle), z});
+      const std::uint32_t a = 2 * i, b = 2 * ((i + 1) % sides);
+      tube.corners.push_back({a, b, b + 1});
+      tube.corners.push_back({a, b + 1, a + 1});
+    }
+    Placed round(tube);
+    remeshed(round, 1, error);
+    for (const auto e : round.mesh.edges()) CHECK(round.length(e) < 4.0 / 3 * std::sqrt(6 * error) + 1e-9);
+    CHECK(round.mean_length() > 0.75 * std::sqrt(6 * error));
+  }
+  // The faces of a cube are flat, and its edges sharp.
+  Placed cube(read_off(bundled_data() / "m3_cube_no_bottom.off")), even = cube;
+  const double length = cube.mean_length();
+  remeshed(cube, length, length / 1000);
+  rbpa::remesh(even.mesh, even.places, {.length = length});
+  CHECK(cube.places == even.places);
+}
+
 TEST_CASE("sharp edges and the boundary of a cube without bottom stay straight, and its corners stay") {
   const Triangles t = read_off(bundled_data() / "m3_cube_no_bottom.off");
   Point3 low = t.points[0], high = low;
@@ -255,6 +319,18 @@ TEST_CASE("options that do not suit the mesh are refused, and so are polygons, d
     CHECK_THROWS_AS(rbpa::remesh(with.mesh, with.places, {.length = 0.1, .sharp_angle = angle}), rbpa::InvalidInput);
   CHECK_THROWS_WITH_AS(rbpa::remesh(with.mesh, with.places, {.length = 0}),
                        "remesh: found the length 0, expected a number from 1e-60 to 1e60", rbpa::InvalidInput);
+  const std::vector<double> lengths(t.points.size(), 0.1);
+  CHECK_THROWS_WITH_AS(
+      rbpa::remesh(with.mesh, with.places, {.length = 0.1, .lengths = std::span(lengths).first(lengths.size() - 1)}),
+      doctest::Contains("expected one for each of "), rbpa::InvalidInput);
+  for (const double wrong : {nan, infinity, 0.0, -1.0}) {
+    std::vector<double> of_vertices = lengths;
+    of_vertices.back() = wrong;
+    CHECK_THROWS_AS(rbpa::remesh(with.mesh, with.places, {.length = 0.1, .lengths = of_vertices}), rbpa::InvalidInput);
+    CHECK_THROWS_AS(rbpa::remesh(with.mesh, with.places, {.length = 0.1, .error = wrong}), rbpa::InvalidInput);
+  }
+  CHECK_THROWS_WITH_AS(rbpa::remesh(with.mesh, with.places, {.length = 0.1, .error = 1e-9}),
+                       doctest::Contains("(a greater error, or greater lengths)"), rbpa::InvalidInput);
   // The length that the message of a limit names is accepted, and the limit is kept.
   std::string message;
   try {

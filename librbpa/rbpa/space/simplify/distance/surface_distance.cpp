@@ -203,19 +203,22 @@ class SurfaceDistance::Bounding {
 SurfaceDistance::SurfaceDistance(std::span<const Point3> points,
                                  std::span<const std::array<std::uint32_t, 3>> triangles, const meshops::GoOn& go_on) {
   meshops::Steps step(go_on);
-  std::vector<Corners> sorted;
+  const auto places_of = [&](const std::array<std::uint32_t, 3>& t) {
+    return Corners{points[t[0]], points[t[1]], points[t[2]]};
+  };
   Box box;
-  for (const auto& [a, b, c] : triangles) {
+  for (const auto& triangle : triangles) {
     step();
-    Corners& corners = sorted.emplace_back(Corners{points[a], points[b], points[c]});
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    box.include(box_of(corners));
+    auto& corners = corners_.emplace_back(triangle);
+    const auto before = [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; };
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), before), corners.end());
+    box.include(box_of(places_of(corners)));
   }
-  std::sort(sorted.begin(), sorted.end(), [&](const Corners& s, const Corners& t) {
+  std::sort(corners_.begin(), corners_.end(), [&](const auto& s, const auto& t) {
     step();
-    return s < t;
+    return places_of(s) < places_of(t);
   });
-  if (!sorted.empty()) {
+  if (!corners_.empty()) {
     const auto middle = [](double low, double high) { return low / 2 + high / 2; };
     center_ = {middle(box.low.x, box.high.x), middle(box.low.y, box.high.y), middle(box.low.z, box.high.z)};
     const double size =
@@ -223,9 +226,9 @@ SurfaceDistance::SurfaceDistance(std::span<const Point3> points,
     if (size > 0) scale_ = std::ldexp(1.0, std::clamp(-std::ilogb(size) - 1, -1020, 1020));
   }
   std::vector<Box> boxes;
-  for (const Corners& corners : sorted) {
+  for (const auto& corners : corners_) {
     step();
-    const std::array<Vector, 3> at = local(corners);
+    const std::array<Vector, 3> at = local(places_of(corners));
     given_.push_back({at[0], minus(at[1], at[0]), minus(at[2], at[0])});
     boxes.push_back(box_of(std::array{point(at[0]), point(at[1]), point(at[2])}));
   }
@@ -242,13 +245,13 @@ std::array<Vector, 3> SurfaceDistance::local(const Corners& triangle) const {
 
 /// Returns the vector to p from a point of the given triangle: from the nearest point, up to rounding (Ericson,
 /// Real-time collision detection, 5.1.5).
-Vector SurfaceDistance::from_nearest(const Vector& p, std::uint32_t number) const {
+SurfaceDistance::FromNearest SurfaceDistance::from_nearest(const Vector& p, std::uint32_t number) const {
   const Given& given = given_[number];
   const Vector ap = minus(p, given.a), ab = given.ab, ac = given.ac;
-  const auto at = [&](double s, double t) { return minus(ap, plus(times(s, ab), times(t, ac))); };
+  const auto at = [&](double s, double t) { return FromNearest{minus(ap, plus(times(s, ab), times(t, ac))), s, t}; };
   const auto share = [](double part, double whole) { return whole > 0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0; };
   const double d1 = dot(ab, ap), d2 = dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return ap;
+  if (d1 <= 0 && d2 <= 0) return {ap, 0, 0};
   const double bb = dot(ab, ab), cc = dot(ac, ac), bc = dot(ab, ac);
   const double d3 = d1 - bb, d4 = d2 - bc, d5 = d1 - bc, d6 = d2 - cc;
   if (d3 >= 0 && d4 <= d3) return at(1, 0);
@@ -272,7 +275,7 @@ Vector SurfaceDistance::from_nearest(const Vector& p, std::uint32_t number) cons
 }
 
 double SurfaceDistance::squared_distance(const Vector& p, std::uint32_t number) const {
-  return squared(from_nearest(p, number));
+  return squared(from_nearest(p, number).away);
 }
 
 std::optional<SurfaceDistance::Nearest> SurfaceDistance::nearest(const Vector& p, double most_squared) const {
@@ -280,8 +283,8 @@ std::optional<SurfaceDistance::Nearest> SurfaceDistance::nearest(const Vector& p
   return found ? std::optional(Nearest{found->first, found->second}) : std::nullopt;
 }
 
-std::optional<Point3> SurfaceDistance::nearest_point(const Point3& p, double limit,
-                                                     const std::optional<Vector>& facing) const {
+std::optional<SurfaceDistance::Foot> SurfaceDistance::nearest_point(const Point3& p, double limit,
+                                                                    const std::optional<Vector>& facing) const {
   const Vector at = local(p);
   const double most = limit * scale_;
   const auto found = tree_.nearest(point(at), most * most, [&](std::uint32_t i) {
@@ -289,8 +292,9 @@ std::optional<Point3> SurfaceDistance::nearest_point(const Point3& p, double lim
     return faces ? squared_distance(at, i) : std::numeric_limits<double>::quiet_NaN();
   });
   if (!found) return std::nullopt;
-  const Vector away = from_nearest(at, found->first);
-  return Point3{p.x - away.x / scale_, p.y - away.y / scale_, p.z - away.z / scale_};
+  const auto [away, s, t] = from_nearest(at, found->first);
+  const Point3 foot = {p.x - away.x / scale_, p.y - away.y / scale_, p.z - away.z / scale_};
+  return Foot{foot, corners_[found->first], {1 - s - t, s, t}};
 }
 
 bool SurfaceDistance::is_within(const Corners& triangle, double limit) const {

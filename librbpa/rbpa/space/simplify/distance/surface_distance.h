@@ -40,10 +40,16 @@ class SurfaceDistance {
   /// distance or 1.05 times `least`, whichever is more, unless the work reaches a limit.
   double greatest(const Corners& triangle, double least) const;
 
+  /// A point in a given triangle: the weighted mean of its corners, indices of the given points.
+  struct Foot {
+    Point3 place;
+    std::array<std::uint32_t, 3> corners;
+    std::array<double, 3> weights;  // sum: 1
+  };
   /// Returns the point of the given triangles that is nearest to p, rounded; absent if it is farther than `limit`. With
   /// `facing`, considers only triangles whose normals make less than a right angle with that vector, rounded.
-  std::optional<Point3> nearest_point(const Point3& p, double limit,
-                                      const std::optional<Vector3<double>>& facing = {}) const;
+  std::optional<Foot> nearest_point(const Point3& p, double limit,
+                                    const std::optional<Vector3<double>>& facing = {}) const;
 
  private:
   using Vector = Vector3<double>;
@@ -54,16 +60,22 @@ class SurfaceDistance {
     std::uint32_t number;
     double squared;
   };
+  /// The vector from the point a + s ab + t ac of a given triangle.
+  struct FromNearest {
+    Vector away;
+    double s, t;
+  };
   struct Piece;
   class Bounding;
 
   Vector local(const Point3& p) const;
-  Vector from_nearest(const Vector& p, std::uint32_t number) const;
+  FromNearest from_nearest(const Vector& p, std::uint32_t number) const;
   double squared_distance(const Vector& p, std::uint32_t number) const;
   std::optional<Nearest> nearest(const Vector& p, double most_squared) const;
   std::array<Vector, 3> local(const Corners& triangle) const;
 
   std::vector<Given> given_;  // in lexicographic order of corners, each from its least corner on
+  std::vector<std::array<std::uint32_t, 3>> corners_;  // of each, indices of the given points
   BoxTree tree_;
   Point3 center_ = {};
   double scale_ = 1;  // a power of two; local coordinates of given points are at most 1

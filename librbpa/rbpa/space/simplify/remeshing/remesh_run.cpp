@@ -28,6 +28,8 @@ constexpr unsigned moves_in_a_round = 3;
 
 Point3 middle(const Point3& a, const Point3& b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2}; }
 
+double squared(double x) { return x * x; }
+
 double squared_distance(const Point3& a, const Point3& b) {
   const Vector v = from<double>(a, b);
   return dot(v, v);
@@ -48,14 +50,17 @@ using Waiting = std::pair<double, int>;
 
 }  // namespace
 
-RemeshRun::RemeshRun(meshops::Connectivity& mesh, std::vector<Point3>& places, const SurfaceDistance& given,
-                     const RemeshOptions& options, Remeshing& counts)
+RemeshRun::RemeshRun(meshops::Connectivity& mesh, std::vector<Point3>& places, MeshCurves curves,
+                     std::vector<double> wanted, const SurfaceDistance& given, const RemeshOptions& options,
+                     Remeshing& counts)
     : mesh_(mesh),
       places_(places),
       given_(given),
       options_(options),
       counts_(counts),
-      curves_(mesh, places, options),
+      curves_(std::move(curves)),
+      given_wanted_(std::move(wanted)),
+      wanted_(given_wanted_),
       long_(options.length * options.length * 16 / 9),
       short_(options.length * options.length * 16 / 25),
       step_(options.go_on) {}
@@ -69,14 +74,21 @@ void RemeshRun::operator()() {
   }
 }
 
+/// Returns the squared length of an edge, as if the length that is wanted at its ends, the lesser one, were
+/// options.length.
 double RemeshRun::squared_length(Edge e) const {
   const Halfedge h = mesh_.halfedge_handle(e, 0);
-  return squared_distance(at_end(h), at(mesh_.from_vertex_handle(h)));
+  const Vertex a = mesh_.from_vertex_handle(h), b = mesh_.to_vertex_handle(h);
+  return squared_distance(at(a), at(b)) / squared(std::min(wanted(a), wanted(b)));
 }
 
-std::optional<Point3> RemeshRun::rounded(const std::optional<Point3>& p) const {
-  if (!p || !options_.single_precision) return p;
-  return Point3{to_single(p->x), to_single(p->y), to_single(p->z)};
+Point3 RemeshRun::rounded(const Point3& p) const {
+  return options_.single_precision ? Point3{to_single(p.x), to_single(p.y), to_single(p.z)} : p;
+}
+
+void RemeshRun::move(Vertex v, const Target& target) {
+  places_[index_of(v)] = target.place;
+  if (!wanted_.empty()) wanted_[index_of(v)] = target.wanted;
 }
 
 /// Splits long edges, the longest first. Each is the longest of its triangles, so no angle becomes much smaller.
@@ -100,8 +112,8 @@ void RemeshRun::split_long() {
 bool RemeshRun::try_split(Edge e) {
   if (is_kept(e) || meshops::split_edge_blocker(mesh_, e)) return false;
   const Halfedge h = mesh_.halfedge_handle(e, 0);
-  const Point3 a = at(mesh_.from_vertex_handle(h)), b = at_end(h), m = *rounded(middle(a, b));
-  if (std::max(squared_distance(a, m), squared_distance(m, b)) >= squared_length(e)) return false;  // by rounding
+  const Point3 a = at(mesh_.from_vertex_handle(h)), b = at_end(h), m = rounded(middle(a, b));
+  if (std::max(squared_distance(a, m), squared_distance(m, b)) >= squared_distance(a, b)) return false;  // by rounding
   for (const Halfedge side : {h, mesh_.opposite_halfedge_handle(h)}) {
     if (mesh_.is_boundary(side)) continue;
     const Halfedge next = mesh_.next_halfedge_handle(side);
@@ -111,6 +123,8 @@ bool RemeshRun::try_split(Edge e) {
     const Point3 &p = at(mesh_.from_vertex_handle(side)), &q = at_end(side), &r = at_end(next);
     if (!keeps_direction(p, q, r, p, m, r) || !keeps_direction(p, q, r, m, q, r)) return false;
   }
+  // With the greater of both wanted lengths no new edge is longer than this one, as squared_length() measures it.
+  const double greater = std::max(wanted(mesh_.from_vertex_handle(h)), wanted(mesh_.to_vertex_handle(h)));
   const meshops::SplitEdgeEffect effect = meshops::split_edge(mesh_, e);
   const int curve = curves_.of_edge[index_of(e)];
   curves_.of_edge.resize(mesh_.n_edges(), MeshCurves::none);
@@ -118,6 +132,7 @@ bool RemeshRun::try_split(Edge e) {
   curves_.of_vertex.push_back(curve);
   curves_.degree.push_back(MeshCurves::usual_degree(mesh_, effect.added.vertex));
   places_.push_back(m);
+  if (!wanted_.empty()) wanted_.push_back(greater);
   ++counts_.splits;
   return true;
 }
@@ -143,13 +158,14 @@ void RemeshRun::collapse_short() {
 /// Collapses the edge to its middle, or else to one of its ends. Returns the vertex that is left; nothing if none.
 std::optional<RemeshRun::Vertex> RemeshRun::try_collapse(Edge e) {
   const Halfedge h = mesh_.halfedge_handle(e, 0), o = mesh_.opposite_halfedge_handle(h);
-  const std::array<std::pair<Halfedge, std::optional<Point3>>, 3> ways = {
-      {{h, middle_of(h)}, {h, at_end(h)}, {o, at_end(o)}}};
-  for (const auto& [way, place] : ways) {
-    if (!place || !may_collapse(way, *place)) continue;
+  const auto end_of = [&](Halfedge way) { return Target{at_end(way), wanted(mesh_.to_vertex_handle(way))}; };
+  const std::array<std::pair<Halfedge, std::optional<Target>>, 3> ways = {
+      {{h, middle_of(h)}, {h, end_of(h)}, {o, end_of(o)}}};
+  for (const auto& [way, target] : ways) {
+    if (!target || !may_collapse(way, *target)) continue;
     const Vertex survivor = mesh_.to_vertex_handle(way);
     if (std::holds_alternative<meshops::Blocker>(meshops::try_collapse(mesh_, way))) continue;
-    places_[index_of(survivor)] = *place;
+    move(survivor, *target);
     ++counts_.collapses;
     return survivor;
   }
@@ -158,16 +174,17 @@ std::optional<RemeshRun::Vertex> RemeshRun::try_collapse(Edge e) {
 
 /// Returns the middle of the edge of h, moved to the curve that both ends are on, if any. Returns nothing if an end is
 /// fixed or the ends are not on one curve.
-std::optional<Point3> RemeshRun::middle_of(Halfedge h) const {
+std::optional<RemeshRun::Target> RemeshRun::middle_of(Halfedge h) const {
   const Vertex a = mesh_.from_vertex_handle(h), b = mesh_.to_vertex_handle(h);
   const int curve = curves_.of_vertex[index_of(a)];
   if (curve == MeshCurves::fixed || curves_.of_vertex[index_of(b)] != curve) return std::nullopt;
-  return on_curve(middle(at(a), at(b)), curve);
+  return on_curve({middle(at(a), at(b)), (wanted(a) + wanted(b)) / 2}, curve);
 }
 
 /// Returns whether the start of h may vanish while the end of h moves to the place: no curve is lost, no edge becomes
 /// too long, and no triangle turns.
-bool RemeshRun::may_collapse(Halfedge h, const Point3& place) const {
+bool RemeshRun::may_collapse(Halfedge h, const Target& target) const {
+  const Point3& place = target.place;
   const Vertex v = mesh_.from_vertex_handle(h), w = mesh_.to_vertex_handle(h);
   const int curve = curves_.of_vertex[index_of(v)];
   if (curve == MeshCurves::fixed) return false;
@@ -182,7 +199,8 @@ bool RemeshRun::may_collapse(Halfedge h, const Point3& place) const {
   for (const auto& [moved, other] : {std::pair(v, w), std::pair(w, v)}) {
     if (at(moved) == place) continue;
     for (const Vertex u : mesh_.vv_range(moved))
-      if (u != other && squared_distance(at(u), place) > long_) return false;
+      if (u != other && squared_distance(at(u), place) / squared(std::min(wanted(u), target.wanted)) > long_)
+        return false;
   }
   return for_each_moved_triangle(mesh_, mesh_.edge_handle(h), places_, place,
                                  [&](const Point3& old, const Point3& p, const Point3& q) {
@@ -235,8 +253,7 @@ bool RemeshRun::try_flip(Edge e, std::vector<int>& excess) {
 void RemeshRun::move_vertices(bool onto_given) {
   for (const Vertex v : meshops::live_vertices(mesh_)) {
     step_(onto_given ? 16 : 4);
-    if (const std::optional<Point3> place = target(v, onto_given); place && may_move(v, *place))
-      places_[index_of(v)] = *place;
+    if (const std::optional<Target> to = target(v, onto_given); to && may_move(v, to->place)) move(v, *to);
   }
 }
 
@@ -247,8 +264,9 @@ bool RemeshRun::may_move(Vertex v, const Point3& place) const {
   if (old == place) return true;
   for (const Halfedge out : mesh_.voh_range(v)) {
     const Point3& p = at_end(out);
-    const double length = squared_distance(place, p);
-    if (place == p || (length < short_ / 16 && length < squared_distance(old, p))) return false;
+    const double length = squared_distance(place, p),
+                 least = short_ / 16 * squared(std::min(wanted(v), wanted(mesh_.to_vertex_handle(out))));
+    if (place == p || (length < least && length < squared_distance(old, p))) return false;
     if (mesh_.is_boundary(out)) continue;
     const Point3& q = at_end(mesh_.next_halfedge_handle(out));
     if ((is_cap(place, p, q) && !is_cap(old, p, q)) || !keeps_direction(old, p, q, place, p, q)) return false;
@@ -257,7 +275,7 @@ bool RemeshRun::may_move(Vertex v, const Point3& place) const {
 }
 
 /// Returns the place to which the vertex should move; nothing if it stays.
-std::optional<Point3> RemeshRun::target(Vertex v, bool onto_given) const {
+std::optional<RemeshRun::Target> RemeshRun::target(Vertex v, bool onto_given) const {
   const int curve = curves_.of_vertex[index_of(v)];
   if (curve == MeshCurves::fixed || mesh_.is_isolated(v)) return std::nullopt;
   if (curve == MeshCurves::none) return along_surface(v, onto_given);
@@ -265,19 +283,22 @@ std::optional<Point3> RemeshRun::target(Vertex v, bool onto_given) const {
   std::size_t count = 0;
   for (const Halfedge out : mesh_.voh_range(v))
     if (curves_.of_edge[index_of(mesh_.edge_handle(out))] == curve && count < 2) beside[count++] = at_end(out);
-  return on_curve(middle(beside[0], beside[1]), curve);
+  return on_curve({middle(beside[0], beside[1]), wanted(v)}, curve);
 }
 
-/// Returns the mean of the centroids of the triangles at v, weighted by area and projected to the tangent plane. With
-/// `onto_given`, returns the nearest point of the given triangles that face as v does, as another sheet may be near.
-std::optional<Point3> RemeshRun::along_surface(Vertex v, bool onto_given) const {
+/// Returns the mean of the centroids of the triangles at v, projected to the tangent plane, weighted by area over the
+/// square of the wanted length. With `onto_given`, returns the nearest point of the given triangles that face as v
+/// does, as another sheet may be near.
+std::optional<RemeshRun::Target> RemeshRun::along_surface(Vertex v, bool onto_given) const {
   const Point3& p = at(v);
   Vector sum{}, normal{};
   double weight = 0;
   for (const Halfedge out : mesh_.voh_range(v)) {
-    const Vector u = from<double>(p, at_end(out)), w = from<double>(p, at_end(mesh_.next_halfedge_handle(out)));
+    const Halfedge next = mesh_.next_halfedge_handle(out);
+    const Vector u = from<double>(p, at_end(out)), w = from<double>(p, at_end(next));
     const Vector n = cross(u, w);
-    const double area = std::sqrt(dot(n, n)), third = area / 3;
+    const double mean = (wanted(v) + wanted(mesh_.to_vertex_handle(out)) + wanted(mesh_.to_vertex_handle(next))) / 3,
+                 area = std::sqrt(dot(n, n)) / squared(mean), third = area / 3;
     sum = plus(sum, {third * (u.x + w.x), third * (u.y + w.y), third * (u.z + w.z)});
     normal = plus(normal, n);
     weight += area;
@@ -287,14 +308,24 @@ std::optional<Point3> RemeshRun::along_surface(Vertex v, bool onto_given) const 
   const double along = dot(sum, normal) / squared;
   const Point3 moved = {p.x + (sum.x - along * normal.x) / weight, p.y + (sum.y - along * normal.y) / weight,
                         p.z + (sum.z - along * normal.z) / weight};
-  return rounded(onto_given ? given_.nearest_point(moved, options_.length, normal) : moved);
+  if (!onto_given) return Target{rounded(moved), wanted(v)};
+  const std::optional<SurfaceDistance::Foot> foot = given_.nearest_point(moved, options_.length, normal);
+  return foot ? std::optional(at_foot(*foot)) : std::nullopt;
 }
 
-/// Returns the point of a curve that is nearest to p; p itself if `curve` is none.
-std::optional<Point3> RemeshRun::on_curve(const Point3& p, int curve) const {
-  return rounded(curve == MeshCurves::none
-                     ? p
-                     : curves_.shapes[static_cast<std::size_t>(curve) - 1].nearest_point(p, options_.length));
+/// Returns the point of a curve that is nearest to the target; the target itself if `curve` is none.
+std::optional<RemeshRun::Target> RemeshRun::on_curve(const Target& target, int curve) const {
+  if (curve == MeshCurves::none) return Target{rounded(target.place), target.wanted};
+  const SurfaceDistance& shape = curves_.shapes[static_cast<std::size_t>(curve) - 1];
+  const std::optional<SurfaceDistance::Foot> foot = shape.nearest_point(target.place, options_.length);
+  return foot ? std::optional(at_foot(*foot)) : std::nullopt;
+}
+
+RemeshRun::Target RemeshRun::at_foot(const SurfaceDistance::Foot& foot) const {
+  Target target{rounded(foot.place), given_wanted_.empty() ? 1.0 : 0.0};
+  for (std::size_t k = 0; k < 3 && !given_wanted_.empty(); ++k)
+    target.wanted += foot.weights[k] * given_wanted_[foot.corners[k]];
+  return target;
 }
 
 }  // namespace rbpa::space

@@ -1,0 +1,77 @@
+#include "rbpa/space/simplify/remeshing/wanted_lengths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <utility>
+
+#include "meshops/core/live_range.h"
+#include "rbpa/space/predicate/vector3.h"
+
+namespace rbpa::space {
+namespace {
+
+using meshops::Connectivity;
+using meshops::Edge;
+using meshops::Halfedge;
+using meshops::Vertex;
+using Vector = Vector3<double>;
+
+constexpr double growth = 0.5;  // greatest difference of lengths at neighbors, in units of their distance
+
+/// Returns the curvature across an inner edge: the angle between the normals of its triangles, over the distance of
+/// their centroids from each other across the edge. It is 1/r for triangles between points of a sphere of radius r.
+double curvature_across(const Connectivity& mesh, const std::vector<Point3>& places, Edge e) {
+  const Halfedge h = mesh.halfedge_handle(e, 0), o = mesh.opposite_halfedge_handle(h);
+  const auto at_end = [&](Halfedge of) -> const Point3& { return places[index_of(mesh.to_vertex_handle(of))]; };
+  const Point3 &a = at_end(o), &b = at_end(h);
+  const Vector along = from<double>(a, b);
+  const Vector m = cross(along, from<double>(a, at_end(mesh.next_halfedge_handle(h)))),
+               n = cross(from<double>(a, at_end(mesh.next_halfedge_handle(o))), along), turn = cross(m, n);
+  const double areas = std::sqrt(dot(m, m)) + std::sqrt(dot(n, n));
+  if (!(areas > 0)) return 0;
+  return 3 * std::atan2(std::sqrt(dot(turn, turn)), dot(m, n)) * std::sqrt(dot(along, along)) / areas;
+}
+
+/// Returns the length of edges of an equilateral triangle with corners on a sphere, whose points are within `error` of
+/// the sphere; at least `error`.
+double length_within(double error, double curvature) {
+  return std::sqrt(std::max(6 * error / curvature - 3 * error * error, error * error));
+}
+
+}  // namespace
+
+std::vector<double> wanted_lengths(const Connectivity& mesh, const std::vector<Point3>& places,
+                                   const MeshCurves& curves, const std::vector<double>& lengths,
+                                   const RemeshOptions& options) {
+  if (lengths.empty() && !options.error) return {};
+  std::vector<double> wanted(mesh.n_vertices(), options.length);
+  for (std::size_t v = 0; v < lengths.size(); ++v) wanted[v] = std::min(wanted[v], lengths[v]);
+  for (const Edge e : meshops::live_edges(mesh)) {
+    if (!options.error || curves.of_edge[index_of(e)] != MeshCurves::none) continue;
+    const double length = length_within(*options.error, curvature_across(mesh, places, e));
+    for (const unsigned side : {0U, 1U}) {
+      double& at_end = wanted[index_of(mesh.to_vertex_handle(mesh.halfedge_handle(e, side)))];
+      at_end = std::min(at_end, length);
+    }
+  }
+  // The shortest first: a length that is reached cannot become less.
+  using Waiting = std::pair<double, int>;
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting;
+  for (const Vertex v : meshops::live_vertices(mesh)) waiting.emplace(wanted[index_of(v)], v.idx());
+  while (!waiting.empty()) {
+    const auto [length, number] = waiting.top();
+    waiting.pop();
+    const Vertex v(number);
+    if (length > wanted[index_of(v)]) continue;
+    for (const Vertex u : mesh.vv_range(v))
+      if (const double grown = length + growth * distance(places[index_of(v)], places[index_of(u)]);
+          grown < wanted[index_of(u)])
+        waiting.emplace(wanted[index_of(u)] = grown, u.idx());
+  }
+  for (double& length : wanted) length /= options.length;
+  return wanted;
+}
+
+}  // namespace rbpa::space
