@@ -19,6 +19,8 @@ struct Crs {
   std::string urn() const;
   /// Returns "28992", the number that PostGIS uses; nothing if the system has no EPSG code.
   std::optional<std::string> srid() const;
+  /// Returns whether x, y and z are distances from the center of the earth: x and y alone are no place on a map.
+  bool is_geocentric() const;
   /// Returns whether the system is longitude and latitude of WGS 84, which is GeoJSON's default.
   bool is_wgs84() const;
 };

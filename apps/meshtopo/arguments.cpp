@@ -153,6 +153,9 @@ TopologyPlan plan(TopologyArguments arguments) {
   if (arguments.at_faces) plan.at_faces = parse_whole("--at-faces", *arguments.at_faces, {});
   if (arguments.progressive && !arguments.decimate) throw WrongUsage("--progressive requires --decimate");
   if (arguments.progressive == "-") bad_usage("--progressive", "-", "a file (standard output is that of the report)");
+  if (arguments.progressive && find_format(Use::mesh, ending(*arguments.progressive)))
+    bad_usage("--progressive", in_quotes(*arguments.progressive) + ", with the ending of a mesh",
+              "another ending, such as .pm (only --at-faces reads the file)");
   plan.progressive = arguments.progressive;
   if (arguments.remesh) plan.remesh = parse_remesh(*arguments.remesh);
   for (const std::string& list : arguments.checks)

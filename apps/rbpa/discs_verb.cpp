@@ -129,7 +129,7 @@ void run_discs(const DiscsArguments& arguments) {
   caution(request.targets, shape);
   run.summarize(text_of_points(stats.points, stats.points - stats.distinct) + ", " +
                 text_of_polygons(made.polygons.size(), totals.holes) + ", area " + rounded(measures.area, 6) +
-                ", boundary " + rounded(measures.length, 6) + list_of(request.targets));
+                ", boundary " + rounded(measures.length, 6) + run.list_of(request.targets));
 }
 
 }  // namespace rbpa::app

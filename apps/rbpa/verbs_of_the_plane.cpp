@@ -30,7 +30,7 @@ CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
       "mesh", "Make the triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
   add_group_options(verb, arguments, "Make triangles");
   add_alpha_options(verb, arguments);
-  add_output_options(verb, arguments, endings(Use::triangles));
+  add_output_options(verb, arguments, endings(Use::triangles) + with_world_file);
   add_fields_option(verb, arguments.fields);
   add_switch(verb, "--compact", arguments.compact, "Leave out vertices that nothing uses (.npy keeps input indices)");
   verb.add_option(
@@ -147,7 +147,7 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
       "point of 100, and may then have many parts and pinholes. `rbpa alpha POINTS` shows what each gives.\n");
   add_group_options(verb, arguments, "Make a shape");
   add_alpha_options(verb, arguments);
-  add_output_options(verb, arguments, endings(Use::shape));
+  add_output_options(verb, arguments, endings(Use::shape) + with_world_file);
   add_method_options(verb, arguments.method);
   verb.add_option(
           "--min-hole-area", arguments.min_hole_area,
@@ -196,7 +196,7 @@ CLI::App* add_discs(CLI::App& app, DiscsArguments& arguments) {
                   "each")
       ->type_name("R|column:NAME")
       ->required();
-  add_output_options(verb, arguments, endings(Use::shape));
+  add_output_options(verb, arguments, endings(Use::shape) + with_world_file);
   verb.add_option("--corners", arguments.corners, "Give a whole circle this number of corners in polygons and pictures")
       ->type_name("N")
       ->capture_default_str();
@@ -226,7 +226,7 @@ CLI::App* add_voronoi(CLI::App& app, VoronoiArguments& arguments) {
       ->capture_default_str();
   verb.add_option("--alpha", arguments.alpha, "With --clip shape, as rbpa shape takes it (default plateau)")
       ->type_name("R|plateau[:K]|auto|min|inf");
-  add_output_options(verb, arguments, endings(Use::shape));
+  add_output_options(verb, arguments, endings(Use::shape) + with_world_file);
   add_fields_option(verb, arguments.fields, "on the cells of .geojson and .gpkg, and in .csv");
   add_width_option(verb, arguments.width);
   add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
@@ -270,7 +270,7 @@ CLI::App* add_grid(CLI::App& app, GridArguments& arguments) {
                   "Cover this box with cells instead of that of the points, such as a tile without its margin")
       ->type_name("X0,Y0,X1,Y1");
   add_segment_options(verb, arguments);
-  add_output_options(verb, arguments, endings(Use::heights));
+  add_output_options(verb, arguments, endings(Use::heights) + with_world_file);
   add_width_option(verb, arguments.width);
   add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
   verb.footer(
@@ -355,7 +355,7 @@ CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
   add_switch(verb, "--keep-boundary", arguments.keep_boundary,
              "Keep the edges of the polygons whole (by default those longer than the size are cut)");
   add_switch(verb, "--skip-invalid", arguments.skip_invalid, "Skip features that are not valid, and print how many");
-  add_output_options(verb, arguments, endings(Use::triangles));
+  add_output_options(verb, arguments, endings(Use::triangles) + with_world_file);
   add_stats_option(verb, arguments.stats);
   add_width_option(verb, arguments.width);
   add_switch(verb, "-q,--quiet", arguments.quiet, "Print no progress, no warnings about the input, and no summary");

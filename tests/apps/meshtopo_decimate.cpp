@@ -185,8 +185,13 @@ TEST_SUITE("meshtopo --decimate") {
             "--progressive: found -, expected a file (standard output is "
             "that of the report)");
     refused(spot + " " + spot + " --decimate 9 --progressive m.pm", 2, "--progressive: found 2 meshes, expected one");
-    refused(spot + " --decimate 9 --progressive m.off -o m.off", 2,
-            "m.off: found twice among the files to write, expected once");
+    for (const std::string name : {"m.off", "m.PLY"})
+      refused(
+          spot + " --decimate 9 --progressive " + name, 2,
+          "--progressive: found '" + name +
+              "', with the ending of a mesh, expected another ending, such as .pm (only --at-faces reads the file)");
+    refused(spot + " --decimate 9 --progressive m.off.gz -o m.off.gz --output-format off", 2,
+            "m.off.gz: found twice among the files to write, expected once");
     refused(spot + " --at-faces 9 --format off", 2,
             "--format does not apply to progressive meshes, which --at-faces reads");
     refused(spot + " --at-faces x", 2, "--at-faces: found 'x', expected a whole number from 0");
@@ -199,6 +204,15 @@ TEST_SUITE("meshtopo --decimate") {
     refused("cut.pm --at-faces 9 -o o.off", 3,
             "cut.pm: progressive mesh: found " + std::to_string(whole.size() - 1) + " bytes, expected " +
                 std::to_string(whole.size()) + " by the numbers in the head");
+    std::string wrong = whole;
+    const std::size_t corners = 32U + 28U * static_cast<unsigned char>(whole[16]) + 4U;  // of the first coarse triangle
+    wrong.replace(corners, 4, wrong, corners + 4, 4);
+    folder.file("wrong.pm", wrong);
+    const Outcome twice = folder.meshtopo("wrong.pm --at-faces 9");
+    CHECK(twice.code == 3);
+    CHECK(
+        twice.err.starts_with("meshtopo: wrong.pm: progressive mesh: the coarse mesh has a defect, expected none: "
+                              "degenerate face"));
     refused("m.pm --at-faces 9 --decimate 4 --progressive m.pm", 2,
             "m.pm: found the file of the mesh, expected another file to write to");
     CHECK(folder.content("m.pm") == whole);

@@ -350,6 +350,12 @@ TEST_SUITE("shape groups") {
             "--group-by: found '', expected the name of a column (in double quotes unless it is a word other than and, "
             "or, not, in)",
             2);
+    // Quotes are as in CSV.
+    folder.file("q.csv", "x,y,\"a,\"\"b\"\"\",c\n0,0,1,2\n0,1,1,2\n1,0,1,2\n");
+    REQUIRE(folder.rbpa("shape q.csv --group-by '\"a,\"\"b\"\"\",c' --alpha 1 -o s.geojson -q").code == 0);
+    CHECK(properties(folder.content("s.geojson"))[0]["a,\"b\""] == 1);
+    for (const std::string list : {"\"a,c", "\"a\"b,c", "a\"b,c\"", "\"a\"b\",c", "\"\",c"})
+      CHECK(folder.rbpa("shape q.csv --group-by '" + list + "' --alpha 1 -o s.csv").code == 2);
     refuses(folder, "p.csv --group-by b,c --alpha 1 -o s.csv",
             "p.csv:1: found 'x,y,points,b', expected a header with a column 'c'", 3);
   }

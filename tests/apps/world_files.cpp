@@ -106,6 +106,17 @@ TEST_SUITE("world files") {
     const Outcome again = folder.rbpa("mesh p.csv --columns x,y --alpha inf -o f.png");
     CHECK(again.code == 0);
     CHECK(again.err.find("f.pgw: this world file is of an earlier picture") != std::string::npos);
+    CHECK(again.err.ends_with(" -> f.png\n"));
+    const Outcome listed = folder.rbpa("mesh p.csv --columns x,y --alpha inf --crs EPSG:3857 -o f.png -o f.svg");
+    CHECK(listed.err.ends_with(" -> f.png, f.svg, f.pgw\n"));
+    // Geocentric x and y are no place on a map.
+    for (const std::string code : {"3822", "4978", "7789", "20039"})
+      CHECK(folder.rbpa("mesh p.csv --columns x,y --alpha inf -q -o g.png --crs EPSG:" + code).code == 0);
+    CHECK_FALSE(folder.has("g.pgw"));
+    CHECK(folder.rbpa("mesh p.csv --columns x,y --alpha inf -q -o g.png --crs EPSG:4979").code == 0);
+    CHECK(folder.has("g.pgw"));
+    for (const std::string verb : {"shape", "mesh", "voronoi", "discs", "grid", "fill"})
+      CHECK(folder.rbpa(verb + " --help").out.find(".pgw") != std::string::npos);
   }
 
   TEST_CASE("a world file replaces neither the points nor another output") {
@@ -123,5 +134,9 @@ TEST_SUITE("world files") {
     const Outcome twice = folder.rbpa("mesh p.xy --alpha inf --crs EPSG:3857 -o c.png --stats c.pgw");
     CHECK(twice.code == 2);
     CHECK(twice.err.find("found twice among the files to write") != std::string::npos);
+    folder.run("/bin/sh", "-c 'mkdir d.pgw'");
+    const Outcome is_folder = folder.rbpa("mesh no.xy --alpha inf --crs EPSG:3857 -o d.png");
+    CHECK(is_folder.code == 1);
+    CHECK(is_folder.err == "rbpa: d.pgw: found a folder, expected a file to write\n");
   }
 }

@@ -90,7 +90,7 @@ void require_different(const std::vector<std::string>& outputs, const std::strin
       if (same_file(written, {all[k], STDOUT_FILENO}))
         bad_usage(written.name(), "twice among the files to write", "once");
   }
-  for (const std::string& output : outputs) require_place(output);
+  for (const std::string& output : all) require_place(output);
 }
 
 }  // namespace rbpa::app

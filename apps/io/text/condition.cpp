@@ -33,6 +33,19 @@ std::string_view unquoted(std::string_view word) {
   return word.size() > 2 && is_quote(word.front()) ? word.substr(1, word.size() - 2) : word;
 }
 
+/// Returns the name of a column in a list, where quotes are as in CSV; nothing if they are not.
+std::optional<std::string> listed_name(std::string_view word) {
+  if (word.find('"') == std::string_view::npos) return std::string(word);
+  if (word.size() < 2 || word.front() != '"' || word.back() != '"') return std::nullopt;
+  word = word.substr(1, word.size() - 2);
+  std::string name;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    if (word[i] == '"' && (++i == word.size() || word[i] != '"')) return std::nullopt;
+    name += word[i];
+  }
+  return name;
+}
+
 /// A recursive-descent parser with a function for each rule of the grammar.
 class Parser {
  public:
@@ -271,8 +284,9 @@ Condition Condition::of_groups(const GroupColumns& columns, const std::string& t
   Condition condition;
   condition.is_of_groups_ = true;
   const auto add = [&](const char* option, std::string_view column, WantedColumn::Kind kind) {
-    if (!names.are(column)) bad_usage(option, in_quotes(column), names.described);
-    const std::string name(unquoted(column));
+    const std::optional<std::string> listed = listed_name(column);
+    if (!listed || !names.are(column)) bad_usage(option, in_quotes(column), names.described);
+    const std::string& name = *listed;
     if (kind == WantedColumn::Kind::text && std::count(condition.fields_.begin(), condition.fields_.end(), name) > 0)
       bad_usage(option, in_quotes(column) + " twice", "once");
     condition.fields_.push_back(name);

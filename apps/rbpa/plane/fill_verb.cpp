@@ -198,7 +198,7 @@ void run_fill(const FillArguments& arguments) {
       valid.why_left_out.empty() ? "" : counted(valid.why_left_out.size(), "invalid feature") + " left out, ";
   run.summarize(text_of_polygons(filling.polygons.size(), totals.holes) + ", " + left_out + "area " +
                 rounded(totals.area, 6) + ", " + counted(filling.triangles.size(), "triangle") + " on " +
-                counted(filling.points.size(), "point") + list_of(request.targets));
+                counted(filling.points.size(), "point") + run.list_of(request.targets));
 }
 
 }  // namespace rbpa::app

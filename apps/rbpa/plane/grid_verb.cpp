@@ -224,7 +224,7 @@ void run_grid(const GridArguments& arguments) {
   run.publish();
   caution(request.lines, file.points, file);
   run.summarize(text_of_points(stats.points, stats.points - stats.distinct) + made +
-                alpha_text(request.alpha, stats.alpha) + list_of(arguments.outputs));
+                alpha_text(request.alpha, stats.alpha) + run.list_of(arguments.outputs));
 }
 
 }  // namespace rbpa::app

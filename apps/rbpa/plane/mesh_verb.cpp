@@ -154,7 +154,7 @@ void run_mesh(const MeshArguments& arguments) {
     const std::string what = kind == ComplexKind::full ? "there is no triangle: " : "the complex is empty: ";
     say("rbpa", what + (arguments.inside ? "no closed line encloses a triangle" : run.why_empty(made.distinct)));
   }
-  run.summarize(made.duplicates.size(), counts_text(made, kind) + more, list_of(targets));
+  run.summarize(made.duplicates.size(), counts_text(made, kind) + more, run.list_of(targets));
 }
 
 }  // namespace rbpa::app

@@ -133,7 +133,7 @@ void run_shape(const ShapeArguments& arguments) {
                                                             : "no part has an area >= " + arguments.min_part_area));
   run.summarize(complex.duplicates.size(),
                 text_of_polygons(made.size(), totals.holes) + ", area " + rounded(totals.area, 6),
-                list_of(files.targets));
+                run.list_of(files.targets));
 }
 
 }  // namespace rbpa::app

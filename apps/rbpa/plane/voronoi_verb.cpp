@@ -159,7 +159,7 @@ void run_voronoi(const VoronoiArguments& arguments) {
                 counted(number_of_cells(cells), "cell") + " of " + counted(cells.polygons.size(), "polygon") +
                 ", area " + rounded(totals.area, 6) +
                 (changed == 0 ? "" : ", " + counted(changed, "corner") + " moved by rounding") +
-                (request.clip == "shape" ? alpha_text(request.alpha, stats.alpha) : "") + list_of(request.targets));
+                (request.clip == "shape" ? alpha_text(request.alpha, stats.alpha) : "") + run.list_of(request.targets));
 }
 
 }  // namespace rbpa::app

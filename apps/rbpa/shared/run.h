@@ -96,6 +96,17 @@ class Run {
       add(target.path, [&](OutputFile& file) { write(file, target); });
     }
   }
+  /// Adds a world file as add() does, which list_of() then lists.
+  template <typename Write>
+  void add_world_file(const std::string& path, const Write& write) {
+    add(path, write);
+    world_files_ += ", " + path;
+  }
+  /// Returns " -> a.png, standard output, a.pgw": the targets and their world files.
+  template <typename Targets>
+  std::string list_of(const Targets& targets) const {
+    return rbpa::app::list_of(targets) + world_files_;
+  }
   OutputSet& files() { return files_; }
   /// Gives all added files their names. Throws as OutputSet::publish() does.
   void publish() { files_.publish(); }
@@ -116,6 +127,7 @@ class Run {
   std::vector<std::string> outputs_;
   RunOptions options_;
   OutputSet files_ = {};
+  std::string world_files_ = {};
   Clock::time_point start_ = Clock::now();
 };
 

@@ -182,6 +182,9 @@ void add_alpha_options(CLI::App& verb, Arguments& arguments) {
   });
 }
 
+/// The text of help after the formats of verbs that draw the plane.
+inline constexpr const char* with_world_file = " (.png with a world file .pgw, if coordinates have a known system)";
+
 template <typename Arguments>
 void add_output_options(CLI::App& verb, Arguments& arguments, std::string_view formats) {
   verb.add_option("-o,--output", arguments.outputs,

@@ -16,6 +16,7 @@
 #include "meshops/stellar/split_vertex.h"
 #include "meshops/stellar/undo.h"
 #include "meshops/topology/build_mesh.h"
+#include "meshops/topology/soup_defects.h"
 #include "rbpa/base/error.h"
 
 namespace rbpa {
@@ -304,12 +305,9 @@ ProgressiveMesh ProgressiveMesh::read(std::span<const std::byte> bytes) {
     for (std::uint32_t& corner : corners) corner = in.next();
     soup.add_face(corners);
   }
-  try {
-    meshops::build_mesh(mesh, soup);
-  } catch (const meshops::ContractViolation& why) {
-    require_bytes(false, "the coarse mesh is no surface: ", why.what());
-  }
-  require_bytes(mesh.n_vertices() == vertices, "the coarse mesh has pinches, expected none");
+  for (const meshops::SoupDefect& defect : meshops::find_defects(soup))
+    require_bytes(false, "the coarse mesh has a defect, expected none: ", meshops::describe(defect));
+  meshops::build_mesh(mesh, soup);
   meshops::request_status(mesh);
   for (std::uint32_t i = 0; i < splits; ++i) {
     const Halfedge along = split_as_read(mesh, in, of_vertices, of_faces);

@@ -212,6 +212,7 @@ TEST_CASE("bytes that lie are refused, or make a sound mesh that goes both ways"
           } catch (const rbpa::InvalidInput& why) {
             ++refused;
             CHECK(std::string(why.what()).starts_with(of));
+            CHECK(std::string(why.what()).find("build_mesh") == std::string::npos);
           }
         }
       CHECK(refused > bytes.size() / 2);
