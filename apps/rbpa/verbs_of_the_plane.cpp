@@ -149,16 +149,7 @@ CLI::App* add_shape(CLI::App& app, ShapeArguments& arguments) {
   add_alpha_options(verb, arguments);
   add_output_options(verb, arguments, endings(Use::shape) + with_world_file);
   add_method_options(verb, arguments.method);
-  verb.add_option(
-          "--min-hole-area", arguments.min_hole_area,
-          "Fill holes that enclose less than this area, in squared units of the points, with everything in them; inf: "
-          "all holes")
-      ->type_name("A")
-      ->capture_default_str();
-  verb.add_option("--min-part-area", arguments.min_part_area,
-                  "Drop polygons of less than this area, in squared units of the points, after holes are filled")
-      ->type_name("A")
-      ->capture_default_str();
+  add_area_options(verb, arguments);
   verb.add_option("--isolated", arguments.isolated,
                   "Write the points in no polygon to this file, in the format of its ending: " + endings(Use::isolated))
       ->type_name("FILE");

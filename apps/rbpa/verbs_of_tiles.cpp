@@ -1,7 +1,6 @@
 // What: declares the verb `stream`, which works tile by tile on more points than fit into memory.
 #include <CLI/App.hpp>
 #include <string>
-#include <utility>
 
 #include "io/cloud/cloud.h"
 #include "program/exit_code.h"
@@ -27,6 +26,8 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
       ->type_name("R")
       ->required();
   add_output_options(verb, arguments, stream_formats());
+  add_group_by_option(verb, arguments, "Make a shape");
+  add_area_options(verb, arguments);
   verb.add_option("--memory", arguments.memory, "Limit the memory of the run: a size such as 500M or 4G, at least 64M")
       ->type_name("SIZE")
       ->capture_default_str();
@@ -40,10 +41,6 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
       ->type_name("S");
   add_switch(verb, "--keep-tiles", arguments.keep_tiles,
              "Keep the files of tiles in --scratch (by default they are removed at the end)");
-  // Declare two options of rbpa shape, hidden from the help: the message that refuses them names rbpa shape.
-  for (const auto& [name, value] :
-       {std::pair("--min-hole-area", &arguments.min_hole_area), std::pair("--min-part-area", &arguments.min_part_area)})
-    verb.add_option(name, *value)->group("");
   add_run_options(verb, arguments.run, "Print no progress, no warnings about the input, and no summary");
   verb.footer(
       "Examples:\n"

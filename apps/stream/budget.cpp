@@ -67,6 +67,11 @@ void return_free_pages() {
 #endif
 }
 
+std::string in_megabytes(std::uint64_t bytes) {
+  constexpr std::uint64_t megabyte = std::uint64_t{1} << 20U;
+  return std::to_string((bytes + megabyte - 1) / megabyte) + "M";
+}
+
 std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads) {
   const std::uint64_t used = program_bytes + tile_points * bytes_of_tile_point * std::max(threads, 1U);
   return std::max(least_memory, used * 16 / 13 + used / 16);

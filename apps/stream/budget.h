@@ -37,6 +37,9 @@ void return_freed_memory(std::uint64_t memory, unsigned workers);
 /// all free memory.
 void return_free_pages();
 
+/// Returns a value of --memory as text, such as "1024M", rounded up.
+std::string in_megabytes(std::uint64_t bytes);
+
 /// Returns a value of --memory, in bytes, that suffices for tiles of `tile_points` points and `threads` threads.
 std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads);
 

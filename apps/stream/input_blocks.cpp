@@ -20,6 +20,7 @@ void for_each_input_block(std::span<const PointSource> sources, const InputPlace
     block.first = at.points;
     block.file = at.files;
     block.ends_file = !file->next(block.points);
+    block.fields = file->fields();
     bytes = at.bytes + file->bytes_read();
     at.points += block.points.size();
     if (block.ends_file) {

@@ -16,9 +16,10 @@ namespace rbpa::app {
 
 struct InputBlock {
   std::vector<Point> points = {};
-  std::uint64_t first = 0;  ///< index, in the whole input, of the first point of the block
-  std::size_t file = 0;     ///< number, from 0, of the file that contains `points`
-  bool ends_file = false;   ///< true: the file ends, `points` is empty, and `about` has the facts about the file
+  std::vector<std::vector<double>> fields = {};  ///< as PointBlocks::fields()
+  std::uint64_t first = 0;                       ///< index, in the whole input, of the first point of the block
+  std::size_t file = 0;                          ///< number, from 0, of the file that contains `points`
+  bool ends_file = false;  ///< true: the file ends, `points` is empty, and `about` has the facts about the file
   PointFile about = {};
 };
 

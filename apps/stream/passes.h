@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "io/bytes/output_file.h"
 #include "rbpa/plane/partial.h"
@@ -38,10 +39,21 @@ void cut_smaller(const StreamRequest& request, const Budget& budget, const Scrat
 PartialCounts compute_tiles(const StreamRequest& request, const Budget& budget, const Scratch& scratch,
                             Manifest& manifest, TriangleRows& rows, PolygonLog& polygons);
 
+/// Gives polygons to a sink, in canonical order, and calls its finish().
+using ShowPolygons = std::function<void(PolygonSink&)>;
+
+/// Returns what shows the polygons of a run, filtered as requested; refers to `polygons`. PolygonFacts::points of
+/// filtered polygons is 0 unless `counts_points`. Throws as write_targets() does.
+ShowPolygons shown_polygons(const StreamRequest& request, const Manifest& manifest, const PolygonLog& polygons,
+                            std::uint64_t sort_bytes, bool counts_points);
+
+/// Shows the polygons to `sink`, if it is not null, and sets the polygon members of `result`.
+void add_up(const ShowPolygons& show, PolygonSink* sink, StreamResult& result);
+
 /// Adds the targets, except meshes of single tiles, to `outputs`: files that are complete but have no name yet. Sets
 /// the polygon members of `result`. Requires: result.counts is set. Throws BadInput if a file of scratch is damaged;
-/// Failure, ClosedPipe, Cancelled.
-void write_targets(const StreamRequest& request, const PointsFacts& facts, const TriangleRows& rows,
+/// Failure, ClosedPipe, Cancelled; as read_points() does if polygons are filtered.
+void write_targets(const StreamRequest& request, const Manifest& manifest, const TriangleRows& rows,
                    const PolygonLog& polygons, std::uint64_t sort_bytes, OutputSet& outputs, StreamResult& result);
 
 }  // namespace rbpa::app

@@ -135,13 +135,11 @@ class Planner {
 }  // namespace
 
 void refuse_dense(const TooDense& dense, const StreamRequest& request, const Budget& budget) {
-  constexpr std::uint64_t megabyte = std::uint64_t{1} << 20U;
-  const auto megabytes = [](std::uint64_t bytes) { return std::to_string((bytes + megabyte - 1) / megabyte) + "M"; };
   const auto text = [](double value) { return text_of(value); };
-  throw Failure("--memory " + megabytes(request.memory) + ": found " + counted(dense.points, "point") +
+  throw Failure("--memory " + in_megabytes(request.memory) + ": found " + counted(dense.points, "point") +
                 " within 2 alpha = " + text(2 * request.alpha) + " of each other near (" + text(dense.where.x) + ", " +
                 text(dense.where.y) + "), expected at most " + std::to_string(budget.tile_points) + " (--memory " +
-                megabytes(memory_for(dense.points + dense.points / 4, request.threads)) +
+                in_megabytes(memory_for(dense.points + dense.points / 4, request.threads)) +
                 " or a smaller alpha suffices)");
 }
 

@@ -41,6 +41,8 @@ class PolygonLog {
   /// Writes all added polygons and holes to the files, and returns the state of the files. Throws Failure, Cancelled.
   LogState flush();
 
+  /// Returns the size of the written polygons and holes in bytes: 16 for each corner, and heads of records.
+  std::uint64_t bytes() const { return polygons_.state().bytes + holes_.state().bytes; }
   /// Gives all polygons to `sink` in canonical order, and calls sink.finish(). Uses about `memory` bytes. Requires:
   /// flush() after the last add(). Throws BadInput if a file is damaged, perhaps after some polygons were given;
   /// Failure, Cancelled, and what `sink` throws.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/cloud/read_points.h"
+#include "rbpa/plane/outline_polygons.h"
 
 namespace rbpa::app {
 
@@ -26,6 +27,7 @@ struct StreamRequest {
   std::vector<PointSource> sources = {};
   std::string options = {};  ///< the options that tell how the sources are read, as text
   double alpha = 0;
+  PolygonFilter filter = {};
   std::uint64_t memory = 0;                               ///< memory in bytes
   std::optional<std::uint64_t> tile_size = std::nullopt;  ///< the most points in the box of a tile
   std::optional<std::string> scratch = std::nullopt;      ///< the folder; nullopt: a new folder beside the first target
@@ -43,6 +45,7 @@ struct StreamRequest {
     return false;
   }
   bool wants_polygons() const { return wants(StreamFormat::geojson) || wants(StreamFormat::wkt); }
+  bool filters() const { return filter.min_hole_area > 0 || filter.min_part_area > 0; }
 };
 
 }  // namespace rbpa::app

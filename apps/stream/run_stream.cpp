@@ -26,6 +26,15 @@ class Run {
   Run(const StreamRequest& request, OutputSet& outputs)
       : request_(request), outputs_(outputs), run_key_(run_key_of(request)), scratch_(request) {}
 
+  void run_polygons(const std::function<void(const StreamResult&, const ShowPolygons&)>& use) {
+    prepare();
+    compute();
+    const ShowPolygons show = shown_polygons(request_, manifest_, *polygons_, budget_.sort_bytes, false);
+    add_up(show, nullptr, result_);
+    use(result_, show);
+    scratch_.clear(false);
+  }
+
   StreamResult run(const std::function<void(const StreamResult&)>& before_names) {
     prepare();
     compute();
@@ -142,10 +151,7 @@ class Run {
     result_.tiles = manifest_.tiles.size();
   }
 
-  void write() {
-    const ProgressLine line("rbpa", request_.shows_progress, "4/4 writing");
-    write_targets(request_, manifest_.facts, *rows_, *polygons_, budget_.sort_bytes, outputs_, result_);
-  }
+  void write() { write_targets(request_, manifest_, *rows_, *polygons_, budget_.sort_bytes, outputs_, result_); }
 
   const StreamRequest& request_;
   OutputSet& outputs_;
@@ -165,6 +171,12 @@ class Run {
 StreamResult run_stream(const StreamRequest& request, OutputSet& outputs,
                         const std::function<void(const StreamResult&)>& before_names) {
   return Run(request, outputs).run(before_names);
+}
+
+void use_polygons(const StreamRequest& request,
+                  const std::function<void(const StreamResult&, const ShowPolygons&)>& use) {
+  OutputSet none;
+  Run(request, none).run_polygons(use);
 }
 
 }  // namespace rbpa::app

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "io/bytes/output_file.h"
+#include "io/polygon/shape_files.h"
 #include "rbpa/plane/partial.h"
 #include "stream/request.h"
 
@@ -31,5 +32,11 @@ struct StreamResult {
 /// scratch; request.keep_tiles keeps tiles and manifest. Throws BadInput, WrongUsage, Failure, ClosedPipe, Cancelled.
 StreamResult run_stream(const StreamRequest& request, OutputSet& outputs,
                         const std::function<void(const StreamResult&)>& before_names);
+
+/// Computes the polygons of a request without writing its targets, calls use(result, show), where show(sink) gives the
+/// polygons to a sink, any number of times, and removes the files of scratch. Requires: request.wants_polygons().
+/// Throws as run_stream().
+void use_polygons(const StreamRequest& request,
+                  const std::function<void(const StreamResult&, const std::function<void(PolygonSink&)>& show)>& use);
 
 }  // namespace rbpa::app

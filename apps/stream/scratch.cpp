@@ -27,9 +27,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* lock_name = "/lock";
-constexpr const char* parts[] = {"tiles", "triangles", "partials", "runs"};
-constexpr const char* files[] = {"manifest.json",     "manifest.json.new", "progress.json",
-                                 "progress.json.new", "polygons",          "holes"};
+constexpr const char* parts[] = {"tiles", "triangles", "partials", "runs", "group"};
+constexpr const char* files[] = {
+    "manifest.json", "manifest.json.new", "progress.json", "progress.json.new", "polygons", "holes",
+    "groups",        "group.f64xy"};
 constexpr const char* created_name = "created";  // marks a folder that rbpa made, and removes with its files
 constexpr std::string_view beginning = ".rbpa-stream-";
 constexpr const char* dead_name = ".dead-";

@@ -30,6 +30,10 @@ class Scratch {
   std::string polygons() const { return folder_ + "/polygons"; }
   std::string holes() const { return folder_ + "/holes"; }
   std::string sorted_run(std::size_t number) const;
+  /// Return the file with the points of all groups; the file of the points of one group, and the folder of its run.
+  std::string groups() const { return folder_ + "/groups"; }
+  std::string group_points() const { return folder_ + "/group.f64xy"; }
+  std::string group_folder() const { return folder_ + "/group"; }
   const std::string& folder() const { return folder_; }
   /// Returns whether the folder contained the manifest of an earlier run when it was opened.
   bool has_run() const { return has_run_; }

@@ -146,7 +146,7 @@ set(allowed
     rbpa/base rbpa/plane rbpa/space/persistence"
   "apps/rbpa/space: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/picture apps/rbpa/shared apps/triangulation
     rbpa/base rbpa/space/balls rbpa/space/persistence rbpa/space/repair rbpa/space/solid rbpa/space/surface"
-  "apps/rbpa/tiles: apps/io apps/io/bytes apps/io/polygon apps/rbpa/shared apps/stream rbpa/plane"
+  "apps/rbpa/tiles: apps/io apps/io/bytes apps/io/polygon apps/rbpa/plane apps/rbpa/shared apps/stream rbpa/plane"
   "apps/report: apps/io apps/io/bytes apps/io/text rbpa/base rbpa/plane rbpa/space/persistence"
   "apps/stream: apps/io apps/io/bytes apps/io/cloud apps/io/mesh apps/io/polygon rbpa/base rbpa/plane"
   "apps/triangulation: apps/io apps/io/bytes apps/io/mesh rbpa/base rbpa/space/repair rbpa/space/simplify rbpa/space/surface")

@@ -22,9 +22,12 @@ class CloudBlocks final : public PointBlocks {
 
   bool next(std::vector<Point>& block) override {
     block.clear();
+    fields_.clear();
     while (block.size() < points_in_block && !ended_) {
       ended_ = !cloud_->next(columns_);
-      if (!ended_) append_points(columns_, block);
+      if (ended_) break;
+      append_points(columns_, block);
+      append_fields(columns_, fields_);
     }
     if (source_.shift_longitude) shift_longitude(block, source_.path);
     if (block.empty() && !is_finished_) {
@@ -59,6 +62,10 @@ class WholeFile final : public PointBlocks {
     const std::size_t count = std::min(points_in_block, points_.size() - first_);
     const auto begin = points_.begin() + static_cast<std::ptrdiff_t>(first_);
     block.assign(begin, begin + static_cast<std::ptrdiff_t>(count));
+    fields_.clear();
+    for (const std::vector<double>& column : about_.fields)
+      fields_.emplace_back(column.begin() + static_cast<std::ptrdiff_t>(first_),
+                           column.begin() + static_cast<std::ptrdiff_t>(first_ + count));
     first_ += count;
     if (count == 0) points_ = {};
     return count > 0;

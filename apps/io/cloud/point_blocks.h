@@ -24,6 +24,8 @@ class PointBlocks {
   /// Replaces the content of `block` by the next points, at least one; returns false at the end. Throws as
   /// read_points().
   virtual bool next(std::vector<Point>& block) = 0;
+  /// Returns the columns that Condition::columns() of the source requests, with a value for each point of the block.
+  const std::vector<std::vector<double>>& fields() const { return fields_; }
   /// Returns how many bytes of the file were read until now.
   virtual std::uint64_t bytes_read() const = 0;
   /// Returns the facts that the file states about its points, without the points; complete after the last block.
@@ -31,6 +33,7 @@ class PointBlocks {
 
  protected:
   PointFile about_ = {};
+  std::vector<std::vector<double>> fields_ = {};
 };
 
 /// The approximate number of points in a block.

@@ -207,20 +207,38 @@ void for_each_isolated(const Shape& shape, const Visit& visit) {
   }
 }
 
-/// Writes the rings of the polygons of a group; or, if `cuts`, the rings of the parts within ±180 of each polygon.
-void write_polygons_of(OutputFile& file, const PolygonSigns& signs, const NamedShapes& groups, std::size_t group,
-                       bool cuts) {
-  const std::uint64_t first = groups.shapes.polygon_begin[group], last = groups.shapes.polygon_begin[group + 1];
-  for (std::uint64_t i = first; i < last; ++i) {
-    if (i > first) file.write(signs.between);
-    std::vector<PositionRing> to_cut;
-    std::string_view before = signs.open_list;
-    for_each_ring(groups.shapes.polygons[i], groups.points, [&](std::span<const Point> ring) {
-      if (cuts) return to_cut.push_back(positions_of(ring));
-      file.write(std::exchange(before, signs.between));
-      write_closed(file, signs, ring);
-    });
-    cuts ? write_parts(file, within_antimeridian(to_cut), false) : file.write(signs.close_list);
+/// Writes the rings of polygons with commas between them; or, if `cuts`, the rings of the parts within ±180 of each.
+class RingWriter final : public PolygonSink {
+ public:
+  RingWriter(OutputFile& file, const PolygonSigns& signs, bool cuts) : file_(file), signs_(signs), cuts_(cuts) {}
+  void begin(const PolygonFacts&) override {
+    if (std::exchange(any_, true)) file_.write(signs_.between);
+    before_ = signs_.open_list;
+    to_cut_.clear();
+  }
+  void ring(std::span<const Point> points) override {
+    if (cuts_) return to_cut_.push_back(positions_of(points));
+    file_.write(std::exchange(before_, signs_.between));
+    write_closed(file_, signs_, points);
+  }
+  void end() override {
+    cuts_ ? write_parts(file_, within_antimeridian(to_cut_), false) : file_.write(signs_.close_list);
+  }
+  void finish() override {}
+
+ private:
+  OutputFile& file_;
+  const PolygonSigns& signs_;
+  bool cuts_, any_ = false;
+  std::string_view before_ = {};
+  std::vector<PositionRing> to_cut_ = {};
+};
+
+void show_polygons_of(const NamedShapes& groups, std::size_t group, PolygonSink& sink) {
+  for (std::uint64_t i = groups.shapes.polygon_begin[group]; i < groups.shapes.polygon_begin[group + 1]; ++i) {
+    sink.begin({});
+    for_each_ring(groups.shapes.polygons[i], groups.points, [&](std::span<const Point> ring) { sink.ring(ring); });
+    sink.end();
   }
 }
 
@@ -244,23 +262,38 @@ std::vector<std::string_view> problems_of(const NamedShapes& groups) {
 
 std::string json_name(const std::string& name, bool is_number) { return is_number ? name : json_text(name); }
 
-void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
-  file.write(geojson_collection(groups.crs));
-  const bool cuts = is_cut_in_geojson(groups.points, groups.crs, groups.degrees);
+GroupsWriter::GroupsWriter(OutputFile& file, const std::optional<Crs>& crs, bool cuts) : file_(file), cuts_(cuts) {
+  file.write(geojson_collection(crs));
+}
+
+void GroupsWriter::write(const GroupFacts& group, const std::function<void(PolygonSink&)>& show) {
+  file_.write_all(std::exchange(any_, true) ? ",\n" : "\n",
+                  "{\"type\":\"Feature\",\"properties\":{\"group\":", group.name, ",\"points\":", group.points,
+                  ",\"alpha\":", finite_or_null(group.alpha), ",\"area\":", finite_or_null(group.totals.area),
+                  ",\"perimeter\":", finite_or_null(group.totals.perimeter), ",\"polygons\":", group.polygons,
+                  group.more);
+  if (!group.problem.empty()) file_.write(",\"problem\":" + json_text(group.problem));
+  file_.write("},\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[");
+  RingWriter rings(file_, geojson, cuts_);
+  show(rings);
+  file_.write("]}}");
+}
+
+void GroupsWriter::finish() { file_.write("\n]}\n"); }
+
+void write_groups(GroupsWriter& writer, const NamedShapes& groups) {
   for_each_named(groups, [&](std::size_t g, std::string_view problem) {
-    const PolygonTotals& totals = groups.shapes.totals[g];
-    file.write_all(g == 0 ? "\n" : ",\n",
-                   "{\"type\":\"Feature\",\"properties\":{\"group\":", json_name(groups.names[g], groups.are_numbers),
-                   ",\"points\":", groups.sizes[g], ",\"alpha\":", finite_or_null(groups.shapes.alphas[g]),
-                   ",\"area\":", finite_or_null(totals.area), ",\"perimeter\":", finite_or_null(totals.perimeter),
-                   ",\"polygons\":", groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g],
-                   json_members(groups.attributes, g));
-    if (!problem.empty()) file.write(",\"problem\":" + json_text(problem));
-    file.write("},\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[");
-    write_polygons_of(file, geojson, groups, g, cuts);
-    file.write("]}}");
+    writer.write({json_name(groups.names[g], groups.are_numbers), groups.sizes[g], groups.shapes.alphas[g],
+                  groups.shapes.totals[g], groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g],
+                  json_members(groups.attributes, groups.first + g), problem},
+                 [&](PolygonSink& sink) { show_polygons_of(groups, g, sink); });
   });
-  file.write("\n]}\n");
+}
+
+void write_groups_geojson(OutputFile& file, const NamedShapes& groups) {
+  GroupsWriter writer(file, groups.crs, is_cut_in_geojson(groups.points, groups.crs, groups.degrees));
+  write_groups(writer, groups);
+  writer.finish();
 }
 
 void write_groups_csv(OutputFile& file, const NamedShapes& groups) {
@@ -272,7 +305,8 @@ void write_groups_csv(OutputFile& file, const NamedShapes& groups) {
                    groups.shapes.polygon_begin[g + 1] - groups.shapes.polygon_begin[g], ",", csv_text(problem), ",");
     if (problem.empty()) {
       file.write("\"MULTIPOLYGON (");
-      write_polygons_of(file, wkt, groups, g, false);
+      RingWriter rings(file, wkt, false);
+      show_polygons_of(groups, g, rings);
       file.write(")\"");
     } else {
       file.write("MULTIPOLYGON EMPTY");

@@ -124,7 +124,35 @@ struct NamedShapes {
   std::optional<Crs> crs = std::nullopt;
   bool degrees = false;
   std::span<const Attribute> attributes = {};  ///< further attributes of the groups
+  std::size_t first = 0;                       ///< number of the first of these groups in `attributes`
 };
+
+/// The properties of a group.
+struct GroupFacts {
+  std::string name;  ///< as JSON
+  std::uint64_t points = 0;
+  double alpha = 0;
+  PolygonTotals totals = {};
+  std::uint64_t polygons = 0;
+  std::string more = {};          ///< further members, each after a comma
+  std::string_view problem = {};  ///< why there is no polygon
+};
+
+/// Writes GeoJSON of groups, as write_groups_geojson() does, one group after another.
+class GroupsWriter {
+ public:
+  /// With `cuts`, polygons are cut at the antimeridian. Keeps a reference to `file`.
+  GroupsWriter(OutputFile& file, const std::optional<Crs>& crs, bool cuts);
+  /// Writes a group, whose polygons show(sink) gives to a sink.
+  void write(const GroupFacts& group, const std::function<void(PolygonSink&)>& show);
+  void finish();
+
+ private:
+  OutputFile& file_;
+  bool cuts_, any_ = false;
+};
+
+void write_groups(GroupsWriter& writer, const NamedShapes& groups);
 
 /// Returns for each group the reason why it has no polygon; an empty text if it has one.
 std::vector<std::string_view> problems_of(const NamedShapes& groups);

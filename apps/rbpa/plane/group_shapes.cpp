@@ -35,11 +35,9 @@ void require_of_groups(const ShapeArguments& arguments, const std::vector<Target
 void write_targets(GroupRun& run, const std::vector<Attribute>& summaries) {
   const ProgressLine line = run.writing();
   NamedShapes result = run.named_shapes();
-  // "fid" and "geom" are columns of each layer of a GeoPackage.
-  std::vector<std::string> taken = {"group",    "points",  "alpha",    "area", "perimeter",
-                                    "polygons", "problem", "geometry", "fid",  "geom"};
+  std::vector<std::string> taken;
   for (const Attribute& summary : summaries) taken.push_back(summary.name);
-  std::vector<Attribute> attributes = attributes_of(run.named.keys, std::move(taken));
+  std::vector<Attribute> attributes = key_attributes(run.named, std::move(taken));
   attributes.insert(attributes.end(), summaries.begin(), summaries.end());
   result.attributes = attributes;
   for (const Target& target : run.request.targets) {
@@ -83,8 +81,7 @@ void run_group_shapes(const ShapeArguments& arguments) {
       parse_summaries(arguments.summarize, any_of(targets, holds), endings(Use::shape, holds));
   for (PointSource& source : request.sources.files) source.keeps = with_summaries(std::nullopt, summaries);
   GroupShapesOptions options;
-  options.filter = {.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),
-                    .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
+  options.filter = parse_areas(arguments);
   GroupRun run(request, arguments, options);
   write_targets(run, summaries_of(summaries, run.named.file.kept, run.named.groups, run.input()));
   run.finish();

@@ -270,6 +270,31 @@ void require_different(const std::vector<std::string>& outputs, const GroupSourc
   for (const PointSource& file : sources.files) require_different(outputs, file.path, "points");
 }
 
+NamedGroups groups_in(const GroupSources& sources, std::vector<PointFile> files) {
+  Gatherer gatherer(sources);
+  for (std::size_t i = 0; i < files.size(); ++i) gatherer.add(std::move(files[i]), sources.files[i].path);
+  return gatherer.finish();
+}
+
+std::vector<Attribute> key_attributes(const NamedGroups& named, std::vector<std::string> taken) {
+  // "fid" and "geom" are columns of each layer of a GeoPackage.
+  for (const char* name :
+       {"group", "points", "alpha", "area", "perimeter", "polygons", "problem", "geometry", "fid", "geom"})
+    taken.emplace_back(name);
+  return attributes_of(named.keys, std::move(taken));
+}
+
+std::vector<std::string> warnings_on(const NamedGroups& named, bool by_file, std::size_t left_out) {
+  std::vector<std::string> warnings;
+  const auto is_other = [](const std::string& name) { return printable(name).find("\\x") < std::string::npos; };
+  const auto other = std::find_if(named.names.begin(), named.names.end(), is_other);
+  if (other != named.names.end() && !by_file)
+    warnings.push_back("the name of a group, " + in_quotes(*other) +
+                       ", is not in UTF-8: names may become equal in files (iconv -f CP1252 -t UTF-8)");
+  if (left_out > 0) warnings.push_back(counted(left_out, "point") + " without a group");
+  return warnings;
+}
+
 NamedGroups read_groups(const Run& run, const GroupSources& sources) {
   Gatherer gatherer(sources);
   for (const PointSource& source : sources.files) {
@@ -279,14 +304,8 @@ NamedGroups read_groups(const Run& run, const GroupSources& sources) {
   NamedGroups named = gatherer.finish();
   std::vector<std::string> warnings;
   settle_columns(named.file.kept, warnings);
-  const auto is_other = [](const std::string& name) { return printable(name).find("\\x") < std::string::npos; };
-  const auto other = std::find_if(named.names.begin(), named.names.end(), is_other);
-  if (other != named.names.end() && !sources.by_file)
-    warnings.push_back("the name of a group, " + in_quotes(*other) +
-                       ", is not in UTF-8: names may become equal in files (iconv -f CP1252 -t UTF-8)");
   run.warning(warnings);
-  const std::size_t left_out = named.file.points.size() - named.groups.members.size();
-  if (left_out > 0) run.warning(counted(left_out, "point") + " without a group");
+  run.warning(warnings_on(named, sources.by_file, named.file.points.size() - named.groups.members.size()));
   return named;
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/point_file.h"
+#include "io/polygon/attributes.h"
 #include "rbpa/plane/groups.h"
 #include "shared/point_arguments.h"
 #include "shared/run.h"
@@ -42,6 +43,15 @@ struct NamedGroups {
   std::vector<double> radii = {};
   std::vector<std::string> radius_problems = {};
 };
+
+/// Returns the groups of points that were read from `sources`, in the order of the sources.
+NamedGroups groups_in(const GroupSources& sources, std::vector<PointFile> files);
+
+/// Returns the keys as attributes of features, whose names are not those of other properties of groups or in `taken`.
+std::vector<Attribute> key_attributes(const NamedGroups& named, std::vector<std::string> taken = {});
+
+/// Returns warnings about the names of groups, and about `left_out` points without a group.
+std::vector<std::string> warnings_on(const NamedGroups& named, bool by_file, std::size_t left_out);
 
 /// Reads all files. Prints warnings and the number of points without a group, unless quiet. Throws BadInput, also if
 /// coordinate systems differ; Failure, Cancelled.

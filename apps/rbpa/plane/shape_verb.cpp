@@ -74,8 +74,7 @@ void run_shape(const ShapeArguments& arguments) {
   if (arguments.has_groups()) return run_group_shapes(arguments);
   ComplexRequest request = parse_request(arguments);
   request.bytes_a_point = bytes_a_point(request);
-  const PolygonFilter filter{.min_hole_area = parse_area("--min-hole-area", arguments.min_hole_area),
-                             .min_part_area = parse_area("--min-part-area", arguments.min_part_area)};
+  const PolygonFilter filter = parse_areas(arguments);
   Files files{.targets =
                   parse_targets(Use::shape, arguments, arguments.points, given({arguments.stats, arguments.isolated}))};
   if (arguments.isolated) files.isolated = target_of("--isolated", *arguments.isolated, Use::isolated);

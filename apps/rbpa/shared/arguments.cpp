@@ -68,9 +68,13 @@ std::vector<Target> with_edges_and_points(const std::vector<Target>& targets) {
 
 }  // namespace
 
-double parse_area(const std::string& option, const std::string& text) {
-  return parse_real(option, text, {.greatest = std::numeric_limits<double>::infinity()},
-                    "an area: a number >= 0, or inf");
+PolygonFilter parse_areas(const AreaArguments& arguments) {
+  const auto parse = [](const char* option, const std::string& text) {
+    return parse_real(option, text, {.greatest = std::numeric_limits<double>::infinity()},
+                      "an area: a number >= 0, or inf");
+  };
+  return {.min_hole_area = parse("--min-hole-area", arguments.min_hole_area),
+          .min_part_area = parse("--min-part-area", arguments.min_part_area)};
 }
 
 std::vector<double> parse_ascending(const std::string& option, const std::string& text, const std::string& or_else) {

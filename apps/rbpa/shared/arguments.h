@@ -11,11 +11,17 @@
 #include "io/mesh/single_precision.h"
 #include "io/point_columns.h"
 #include "rbpa/plane/alpha_complex.h"
+#include "rbpa/plane/outline_polygons.h"
 
 namespace rbpa::app {
 
-/// Parses a limit of areas: a number >= 0, or "inf".
-double parse_area(const std::string& option, const std::string& text);
+/// The options that remove small holes and parts of outlines, as text.
+struct AreaArguments {
+  std::string min_hole_area = "0", min_part_area = "0";
+};
+
+/// Parses both limits of areas: numbers >= 0, or "inf".
+PolygonFilter parse_areas(const AreaArguments& arguments);
 
 /// Parses ascending radii above 0 with commas between them. `or_else` names in messages what else `option` accepts.
 std::vector<double> parse_ascending(const std::string& option, const std::string& text, const std::string& or_else);

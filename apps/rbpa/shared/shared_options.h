@@ -70,6 +70,19 @@ inline void add_stats_option(CLI::App& verb, std::optional<std::string>& file) {
       ->type_name("FILE");
 }
 
+inline void add_area_options(CLI::App& verb, AreaArguments& arguments) {
+  verb.add_option(
+          "--min-hole-area", arguments.min_hole_area,
+          "Fill holes that enclose less than this area, in squared units of the points, with everything in them; inf: "
+          "all holes")
+      ->type_name("A")
+      ->capture_default_str();
+  verb.add_option("--min-part-area", arguments.min_part_area,
+                  "Drop polygons of less than this area, in squared units of the points, after holes are filled")
+      ->type_name("A")
+      ->capture_default_str();
+}
+
 inline void add_width_option(CLI::App& verb, std::string& width) {
   verb.add_option("--width", width, "Set the width of pictures in pixels")->type_name("PIXELS")->capture_default_str();
 }
@@ -109,6 +122,16 @@ void add_point_options(CLI::App& verb, Arguments& arguments) {
   add_format_options(verb, arguments);
 }
 
+template <typename Arguments>
+void add_group_by_option(CLI::App& verb, Arguments& arguments, const std::string& what) {
+  verb.add_option(
+          "--group-by", arguments.group_by,
+          what +
+              " for each group of points: those with the same value in a column of text, in a field of LAS, PLY "
+              "or PCD, or in a property of GeoJSON; of several columns, a,b, those with the same value in each")
+      ->type_name("COLUMN");
+}
+
 /// Adds the options about points and groups. POINTS may be several files.
 template <typename Arguments>
 void add_group_options(CLI::App& verb, Arguments& arguments, const std::string& what) {
@@ -119,12 +142,7 @@ void add_group_options(CLI::App& verb, Arguments& arguments, const std::string& 
         if (arguments.points.empty()) arguments.points = file;
       });
   add_format_options(verb, arguments);
-  verb.add_option(
-          "--group-by", arguments.group_by,
-          what +
-              " for each group of points: those with the same value in a column of text, in a field of LAS, PLY "
-              "or PCD, or in a property of GeoJSON; of several columns, a,b, those with the same value in each")
-      ->type_name("COLUMN");
+  add_group_by_option(verb, arguments, what);
   add_switch(verb, "--group-by-file", arguments.group_by_file, what + " for each file of points");
 }
 

@@ -34,9 +34,7 @@ void run_mesh(const MeshArguments& arguments);
 void run_group_meshes(const MeshArguments& arguments);
 
 /// The arguments of `rbpa shape`, which makes files of polygons and pictures from a file of points.
-struct ShapeArguments : ComplexArguments {
-  std::string min_hole_area = "0";
-  std::string min_part_area = "0";
+struct ShapeArguments : ComplexArguments, AreaArguments {
   std::optional<std::string> isolated;  ///< path of a file for the points in no polygon
   std::optional<std::string> fields, summarize;
 };
@@ -182,15 +180,15 @@ struct BallsArguments : OutputArguments, BallRadiiArguments {
 void run_balls(const BallsArguments& arguments);
 
 /// The arguments of `rbpa stream`, which makes triangles and polygons of more points than fit into memory.
-struct StreamArguments : PointArguments, OutputArguments {
+struct StreamArguments : PointArguments, OutputArguments, AreaArguments {
   std::vector<std::string> inputs;  ///< files, and folders of files; parsing sets `points` to one file after another
+  std::optional<std::string> group_by;  ///< as GroupArguments::group_by
   RadiusArguments radius;
   std::string memory = "1G";
   std::optional<std::string> tile_size;
   std::optional<std::string> scratch;
   bool keep_tiles = false;
   bool resume = false;
-  std::optional<std::string> min_hole_area, min_part_area;  ///< refused with a hint
   RunArguments run;
 };
 void run_stream(const StreamArguments& arguments);

@@ -45,6 +45,8 @@ void say_stream_result(const StreamRequest& request, const StreamResult& result)
   const PartialCounts& counts = result.counts;
   if (counts.triangles == 0)
     say("rbpa", "the complex is empty: " + why_no_triangle(counts.points - counts.duplicates, false, request.alpha));
+  else if (request.wants_polygons() && result.polygons == 0)
+    say("rbpa", "the shape is empty: no part has an area >= " + text_of(request.filter.min_part_area));
   if (request.quiet) return;
   std::string text = text_of_points(counts.points, counts.duplicates) + " in " + counted(result.tiles, "tile") + ", " +
                      counted(counts.triangles, "triangle") + ", " + std::to_string(counts.isolated) + " isolated";

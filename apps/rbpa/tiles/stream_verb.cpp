@@ -10,6 +10,7 @@
 #include "shared/verbs.h"
 #include "stream/run_stream.h"
 #include "tiles/stream_arguments.h"
+#include "tiles/stream_groups.h"
 #include "tiles/stream_report.h"
 
 namespace rbpa::app {
@@ -43,7 +44,7 @@ std::vector<PointSource> parse_sources(const StreamArguments& arguments) {
   PointArguments one = arguments;
   for (const std::string& path : paths) {
     one.points = path;
-    sources.push_back(parse_source(one));
+    sources.push_back(parse_source(one, {.keys = arguments.group_by}));
   }
   return sources;
 }
@@ -75,6 +76,7 @@ constexpr std::size_t least_tile = 16;
 StreamRequest parse_request(const StreamArguments& arguments) {
   const RunOptions run = parse_run(arguments.run);
   StreamRequest request{.alpha = parse_finite_alpha(arguments.radius),
+                        .filter = parse_areas(arguments),
                         .memory = parse_memory(arguments.memory),
                         .scratch = arguments.scratch,
                         .keep_tiles = arguments.keep_tiles,
@@ -83,13 +85,6 @@ StreamRequest parse_request(const StreamArguments& arguments) {
                         .quiet = run.quiet,
                         .shows_progress = !run.quiet && !written_to_terminal(arguments.outputs),
                         .stats = arguments.stats};
-  refuse_given({{arguments.min_hole_area.has_value(), "--min-hole-area"}},
-               "cannot be combined with rbpa stream, which writes all holes (use rbpa shape if the points fit into "
-               "memory, or fill the holes of the result: "
-               "qgis_process run native:deleteholes --INPUT=OUT --MIN_AREA=A --OUTPUT=FILE)");
-  refuse_given({{arguments.min_part_area.has_value(), "--min-part-area"}},
-               "cannot be combined with rbpa stream, which writes all parts (use rbpa shape if the points fit into "
-               "memory, or a larger --alpha)");
   refuse_given({{arguments.resolution.has_value(), "--resolution"}},
                "cannot be combined with rbpa stream, whose memory would grow with the number of cells");
   if (arguments.tile_size)
@@ -101,6 +96,16 @@ StreamRequest parse_request(const StreamArguments& arguments) {
   if (arguments.outputs.empty() && !arguments.stats) bad_usage("-o", "no OUT", "at least one (or --stats FILE)");
   for (const std::string& path : arguments.outputs)
     request.targets.push_back(parse_stream_target(path, arguments.output_format));
+  if (!request.wants_polygons())
+    refuse_given(
+        {{request.filter.min_hole_area > 0, "--min-hole-area"}, {request.filter.min_part_area > 0, "--min-part-area"}},
+        "requires polygons: -o FILE.geojson or FILE.wkt");
+  if (arguments.group_by) {
+    refuse_given({{request.keep_tiles, "--keep-tiles"}}, "cannot be combined with --group-by");
+    for (const StreamTarget& target : request.targets)
+      if (target.format != StreamFormat::geojson)
+        bad_usage("--group-by", output_name(target.path) + ", whose format has no groups here", "geojson");
+  }
   request.sources = parse_sources(arguments);
   for (PointSource& source : request.sources) source.threads = run.threads;
   request.options = reading_options(arguments);
@@ -120,6 +125,7 @@ void run_stream(const StreamArguments& arguments) {
   const StreamRequest request = parse_request(arguments);
   require_different_files(request);
   Run run("", arguments.outputs, {.quiet = request.quiet});
+  if (arguments.group_by) return run_stream_groups(request, run);
   const StreamResult result = run_stream(request, run.files(), [&](const StreamResult& done) {
     if (request.stats) run.add(*request.stats, [&](OutputFile& file) { write_stream_stats(file, request, done); });
   });

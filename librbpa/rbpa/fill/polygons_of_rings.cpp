@@ -78,19 +78,14 @@ std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<
 std::vector<Polygon> polygons_of_rings(std::span<const Point> points, std::span<const Ring> rings,
                                        std::span<const Point> in_holes, const GoOn& go_on) {
   const ApartRings apart(points, rings, go_on);
-  std::vector<Point> all(points.begin(), points.end());
-  std::vector<std::uint32_t> queries;
-  for (std::size_t i = 0; i < in_holes.size(); ++i) {
+  for (std::size_t i = 0; i < in_holes.size(); ++i)
     if (!is_finite(in_holes[i]))
       throw InvalidInput("hole point " + std::to_string(i) + ": found " + place_of(in_holes[i]) +
                          ", expected finite coordinates");
-    queries.push_back(static_cast<std::uint32_t>(all.size()));
-    all.push_back(in_holes[i]);
-  }
   const std::vector<Polygon> insides = apart.holes();
   Steps step(go_on);
   std::vector<bool> has_point(insides.size(), false);
-  const std::vector<std::optional<std::uint32_t>> around = polygons_around(insides, all, queries, step);
+  const std::vector<std::optional<std::uint32_t>> around = polygons_around(insides, points, in_holes, step);
   for (std::size_t i = 0; i < in_holes.size(); ++i) {
     if (!around[i])
       throw InvalidInput("hole point " + std::to_string(i) + " at " + place_of(in_holes[i]) +

@@ -138,20 +138,24 @@ void check(const PolygonFilter& filter) {
   check_area("min_part_area", filter.min_part_area);
 }
 
+/// Applies the filter, and measures the polygons.
+void apply(const PolygonFilter& filter, std::vector<Polygon>& polygons, std::span<const Point> points, Steps& step) {
+  if (filter.min_hole_area > 0) fill_holes(polygons, points, filter.min_hole_area, step);
+  for (Polygon& polygon : polygons) {
+    step(polygon.shell.points.size());
+    for (const Ring& hole : polygon.holes) step(hole.points.size());
+    measure(polygon, points);
+  }
+  std::erase_if(polygons, [&](const Polygon& polygon) { return polygon.area < filter.min_part_area; });
+}
+
 std::vector<Polygon> polygons_of(std::vector<std::vector<Ring>> components, std::span<const Point> points,
                                  const PolygonFilter& filter, Steps& step) {
   const Order order(points);
   std::vector<Polygon> result;
   for (std::vector<Ring>& rings : components) result.push_back(polygon_of(std::move(rings), order, step));
   sort(result, step, order);
-
-  if (filter.min_hole_area > 0) fill_holes(result, points, filter.min_hole_area, step);
-  for (Polygon& polygon : result) {
-    step(polygon.shell.points.size());
-    for (const Ring& hole : polygon.holes) step(hole.points.size());
-    measure(polygon, points);
-  }
-  std::erase_if(result, [&](const Polygon& polygon) { return polygon.area < filter.min_part_area; });
+  apply(filter, result, points, step);
   return result;
 }
 
@@ -169,6 +173,13 @@ std::vector<Polygon> polygons_of_linked(std::span<const Point> points, const Tri
   check(filter);
   Steps step(go_on);
   return polygons_of(rings_by_component(complex, points.size(), step), points, filter, step);
+}
+
+void filter_polygons(std::vector<Polygon>& polygons, std::span<const Point> points, const PolygonFilter& filter,
+                     const GoOn& go_on) {
+  check(filter);
+  Steps step(go_on);
+  apply(filter, polygons, points, step);
 }
 
 }  // namespace rbpa

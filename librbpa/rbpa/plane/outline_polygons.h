@@ -46,6 +46,13 @@ RBPA_API std::vector<Polygon> outline_polygons(const SolidAlphaComplex& complex,
 RBPA_API std::vector<Polygon> outline_polygons(std::span<const Point> points, const TriangleArrays& complex,
                                                const PolygonFilter& filter = {}, const GoOn& go_on = {});
 
+/// Removes small holes and polygons from `polygons`: the result of outline_polygons() without a filter becomes that
+/// with `filter`. The indices of `polygons` are those of `points`, where a point may stand several times.
+/// Throws: InvalidInput when a bound of the filter is negative or not a number; Cancelled, after which `polygons` are
+///         incomplete.
+RBPA_API void filter_polygons(std::vector<Polygon>& polygons, std::span<const Point> points,
+                              const PolygonFilter& filter, const GoOn& go_on = {});
+
 /// The number of holes of polygons, and the sums of their areas and perimeters.
 struct PolygonTotals {
   std::size_t holes = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <utility>
 
 #include "rbpa/base/arrays/components.h"
@@ -67,11 +68,15 @@ void complete(std::vector<Number>& result, std::span<const Duplicate> duplicates
   if (filter.min_hole_area > 0) {
     std::vector<bool> repeats(points.size(), false);
     for (const Duplicate& duplicate : duplicates) repeats[duplicate.index] = true;
-    std::vector<std::uint32_t> queries;
+    std::vector<std::uint32_t> left;
+    std::vector<Point> queries;
     for (std::uint32_t i = 0; i < points.size(); ++i)
-      if (!result[i] && !repeats[i]) queries.push_back(i);
+      if (!result[i] && !repeats[i]) {
+        left.push_back(i);
+        queries.push_back(points[i]);
+      }
     const std::vector<Number> around = polygons_around(polygons, points, queries, step);
-    for (std::size_t q = 0; q < queries.size(); ++q) result[queries[q]] = around[q];
+    for (std::size_t q = 0; q < queries.size(); ++q) result[left[q]] = around[q];
   }
   for (const Duplicate& duplicate : duplicates) result[duplicate.index] = result[duplicate.stands_for];
 }
@@ -94,6 +99,37 @@ std::vector<Number> polygon_of_points(std::span<const Point> points, const Trian
     }
   }
   complete(result, duplicates, polygons, filter, points, step);
+  return result;
+}
+
+std::vector<Number> polygon_of_points(std::span<const Polygon> polygons, std::span<const Point> corners,
+                                      std::span<const Point> queries, const GoOn& go_on) {
+  Steps step(go_on);
+  std::vector<std::pair<Point, std::uint32_t>> polygon_at;  // each corner with its polygon
+  polygon_at.reserve(corners.size());
+  for (std::uint32_t p = 0; p < polygons.size(); ++p) {
+    const auto add = [&, p](const Ring& ring) {
+      for (const std::uint32_t corner : ring.points) polygon_at.emplace_back(corners[corner], p);
+    };
+    add(polygons[p].shell);
+    std::for_each(polygons[p].holes.begin(), polygons[p].holes.end(), add);
+  }
+  sort(polygon_at, step, std::less<>());
+  std::vector<Number> result(queries.size());
+  std::vector<std::size_t> left;
+  std::vector<Point> inner;
+  for (std::size_t q = 0; q < queries.size(); ++q) {
+    step();
+    const auto found = std::lower_bound(polygon_at.begin(), polygon_at.end(), std::pair(queries[q], std::uint32_t{0}));
+    if (found != polygon_at.end() && found->first == queries[q]) {
+      result[q] = found->second;
+      continue;
+    }
+    left.push_back(q);
+    inner.push_back(queries[q]);
+  }
+  const std::vector<Number> around = polygons_around(polygons, corners, inner, step);
+  for (std::size_t i = 0; i < left.size(); ++i) result[left[i]] = around[i];
   return result;
 }
 

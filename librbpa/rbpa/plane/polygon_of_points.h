@@ -38,4 +38,13 @@ RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(
     std::span<const Point> points, const TriangleArrays& complex, std::span<const Duplicate> duplicates,
     std::span<const Polygon> polygons, const PolygonFilter& filter, const GoOn& go_on = {});
 
+/// Returns the polygon of each of `queries`, some of the input points, as the first overload does, without the complex.
+/// Requires: `polygons`, with indices of `corners`, are outline polygons of the input, filtered or not; not checked.
+/// Throws:   Cancelled.
+/// Cost:     n log n in the corners and the queries.
+RBPA_API std::vector<std::optional<std::uint32_t>> polygon_of_points(std::span<const Polygon> polygons,
+                                                                     std::span<const Point> corners,
+                                                                     std::span<const Point> queries,
+                                                                     const GoOn& go_on = {});
+
 }  // namespace rbpa

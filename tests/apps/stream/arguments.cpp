@@ -138,3 +138,21 @@ TEST_CASE("too many points within 2 alpha are refused with place, number and the
   CHECK(folder.rbpa("stream p.f64xy --alpha 5 --memory " + enough + " -o p.wkt -q").code == 0);
   CHECK(folder.names() == std::vector<std::string>{"p.f64xy", "p.wkt"});
 }
+
+TEST_CASE("an outline that does not fit into memory for its filter is refused with the memory that suffices") {
+  const Folder folder;
+  std::string points;
+  for (int x = 0; x < 200; ++x)
+    for (int y = 0; y < 100; ++y)
+      for (const auto& [right, up] : {std::pair(0, 0), {1, 0}, {0, 1}})
+        points += std::to_string(9 * x + right) + " " + std::to_string(9 * y + up) + "\n";
+  folder.file("p.xy", points);
+  const std::string run = "p.xy --alpha 1 -o p.geojson -q --min-part-area 0.5 --memory ";
+  const std::string text = said(folder, run + "64M", 1);
+  CHECK(text.starts_with("rbpa: --memory 64M: found about 130000 corners of polygons, expected at most "));
+  const std::size_t at = text.find(" (--memory ");
+  REQUIRE(at != std::string::npos);
+  CHECK(folder.rbpa("stream " + run + text.substr(at + 11, text.find(' ', at + 11) - at - 11)).code == 0);
+  CHECK(folder.rbpa("shape p.xy --alpha 1 -o w.geojson -q --min-part-area 0.5").code == 0);
+  CHECK(folder.content("p.geojson") == folder.content("w.geojson"));
+}

@@ -1,7 +1,6 @@
 // Folders of points: the files that are read, and are not, are listed.
 #include <doctest/doctest.h>
 
-#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -78,18 +77,19 @@ TEST_SUITE("stream folders") {
     }
   }
 
-  TEST_CASE("a filter of rbpa shape is refused with a hint at that verb") {
+  TEST_CASE("limits of areas are those of rbpa shape, need polygons, and say when no part is left") {
     const Folder folder;
     folder.file("p.xy", corner);
-    for (const auto& [option, what, way_out] : {std::array{"--min-hole-area", "holes", "native:deleteholes"},
-                                                std::array{"--min-part-area", "parts", "a larger --alpha"}}) {
-      const Outcome outcome = folder.rbpa("stream p.xy --alpha 2 -o o.wkt " + std::string(option) + " 1000");
-      CHECK(outcome.code == 2);
-      CHECK(outcome.err.starts_with("rbpa: " + std::string(option) +
-                                    " cannot be combined with rbpa stream, which writes all " + what + " (use"));
-      CHECK(outcome.err.find(way_out) != std::string::npos);
-      CHECK_FALSE(folder.has("o.wkt"));
+    for (const std::string option : {"--min-hole-area", "--min-part-area"}) {
+      CHECK(folder.rbpa("stream p.xy --alpha 2 -o o.npy " + option + " 3").err ==
+            "rbpa: " + option + " requires polygons: -o FILE.geojson or FILE.wkt\n");
+      const std::string bad = " p.xy --alpha 2 -o o.wkt " + option + " x";
+      CHECK(folder.rbpa("stream" + bad).err == folder.rbpa("shape" + bad).err);
+      CHECK(folder.names() == std::vector<std::string>{"p.xy"});
     }
-    CHECK(folder.rbpa("stream --help").out.find("--min-hole-area") == std::string::npos);
+    const Outcome outcome = folder.rbpa("stream p.xy --alpha 2 -o o.wkt --min-part-area 1000");
+    CHECK(outcome.code == 0);
+    CHECK(outcome.err.starts_with("rbpa: the shape is empty: no part has an area >= 1000\n"));
+    CHECK(folder.content("o.wkt") == "MULTIPOLYGON EMPTY\n");
   }
 }

@@ -34,7 +34,7 @@ Made take(const Folder& folder) {
   return made;
 }
 
-Made wanted(const Folder& folder, const std::string& file, double alpha) {
+Made wanted(const Folder& folder, const std::string& file, double alpha, const rbpa::app::AreaArguments& areas) {
   rbpa::app::MeshArguments mesh;
   mesh.points = folder.path(file);
   mesh.radius.alpha = text_of(alpha);
@@ -45,6 +45,7 @@ Made wanted(const Folder& folder, const std::string& file, double alpha) {
   shape.points = folder.path(file);
   shape.radius.alpha = text_of(alpha);
   shape.outputs = {folder.path("p.geojson"), folder.path("p.wkt")};
+  static_cast<rbpa::app::AreaArguments&>(shape) = areas;
   shape.stats = folder.path("s.json");
   shape.run.quiet = true;
   rbpa::app::run_shape(shape);
@@ -59,6 +60,7 @@ Made streamed(const Folder& folder, const std::vector<std::string>& files, doubl
   stream.outputs = {folder.path("t.npy"), folder.path("p.geojson"), folder.path("p.wkt")};
   stream.memory = std::to_string(how.memory);
   if (how.tile_size > 0) stream.tile_size = std::to_string(std::max<std::uint64_t>(how.tile_size, 16));
+  static_cast<rbpa::app::AreaArguments&>(stream) = how.areas;
   stream.stats = folder.path("s.json");
   stream.run.quiet = true;
   stream.run.threads = std::to_string(how.threads);

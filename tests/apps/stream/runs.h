@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rbpa/base/point.h"
+#include "shared/arguments.h"
 #include "support/program.h"
 
 namespace stream_test {
@@ -24,12 +25,14 @@ std::string raw(std::span<const rbpa::Point> points);
 Made take(const apps_test::Folder& folder);
 
 /// Returns the results of `rbpa mesh` and `rbpa shape` for a file in the folder.
-Made wanted(const apps_test::Folder& folder, const std::string& file, double alpha);
+Made wanted(const apps_test::Folder& folder, const std::string& file, double alpha,
+            const rbpa::app::AreaArguments& areas = {});
 
 struct How {
   std::uint64_t tile_size = 0;  ///< 0: as memory allows
   std::uint64_t memory = std::uint64_t{1} << 30U;
   unsigned threads = 2;
+  rbpa::app::AreaArguments areas = {};
 };
 
 /// Returns the results of `rbpa stream` for files in the folder. Checks that no other file is left.

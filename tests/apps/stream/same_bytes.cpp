@@ -7,7 +7,9 @@
 
 #include "robustness/moments.h"
 #include "stream/runs.h"
+#include "support/generate.h"
 #include "support/las_file.h"
+#include "support/pictures.h"
 #include "support/random.h"
 #include "support/sets.h"
 #include "support/spacing.h"
@@ -19,15 +21,16 @@ using Points = std::vector<Point>;
 
 namespace {
 
-void check_all_tiles(const Points& points, double alpha, const std::vector<std::uint64_t>& sizes) {
+void check_all_tiles(const Points& points, double alpha, const std::vector<std::uint64_t>& sizes,
+                     const rbpa::app::AreaArguments& areas = {}) {
   CAPTURE(alpha);
   if (alpha == 0) return;  // half of the least double is not a radius
   const Folder folder;
   folder.file("p.f64xy", raw(points));
-  const Made expected = wanted(folder, "p.f64xy", alpha);
+  const Made expected = wanted(folder, "p.f64xy", alpha, areas);
   for (const std::uint64_t size : sizes) {
     CAPTURE(size);
-    CHECK(streamed(folder, {"p.f64xy"}, alpha, {.tile_size = size}) == expected);
+    CHECK(streamed(folder, {"p.f64xy"}, alpha, {.tile_size = size, .areas = areas}) == expected);
   }
 }
 
@@ -92,6 +95,24 @@ TEST_CASE("one polygon in all tiles, with thousands of holes, has the same bytes
   for (int i = 0; i < 40'000; ++i)
     points.push_back({double(random.below(1U << 24U)) / (1U << 24U), double(random.below(1U << 24U)) / (1U << 24U)});
   check_all_tiles(points, 0.0048, {400, 3000});
+}
+
+TEST_CASE(
+    "small holes and parts are left out as by shape, with pinches, islands in holes, duplicates and points in holes") {
+  rbpa_test::Random random(31);
+  for (int run = 0; run < 6; ++run) {
+    Points points = run < 3 ? rbpa_test::random_grid(16, 150, true, random.bits())
+                            : rbpa_test::points_of(rbpa_test::random_picture(12, 12, 0.6, random));
+    const double alpha = run < 3 ? 0.75 : rbpa_test::picture_alpha;
+    for (int i = 0; i < 12; ++i) points.push_back({2.0 * random.integer(0, 11) + 1, 2.0 * random.integer(0, 11) + 1});
+    for (int i = 0; i < 20; ++i) points.push_back(points[random.below(points.size())]);
+    for (const char* hole : {"0", "1.5", "4.5", "inf"})
+      for (const char* part : {"0", "1.5", "20", "inf"}) {
+        CAPTURE(hole);
+        CAPTURE(part);
+        check_all_tiles(points, alpha, {20}, {hole, part});
+      }
+  }
 }
 
 TEST_CASE("coordinates at both ends of double, and both zeros, give the same bytes") {

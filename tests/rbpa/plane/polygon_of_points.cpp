@@ -74,6 +74,10 @@ void check(const Points& points, double alpha) {
       const Numbers wanted = by_definition(polygons, points);
       REQUIRE(rbpa::polygon_of_points(complex, polygons, filter, points) == wanted);
       REQUIRE(rbpa::polygon_of_points(points, arrays, arrays.duplicates, polygons, filter) == wanted);
+      REQUIRE(rbpa::polygon_of_points(polygons, points, points) == wanted);
+      std::vector<Polygon> filtered = rbpa::outline_polygons(points, arrays);
+      rbpa::filter_polygons(filtered, points, filter);
+      REQUIRE(filtered == polygons);
     }
 }
 

@@ -18,7 +18,13 @@ struct Edge : SweptEdge {
 };
 
 std::vector<Edge> edges_of(std::span<const Polygon> polygons, std::span<const Point> points, Steps& step) {
+  std::size_t corners = 0;
+  for (const Polygon& polygon : polygons) {
+    corners += polygon.shell.points.size();
+    for (const Ring& hole : polygon.holes) corners += hole.points.size();
+  }
   std::vector<Edge> edges;
+  edges.reserve(corners);
   for (std::uint32_t p = 0; p < polygons.size(); ++p) {
     const auto add = [&](const Ring& ring, std::uint32_t number) {
       step(ring.points.size());
@@ -41,6 +47,7 @@ class Sweep {
   using Edges = std::set<const Edge*, Below>;
 
   Sweep(const std::vector<Edge>& edges, Steps& step) : step_(step), first_(edges.data()), place_(edges.size()) {
+    starts_.reserve(edges.size());
     for (const Edge& edge : edges) starts_.push_back(&edge);
     ends_ = starts_;
     sort(starts_, step_, [](const Edge* a, const Edge* b) { return a->low < b->low; });
@@ -127,17 +134,17 @@ std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, st
 }
 
 std::vector<std::optional<std::uint32_t>> polygons_around(std::span<const Polygon> polygons,
-                                                          std::span<const Point> points,
-                                                          std::span<const std::uint32_t> queries, Steps& step) {
+                                                          std::span<const Point> points, std::span<const Point> queries,
+                                                          Steps& step) {
   const std::vector<Edge> edges = edges_of(polygons, points, step);
   std::vector<std::size_t> order(queries.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  sort(order, step, [&](std::size_t a, std::size_t b) { return points[queries[a]] < points[queries[b]]; });
+  sort(order, step, [&](std::size_t a, std::size_t b) { return queries[a] < queries[b]; });
   std::vector<std::optional<std::uint32_t>> around(queries.size());
   Sweep sweep(edges, step);
   for (const std::size_t q : order) {
     step();
-    const Point& at = points[queries[q]];
+    const Point& at = queries[q];
     for (auto start = sweep.next_start(); start && *start < at; start = sweep.next_start()) sweep.move_to_start(*start);
     sweep.move_past_ends(at);
     const auto above = sweep.crossed().lower_bound(at);

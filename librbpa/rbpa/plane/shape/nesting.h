@@ -29,12 +29,11 @@ struct HoleOf {
 std::vector<std::optional<HoleOf>> nesting(std::span<const Polygon> polygons, std::span<const Point> points,
                                            Steps& step);
 
-/// Returns for each of `queries`, which are indices of points, the polygon that contains the point; nothing if no
-/// polygon does.
+/// Returns for each of `queries` the polygon that contains the point; nothing if no polygon does.
 /// Requires: as nesting(); no query is on a ring.
 /// Throws:   as nesting().
 std::vector<std::optional<std::uint32_t>> polygons_around(std::span<const Polygon> polygons,
-                                                          std::span<const Point> points,
-                                                          std::span<const std::uint32_t> queries, Steps& step);
+                                                          std::span<const Point> points, std::span<const Point> queries,
+                                                          Steps& step);
 
 }  // namespace rbpa
