@@ -19,7 +19,7 @@ void GroupPoints::flush() {
     first = last;
   }
   log_.flush();
-  waiting_.clear();
+  decltype(waiting_)().swap(waiting_);  // returns the memory, which tiles need after the last flush
 }
 
 void GroupPoints::read(std::uint32_t group, const std::function<void(std::span<const Point>)>& visit) const {
