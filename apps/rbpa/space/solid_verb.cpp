@@ -115,11 +115,13 @@ void SolidRun::find_lives(const SolidFacts& facts) {
   if (request_.pockets) pockets_ = all.pockets(facts.alpha);
 }
 
-/// Writes the boundary. Except in npy, each fan of triangles has its own vertex, so that the mesh is a manifold.
+/// Writes the boundary. In formats that number vertices, each fan of triangles has its own, so that the mesh is a
+/// manifold; npy numbers points, and STL nothing.
 void SolidRun::write_boundary(OutputFile& file, Format format, const Surface& surface) const {
-  if (format == Format::npy)
-    return write_surface(file, format,
-                         {.vertices = file_.points, .triangles = surface.triangles, .index = file_.index});
+  if (format == Format::npy || format == Format::stl)
+    return write_surface(
+        file, format,
+        {.vertices = file_.points, .triangles = surface.triangles, .shift = request_.shift, .index = file_.index});
   const SplitFans fans = split_fans(indexable_surface(surface, until_interrupted()), until_interrupted());
   const VerticesOfPoints vertices({.vertices = file_.points,
                                    .triangles = {},
