@@ -67,7 +67,8 @@ py::dict solid_filtration_of(const Doubles& points, unsigned threads, const py::
              .automatic = infinity};
     all.pairs = solid_persistence(all.filtration, watch.until_stopped(), threads);
     all.least = min_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha, 1, watch.until_stopped());
-    all.automatic = auto_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha, 1, watch.until_stopped());
+    all.automatic =
+        auto_alpha(all.filtration.delaunay, all.filtration.tetrahedron_alpha, 1, watch.until_stopped(), threads);
     return all;
   });
   py::dict result = arrays_of(std::move(made.filtration), made.pairs);

@@ -59,7 +59,7 @@ SpacePersistence::SpacePersistence(const SpacePointSource& source, const std::ve
   const unsigned threads = options().threads_or_all();
   auto radii = std::async(threads > 1 ? std::launch::async : std::launch::deferred, [&] {
     least = min_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, until_interrupted());
-    automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, until_interrupted());
+    automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, until_interrupted(), 1);
   });
   pairs = solid_persistence(filtration, until_interrupted(), std::max(1u, threads - 1));
   radii.get();

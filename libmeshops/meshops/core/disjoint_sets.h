@@ -1,10 +1,13 @@
 // What: union–find over the numbers from 0, with the parity of each number relative to the least number of its set.
-// Cost: amortized logarithmic time for each call, in practice constant; four bytes for each number.
+// Cost: amortized logarithmic time for each call, in practice constant; four bytes for each number, and four for rings.
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
+#include <utility>
 
 #include "meshops/core/fresh_vector.h"
 
@@ -53,6 +56,22 @@ class DisjointSets {
     link(a, b);
     return true;
   }
+  /// Merges the sets of `a` and `b` as join() does. Several threads may call this function at once, but no other one.
+  /// Requires: all numbers are on the even side; not checked.
+  void join_among_threads(std::uint32_t a, std::uint32_t b) {
+    constexpr auto relaxed = std::memory_order_relaxed;  // a link announces no other data
+    const auto parent_of = [&](std::uint32_t i) { return std::atomic_ref(link_[i]).load(relaxed) >> 1U; };
+    const auto least_of = [&](std::uint32_t i) {
+      for (std::uint32_t parent = parent_of(i), next; parent != i; i = parent, parent = next)
+        if ((next = parent_of(parent)) != parent) std::atomic_ref(link_[i]).store(2 * next, relaxed);
+      return i;
+    };
+    for (std::uint32_t own = 0; (a = least_of(a)) != (b = least_of(b));) {
+      if (a > b) std::swap(a, b);
+      own = 2 * b;  // another link if another thread has merged b meanwhile
+      if (std::atomic_ref(link_[b]).compare_exchange_strong(own, 2 * a, relaxed)) return;
+    }
+  }
   /// Merges the sets of `a` and `b`, so that `a` and `b` are on different sides exactly if `differ` is true. Returns:
   /// false if `a` and `b` were in one set already and their sides contradict `differ`; otherwise true.
   bool unite(std::uint32_t a, std::uint32_t b, bool differ = false) {
@@ -83,6 +102,25 @@ class DisjointSets {
 
   // link_[i] is twice the parent of i, plus 1 if i and its parent are on different sides, so that one read gives both.
   FreshVector<std::uint32_t> link_;
+};
+
+/// The members of disjoint sets, each set as a ring; at first each number is in its own ring.
+class MemberRings {
+ public:
+  explicit MemberRings(std::size_t size) : next_(size) { std::iota(next_.begin(), next_.end(), 0U); }
+
+  /// Merges the rings of `a` and `b`. Requires: the rings differ; not checked.
+  void join(std::uint32_t a, std::uint32_t b) { std::swap(next_[a], next_[b]); }
+  /// Calls visit(member) for each member of the ring of `i`. The last call has `i`.
+  template <typename Visit>
+  void for_each(std::uint32_t i, const Visit& visit) const {
+    std::uint32_t member = i;
+    do visit(member = next_[member]);
+    while (member != i);
+  }
+
+ private:
+  FreshVector<std::uint32_t> next_;
 };
 
 }  // namespace meshops

@@ -91,12 +91,13 @@ FullCounts count(const space::Triangulated& cells, const space::FacesWithin& fac
 }
 
 /// Returns the tetrahedra in voids of a complex. `sets` is connected_outside().
-Solid in_voids(const Solid& delaunay, const space::FacesWithin& faces, meshops::DisjointSets& sets) {
+Solid in_voids(const Solid& delaunay, const space::FacesWithin& faces, meshops::DisjointSets& sets, Threads& threads) {
   const auto outside = static_cast<std::uint32_t>(delaunay.simplices.size());
   std::vector<std::uint32_t> kept;
   for (std::uint32_t t = 0; t < outside; ++t)
     if (!faces.has_tetrahedron(t) && sets.find(t) != sets.find(outside)) kept.push_back(t);
-  return space::part_of(delaunay, kept, [&](std::uint32_t t, std::size_t k) { return !faces.has_triangle(t, k); });
+  return space::part_of(delaunay, kept, threads,
+                        [&](std::uint32_t t, std::size_t k) { return !faces.has_triangle(t, k); });
 }
 
 }  // namespace
@@ -116,12 +117,12 @@ Solid void_space(std::span<const Point3> points, const Solid& delaunay, std::spa
   Threads threads = space::check_triangulation("void_space", points, delaunay, radii, alpha, wanted);
   const space::FacesWithin faces({points, delaunay}, radii, alpha, threads, go_on);
   meshops::DisjointSets sets = connected_outside(delaunay, faces, go_on);
-  return in_voids(delaunay, faces, sets);
+  return in_voids(delaunay, faces, sets, threads);
 }
 
 FullVoids full_voids(std::span<const Point3> points, const Solid& space, double alpha, unsigned wanted,
                      const GoOn& go_on) {
-  SolidBoundary boundary = solid_boundary(space);
+  SolidBoundary boundary = solid_boundary(space, wanted);
   const SolidComponents components = solid_components(points, space, boundary);
   FullVoids voids;
   Threads threads = threads_for(points.size(), wanted);
@@ -162,7 +163,7 @@ FullTopology full_topology(std::span<const Point3> points, const Solid& delaunay
   const space::Triangulated cells(points, delaunay);
   const space::FacesWithin faces(cells, radii, alpha, threads, go_on);
   meshops::DisjointSets sets = connected_outside(delaunay, faces, go_on);
-  const Solid in_void = in_voids(delaunay, faces, sets);
+  const Solid in_void = in_voids(delaunay, faces, sets, threads);
   FullTopology full;
   for_each_index(threads, 2, [&](std::size_t task) {
     if (task == 0)

@@ -36,11 +36,11 @@ MeasuredSolid measure_solid(std::span<const Point3> points, const MeasureSolidOp
         choose_solid_alpha(options.alpha, points, made.triangulation, made.radii, go_on, options.threads);
     made.alpha = chosen.alpha;
     made.plateaus = std::move(chosen.plateaus);
-    made.solid = within(made.triangulation, made.radii, made.alpha);
+    made.solid = within(made.triangulation, made.radii, made.alpha, options.threads);
   }
   if (has_boundary) {
     begin(SolidStep::boundary);
-    made.boundary = solid_boundary(made.solid);
+    made.boundary = solid_boundary(made.solid, options.threads);
   }
   if (options.counts || options.full || options.components) begin(SolidStep::counting);
   CheckpointOfThreads checkpoint(go_on);

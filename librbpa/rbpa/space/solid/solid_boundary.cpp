@@ -1,10 +1,13 @@
 #include "rbpa/space/solid/solid_boundary.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <numeric>
 
 #include "meshops/core/contract.h"
+#include "rbpa/base/arrays/simplices_at.h"
+#include "rbpa/base/run/input.h"
 #include "rbpa/base/sort/canonical_rows.h"
 #include "rbpa/base/triangle_arrays.h"
 #include "rbpa/space/predicate/outer_faces.h"
@@ -24,29 +27,37 @@ constexpr Triangle no_neighbors = {Surface::none, Surface::none, Surface::none};
 /// of a face is 4 t + k for the face across from corner k of tetrahedron t.
 class OpenFaces {
  public:
-  explicit OpenFaces(const Solid& solid) : solid_(solid) {
+  OpenFaces(const Solid& solid, unsigned threads)
+      : solid_(solid), threads_(threads_for(solid.simplices.size(), threads)) {
     meshops::require(solid.neighbors.size() == solid.simplices.size(),
                      "solid_boundary: expected a solid with neighbors");
   }
 
   /// Step 1: finds the faces without a neighbor, in canonical order.
   void find() {
-    first_.resize(solid_.simplices.size());
-    std::vector<Row> rows;  // three corners, and the number of the face
-    std::uint32_t bound = 0;
-    for (std::uint32_t t = 0; t < first_.size(); ++t) {
-      first_[t] = static_cast<std::uint32_t>(rows.size());
-      for (std::uint32_t k = 0; k < 4; ++k) {
-        if (solid_.neighbors[t][k] != Solid::none) continue;
-        const Row& corners = solid_.simplices[t];
-        const Triangle triangle = from_least(space::outer_face(corners, k));
-        rows.push_back({triangle[0], triangle[1], triangle[2], 4 * t + k});
-        bound = std::max(bound, triangle[0]);
+    const auto& neighbors = solid_.neighbors;
+    first_.resize(neighbors.size());
+    std::vector<std::uint32_t> begin(neighbors.size() / at_a_time + 2, 0);  // for each part: its first open face
+    for_each_part(threads_, neighbors.size(), at_a_time, [&](std::size_t first, std::size_t last) {
+      std::uint32_t& count = begin[first / at_a_time + 1];
+      for (std::size_t t = first; t < last; ++t)
+        count += static_cast<std::uint32_t>(std::count(neighbors[t].begin(), neighbors[t].end(), Solid::none));
+    });
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    meshops::FreshVector<Row> rows(begin.back());  // three corners, and the number of the face
+    for_each_part(threads_, neighbors.size(), at_a_time, [&](std::size_t first, std::size_t last) {
+      std::uint32_t next = begin[first / at_a_time];
+      for (auto t = static_cast<std::uint32_t>(first); t < last; ++t) {
+        first_[t] = next;
+        for (std::uint32_t k = 0; k < 4; ++k) {
+          if (neighbors[t][k] != Solid::none) continue;
+          const Triangle triangle = from_least(space::outer_face(solid_.simplices[t], k));
+          rows[next++] = {triangle[0], triangle[1], triangle[2], 4 * t + k};
+        }
       }
-    }
-    Threads one;
+    });
     std::vector<Row> sorted;
-    place_ = sort_rows(rows, std::size_t{bound} + 1, one, sorted);
+    place_ = sort_rows(rows, corner_bound<4>(solid_.simplices), threads_, sorted);
     for (const Row& row : sorted) {
       triangles_.push_back({row[0], row[1], row[2]});
       faces_.push_back(row[3]);
@@ -54,11 +65,14 @@ class OpenFaces {
     neighbors_.assign(triangles_.size(), no_neighbors);
   }
 
-  /// Step 2: glues each side to the side at the other end of its wedge of tetrahedra.
+  /// Step 2: glues each side to the side at the other end of its wedge of tetrahedra. Two threads may walk through one
+  /// wedge from its two ends; both then glue the same sides.
   void glue() {
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
-      for (std::uint32_t j = 0; j < 3; ++j)
-        if (neighbors_[i][j] == Surface::none) glue(i, j);
+    for_each_part(threads_, triangles_.size(), at_a_time, [&](std::size_t first, std::size_t last) {
+      for (auto i = static_cast<std::uint32_t>(first); i < last; ++i)
+        for (std::uint32_t j = 0; j < 3; ++j)
+          if (std::atomic_ref(neighbors_[i][j]).load(std::memory_order_relaxed) == Surface::none) glue(i, j);
+    });
   }
 
   SolidBoundary result() && {
@@ -100,11 +114,14 @@ class OpenFaces {
     const std::uint32_t across = place_of(solid_.simplices[t][in], triangles_[other]);
     meshops::require(triangles_[other][(across + 1) % 3] == q && triangles_[other][(across + 2) % 3] == p,
                      "solid_boundary: expected positively oriented tetrahedra");
-    neighbors_[i][j] = other;
-    neighbors_[other][across] = i;
+    std::atomic_ref(neighbors_[i][j]).store(other, std::memory_order_relaxed);
+    std::atomic_ref(neighbors_[other][across]).store(i, std::memory_order_relaxed);
   }
 
+  static constexpr std::size_t at_a_time = 1u << 13;
+
   const Solid& solid_;
+  Threads threads_;
   std::vector<std::uint32_t> first_;           // for each tetrahedron: the number of open faces of earlier ones
   meshops::FreshVector<std::uint32_t> place_;  // for each open face as found: its canonical place
   std::vector<Triangle> triangles_, neighbors_;
@@ -113,8 +130,8 @@ class OpenFaces {
 
 }  // namespace
 
-SolidBoundary solid_boundary(const Solid& solid) {
-  OpenFaces faces(solid);
+SolidBoundary solid_boundary(const Solid& solid, unsigned threads) {
+  OpenFaces faces(solid, threads);
   faces.find();
   faces.glue();
   return std::move(faces).result();

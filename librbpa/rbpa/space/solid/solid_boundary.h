@@ -2,7 +2,7 @@
 // Law:  the boundary is a function of the set of tetrahedra. Where four, six or more boundary triangles share an edge,
 //       two are neighbors if they bound the same wedge of tetrahedra. Each fan of triangles around a point thus has a
 //       vertex of its own in split_fans() and surface_mesh(). docs/explanation/space.md, section 17.
-// Cost: linear in the tetrahedra, and a sort of the boundary triangles.
+// Cost: linear in the tetrahedra, and a sort of the boundary triangles; shared among threads.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point3.h"
+#include "rbpa/base/progress.h"
 #include "rbpa/space/solid/solid.h"
 #include "rbpa/space/surface/surface.h"
 
@@ -29,7 +30,7 @@ struct SolidBoundary {
 /// Requires: `solid` has neighbors.
 /// Throws:   ContractViolation when neighbors are missing; also when, around a boundary edge, a neighbor does not share
 ///           the face or a tetrahedron is not positively oriented. Other tetrahedra are not checked.
-RBPA_API SolidBoundary solid_boundary(const Solid& solid);
+RBPA_API SolidBoundary solid_boundary(const Solid& solid, MaxThreads threads = 0);
 
 /// Returns the triangles of a boundary in their order, glued through the outside: where several wedges of tetrahedra
 /// meet at an edge, the neighbor of a triangle is the next triangle around the edge across the empty space in front of

@@ -27,6 +27,7 @@ namespace {
 
 using Row = std::array<std::uint32_t, 4>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t at_a_time = 1u << 12;
 
 void require_radii(const Solid& solid, std::span<const double> radii) {
   meshops::require_one_each("radii", radii.size(), "values", solid.simplices.size(), "tetrahedra");
@@ -45,25 +46,67 @@ std::size_t share_of(std::size_t all, double share) {
   return count;
 }
 
+/// The corners of a triangulation.
+struct Covered {
+  std::size_t bound = 0;   ///< the greatest corner plus one
+  std::size_t wanted = 0;  ///< the number of corners in the wanted share of all corners
+  double alpha = 0;        ///< the least alpha at which the wanted number of corners are in tetrahedra
+};
+
+/// Requires: there is a tetrahedron.
+Covered covered(const Solid& delaunay, std::span<const double> radii, double share, Steps& step) {
+  constexpr double never = -1;  // mark of a point that is no corner
+  Covered found{.bound = corner_bound<4>(delaunay.simplices)};
+  std::vector<double> least(found.bound, never);
+  for (std::size_t t = 0; t < radii.size(); ++t) {
+    step();
+    for (const std::uint32_t corner : delaunay.simplices[t])
+      least[corner] = least[corner] < 0 ? radii[t] : std::min(least[corner], radii[t]);
+  }
+  std::erase(least, never);
+  found.wanted = share_of(least.size(), share);
+  const auto last = least.begin() + static_cast<std::ptrdiff_t>(found.wanted - 1);
+  std::nth_element(least.begin(), last, least.end());
+  found.alpha = *last;
+  return found;
+}
+
 /// The solid components of a complex to which tetrahedra are added, and a test whether one of them has enough corners.
 class GrowingPieces {
  public:
-  /// Keeps a reference to the triangulation. Enough is at least `share` of all corners.
-  GrowingPieces(const Solid& delaunay, double share)
+  /// Begins with the tetrahedra of the complex at covered.alpha. Keeps a reference to the triangulation.
+  GrowingPieces(const Solid& delaunay, std::span<const double> radii, const Covered& covered, Threads& threads,
+                const GoOn& go_on)
       : delaunay_(delaunay),
-        bound_(corner_bound<4>(delaunay.simplices)),
-        sets_(delaunay.simplices.size()),
-        size_(delaunay.simplices.size(), 0),
-        next_(delaunay.simplices.size()) {
-    Corners all(bound_, bound_);
-    for (const Row& row : delaunay.simplices) all.add(row);
-    wanted_ = share_of(all.size(), share);
+        bound_(covered.bound),
+        wanted_(covered.wanted),
+        sets_(radii.size()),
+        rings_(radii.size()),
+        size_(radii.size(), 0) {
+    CheckpointOfThreads checkpoint(go_on);
+    for_each_part(threads, radii.size(), at_a_time, [&](std::size_t first, std::size_t last) {
+      checkpoint();
+      for (auto t = static_cast<std::uint32_t>(first); t < last; ++t)
+        for (const std::uint32_t n : delaunay.neighbors[t])
+          if (n < t && std::max(radii[t], radii[n]) <= covered.alpha) sets_.join_among_threads(t, n);
+    });
+    Steps step(go_on);
+    for (std::uint32_t t = 0; t < radii.size(); ++t) {
+      step();
+      if (radii[t] > covered.alpha) continue;
+      const std::uint32_t root = sets_.find(t);
+      size_[t] = 1;
+      if (root == t) continue;
+      ++size_[root];
+      rings_.join(root, t);
+    }
+    is_enough_ = delaunay.simplices.front().size() >= wanted_;
+    for (std::uint32_t t = 0; t < radii.size() && !is_enough_; ++t)
+      if (size_[t] > 1 && sets_.is_least(t) && may_have_enough(size_[t])) count(t);
   }
 
   void add(std::uint32_t t) {
     size_[t] = 1;
-    next_[t] = t;
-    is_enough_ = is_enough_ || delaunay_.simplices[t].size() >= wanted_;
     for (const std::uint32_t n : delaunay_.neighbors[t])
       if (n != Solid::none && size_[n] > 0) join(sets_.find(t), sets_.find(n));
   }
@@ -102,13 +145,12 @@ class GrowingPieces {
     const std::uint32_t both = size_[a] + size_[b];
     const bool is_counted = may_have_enough(both);
     if (is_counted) {
-      Corners& corners = corners_.try_emplace(a, bound_, wanted_).first->second;
-      if (corners.size() == 0) add_all(a, corners);
-      add_all(b, corners);
+      if (!corners_.contains(a)) count(a);
+      add_all(b, corners_.at(a));
       corners_.erase(b);
-      is_enough_ = is_enough_ || corners.size() >= wanted_;
+      is_enough_ = is_enough_ || corners_.at(a).size() >= wanted_;
     }
-    std::swap(next_[a], next_[b]);
+    rings_.join(a, b);
     const std::uint32_t root = sets_.link(a, b);
     size_[root] = both;
     if (!is_counted || root == a) return;
@@ -117,17 +159,20 @@ class GrowingPieces {
     corners_.insert(std::move(node));
   }
 
+  void count(std::uint32_t root) {
+    Corners& corners = corners_.try_emplace(root, bound_, wanted_).first->second;
+    add_all(root, corners);
+    is_enough_ = is_enough_ || corners.size() >= wanted_;
+  }
   void add_all(std::uint32_t root, Corners& corners) const {
-    std::uint32_t t = root;
-    do corners.add(delaunay_.simplices[t]);
-    while ((t = next_[t]) != root);
+    rings_.for_each(root, [&](std::uint32_t t) { corners.add(delaunay_.simplices[t]); });
   }
 
   const Solid& delaunay_;
-  std::size_t bound_, wanted_ = 0;
+  std::size_t bound_, wanted_;
   meshops::DisjointSets sets_;
+  meshops::MemberRings rings_;       // the tetrahedra of each component
   std::vector<std::uint32_t> size_;  // at each root, its number of tetrahedra; 0 for a tetrahedron that is not added
-  std::vector<std::uint32_t> next_;  // the tetrahedra of a component in a circle
   std::unordered_map<std::uint32_t, Corners> corners_;  // by root, where may_have_enough()
   bool is_enough_ = false;
 };
@@ -144,7 +189,6 @@ std::vector<double> circumradii(std::span<const Point3> points, std::span<const 
                            ", expected one below " + std::to_string(points.size()));
   std::vector<double> radii(simplices.size());
   Threads some = threads_for(simplices.size(), threads);
-  constexpr std::size_t at_a_time = 1u << 12;
   CheckpointOfThreads checkpoint(go_on);
   for_each_part(some, radii.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
     checkpoint();
@@ -158,54 +202,43 @@ double min_alpha(const Solid& delaunay, std::span<const double> radii, double sh
   require_radii(delaunay, radii);
   require_share(share);
   if (delaunay.simplices.empty()) return infinity;
-  constexpr double never = -1;  // mark of a point that is no corner
-  std::vector<double> least(corner_bound<4>(delaunay.simplices), never);
   Steps step(go_on);
-  for (std::size_t t = 0; t < radii.size(); ++t) {
-    step();
-    for (const std::uint32_t corner : delaunay.simplices[t])
-      least[corner] = least[corner] < 0 ? radii[t] : std::min(least[corner], radii[t]);
-  }
-  std::erase(least, never);
-  const auto last = least.begin() + static_cast<std::ptrdiff_t>(share_of(least.size(), share) - 1);
-  std::nth_element(least.begin(), last, least.end());
-  return *last;
+  return covered(delaunay, radii, share, step).alpha;
 }
 
-double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share, const GoOn& go_on) {
+double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share, const GoOn& go_on,
+                  unsigned wanted) {
   require_radii(delaunay, radii);
   require_share(share);
   meshops::require(delaunay.neighbors.size() == radii.size(),
                    "auto_alpha: the triangulation has no neighbors, expected solid() with the option neighbors");
   if (delaunay.simplices.empty()) return infinity;
   Steps step(go_on);
-  GrowingPieces pieces(delaunay, share);
+  Threads threads = threads_for(radii.size(), wanted);
   // Up to the least radius at which enough points are covered, the order does not matter.
-  const double least = min_alpha(delaunay, radii, share, go_on);
-  for (std::uint32_t t = 0; t < radii.size(); ++t) {
-    step();
-    if (radii[t] <= least) pieces.add(t);
-  }
-  if (pieces.is_enough()) return least;
+  const Covered least = covered(delaunay, radii, share, step);
+  GrowingPieces pieces(delaunay, radii, least, threads, go_on);
+  if (pieces.is_enough()) return least.alpha;
   const auto order = sorted_by_alpha(radii, step);
   constexpr std::size_t ahead = 16;  // the order jumps about in memory
   for (std::size_t i = 0; i < order.size(); ++i) {
     step(4);
     if (i + ahead < order.size()) __builtin_prefetch(&delaunay.neighbors[order[i + ahead]]);
-    if (radii[order[i]] <= least) continue;
+    if (radii[order[i]] <= least.alpha) continue;
     pieces.add(order[i]);
     if (pieces.is_enough()) return radii[order[i]];
   }
   return infinity;
 }
 
-Solid within(const Solid& solid, std::span<const double> radii, double alpha) {
+Solid within(const Solid& solid, std::span<const double> radii, double alpha, unsigned wanted) {
   require_radii(solid, radii);
   if (!(alpha > 0)) throw InvalidInput("alpha is " + text(alpha) + ", expected a radius above 0, or infinity");
   std::vector<std::uint32_t> kept;
   for (std::uint32_t t = 0; t < radii.size(); ++t)
     if (radii[t] <= alpha) kept.push_back(t);
-  return space::part_of(solid, kept, [](std::uint32_t, std::size_t) { return true; });
+  Threads threads = threads_for(radii.size(), wanted);
+  return space::part_of(solid, kept, threads, [](std::uint32_t, std::size_t) { return true; });
 }
 
 }  // namespace rbpa

@@ -39,12 +39,12 @@ RBPA_API double min_alpha(const Solid& delaunay, std::span<const double> radii, 
 /// Requires: what min_alpha() requires; `delaunay` has neighbors.
 /// Throws:   as min_alpha(); ContractViolation if neighbors are missing.
 RBPA_API double auto_alpha(const Solid& delaunay, std::span<const double> radii, double share = 1,
-                           const GoOn& go_on = {});
+                           const GoOn& go_on = {}, MaxThreads threads = 0);
 
 /// Returns the tetrahedra of a solid whose radius is at most alpha, with neighbors if `solid` has neighbors. If `solid`
 /// is the Delaunay triangulation, the result is solid() with this alpha.
 /// Requires: `radii` has the radius of each tetrahedron, in the order of `solid`; only the number of radii is checked.
 /// Throws:   ContractViolation if the number of radii differs; InvalidInput when alpha is not above 0.
-RBPA_API Solid within(const Solid& solid, std::span<const double> radii, double alpha);
+RBPA_API Solid within(const Solid& solid, std::span<const double> radii, double alpha, MaxThreads threads = 0);
 
 }  // namespace rbpa

@@ -3,8 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <cstdint>
 #include <stdexcept>
 #include <vector>
+
+#include "meshops/core/disjoint_sets.h"
 
 using rbpa::for_each_index;
 using rbpa::for_each_part;
@@ -30,6 +33,41 @@ std::size_t slow_square(std::size_t i) {
 }
 
 }  // namespace
+
+TEST_CASE("numbers joined by several threads are in the sets that one thread makes, and rings have their members") {
+  constexpr std::uint32_t size = 100'000;
+  for (const std::uint32_t step : {1u, 7u, 49'999u, 50'000u}) {
+    meshops::DisjointSets expected(size);
+    meshops::MemberRings rings(size);
+    const auto other = [&](std::size_t i) { return static_cast<std::uint32_t>((i * i % 11 * 13 + i + step) % size); };
+    for (std::uint32_t i = 0; i < size; ++i)
+      if (i % 5 != 0 && expected.find(i) != expected.find(other(i))) {
+        expected.join(i, other(i));
+        rings.join(i, other(i));
+      }
+    for (const unsigned count : thread_counts) {
+      CAPTURE(count);
+      Threads threads(count);
+      meshops::DisjointSets sets(size);
+      for_each_part(threads, size, 64, [&](std::size_t first, std::size_t last) {
+        for (auto i = static_cast<std::uint32_t>(first); i < last; ++i)
+          if (i % 5 != 0) sets.join_among_threads(i, other(i));
+      });
+      bool are_same = true;
+      for (std::uint32_t i = 0; i < size; ++i) are_same = are_same && sets.find(i) == expected.find(i);
+      CHECK(are_same);
+    }
+    std::size_t members = 0, strangers = 0;
+    for (std::uint32_t i = 0; i < size; ++i)
+      if (expected.is_least(i))
+        rings.for_each(i, [&](std::uint32_t member) {
+          ++members;
+          strangers += expected.find(member) != i ? 1u : 0u;
+        });
+    CHECK(members == size);
+    CHECK(strangers == 0);
+  }
+}
 
 TEST_CASE("every item is processed, joined in order and finished once, in one workspace") {
   for (const unsigned threads : thread_counts) {

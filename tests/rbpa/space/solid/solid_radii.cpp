@@ -205,6 +205,26 @@ TEST_CASE("two bodies are covered long before they are in one piece, and a dupli
   CHECK(most_corners(points, rbpa::within(delaunay, radii, whole)) == 2 * one);
 }
 
+TEST_CASE("threads change neither the least alpha that connects nor the complex within an alpha") {
+  Points3 points = jittered_cubes(3000, 9);
+  const std::size_t one = points.size();
+  for (std::size_t i = 0; i < one; ++i) points.push_back({2 * points[i].x + 60, 2 * points[i].y, 2 * points[i].z});
+  const Solid delaunay = rbpa::solid(points, infinity);
+  const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
+  REQUIRE(radii.size() > 20'000);
+  for (const double share : {1e-4, 0.01, 0.4, 0.5, 0.9, 1.0}) {
+    CAPTURE(share);
+    const double alpha = rbpa::auto_alpha(delaunay, radii, share, {}, 1);
+    CHECK(rbpa::auto_alpha(delaunay, radii, share, {}, 2) == alpha);
+    const Solid expected = rbpa::within(delaunay, radii, alpha, 1), found = rbpa::within(delaunay, radii, alpha, 2);
+    check_same(found, expected);
+    const rbpa::SolidBoundary by_one = rbpa::solid_boundary(expected, 1), by_two = rbpa::solid_boundary(expected, 2);
+    CHECK(by_two.surface.triangles == by_one.surface.triangles);
+    CHECK(by_two.surface.neighbors == by_one.surface.neighbors);
+    CHECK(by_two.tetrahedra == by_one.tetrahedra);
+  }
+}
+
 TEST_CASE("no alpha suffices without a tetrahedron, and invalid radii and those of another solid are refused") {
   const Solid flat = rbpa::solid(Points3{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, infinity);
   CHECK(std::isinf(rbpa::min_alpha(flat, {})));
