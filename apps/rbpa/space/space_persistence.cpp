@@ -1,7 +1,5 @@
 #include "space/space_persistence.h"
 
-#include <algorithm>
-#include <future>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -56,13 +54,10 @@ SpacePersistence::SpacePersistence(const SpacePointSource& source, const std::ve
     throw BadInput(input() + ": " + e.what());
   }
   const ProgressLine line = options().line("persistence");
-  const unsigned threads = options().threads_or_all();
-  auto radii = std::async(threads > 1 ? std::launch::async : std::launch::deferred, [&] {
-    least = min_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, until_interrupted());
-    automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, until_interrupted(), 1);
+  pairs = solid_persistence(filtration, until_interrupted(), options().threads, [&](const GoOn& go_on) {
+    least = min_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, go_on);
+    automatic = auto_alpha(filtration.delaunay, filtration.tetrahedron_alpha, cover, go_on, 1);
   });
-  pairs = solid_persistence(filtration, until_interrupted(), std::max(1u, threads - 1));
-  radii.get();
   build_seconds_ = lap();
 }
 

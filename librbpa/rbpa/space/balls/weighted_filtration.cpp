@@ -133,15 +133,17 @@ SolidFiltration weighted_filtration(std::span<const Point3> centers, std::span<c
   if (filtration.delaunay.simplices.empty()) {
     take_flat(regular.flat, rule, sorted.size(), threads, go_on, step, filtration);
   } else {
-    filtration.tetrahedron_alpha = values_of(rule, filtration.delaunay.simplices, threads, go_on);
-    space::find_faces(rule, sorted.size(), threads, go_on, step, filtration);
+    const auto values = [&](const GoOn& goes_on) {
+      return values_of(rule, filtration.delaunay.simplices, threads, goes_on);
+    };
+    space::find_faces(rule, sorted.size(), values, threads, go_on, filtration);
   }
-  space::find_values_of_edges(rule, threads, go_on, step, filtration);
+  space::find_values_of_edges(rule, threads, go_on, filtration);
   find_values_of_balls(rule, sorted.size(), regular, step, filtration);
   filtration.delaunay.duplicates = std::move(regular.duplicates);
   filtration.delaunay.isolated = std::move(regular.hidden);
   filtration.delaunay.distinct = regular.distinct;
-  order.rename_corners(filtration);
+  order.rename_corners(threads, filtration);
   return filtration;
 }
 

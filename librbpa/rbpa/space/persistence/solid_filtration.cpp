@@ -83,11 +83,13 @@ SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOpti
   if (delaunay.simplices.empty() && delaunay.distinct > 1) {
     take_flat(sorted, options, threads, step, filtration);
   } else {
-    filtration.tetrahedron_alpha = circumradii(sorted, delaunay.simplices, options.threads, go_on);
-    space::find_faces(rule, sorted.size(), threads, go_on, step, filtration);
+    const auto radii = [&](const GoOn& goes_on) {
+      return circumradii(sorted, delaunay.simplices, options.threads, goes_on);
+    };
+    space::find_faces(rule, sorted.size(), radii, threads, go_on, filtration);
   }
-  space::find_values_of_edges(rule, threads, go_on, step, filtration);
-  order.rename_corners(filtration);
+  space::find_values_of_edges(rule, threads, go_on, filtration);
+  order.rename_corners(threads, filtration);
   return filtration;
 }
 

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -35,8 +36,11 @@ struct SolidPair {
 /// Returns the pairs, sorted by dimension, birth, death (none is last), creating simplex and destroying simplex.
 /// Requires: `filtration` is the result of solid_filtration() or of weighted_filtration(); the values of the latter
 ///           take the place of alpha.
-/// Throws:   ContractViolation when sizes or numbers in the arrays of the filtration do not fit together; Cancelled.
+/// Calls `beside`, unless it is empty, once from any thread, while another one reduces the matrix of dimension 1.
+/// Throws:   ContractViolation when sizes or numbers in the arrays of the filtration do not fit together; Cancelled; what
+///           `beside` throws.
 RBPA_API std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const GoOn& go_on = {},
-                                                  MaxThreads threads = 0);
+                                                  MaxThreads threads = 0,
+                                                  const std::function<void(const GoOn&)>& beside = {});
 
 }  // namespace rbpa

@@ -13,7 +13,7 @@ CurveOrder::CurveOrder(std::span<const Point3> points, Threads& threads, const C
   index_ = order_on_curve(points, scaled(points, spread(points), copy), threads, checkpoint);
 }
 
-void CurveOrder::rename_corners(SolidFiltration& filtration) const {
+void CurveOrder::rename_corners(Threads& threads, SolidFiltration& filtration) const {
   Solid& delaunay = filtration.delaunay;
   for (auto& row : delaunay.simplices)
     for (std::uint32_t& corner : row) corner = index_[corner];
@@ -22,16 +22,18 @@ void CurveOrder::rename_corners(SolidFiltration& filtration) const {
   for (Duplicate& duplicate : delaunay.duplicates) duplicate = {index_[duplicate.index], index_[duplicate.stands_for]};
   std::sort(delaunay.duplicates.begin(), delaunay.duplicates.end(),
             [](const Duplicate& a, const Duplicate& b) { return a.index < b.index; });
-  for (std::size_t i = 0; i < filtration.triangles.size(); ++i) {
-    auto& corners = filtration.triangles[i];
-    auto& across = filtration.edges_of[i];
-    for (std::uint32_t& corner : corners) corner = index_[corner];
-    for (const auto& [k, l] : {std::pair(0u, 1u), std::pair(1u, 2u), std::pair(0u, 1u)})
-      if (corners[k] > corners[l]) {
-        std::swap(corners[k], corners[l]);
-        std::swap(across[k], across[l]);
-      }
-  }
+  for_each_part(threads, filtration.triangles.size(), 1u << 14, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      auto& corners = filtration.triangles[i];
+      auto& across = filtration.edges_of[i];
+      for (std::uint32_t& corner : corners) corner = index_[corner];
+      for (const auto& [k, l] : {std::pair(0u, 1u), std::pair(1u, 2u), std::pair(0u, 1u)})
+        if (corners[k] > corners[l]) {
+          std::swap(corners[k], corners[l]);
+          std::swap(across[k], across[l]);
+        }
+    }
+  });
   for (auto& [a, b] : filtration.edges) {
     a = index_[a];
     b = index_[b];

@@ -27,7 +27,7 @@ class CurveOrder {
     return result;
   }
   /// Replaces places on the curve by input indices in all corners, and sorts the values of points by input index.
-  void rename_corners(SolidFiltration& filtration) const;
+  void rename_corners(Threads& threads, SolidFiltration& filtration) const;
 
  private:
   std::vector<std::uint32_t> index_;  // for each place on the curve, the input index of its point

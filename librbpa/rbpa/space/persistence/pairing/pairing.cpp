@@ -6,8 +6,7 @@
 #include "meshops/core/contract.h"
 #include "rbpa/base/arrays/simplices_at.h"
 #include "rbpa/base/radii/sorted_by_alpha.h"
-#include "rbpa/base/run/checkpoint_of_threads.h"
-#include "rbpa/base/run/steps.h"
+#include "rbpa/base/run/side_by_side.h"
 
 namespace rbpa::space {
 
@@ -36,18 +35,16 @@ void check_filtration(const char* function, std::span<const Point3> points, cons
 }
 
 OuterPairing::OuterPairing(const SolidFiltration& filtration, Threads& threads, const GoOn& go_on) {
-  CheckpointOfThreads checkpoint(go_on);
-  const GoOn goes_on = [&] { return checkpoint.goes_on(); };
-  for_each_index(threads, 2, [&](std::size_t task) {
-    Steps step(goes_on);
-    if (task == 0) {
-      voids = find_voids(filtration.delaunay, filtration.tetrahedron_alpha, filtration.triangles_of,
-                         filtration.triangle_alpha, step);
-    } else {
-      edges = sorted_by_alpha(filtration.edge_alpha, step);
-      components = find_components(filtration, edges, step);
-    }
-  });
+  side_by_side(
+      threads, go_on,
+      [&](Steps& step, const GoOn&) {
+        voids = find_voids(filtration.delaunay, filtration.tetrahedron_alpha, filtration.triangles_of,
+                           filtration.triangle_alpha, step);
+      },
+      [&](Steps& step, const GoOn&) {
+        edges = sorted_by_alpha(filtration.edge_alpha, step);
+        components = find_components(filtration, edges, step);
+      });
 }
 
 }  // namespace rbpa::space

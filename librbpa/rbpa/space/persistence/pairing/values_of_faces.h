@@ -12,6 +12,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -21,6 +22,7 @@
 
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/run/checkpoint_of_threads.h"
+#include "rbpa/base/run/side_by_side.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/space/persistence/pairing/number_faces.h"
 #include "rbpa/space/persistence/solid_filtration.h"
@@ -62,26 +64,29 @@ std::vector<double> values_of_triangles(const Rule& rule, const Solid& delaunay,
 
 /// Fills in filtration.edge_alpha. Requires: the edges, the triangles and the values of triangles are filled in.
 template <typename Rule>
-void find_values_of_edges(const Rule& rule, Threads& threads, const GoOn& go_on, Steps& step,
-                          SolidFiltration& filtration) {
+void find_values_of_edges(const Rule& rule, Threads& threads, const GoOn& go_on, SolidFiltration& filtration) {
   const auto& triangles = filtration.triangles;
-  std::vector<std::uint8_t> conflicts(triangles.size());
-  CheckpointOfThreads checkpoint(go_on);
-  for_each_part(threads, triangles.size(), faces_at_a_time, [&](std::size_t begin, std::size_t end) {
-    checkpoint();
-    for (std::size_t i = begin; i < end; ++i) conflicts[i] = rule.conflicts(triangles[i]);
-  });
   std::vector<std::uint8_t> is_alone(filtration.edges.size(), 1);
   auto& alpha = filtration.edge_alpha;
   alpha.assign(filtration.edges.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    step();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t edge = filtration.edges_of[i][k];
-      alpha[edge] = std::min(alpha[edge], filtration.triangle_alpha[i]);
-      if ((unsigned{conflicts[i]} >> k & 1U) != 0) is_alone[edge] = 0;
+  const auto find_least = [&](Steps& step, const GoOn&) {
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      step();
+      for (const std::uint32_t edge : filtration.edges_of[i])
+        alpha[edge] = std::min(alpha[edge], filtration.triangle_alpha[i]);
     }
-  }
+  };
+  const auto find_conflicts = [&](Steps&, const GoOn& goes_on) {
+    for_each_part(threads, triangles.size(), faces_at_a_time, [&](std::size_t begin, std::size_t end) {
+      stop_if_cancelled(goes_on);
+      for (std::size_t i = begin; i < end; ++i)
+        for (unsigned bits = rule.conflicts(triangles[i]), k = 0; bits != 0; bits >>= 1U, ++k)
+          if ((bits & 1U) != 0)
+            std::atomic_ref(is_alone[filtration.edges_of[i][k]]).store(0, std::memory_order_relaxed);
+    });
+  };
+  side_by_side(threads, go_on, find_least, find_conflicts);
+  CheckpointOfThreads checkpoint(go_on);
   for_each_part(threads, alpha.size(), faces_at_a_time, [&](std::size_t begin, std::size_t end) {
     checkpoint();
     for (std::size_t i = begin; i < end; ++i)
@@ -89,15 +94,23 @@ void find_values_of_edges(const Rule& rule, Threads& threads, const GoOn& go_on,
   });
 }
 
-/// Fills in triangles, values of triangles, and edges; find_values_of_edges() fills in the values of edges. Requires:
-/// tetrahedra with neighbors and values.
-template <typename Rule>
-void find_faces(const Rule& rule, std::size_t points, Threads& threads, const GoOn& go_on, Steps& step,
+/// Fills in triangles, edges, and the values of tetrahedra and triangles; find_values_of_edges() fills in the values of
+/// edges. Faces are numbered in one thread while the others compute values; values(go_on) returns the values of
+/// tetrahedra. Requires: tetrahedra with neighbors.
+template <typename Rule, typename Values>
+void find_faces(const Rule& rule, std::size_t points, const Values& values, Threads& threads, const GoOn& go_on,
                 SolidFiltration& filtration) {
-  NumberedTriangles triangles = number_triangles(filtration.delaunay, step);
-  NumberedEdges edges = number_edges(points, triangles.corners, step);
-  filtration.triangle_alpha =
-      values_of_triangles(rule, filtration.delaunay, filtration.tetrahedron_alpha, triangles, threads, go_on);
+  NumberedTriangles triangles;
+  NumberedEdges edges;
+  side_by_side(
+      threads, go_on, [&](Steps& step, const GoOn&) { triangles = number_triangles(filtration.delaunay, step); },
+      [&](Steps&, const GoOn& goes_on) { filtration.tetrahedron_alpha = values(goes_on); });
+  side_by_side(
+      threads, go_on, [&](Steps& step, const GoOn&) { edges = number_edges(points, triangles.corners, step); },
+      [&](Steps&, const GoOn& goes_on) {
+        filtration.triangle_alpha =
+            values_of_triangles(rule, filtration.delaunay, filtration.tetrahedron_alpha, triangles, threads, goes_on);
+      });
   filtration.triangles = std::move(triangles.corners);
   filtration.triangles_of = std::move(triangles.of);
   filtration.edges = std::move(edges.ends);
