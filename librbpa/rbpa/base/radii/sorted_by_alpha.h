@@ -63,12 +63,11 @@ inline meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const doubl
   return order;
 }
 
-/// Returns the numbers of the simplices, sorted by alpha, then by volume. Sums of volumes in this order do not depend
-/// on the numbering. Requires: no alpha is −0 or NaN.
+/// Sorts numbers of simplices, sorted by alpha, by volume where alpha is equal. Sums of volumes in this order do not
+/// depend on the numbering.
 template <typename Real>
-meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const double> alpha, std::span<const Real> volumes,
-                                                    Steps& step) {
-  auto order = sorted_by_alpha(alpha, step);
+void sort_equal_by_volume(std::span<std::uint32_t> order, std::span<const double> alpha, std::span<const Real> volumes,
+                          Steps& step) {
   for (std::size_t first = 0, last; first < order.size(); first = last) {
     for (last = first + 1; last < order.size() && alpha[order[last]] == alpha[order[first]]; ++last) continue;
     if (last - first > 1)
@@ -77,7 +76,6 @@ meshops::FreshVector<std::uint32_t> sorted_by_alpha(std::span<const double> alph
         return volumes[a] < volumes[b];
       });
   }
-  return order;
 }
 
 }  // namespace rbpa

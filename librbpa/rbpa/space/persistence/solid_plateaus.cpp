@@ -13,9 +13,8 @@
 #include "rbpa/base/radii/plateau_rules.h"
 #include "rbpa/base/radii/sorted_by_alpha.h"
 #include "rbpa/base/radii/still_ranges.h"
-#include "rbpa/base/run/checkpoint_of_threads.h"
 #include "rbpa/base/run/input.h"
-#include "rbpa/base/run/steps.h"
+#include "rbpa/base/run/side_by_side.h"
 #include "rbpa/space/predicate/bounding_box.h"
 #include "rbpa/space/predicate/vector3.h"
 #include "rbpa/space/solid/boundary/check_triangulation.h"
@@ -40,8 +39,9 @@ double reach_of(std::span<const Point3> points) {
 struct Growth {
   std::vector<double> alpha;
   std::vector<Wide> change;
-  std::vector<double> volume, void_share;
-  std::size_t begin = 0;  // index of the first radius from which on enough points are covered
+  meshops::FreshVector<double> volume;
+  std::vector<Wide> filled;  // the volume of the complex divided by that of complex and voids
+  std::size_t begin = 0;     // index of the first radius from which on enough points are covered
 };
 
 /// The components, connected through points, of all tetrahedra added, with their numbers of points.
@@ -89,38 +89,54 @@ class Parts {
 
 constexpr std::size_t ahead = 16;  // the orders jump about in memory, so data is prefetched
 
-/// Returns for each tetrahedron the radius from which on it is in the complex or in a void of the complex. Tetrahedra
-/// leave the complex in descending order, and join the outside or their neighbors that have left before.
-std::vector<double> enclosed_from(const Solid& delaunay, std::span<const double> alpha,
-                                  std::span<const std::uint32_t> order, Steps& step) {
-  const auto outside = static_cast<std::uint32_t>(alpha.size());
-  std::vector<double> from(alpha.size());
-  std::vector<std::uint32_t> next(alpha.size());  // the tetrahedra of a set in a circle
-  std::vector<bool> has_left(alpha.size(), false);
-  meshops::DisjointSets sets(alpha.size() + 1);
+/// Each tetrahedron's radius from which on it is in the complex or in a void of the complex, and its volume; ascending.
+struct Enclosed {
+  meshops::FreshVector<double> from;
+  meshops::FreshVector<Wide> volume;
+};
+
+/// Removes tetrahedra in descending order from the complex. They join the outside or their neighbors that have left
+/// before.
+Enclosed enclosed(const Solid& delaunay, std::span<const double> alpha, std::span<const std::uint32_t> order,
+                  const std::vector<Wide>& volumes, Steps& step) {
+  std::size_t left = alpha.size();  // number of tetrahedra that are not outside yet
+  Enclosed result{meshops::FreshVector<double>(left), meshops::FreshVector<Wide>(left)};
+  meshops::FreshVector<std::uint32_t> joined(left);  // the tetrahedra in the order of the result
+  enum class Place : std::uint8_t { complex, hollow, outside };
+  std::vector<Place> place(left, Place::complex);
+  const auto place_of = [&](std::uint32_t t) { return t == Solid::none ? Place::outside : place[t]; };
+  meshops::DisjointSets voids(left);
+  meshops::MemberRings rings(left);
   for (std::size_t i = order.size(); i-- > 0;) {
     step(4);
     if (i >= ahead) __builtin_prefetch(&delaunay.neighbors[order[i - ahead]]);
     const std::uint32_t t = order[i];
-    has_left[t] = true;
-    next[t] = t;
+    place[t] = Place::hollow;
     for (const std::uint32_t n : delaunay.neighbors[t]) {
-      meshops::require(n == Solid::none || n < outside, "solid_plateaus: a neighbor is no tetrahedron");
-      if (n != Solid::none && !has_left[n]) continue;
-      const std::uint32_t a = sets.find(t), b = sets.find(n == Solid::none ? outside : n), out = sets.find(outside);
-      if (a == b) continue;
-      if (a == out || b == out) {
-        const std::uint32_t inner = a == out ? n : t;
-        std::uint32_t one = inner;
-        do from[one] = alpha[t];
-        while ((one = next[one]) != inner);
-      } else {
-        std::swap(next[a], next[b]);
+      meshops::require(n == Solid::none || n < alpha.size(), "solid_plateaus: a neighbor is no tetrahedron");
+      if (place_of(n) == Place::complex || (place_of(n) == Place::outside && place[t] == Place::outside)) continue;
+      if (place_of(n) == Place::outside || place[t] == Place::outside) {
+        rings.for_each(place[t] == Place::outside ? n : t, [&](std::uint32_t one) {
+          place[one] = Place::outside;
+          joined[--left] = one;
+          result.from[left] = alpha[t];
+        });
+      } else if (voids.join(t, n)) {
+        rings.join(t, n);
       }
-      sets.link(a, b);
     }
   }
-  return from;
+  meshops::require(left == 0, "solid_plateaus: expected neighbors as solid() returns them");
+  for (std::size_t i = 0; i < joined.size(); ++i) {
+    __builtin_prefetch(&volumes[joined[std::min(i + ahead, joined.size() - 1)]]);
+    result.volume[i] = volumes[joined[i]];
+  }
+  for (std::size_t first = 0, last; first < order.size(); first = last) {
+    step();
+    for (last = first + 1; last < order.size() && result.from[last] == result.from[first]; ++last) continue;
+    if (last - first > 1) std::sort(&result.volume[first], &result.volume[0] + last);
+  }
+  return result;
 }
 
 /// Steps of the solid complex: for each of its radii, the volume and the most Σ nᵢ² up to there.
@@ -165,55 +181,53 @@ SolidSteps steps_of(const Solid& delaunay, std::size_t points, std::span<const d
 Growth growth_of(std::span<const Point3> points, const Solid& delaunay, std::span<const double> alpha, Threads& threads,
                  const GoOn& go_on) {
   constexpr std::size_t at_a_time = 1u << 13;
-  std::vector<Wide> volumes(alpha.size());
-  for_each_part(threads, volumes.size(), at_a_time, [&](std::size_t first, std::size_t last) {
-    for (std::size_t t = first; t < last; ++t) volumes[t] = space::volume<Wide>(points, delaunay.simplices[t]);
-  });
   Steps step(go_on);
-  meshops::FreshVector<std::uint32_t> order = sorted_by_alpha<Wide>(alpha, volumes, step);
+  std::vector<Wide> volumes(alpha.size());
+  meshops::FreshVector<std::uint32_t> order;
+  side_by_side(
+      threads, go_on, [&](Steps& of_task, const GoOn&) { order = sorted_by_alpha(alpha, of_task); },
+      [&](Steps&, const GoOn&) {
+        for_each_part(threads, volumes.size(), at_a_time, [&](std::size_t first, std::size_t last) {
+          for (std::size_t t = first; t < last; ++t) volumes[t] = space::volume<Wide>(points, delaunay.simplices[t]);
+        });
+      });
+  sort_equal_by_volume<Wide>(order, alpha, volumes, step);
   SolidSteps steps;
-  std::vector<double> from;
-  for_each_index(threads, 2, [&](std::size_t task) {
-    Steps of_task(go_on);
-    if (task == 0)
-      from = enclosed_from(delaunay, alpha, order, of_task);
-    else
-      steps = steps_of(delaunay, points.size(), alpha, order, volumes, of_task);
-  });
-  order = sorted_by_alpha<Wide>(from, volumes, step);
-  // The volume of a flat tetrahedron may round to 0.
-  const auto positive = [](Wide v) { return std::max(v, std::numeric_limits<Wide>::min()); };
-  Wide whole = 0;
-  for (const std::uint32_t t : order) whole += volumes[t];
-  Wide enclosed = 0, turns = 1, filled_before = 1;
+  Enclosed inner;
+  side_by_side(
+      threads, go_on, [&](Steps& of_task, const GoOn&) { inner = enclosed(delaunay, alpha, order, volumes, of_task); },
+      [&](Steps& of_task, const GoOn&) { steps = steps_of(delaunay, points.size(), alpha, order, volumes, of_task); });
   Growth growth;
   growth.begin = steps.begin;
   growth.change.resize(steps.alpha.size());
   growth.volume.resize(steps.alpha.size());
-  growth.void_share.resize(steps.alpha.size());
-  std::vector<Wide>& enclosed_at = steps.volume;  // the volume of a step is replaced when it has been used
+  Wide volume = 0;
   for (std::size_t i = 0, next = 0; i < steps.alpha.size(); ++i) {
     step();
-    for (; next < order.size() && from[order[next]] <= steps.alpha[i]; ++next) {
-      if (next + ahead < order.size()) {
-        __builtin_prefetch(&from[order[next + ahead]]);
-        __builtin_prefetch(&volumes[order[next + ahead]]);
-      }
-      enclosed += volumes[order[next]];
-    }
-    const Wide solid = steps.volume[i], filled = std::min(Wide(1), positive(solid) / positive(enclosed));
-    turns *= std::max(filled / filled_before, filled_before / filled);
-    filled_before = filled;
-    growth.change[i] = static_cast<Wide>(steps.most_squares[i]) * turns;
-    growth.volume[i] = static_cast<double>(solid);
-    growth.void_share[i] = static_cast<double>(1 - filled);
-    enclosed_at[i] = enclosed;
+    for (; next < inner.from.size() && inner.from[next] <= steps.alpha[i]; ++next) volume += inner.volume[next];
+    growth.change[i] = volume;  // for now, the enclosed volume
   }
-  for_each_part(threads, growth.change.size(), at_a_time, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)  // times the twelfth root of the enclosed share
-      growth.change[i] *= std::sqrt(std::sqrt(cube_root(positive(enclosed_at[i]) / positive(whole))));
+  // The volume of a flat tetrahedron may round to 0.
+  const auto positive = [](Wide v) { return std::max(v, std::numeric_limits<Wide>::min()); };
+  for_each_part(threads, steps.alpha.size(), at_a_time, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const Wide filled = std::min(Wide(1), positive(steps.volume[i]) / positive(growth.change[i]));
+      growth.volume[i] = static_cast<double>(steps.volume[i]);
+      steps.volume[i] = filled;  // replaces the volume, which has been used
+      if (i >= growth.begin)     // no plateau reaches an earlier step; now the twelfth root of the enclosed share
+        growth.change[i] = std::sqrt(std::sqrt(cube_root(positive(growth.change[i]) / positive(volume))));
+    }
   });
+  Wide turns = 1, filled_before = 1;
+  for (std::size_t i = 0; i < steps.alpha.size(); ++i) {
+    step();
+    const auto [lesser, greater] = std::minmax(filled_before, steps.volume[i]);
+    turns *= greater / lesser;
+    growth.change[i] *= static_cast<Wide>(steps.most_squares[i]) * turns;
+    filled_before = steps.volume[i];
+  }
   growth.alpha = std::move(steps.alpha);
+  growth.filled = std::move(steps.volume);
   return growth;
 }
 
@@ -225,34 +239,42 @@ SolidPlateau plateau_of(const StepRange& range, const Growth& growth, double rat
   const auto after = std::upper_bound(growth.alpha.begin(), growth.alpha.end(), plateau.alpha);
   const auto there = static_cast<std::size_t>(after - growth.alpha.begin()) - 1;
   plateau.volume = growth.volume[there];
-  plateau.void_share = growth.void_share[there];
+  plateau.void_share = static_cast<double>(1 - growth.filled[there]);
   plateau.is_long = ratio >= noise_ratio(distinct);
   return plateau;
 }
 
+/// Fills in the counts of plateaus that ascend by alpha.
 void count(std::size_t points, const Solid& delaunay, std::span<const double> radii, Steps& step,
-           SolidPlateau& plateau) {
+           std::vector<SolidPlateau>& plateaus) {
+  std::vector<std::uint8_t> first(radii.size(), 0);  // for each tetrahedron: the first plateau that has it
+  for (const SolidPlateau& plateau : plateaus)
+    for (std::size_t t = 0; t < radii.size(); ++t)
+      first[t] = static_cast<std::uint8_t>(first[t] + (radii[t] > plateau.alpha ? 1 : 0));
   Parts parts(points);
-  for (std::size_t t = 0; t < radii.size(); ++t) {
-    if (radii[t] > plateau.alpha) continue;
-    step();
-    ++plateau.tetrahedra;
-    if (!parts.is_whole(delaunay.distinct)) parts.add(delaunay.simplices[t]);
+  std::size_t tetrahedra = 0;
+  for (std::uint8_t i = 0; i < plateaus.size(); ++i) {
+    SolidPlateau& plateau = plateaus[i];
+    tetrahedra += static_cast<std::size_t>(std::count(first.begin(), first.end(), i));
+    for (std::size_t t = 0; t < first.size() && !parts.is_whole(delaunay.distinct); ++t) {
+      if (first[t] != i) continue;
+      step();
+      parts.add(delaunay.simplices[t]);
+    }
+    plateau.tetrahedra = tetrahedra;
+    plateau.components = parts.components;
+    plateau.covered = parts.points;
+    plateau.effective_parts = parts.effective();
+    plateau.is_structured = plateau_rules::is_structured(plateau.effective_parts, plateau.void_share);
   }
-  plateau.components = parts.components;
-  plateau.covered = parts.points;
-  plateau.effective_parts = parts.effective();
-  plateau.is_structured = plateau_rules::is_structured(plateau.effective_parts, plateau.void_share);
 }
 
 }  // namespace
 
 std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const Solid& delaunay,
-                                         std::span<const double> radii, const GoOn& given, unsigned wanted) {
+                                         std::span<const double> radii, const GoOn& go_on, unsigned wanted) {
   space::check_triangulation("solid_plateaus", points, delaunay, radii);
   if (radii.empty()) return {};
-  CheckpointOfThreads checkpoint(given);
-  const GoOn go_on = [&] { return checkpoint.goes_on(); };
   Threads threads = threads_for(points.size(), wanted);
   const std::size_t distinct = delaunay.distinct;
   Growth growth = growth_of(points, delaunay, radii, threads, go_on);
@@ -261,10 +283,9 @@ std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const S
   for (const StepRange& range :
        ranges.longest({growth.begin, growth.alpha.size()}, plateau_rules::most_plateaus, plateau_rules::least_ratio))
     found.push_back(plateau_of(range, growth, ranges.ratio_of(range), distinct));
-  for_each_index(threads, found.size(), [&](std::size_t i) {
-    Steps step(go_on);
-    count(points.size(), delaunay, radii, step, found[i]);
-  });
+  std::sort(found.begin(), found.end(), [](const SolidPlateau& a, const SolidPlateau& b) { return a.alpha < b.alpha; });
+  Steps step(go_on);
+  count(points.size(), delaunay, radii, step, found);
   plateau_rules::rank(found, [&](const SolidPlateau& p) {
     return plateau_rules::Weight{p.is_structured, static_cast<double>(p.covered) / static_cast<double>(distinct)};
   });

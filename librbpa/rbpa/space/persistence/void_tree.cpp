@@ -38,7 +38,8 @@ void find_volumes(std::span<const Point3> points, const Solid& delaunay, std::sp
                   VoidTree& tree) {
   std::vector<double> volumes(radii.size());
   for (std::size_t t = 0; t < volumes.size(); ++t) volumes[t] = space::volume<double>(points, delaunay.simplices[t]);
-  const auto order = sorted_by_alpha<double>(radii, volumes, step);
+  auto order = sorted_by_alpha(radii, step);
+  sort_equal_by_volume<double>(order, radii, volumes, step);
   meshops::DisjointSets sets(tree.nodes.size());
   std::vector<double> sum(tree.nodes.size(), 0);
   std::size_t left = order.size();

@@ -169,6 +169,8 @@ TEST_CASE("sets of every kind have plateaus in order, and a run can be cancelled
   Solid broken = delaunay;
   broken.neighbors[5][2] = 100'000;
   CHECK_THROWS_AS(rbpa::solid_plateaus(points, broken, radii), meshops::ContractViolation);
+  for (auto& row : broken.neighbors) row = {0, 0, 0, 0};  // nothing reaches the outside
+  CHECK_THROWS_AS(rbpa::solid_plateaus(points, broken, radii), meshops::ContractViolation);
   const Points3 one = {{1, 2, 3}};
   CHECK(plateaus_of(one).empty());
 }
@@ -181,5 +183,13 @@ TEST_CASE("plateaus and pairs are the same with any number of threads; with one,
   const auto& radii = filtration.tetrahedron_alpha;
   CHECK(rbpa::solid_plateaus(points, filtration.delaunay, radii, stays, 1) ==
         rbpa::solid_plateaus(points, filtration.delaunay, radii, {}, 2));
-  CHECK(rbpa::solid_persistence(filtration, stays, 1) == rbpa::solid_persistence(filtration, {}, 2));
+  const auto pairs = rbpa::solid_persistence(filtration, stays, 1);
+  for (const unsigned threads : {1u, 2u}) {
+    int calls = 0;
+    CHECK(rbpa::solid_persistence(filtration, {}, threads,
+                                  [&](const rbpa::GoOn& go_on) { calls += go_on() ? 1 : 0; }) == pairs);
+    CHECK(calls == 1);
+  }
+  CHECK(rbpa::auto_alpha(filtration.delaunay, radii, 0.9, stays, 1) ==
+        rbpa::auto_alpha(filtration.delaunay, radii, 0.9, {}, 2));
 }
