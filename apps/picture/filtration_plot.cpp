@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace rbpa::app {
 namespace {
@@ -80,14 +80,14 @@ void draw_curve(std::string& svg, const FiltrationPlot& plot, const Axis& x, con
   const auto column = [&](std::size_t i) { return x.at(std::log10(plot.alpha[i])); };
   for (std::size_t i = 0; i < plot.alpha.size();) {
     const int at = column(i);
-    int least = y.from, greatest = y.to, last = y.from;
+    std::size_t fewest = curve.counts[i], most = fewest;
     for (; i < plot.alpha.size() && column(i) == at; ++i) {
-      last = y.at(std::log10(1 + static_cast<double>(curve.counts[i])));
-      least = std::min(least, last);
-      greatest = std::max(greatest, last);
+      fewest = std::min(fewest, curve.counts[i]);
+      most = std::max(most, curve.counts[i]);
     }
-    svg += std::string("H") + std::to_string(at) + "V" + std::to_string(greatest) + "V" + std::to_string(least) + "V" +
-           std::to_string(last);
+    svg += std::string("H") + std::to_string(at);
+    for (const std::size_t count : {fewest, most, curve.counts[i - 1]})
+      svg += std::string("V") + std::to_string(y.at(std::log10(1 + static_cast<double>(count))));
   }
   svg += std::string("H") + std::to_string(right) + "\"/>\n";
 }
@@ -146,13 +146,18 @@ void draw_diagram(std::string& svg, const FiltrationPlot& plot, const Axis& x) {
   line(svg, left, diagram_bottom, right, last_death, grid);
   line(svg, left, never_dies, right, never_dies, "stroke=\"#7d8b98\" stroke-dasharray=\"5 4\"");
   text(svg, right + 10, never_dies + 5, "never dies", "start");
-  std::set<std::array<int, 3>> dots;
-  for (const PersistencePair& pair : plot.pairs)
-    dots.insert(
-        {pair.dimension, x.at(std::log10(pair.birth)), pair.death ? y.at(std::log10(*pair.death)) : never_dies});
-  for (const auto& [dimension, at, death] : dots)
-    svg += std::string("<circle r=\"3\" cx=\"") + std::to_string(at) + "\" cy=\"" + std::to_string(death) +
-           "\" fill=\"" + plot.dimensions[static_cast<std::size_t>(dimension)].color + "\"/>\n";
+  // For each dimension, column and row of the image: whether there is a dot.
+  std::vector<bool> has_dot(plot.dimensions.size() * image_width * image_height, false);
+  for (const PersistencePair& pair : plot.pairs) {
+    const int death = pair.death ? y.at(std::log10(*pair.death)) : never_dies;
+    const int column = pair.dimension * image_width + x.at(std::log10(pair.birth));
+    has_dot[static_cast<std::size_t>(column * image_height + death)] = true;
+  }
+  for (std::size_t i = 0; i < has_dot.size(); ++i)
+    if (has_dot[i])
+      svg += std::string("<circle r=\"3\" cx=\"") + std::to_string(i / image_height % image_width) + "\" cy=\"" +
+             std::to_string(i % image_height) + "\" fill=\"" + plot.dimensions[i / image_height / image_width].color +
+             "\"/>\n";
   int row = last_death + 20;
   for (const PlotDimension& dimension : plot.dimensions) {
     draw_key(svg, row, dimension.name, dimension.color);
@@ -186,22 +191,23 @@ FiltrationPlot plot_of(std::span<const SolidPair> pairs) {
   FiltrationPlot plot{.alpha = {},
                       .curves = {{"components", dark_blue}, {"tunnels", orange}, {"voids", green}},
                       .dimensions = {{"components", dark_blue}, {"tunnels", orange}, {"voids", green}}};
-  // List the changes of counts: the radius, the dimension, and whether the count rises.
-  std::vector<std::pair<double, std::pair<std::size_t, bool>>> changes;
+  // List the changes of counts: the radius, and the dimension plus one, negative if the count falls.
+  std::vector<std::pair<double, int>> changes;
+  changes.reserve(2 * pairs.size());
+  plot.pairs.reserve(pairs.size());
   std::array<std::size_t, 3> count = {0, 0, 0};
   for (const SolidPair& pair : pairs) {
-    const auto dimension = static_cast<std::size_t>(pair.dimension);
     plot.pairs.push_back({pair.dimension, pair.birth, pair.death});
     if (pair.birth > 0)
-      changes.push_back({pair.birth, {dimension, true}});
+      changes.emplace_back(pair.birth, pair.dimension + 1);
     else
-      ++count[dimension];
-    if (pair.death) changes.push_back({*pair.death, {dimension, false}});
+      ++count[static_cast<std::size_t>(pair.dimension)];
+    if (pair.death) changes.emplace_back(*pair.death, -1 - pair.dimension);
   }
   std::sort(changes.begin(), changes.end());
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const auto& [alpha, change] = changes[i];
-    change.second ? ++count[change.first] : --count[change.first];
+    change > 0 ? ++count[static_cast<std::size_t>(change - 1)] : --count[static_cast<std::size_t>(-1 - change)];
     if (i + 1 < changes.size() && changes[i + 1].first == alpha) continue;
     plot.alpha.push_back(alpha);
     for (std::size_t dimension = 0; dimension < 3; ++dimension)
