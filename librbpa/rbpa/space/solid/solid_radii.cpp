@@ -53,7 +53,7 @@ struct Covered {
   double alpha = 0;        ///< the least alpha at which the wanted number of corners are in tetrahedra
 };
 
-/// Requires: there is a tetrahedron.
+/// Returns the corners that the share wants, and where they are covered. Requires: there is a tetrahedron.
 Covered covered(const Solid& delaunay, std::span<const double> radii, double share, Steps& step) {
   constexpr double never = -1;  // mark of a point that is no corner
   Covered found{.bound = corner_bound<4>(delaunay.simplices)};
