@@ -15,8 +15,7 @@ namespace {
 
 /// Returns whether p is before q in lexicographic order. Requires: no NaN.
 bool is_less(const Point3& p, const Point3& q) {
-  if (p.x != q.x) return p.x < q.x;
-  return p.y != q.y ? p.y < q.y : p.z < q.z;
+  return (p.x < q.x) | ((p.x == q.x) & ((p.y < q.y) | ((p.y == q.y) & (p.z < q.z))));
 }
 
 /// The minor a.x b.y − a.y b.x, and the sum of the absolute values of both products.
@@ -25,6 +24,23 @@ struct Minor {
       : value(a.x * b.y - a.y * b.x), size(std::abs(a.x * b.y) + std::abs(a.y * b.x)) {}
   double value, size;
 };
+
+/// Returns pulled_into_sphere() by products without rounding. Requires: the bound of the in-sphere determinant's error
+/// is so small that the determinant has no error (docs/explanation/exact_decisions.md, section 7).
+bool pulled_without_rounding(const Point3& pa, const Point3& pb, const Point3& pc, const Point3& pd, const Point3& pq) {
+  const auto a = from<double>(pd, pa), b = from<double>(pd, pb), c = from<double>(pd, pc), q = from<double>(pd, pq);
+  // Volumes with q in place of each corner, and minus the volume of the corners, which is negative.
+  const auto ab = cross(a, b), cq = cross(c, q);
+  const double volume = dot(ab, c), at_a = dot(b, cq), at_b = -dot(a, cq), at_c = dot(ab, q);
+  const std::array<double, 5> at = {at_a, at_b, at_c, volume - at_a - at_b - at_c, -volume};
+  const std::array<const Point3*, 5> points = {&pa, &pb, &pc, &pd, &pq};
+  std::size_t largest = 4;  // among the points that are not at 0
+  for (std::size_t i = 0; i < 4; ++i) {
+    const bool is_larger = is_less(*points[largest], *points[i]), is_at_0 = at[i] == 0;
+    largest = (is_larger & !is_at_0) ? i : largest;  // no branches, which would be mispredicted
+  }
+  return at[largest] < 0;
+}
 
 }  // namespace
 
@@ -121,7 +137,7 @@ bool in_sphere(const Point3& pa, const Point3& pb, const Point3& pc, const Point
 
 bool BeyondFilter::is_inside(const Point3& a, const Point3& b, const Point3& c, const Point3& d, const Point3& q,
                              double value, double error, const FiveRadii* radii) const {
-  if (error < exact_below_) return value != 0 ? value > 0 : pulled_into_sphere(a, b, c, d, q);
+  if (error < exact_below_) return value != 0 ? value > 0 : pulled_without_rounding(a, b, c, d, q);
   if (const auto in = in_sphere_on_grid(a, b, c, d, q, radii)) return *in;
   if (is_exact_) {
     // The bound of the double-double error has 72 u² in place of 20 u for each term.

@@ -9,6 +9,7 @@
 
 #include "oracle/rational_vector.h"
 #include "rbpa/space/predicate/exact.h"
+#include "rbpa/space/predicate/sphere_minors.h"
 #include "rbpa/space/predicate/spread.h"
 #include "support/arguments.h"
 #include "support/space_sets.h"
@@ -78,13 +79,16 @@ TEST_CASE("side of sphere and circumradius agree with rational numbers") {
 TEST_CASE("ties are perturbed consistently: any four corners and the fifth point give one set of tetrahedra") {
   // Radon: five points in general position have two triangulations of their hull, and the perturbation selects one.
   Random random(112);
-  int seen = 0;
+  int seen = 0, without_error = 0;
   for (int trial = 0; trial < trials(400); ++trial) {
     Points3 p = space_set(SpaceKind::cospherical, 5, random);
     std::sort(p.begin(), p.end());
     p.erase(std::unique(p.begin(), p.end()), p.end());
     if (p.size() < 5) continue;
     p.resize(5);
+    const double unit = random.integer(1, 1000);  // determinants of small multiples have no error
+    for (Point3& r : p) r = unit * r;
+    const space::Spread spread = space::spread(p);
     Rational volume = 0;
     std::array<int, 5> side{};
     for (std::size_t out = 0; out < 5; ++out) {
@@ -98,6 +102,10 @@ TEST_CASE("ties are perturbed consistently: any four corners and the fifth point
       ++seen;
       const bool in = space::pulled_into_sphere(t[0], t[1], t[2], t[3], p[out]);
       CHECK(space::in_sphere_exactly(t[0], t[1], t[2], t[3], p[out]) == in);
+      const auto spoke = [&](const Point3& r) { return space::Spoke::to(r.x - t[3].x, r.y - t[3].y, r.z - t[3].z); };
+      const double error = space::sphere_error(spoke(t[0]), spoke(t[1]), spoke(t[2]), 0).at(spoke(p[out]).square);
+      CHECK(space::BeyondFilter(spread).is_inside(t[0], t[1], t[2], t[3], p[out], 0, error) == in);
+      without_error += error < spread.exact_below(5);
       // Even permutations of the corners change nothing.
       CHECK(space::pulled_into_sphere(t[1], t[2], t[0], t[3], p[out]) == in);
       CHECK(space::pulled_into_sphere(t[3], t[2], t[1], t[0], p[out]) == in);
@@ -109,6 +117,8 @@ TEST_CASE("ties are perturbed consistently: any four corners and the fifth point
     CHECK(volume == 0);
   }
   CHECK(seen > trials(800));
+  CHECK(without_error > trials(200));
+  CHECK(without_error < seen - trials(200));
 }
 
 TEST_CASE("the spread of exponents is exact where 300 bits hold all coordinates") {

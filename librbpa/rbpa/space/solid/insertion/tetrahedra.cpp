@@ -21,8 +21,7 @@ BasicTetrahedra<weighted>::BasicTetrahedra(std::span<const Point3> points, std::
                                            const Spread& spread, std::span<const std::uint32_t> order,
                                            std::span<const double> radii, std::span<const double> scaled_radii,
                                            std::size_t room, Threads& threads)
-    : original_(points),
-      points_(spread.is_exact ? scaled : points),
+    : points_(points),
       radii_(spread.is_exact ? scaled_radii : radii),
       spread_(spread),
       beyond_filter_(spread),
@@ -34,12 +33,9 @@ BasicTetrahedra<weighted>::BasicTetrahedra(std::span<const Point3> points, std::
   index_[at_infinity] = 0;
   for_each_part(threads, order.size(), 1u << 14, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const Point3& p = scaled[order[i]];
       index_[i + 1] = order[i];
       VertexData& vertex = vertex_[i + 1] = {};
-      vertex.x = p.x;
-      vertex.y = p.y;
-      vertex.z = p.z;
+      static_cast<Point3&>(vertex) = scaled[order[i]];
       if constexpr (weighted) vertex.radius = scaled_radii[order[i]];
     }
   });
@@ -83,7 +79,7 @@ bool BasicTetrahedra<weighted>::add_in_room(std::uint32_t count, std::uint32_t& 
 template <bool weighted>
 bool BasicTetrahedra<weighted>::decide(std::uint32_t t, Vertex v, const Estimate& estimate) const {
   const Tetrahedron& tetrahedron = tetrahedra_[t];
-  if (tetrahedron.is_ghost()) return decide_ghost(tetrahedron, v);
+  if (tetrahedron.is_ghost()) return decide_ghost(tetrahedron, v, estimate);
   const auto& [a, b, c, d] = tetrahedron.corner;
   if constexpr (weighted) {
     const auto radius = [&](Vertex corner) { return radii_[index_[corner]]; };
@@ -97,12 +93,15 @@ bool BasicTetrahedra<weighted>::decide(std::uint32_t t, Vertex v, const Estimate
 /// Returns whether v is beyond the hull face of a ghost. A point in the plane of the face counts as beyond if it is in
 /// the circle of the face: in the sphere of the tetrahedron behind the face.
 template <bool weighted>
-bool BasicTetrahedra<weighted>::decide_ghost(const Tetrahedron& ghost, Vertex v) const {
+bool BasicTetrahedra<weighted>::decide_ghost(const Tetrahedron& ghost, Vertex v, const Estimate& estimated) const {
   const auto& corner = ghost.corner;
   const std::size_t k = corner[0] == at_infinity ? 0 : corner[1] == at_infinity ? 1 : 2;
   const auto& face = outer_faces[k];  // positively oriented with a point inside of the hull
-  const int side = orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v));
-  if (side != 0) return side < 0;
+  const double beyond =
+      estimated.error < spread_.exact_below(3)
+          ? estimated.value  // of degree three, without an error
+          : -orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v));
+  if (beyond != 0) return beyond > 0;
   const std::uint32_t behind = ghost.neighbor[k] / 4;
   if (error_[behind].is_deleted()) return true;  // the tetrahedron behind the face is in the cavity
   return is_inside(behind, v, estimate(behind, vertex_[v]));
@@ -115,7 +114,7 @@ bool BasicTetrahedra<weighted>::is_within(std::uint32_t t, double alpha, double 
     const RadiusSide side = radius_side(tetrahedron.minor, error_[t], scaled_alpha);
     if (side != RadiusSide::unknown) return side == RadiusSide::within;
   }
-  const auto original = [&](std::size_t k) { return original_[index_[tetrahedron.corner[k]]]; };
+  const auto original = [&](std::size_t k) { return points_[index_[tetrahedron.corner[k]]]; };
   return exact::compare_circumradius(original(0), original(1), original(2), original(3), alpha) <= 0;
 }
 

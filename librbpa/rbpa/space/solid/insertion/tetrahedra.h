@@ -43,8 +43,7 @@ struct alignas(64) Tetrahedron {
 };
 
 /// A point in the form that the insertion uses.
-struct alignas(32) InsertedPoint {
-  double x, y, z;
+struct alignas(32) InsertedPoint : Point3 {
   std::uint32_t last_insertion = 0;  ///< the last vertex whose cavity has this point on its boundary
   std::uint32_t local = 0;           ///< number of this point on the boundary of that cavity
 };
@@ -75,7 +74,10 @@ class BasicTetrahedra {
   /// Returns the input index of each vertex.
   std::span<const std::uint32_t> index() const { return index_; }
   /// Returns the point of a vertex for exact predicates: scaled where scaling is exact, else the given point.
-  const Point3& point(Vertex v) const { return points_[index_[v]]; }
+  const Point3& point(Vertex v) const {
+    if (spread_.is_exact) return vertex_[v];  // near other vertices of the neighborhood in memory
+    return points_[index_[v]];
+  }
   double underflow() const { return spread_.underflow(); }
 
   /// Returns the number of tetrahedra, deleted ones included.
@@ -126,10 +128,10 @@ class BasicTetrahedra {
   bool is_within(std::uint32_t t, double alpha, double scaled_alpha) const;
 
  private:
-  bool decide_ghost(const Tetrahedron& ghost, Vertex v) const;
+  bool decide_ghost(const Tetrahedron& ghost, Vertex v, const Estimate& estimated) const;
 
-  std::span<const Point3> original_, points_;
-  std::span<const double> radii_;  // for exact predicates, scaled if points_ are
+  std::span<const Point3> points_;
+  std::span<const double> radii_;  // for exact predicates, scaled where scaling is exact
   Spread spread_;
   BeyondFilter beyond_filter_;
   std::vector<std::uint32_t> index_;  // for each vertex, its input index
