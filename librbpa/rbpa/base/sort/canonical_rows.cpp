@@ -1,6 +1,7 @@
 #include "rbpa/base/sort/canonical_rows.h"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "meshops/core/large_pages.h"
 
@@ -26,12 +27,21 @@ void sort_few(std::vector<NumberedRow>& rows) {
 
 }  // namespace
 
+void resize_rows(std::vector<Row>& rows, std::size_t count, Threads& threads) {
+  constexpr std::size_t page = 4096;
+  rows.clear();
+  rows.reserve(count);
+  auto* const memory = reinterpret_cast<std::byte*>(rows.data());
+  meshops::prefer_large_pages(memory, count * sizeof(Row));
+  for_each_part(threads, count * sizeof(Row), meshops::large_page, [&](std::size_t first, std::size_t last) {
+    for (std::size_t at = first; at < last; at += page) memory[at] = std::byte{0};
+  });
+  rows.resize(count);
+}
+
 meshops::FreshVector<std::uint32_t> sort_rows(std::span<const Row> rows, std::size_t bound, Threads& threads,
                                               std::vector<Row>& sorted) {
-  sorted.clear();
-  sorted.reserve(rows.size());
-  meshops::prefer_large_pages(sorted.data(), rows.size() * sizeof(Row));
-  sorted.resize(rows.size());
+  resize_rows(sorted, rows.size(), threads);
   meshops::FreshVector<std::uint32_t> end(bound + 1), order(rows.size()), place(rows.size());
   // Each thread sorts the rows of one range of first numbers; `range` is the length of the range.
   const std::size_t range = bound / threads.count() + 1;

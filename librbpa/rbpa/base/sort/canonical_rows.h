@@ -18,6 +18,10 @@ namespace rbpa {
 
 using Row = std::array<std::uint32_t, 4>;
 
+/// Gives `rows` a number of rows without a content. All threads share the first touch of the memory, which takes longer
+/// than the zeros that are written later.
+void resize_rows(std::vector<Row>& rows, std::size_t count, Threads& threads);
+
 /// Replaces the content of `sorted` by the rows in order. Returns for each row its position in `sorted`.
 /// Requires: the rows are distinct, and their first numbers are below `bound`; not checked.
 meshops::FreshVector<std::uint32_t> sort_rows(std::span<const Row> rows, std::size_t bound, Threads& threads,

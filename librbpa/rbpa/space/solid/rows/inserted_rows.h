@@ -8,6 +8,7 @@
 
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/base/parallel/threads.h"
+#include "rbpa/base/sort/canonical_rows.h"
 #include "rbpa/space/solid/insertion/insertion.h"
 #include "rbpa/space/solid/rows/solid_rows.h"
 #include "rbpa/space/solid/solid.h"
@@ -34,7 +35,7 @@ SolidRows rows_of(BasicInsertion<weighted>& triangulation, bool neighbors, Threa
   triangulation.keep_rows();
   std::partial_sum(count.begin(), count.end(), count.begin());
   SolidRows rows;
-  rows.corners.resize(count.back());
+  resize_rows(rows.corners, count.back(), threads);
   for_each_part(threads, number.size(), at_a_time, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i)
       if (number[i] != Solid::none) rows.corners[number[i] += count[first / at_a_time]] = tetrahedra[i].corner;
