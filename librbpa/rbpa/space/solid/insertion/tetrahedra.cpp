@@ -97,11 +97,11 @@ bool BasicTetrahedra<weighted>::decide_ghost(const Tetrahedron& ghost, Vertex v,
   const auto& corner = ghost.corner;
   const std::size_t k = corner[0] == at_infinity ? 0 : corner[1] == at_infinity ? 1 : 2;
   const auto& face = outer_faces[k];  // positively oriented with a point inside of the hull
-  const double beyond =
-      estimated.error < spread_.exact_below(3)
-          ? estimated.value  // of degree three, without an error
-          : -orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v));
-  if (beyond != 0) return beyond > 0;
+  // A value of degree three without an error: 0 in the plane.
+  if (estimated.value != 0 || estimated.error >= spread_.exact_below(3)) {
+    const int side = orientation(point(corner[face[0]]), point(corner[face[1]]), point(corner[face[2]]), point(v));
+    if (side != 0) return side < 0;
+  }
   const std::uint32_t behind = ghost.neighbor[k] / 4;
   if (error_[behind].is_deleted()) return true;  // the tetrahedron behind the face is in the cavity
   return is_inside(behind, v, estimate(behind, vertex_[v]));
