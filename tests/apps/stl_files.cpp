@@ -240,5 +240,8 @@ TEST_SUITE("single precision") {
         "(not as .ply, .obj or .off, in double precision); it is not written\n");
     CHECK(folder.meshtopo("t.off --orient -o t.stl -q --shift auto").code == 4);
     CHECK_FALSE(folder.has("t.stl"));
+    folder.file("p.xyz", "0 0 0\n2 1 1\n0 1 0\n0 0 1\n.1 .2 .3\n.2 .2 .2\n2.000000001 1 1\n");
+    CHECK(folder.rbpa("solid p.xyz --alpha inf -q --boundary t.stl").err.find("moves 1 of 5 vertices onto others") !=
+          std::string::npos);
   }
 }

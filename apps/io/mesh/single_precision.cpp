@@ -120,6 +120,7 @@ Lost lost(std::span<const Point3> vertices, Triangles triangles, const SinglePos
     for (const std::uint32_t corner : triangle) {
       if (is_seen[corner]) continue;
       is_seen[corner] = true;
+      ++result.used;
       go_on();
       const std::uint32_t first = places.first_at(after, corner);
       if (first != corner && position_of(vertices[first]) != position_of(vertices[corner])) ++result.vertices;
@@ -136,7 +137,7 @@ std::string why_not_kept(const SinglePositions& rounded, Format format, std::spa
     what = "leaves " + std::to_string(found.areas) + " of " + counted(triangles.size(), "triangle") + " without area";
   if (found.vertices > 0)
     what += (what.empty() ? "moves " : " and moves ") + std::to_string(found.vertices) + " of " +
-            std::to_string(vertices.size()) + " vertices onto others";
+            std::to_string(found.used) + " vertices onto others";
   const SinglePositions shifted = single_positions(format, vertices, triangles, Shift(), file);
   return file + ": single precision " + what +
          way_to_keep(shifted.shift != rounded.shift && !lost(vertices, triangles, shifted).any());

@@ -46,6 +46,7 @@ SinglePositions single_positions(Format format, std::span<const Point3> vertices
 struct Lost {
   std::size_t areas = 0;     ///< triangles that have no area after rounding, and had one before
   std::size_t vertices = 0;  ///< vertices that rounding moves onto another vertex
+  std::size_t used = 0;      ///< vertices of triangles
   bool any() const { return areas > 0 || vertices > 0; }
 };
 
