@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "meshops/core/contract.h"
-#include "rbpa/base/arrays/simplices_at.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/sort/canonical_rows.h"
 #include "rbpa/base/triangle_arrays.h"
@@ -56,8 +55,10 @@ class OpenFaces {
         }
       }
     });
+    std::uint32_t greatest = 0;  // of the least corners: other corners may be any numbers
+    for (const Row& row : rows) greatest = std::max(greatest, row[0]);
     std::vector<Row> sorted;
-    place_ = sort_rows(rows, corner_bound<4>(solid_.simplices), threads_, sorted);
+    place_ = sort_rows(rows, std::size_t{greatest} + 1, threads_, sorted);
     for (const Row& row : sorted) {
       triangles_.push_back({row[0], row[1], row[2]});
       faces_.push_back(row[3]);
