@@ -13,6 +13,7 @@
 
 #include "io/bytes/available_memory.h"
 #include "io/failure.h"
+#include "io/polygon/ogr.h"
 #include "stream/pack_block.h"
 
 namespace rbpa::app {
@@ -20,7 +21,7 @@ namespace {
 
 /// Returns the memory that tiles may not use, in bytes: that of the program, and three sixteenths of `memory`: one for
 /// freed memory that the allocator keeps, one for triangles that wait, one for unfinished parts between tiles.
-std::uint64_t reserve_of(std::uint64_t memory) { return program_bytes + memory / 16 * 3; }
+std::uint64_t reserve_of(std::uint64_t memory) { return program_bytes() + memory / 16 * 3; }
 
 /// Throws Failure if the disk of `folder` has less room than `needed` bytes. Does nothing if the room is unknown.
 void require_room(const std::string& folder, double needed, const std::string& where, const std::string& what) {
@@ -33,6 +34,11 @@ void require_room(const std::string& folder, double needed, const std::string& w
 }
 
 }  // namespace
+
+std::uint64_t program_bytes() {
+  // GDAL and its libraries take 31 MiB more, of which the other parts leave some 20 unused.
+  return std::uint64_t{has_gdal() ? 35U : 24U} << 20U;
+}
 
 Budget divide(std::uint64_t memory, unsigned threads) {
   const std::uint64_t left = memory - std::min(memory, reserve_of(memory));
@@ -73,7 +79,7 @@ std::string in_megabytes(std::uint64_t bytes) {
 }
 
 std::uint64_t memory_for(std::uint64_t tile_points, unsigned threads) {
-  const std::uint64_t used = program_bytes + tile_points * bytes_of_tile_point * std::max(threads, 1U);
+  const std::uint64_t used = program_bytes() + tile_points * bytes_of_tile_point * std::max(threads, 1U);
   return std::max(least_memory, used * 16 / 13 + used / 16);
 }
 

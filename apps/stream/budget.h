@@ -10,8 +10,8 @@
 
 namespace rbpa::app {
 
-/// Memory of the program with its libraries before it reads any point, in bytes.
-constexpr std::uint64_t program_bytes = std::uint64_t{24} << 20U;
+/// Returns the memory that the program takes with its libraries before it reads any point, in bytes.
+std::uint64_t program_bytes();
 /// Peak memory for each point of a tile while the tile is computed, in bytes: input, triangulation, sorting and result.
 constexpr std::uint64_t bytes_of_tile_point = 330;
 /// The least value of --memory, in bytes.
