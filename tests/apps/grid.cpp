@@ -67,7 +67,8 @@ TEST_SUITE("grid") {
     const Folder folder;
     folder.file("p.csv", plane_of(3));
     CHECK(folder.rbpa("grid p.csv --contours 9,3,9 --crs EPSG:28992 -o l.geojson -o l.wkt -o l.svg -o l.png")
-              .err.ends_with("\nrbpa: 9 points, 2 contour lines at 2 heights -> l.geojson, l.wkt, l.svg, l.png\n"));
+              .err.ends_with(
+                  "\nrbpa: 9 points, 2 contour lines at 2 heights -> l.geojson, l.wkt, l.svg, l.png, l.pgw\n"));
     CHECK(folder.content("l.wkt") ==
           "MULTILINESTRING Z ((2.3333333333333335 4 3,2.25 3.75 3,2 3 3,1.75 2.25 3,1.6666666666666667 2 3,1.25 0.75 "
           "3,1 0 3),"

@@ -68,21 +68,6 @@ TEST_SUITE("manual") {
     }
   }
 
-  TEST_CASE("an option that the help hides is in neither the manual page nor the completions") {
-    const Folder folder;
-    const auto part = [](const std::string& text, const std::string& begin, const std::string& end) {
-      const std::size_t first = text.find(begin);
-      REQUIRE(first != std::string::npos);
-      return text.substr(first, text.find(end, first + begin.size()) - first);
-    };
-    for (const std::string& text : {part(folder.rbpa("--man").out, ".SH \"RBPA stream\"", ".SH \""),
-                                    part(folder.rbpa("--completion bash").out, "    stream) ", ";;"),
-                                    part(folder.rbpa("--completion zsh").out, "    stream)", ";;")}) {
-      CHECK(text.find("memory") != std::string::npos);
-      CHECK(text.find("area") == std::string::npos);
-    }
-  }
-
   TEST_CASE("a manual page gives no warnings in groff, and shows texts as they are") {
     const Folder folder;
     for (const std::string& program : programs) {

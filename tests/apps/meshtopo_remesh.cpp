@@ -81,7 +81,7 @@ TEST_SUITE("meshtopo --remesh") {
       CAPTURE(wrong);
       const Outcome outcome = folder.meshtopo(data + "/m3_spot.off --remesh " + wrong + " -o o.off");
       CHECK(outcome.code == 3);
-      CHECK(outcome.err.find("m3_spot.off: --remesh: found the length") != std::string::npos);
+      CHECK(outcome.err.find("m3_spot.off: --remesh: found ") != std::string::npos);
     }
     folder.file("p.off", pyramid_off);
     CHECK(folder.meshtopo("p.off --remesh 1 -o o.off").err ==
