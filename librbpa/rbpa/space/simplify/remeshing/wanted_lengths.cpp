@@ -56,6 +56,7 @@ std::vector<double> wanted_lengths(const Connectivity& mesh, const std::vector<P
       at_end = std::min(at_end, length);
     }
   }
+  if (std::count(wanted.begin(), wanted.end(), options.length) == std::ssize(wanted)) return {};
   // The shortest first: a length that is reached cannot become less.
   using Waiting = std::pair<double, int>;
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting;
