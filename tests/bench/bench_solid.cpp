@@ -1,13 +1,22 @@
 // Measures tetrahedra of points in space by solid() and by CGAL's Delaunay_triangulation_3, in turn in one process, one
 // thread each.
 //   bench_solid [--points=N] [--runs=N]      1,000,000 points, the least of 3 runs; up to 3,000 on the moment curve
+//   bench_solid --peer HXT=./hxt_peer        and another program (process.h), of points as float64 x y z, which writes
+//                                            tetrahedra as four uint32 indices
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <span>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "bench/options.h"
 #include "bench/peers.h"
+#include "bench/process.h"
 #include "bench/tables.h"
 #include "rbpa/space/solid/solid.h"
 #include "support/data_folder.h"
@@ -29,7 +38,8 @@ Points3 read_scan(const std::string& name) {
   return points;
 }
 
-void measure(const std::string& name, const Points3& points, const std::vector<double>& alphas, int runs) {
+void measure(const std::string& name, const Points3& points, const std::vector<double>& alphas, int runs,
+             const std::vector<PeerProgram>& peers) {
   if (points.empty()) return;  // the scan is not there
   const auto ours = [&](double alpha) {
     const Stopwatch watch;
@@ -38,13 +48,26 @@ void measure(const std::string& name, const Points3& points, const std::vector<d
   };
   for (const double alpha : alphas) {
     // CGAL's circumradii are rounded, so that with a radius the numbers may differ.
-    const auto of = in_turn({{"solid()", [&] { return ours(alpha); }},
-                             {"CGAL", [&] { return solid_by_cgal(points, alpha); }, std::isinf(alpha)}},
-                            {.runs = runs, .by_processor = true});
+    std::vector<Contestant> all = {{"solid()", [&] { return ours(alpha); }},
+                                   {"CGAL", [&] { return solid_by_cgal(points, alpha); }, std::isinf(alpha)}};
+    for (const PeerProgram& peer : peers)
+      if (std::isinf(alpha))
+        all.push_back({peer.name(), [&] {
+                         const auto [rows, seconds] = peer.run<std::array<std::uint32_t, 4>>(std::span(points));
+                         return Run{seconds, seconds, rows.size()};
+                       }});
+    const auto of = in_turn(all, {.runs = runs, .by_processor = true});
     const auto n = static_cast<double>(points.size());
-    print_row({name, text("%zu", points.size()), text("%g", alpha), text("%.2f", static_cast<double>(of[0].count) / n),
-               text("%.0f", 1e9 * of[0].seconds.least() / n), text("%.0f", 1e9 * of[1].seconds.least() / n),
-               text("%.2f", of[1].seconds.least() / of[0].seconds.least()) + of[1].wrong});
+    std::vector<std::string> row = {name, text("%zu", points.size()), text("%g", alpha),
+                                    text("%.2f", static_cast<double>(of[0].count) / n),
+                                    text("%.0f", 1e9 * of[0].seconds.least() / n)};
+    for (std::size_t i = 1; i < of.size(); ++i) {
+      const std::string fault = of[i].wrong + of[i].failure;
+      row.push_back(text("%.0f", 1e9 * of[i].seconds.least() / n));
+      row.push_back(text("%.2f", of[i].seconds.least() / of[0].seconds.least()) + (fault.empty() ? "" : ", " + fault));
+    }
+    row.resize(7 + 2 * peers.size());
+    print_row(row);
   }
 }
 
@@ -53,18 +76,27 @@ void measure(const std::string& name, const Points3& points, const std::vector<d
 
 int main(int argc, char** argv) {
   using namespace rbpa_bench;
-  const auto [points, runs] = read_sizes(argc, argv, {.runs = 3});
+  std::vector<std::string> commands;
+  const auto sizes = read_sizes(argc, argv, {.runs = 3}, {{"--peer", &commands, "NAME=COMMAND: another program"}});
+  const std::vector<PeerProgram> peers(commands.begin(), commands.end());
   std::printf("%s; one thread, the least of %d runs of each in turn, seconds of the processor.\n\n", machine().c_str(),
-              runs);
-  print_head({"points"},
-             {"count", "alpha", "tetrahedra a point", "solid() ns a point", "CGAL ns a point", "CGAL / solid()"});
-  measure("uniform", rbpa_test::uniform_cube(points, 1), {INFINITY, 1.0, 0.7}, runs);
-  measure("jittered grid", rbpa_test::jittered_cubes(points, 2), {INFINITY}, runs);
-  measure("integer grid", rbpa_test::cubic_grid(points, 1, 3), {INFINITY}, runs);
-  measure("grid of tenths", rbpa_test::cubic_grid(points, 0.1, 4), {INFINITY}, runs);
-  measure("clusters", rbpa_test::clusters_in_cube(points, 5), {INFINITY}, runs);
-  for (const char* name : {"c3_nefertiti.xyz", "c3_pcl_mug_stereo.xyz"})
-    measure(name, read_scan(name), {INFINITY}, runs);
-  measure("sphere, rounded", rbpa_test::on_unit_sphere(points, 6), {INFINITY}, runs);
-  measure("moment curve", rbpa_test::moment_curve(std::min<std::size_t>(points, 3000)), {INFINITY}, runs);
+              sizes.runs);
+  std::vector<std::string> head = {"count",           "alpha",         "tetrahedra a point", "solid() ns a point",
+                                   "CGAL ns a point", "CGAL / solid()"};
+  for (const PeerProgram& peer : peers) {
+    head.push_back(peer.name() + " ns a point");
+    head.push_back(peer.name() + " / solid()");
+  }
+  print_head({"points"}, head);
+  const auto row = [&](const char* name, const Points3& points, const std::vector<double>& alphas = {INFINITY}) {
+    measure(name, points, alphas, sizes.runs, peers);
+  };
+  row("uniform", rbpa_test::uniform_cube(sizes.points, 1), {INFINITY, 1.0, 0.7});
+  row("jittered grid", rbpa_test::jittered_cubes(sizes.points, 2));
+  row("integer grid", rbpa_test::cubic_grid(sizes.points, 1, 3));
+  row("grid of tenths", rbpa_test::cubic_grid(sizes.points, 0.1, 4));
+  row("clusters", rbpa_test::clusters_in_cube(sizes.points, 5));
+  for (const char* name : {"c3_nefertiti.xyz", "c3_pcl_mug_stereo.xyz"}) row(name, read_scan(name));
+  row("sphere, rounded", rbpa_test::on_unit_sphere(sizes.points, 6));
+  row("moment curve", rbpa_test::moment_curve(std::min<std::size_t>(sizes.points, 3000)));
 }

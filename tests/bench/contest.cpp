@@ -7,7 +7,6 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 #include <string_view>
 
 #include "bench/process.h"
@@ -123,36 +122,14 @@ void compare_sets(Points points, double alpha, const std::vector<Method>& method
 }
 
 Method peer(const std::string& argument) {
-  const std::size_t sign = argument.find('=');
-  if (sign == 0 || sign == std::string::npos || sign + 1 == argument.size())
-    throw std::invalid_argument("--peer: found '" + argument + "', expected NAME=COMMAND");
-  const auto run = [command = argument.substr(sign + 1)](std::span<const rbpa::Point> points, double, Triangles* list) {
-    const Folder folder;
-    const std::string in = folder / "points", out = folder / "triangles", errors = folder / "errors";
-    write_values(in, std::vector(points.begin(), points.end()));
-    std::fflush(stdout);
-    const Stopwatch watch;
-    const int status =
-        std::system((command + " '" + in + "' '" + out + "' </dev/null >/dev/null 2>'" + errors + "'").c_str());
-    Run ended = watch.run(0);
-    std::string last, why;
-    std::ifstream file(errors);
-    for (std::string line; std::getline(file, line);) {
-      std::sscanf(line.c_str(), "seconds %lf", &ended.seconds);
-      if (!line.empty()) last = ": " + line;
-    }
-    if (WIFSIGNALED(status)) throw std::runtime_error(text("ended by signal %d", WTERMSIG(status)) + last);
-    if (WEXITSTATUS(status) != 0) throw std::runtime_error(text("ended with %d", WEXITSTATUS(status)) + last);
-    Triangles triangles = read_values<rbpa_test::Triangle>(out);
-    for (const rbpa_test::Triangle& triangle : triangles)
-      for (const std::uint32_t corner : triangle)
-        if (corner >= points.size()) throw std::runtime_error(text("named point %u of %zu", corner, points.size()));
-    ended.count = triangles.size();
-    ended.processor_seconds = ended.seconds;
+  const PeerProgram program(argument);
+  const auto run = [program](Points points, double, Triangles* list) {
+    auto [triangles, seconds] = program.run<rbpa_test::Triangle>(points);
+    const Run ended{seconds, seconds, triangles.size()};
     if (list) *list = std::move(triangles);
     return ended;
   };
-  return {argument.substr(0, sign), run, /*takes_alpha=*/false};
+  return {program.name(), run, /*takes_alpha=*/false};
 }
 
 const std::vector<Method>& cold_methods() {

@@ -3,8 +3,11 @@
 #include <malloc.h>
 #include <stdlib.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 namespace rbpa_bench {
 namespace {
@@ -32,6 +35,32 @@ double rise_of_peak(const std::function<void()>& work) {
   const double before = status_bytes("VmRSS");
   work();
   return is_reset ? status_bytes("VmHWM") - before : NAN;
+}
+
+PeerProgram::PeerProgram(const std::string& argument)
+    : name_(argument.substr(0, argument.find('='))),
+      command_(argument.substr(std::min(name_.size() + 1, argument.size()))) {
+  if (name_.empty() || command_.empty())
+    throw std::invalid_argument("--peer: found '" + argument + "', expected NAME=COMMAND");
+}
+
+double PeerProgram::run_in(const Folder& folder) const {
+  const std::string errors = folder / "errors";
+  std::fflush(stdout);
+  const auto start = std::chrono::steady_clock::now();
+  const int status = std::system((command_ + " '" + (folder / "points") + "' '" + (folder / "result") +
+                                  "' </dev/null >/dev/null 2>'" + errors + "'")
+                                     .c_str());
+  double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::string last;
+  std::ifstream file(errors);
+  for (std::string line; std::getline(file, line);) {
+    std::sscanf(line.c_str(), "seconds %lf", &seconds);
+    if (!line.empty()) last = ": " + line;
+  }
+  if (WIFSIGNALED(status)) throw std::runtime_error("ended by signal " + std::to_string(WTERMSIG(status)) + last);
+  if (WEXITSTATUS(status) != 0) throw std::runtime_error("ended with " + std::to_string(WEXITSTATUS(status)) + last);
+  return seconds;
 }
 
 void keep_memory() {

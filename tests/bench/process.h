@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -11,6 +12,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rbpa_bench {
@@ -86,5 +88,36 @@ std::vector<Value> read_values(const std::string& path) {
   if (!file) throw std::runtime_error(path + ": cannot be read");
   return values;
 }
+
+/// A program that takes part in a benchmark, from an argument NAME=COMMAND.
+class PeerProgram {
+ public:
+  /// Throws std::invalid_argument when the argument has no name or no command.
+  explicit PeerProgram(const std::string& argument);
+
+  const std::string& name() const { return name_; }
+  /// Writes `points` as native numbers, and lets the shell run the command with two file names behind it: that file,
+  /// and one that the command writes. Returns the indices in that file, in rows, native uint32, and the time: the value
+  /// of a line `seconds VALUE` on standard error, or else that of the whole process, files included. Throws
+  /// std::runtime_error when the command ended with a code or a signal, wrote no rows or an incomplete one, or named a
+  /// point that does not exist.
+  template <typename Row, typename Point>
+  std::pair<std::vector<Row>, double> run(std::span<const Point> points) const {
+    const Folder folder;
+    write_values(folder / "points", std::vector(points.begin(), points.end()));
+    const double seconds = run_in(folder);
+    std::vector<Row> rows = read_values<Row>(folder / "result");
+    for (const Row& row : rows)
+      for (const std::uint32_t corner : row)
+        if (corner >= points.size())
+          throw std::runtime_error("named point " + std::to_string(corner) + " of " + std::to_string(points.size()));
+    return {std::move(rows), seconds};
+  }
+
+ private:
+  double run_in(const Folder& folder) const;
+
+  std::string name_, command_;
+};
 
 }  // namespace rbpa_bench
