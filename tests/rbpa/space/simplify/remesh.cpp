@@ -230,6 +230,24 @@ TEST_CASE("with an error, edges are as long as the curvature allows, also betwee
     for (const auto e : round.mesh.edges()) CHECK(round.length(e) < 4.0 / 3 * std::sqrt(6 * error) + 1e-9);
     CHECK(round.mean_length() > 0.75 * std::sqrt(6 * error));
   }
+  // Powers of two keep all digits.
+  Placed ball(sphere(3));
+  remeshed(ball, 1, 0.012);
+  for (const double unit : {0x1p-160, 0x1p+160}) {
+    Triangles t = sphere(3);
+    for (Point3& p : t.points) p = {unit * p.x, unit * p.y, unit * p.z};
+    Placed scaled(t);
+    remeshed(scaled, unit, unit * 0.012);
+    CHECK(scaled.places.size() == ball.places.size());
+    CHECK(scaled.mean_length() == unit * ball.mean_length());
+  }
+  // A plane, with a triangle whose corners are on one line.
+  Placed flat({.points = {{0, 0, 0}, {8, 0, -8}, {4, 0, -4}, {4, -8, 4}, {4, 8, -12}},
+               .corners = {{0, 1, 3}, {1, 0, 2}, {0, 4, 2}, {4, 1, 2}}});
+  Placed plain = flat;
+  remeshed(flat, 3, 0.01);
+  rbpa::remesh(plain.mesh, plain.places, {.length = 3});
+  CHECK(flat.places == plain.places);
   // The faces of a cube are flat, and its edges sharp.
   Placed cube(read_off(bundled_data() / "m3_cube_no_bottom.off")), even = cube;
   const double length = cube.mean_length();

@@ -21,17 +21,21 @@ using Vector = Vector3<double>;
 constexpr double growth = 0.5;  // greatest difference of lengths at neighbors, in units of their distance
 
 /// Returns the curvature across an inner edge: the angle between the normals of its triangles, over the distance of
-/// their centroids from each other across the edge. It is 1/r for triangles between points of a sphere of radius r.
+/// their centroids from each other across the edge. It is 1/r for triangles between points of a sphere of radius r, and
+/// 0 if a triangle has no area.
 double curvature_across(const Connectivity& mesh, const std::vector<Point3>& places, Edge e) {
   const Halfedge h = mesh.halfedge_handle(e, 0), o = mesh.opposite_halfedge_handle(h);
   const auto at_end = [&](Halfedge of) -> const Point3& { return places[index_of(mesh.to_vertex_handle(of))]; };
   const Point3 &a = at_end(o), &b = at_end(h);
   const Vector along = from<double>(a, b);
   const Vector m = cross(along, from<double>(a, at_end(mesh.next_halfedge_handle(h)))),
-               n = cross(from<double>(a, at_end(mesh.next_halfedge_handle(o))), along), turn = cross(m, n);
-  const double areas = std::sqrt(dot(m, m)) + std::sqrt(dot(n, n));
-  if (!(areas > 0)) return 0;
-  return 3 * std::atan2(std::sqrt(dot(turn, turn)), dot(m, n)) * std::sqrt(dot(along, along)) / areas;
+               n = cross(from<double>(a, at_end(mesh.next_halfedge_handle(o))), along);
+  const double of_m = std::sqrt(dot(m, m)), of_n = std::sqrt(dot(n, n));
+  if (!(of_m > 0 && of_n > 0)) return 0;
+  // Powers of two bring the normals to lengths near 1, as the squares below would leave the range of double.
+  const Vector p = times(std::ldexp(1, -std::ilogb(of_m)), m), q = times(std::ldexp(1, -std::ilogb(of_n)), n),
+               turn = cross(p, q);
+  return 3 * std::atan2(std::sqrt(dot(turn, turn)), dot(p, q)) * std::sqrt(dot(along, along)) / (of_m + of_n);
 }
 
 /// Returns the length of edges of an equilateral triangle with corners on a sphere, whose points are within `error` of
