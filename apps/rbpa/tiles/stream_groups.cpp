@@ -1,7 +1,6 @@
 #include "tiles/stream_groups.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -91,6 +90,10 @@ class GroupStream {
  private:
   static constexpr std::uint64_t bytes_of_waiting = 64;  // a point that waits, while all are sorted by group
 
+  /// Returns two corners of the box of all points; none without points.
+  std::vector<Point> corners() const {
+    return stats_.points > 0 ? std::vector{least_, greatest_} : std::vector<Point>{};
+  }
   std::string input() const {
     const std::size_t files = request_.sources.size();
     return files == 1 ? request_.sources.front().path : counted(files, "file");
@@ -149,8 +152,7 @@ class GroupStream {
   }
 
   void compute() {
-    const std::array<Point, 2> corners = {least_, greatest_};
-    const bool cuts = is_cut_in_geojson(corners, named_.file.crs, named_.file.degrees);
+    const bool cuts = is_cut_in_geojson(corners(), named_.file.crs, named_.file.degrees);
     std::vector<OutputFile*> files;
     for (const StreamTarget& target : request_.targets) {
       files.push_back(&run_.files().add(target.path));
@@ -267,9 +269,9 @@ class GroupStream {
     if (problems_ > 0)
       run_.summarize(input() + ": " + counted(problems_, "group") +
                      " without a polygon: " + (problems_ == 1 ? "" : "the first is ") + first_problem_);
-    const std::array<Point, 2> corners = {least_, greatest_};
+    const std::vector<Point> box = corners();
     if (!request_.targets.empty())
-      if (const auto why = geojson_caution({corners, {}, {}, named_.file.crs, named_.file.degrees}))
+      if (const auto why = geojson_caution({box, {}, {}, named_.file.crs, named_.file.degrees}))
         say("rbpa", output_name(request_.targets.front().path) + ": " + *why);
     run_.summarize(counted(stats_.points, "point") + ", " + counted(named_.names.size(), "group") + ", " +
                    counted(totals_.polygons, "polygon") + ", area " + rounded(totals.area, 6) +

@@ -96,7 +96,7 @@ StreamRequest parse_request(const StreamArguments& arguments) {
   if (arguments.outputs.empty() && !arguments.stats) bad_usage("-o", "no OUT", "at least one (or --stats FILE)");
   for (const std::string& path : arguments.outputs)
     request.targets.push_back(parse_stream_target(path, arguments.output_format));
-  if (!request.wants_polygons())
+  if (!request.wants_polygons() && !arguments.group_by)
     refuse_given(
         {{request.filter.min_hole_area > 0, "--min-hole-area"}, {request.filter.min_part_area > 0, "--min-part-area"}},
         "requires polygons: -o FILE.geojson or FILE.wkt");

@@ -69,6 +69,7 @@ TEST_CASE("groups have the bytes, the messages and the counts of shape, in memor
         CHECK(folder.names() == before);
       }
   check_same(folder, "a.csv", "--columns x,y --alpha 2.5 --group-by kind --where 'x > 5' --crs EPSG:28992", "");
+  check_same(folder, "a.csv", "--columns x,y --alpha 2.5 --group-by kind --bounds 90,90,95,95", "");  // no point
   CHECK(folder.rbpa("stream a.csv --columns x,y --alpha 1 --group-by kind -q -o o.geojson").err ==
         folder.rbpa("shape a.csv --columns x,y --alpha 1 --group-by kind -q -o o.geojson").err);
 }
@@ -94,6 +95,18 @@ TEST_CASE("groups of LAS and GeoJSON are those of shape") {
 {"type":"Feature","properties":{"b":10},"geometry":{"type":"Point","coordinates":[0,1]}}]})");
   check_same(folder, "p.geojson", "--alpha 9 --group-by a", "");  // is cut at the antimeridian
   check_same(folder, "p.geojson", "--alpha 9 --group-by a,b", "");
+}
+
+TEST_CASE("groups have their areas in the counts, also without an output") {
+  const Folder folder;
+  folder.file("p.csv", table(500, 6));
+  const std::string options = " p.csv --columns x,y --alpha 0.9 --group-by kind --min-hole-area 3 --min-part-area 2 ";
+  const Outcome wanted = folder.rbpa("shape" + options + "--stats want.json");
+  const Outcome made = folder.rbpa("stream" + options + "--tile-size 16 --stats o.json");
+  CHECK(wanted.code == 0);
+  CHECK(made.code == 0);
+  CHECK(made.err == wanted.err);
+  CHECK(json::parse(folder.content("o.json"))["polygons"] == json::parse(folder.content("want.json"))["polygons"]);
 }
 
 TEST_CASE("what does not apply to groups is refused") {
