@@ -153,7 +153,7 @@ TopologyPlan plan(TopologyArguments arguments) {
   if (arguments.at_faces) plan.at_faces = parse_whole("--at-faces", *arguments.at_faces, {});
   if (arguments.progressive && !arguments.decimate) throw WrongUsage("--progressive requires --decimate");
   if (arguments.progressive == "-") bad_usage("--progressive", "-", "a file (standard output is that of the report)");
-  if (arguments.progressive && find_format(Use::mesh, ending(*arguments.progressive)))
+  if (arguments.progressive && find_format(Use::mesh, input_ending(*arguments.progressive)))
     bad_usage("--progressive", in_quotes(*arguments.progressive) + ", with the ending of a mesh",
               "another ending, such as .pm (only --at-faces reads the file)");
   plan.progressive = arguments.progressive;
