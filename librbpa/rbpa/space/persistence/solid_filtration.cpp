@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "rbpa/base/parallel/threads.h"
-#include "rbpa/base/run/checkpoint_of_threads.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/space/cells/check_input.h"
+#include "rbpa/space/cells/circumradii.h"
 #include "rbpa/space/persistence/pairing/beside_flat.h"
 #include "rbpa/space/persistence/pairing/curve_order.h"
 #include "rbpa/space/persistence/pairing/number_faces.h"
 #include "rbpa/space/persistence/pairing/triangle_radii.h"
 #include "rbpa/space/persistence/pairing/values_of_faces.h"
-#include "rbpa/space/predicate/circumradius.h"
 
 namespace rbpa {
 namespace {
@@ -86,15 +84,7 @@ SolidFiltration solid_filtration(std::span<const Point3> points, const SolidOpti
     take_flat(sorted, options, threads, step, filtration);
   } else {
     const auto radii = [&](const GoOn& goes_on) {
-      const std::span all(delaunay.simplices);
-      std::vector<double> found(all.size());
-      CheckpointOfThreads checkpoint(goes_on);
-      for_each_part(threads, all.size(), space::faces_at_a_time, [&](std::size_t begin, std::size_t end) {
-        checkpoint();
-        space::circumradii_rounded_up(sorted, all.subspan(begin, end - begin),
-                                      std::span(found).subspan(begin, end - begin));
-      });
-      return found;
+      return space::circumradii_of(sorted, delaunay.simplices, threads, goes_on);
     };
     space::find_faces(rule, sorted.size(), radii, threads, go_on, filtration);
   }

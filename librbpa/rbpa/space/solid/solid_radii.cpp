@@ -19,7 +19,7 @@
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/space/cells/check_input.h"
-#include "rbpa/space/predicate/circumradius.h"
+#include "rbpa/space/cells/circumradii.h"
 #include "rbpa/space/solid/boundary/solid_part.h"
 
 namespace rbpa {
@@ -187,15 +187,8 @@ std::vector<double> circumradii(std::span<const Point3> points, std::span<const 
       if (corner >= points.size())
         throw InvalidInput("simplex " + std::to_string(t) + " has corner " + std::to_string(corner) +
                            ", expected one below " + std::to_string(points.size()));
-  std::vector<double> radii(simplices.size());
   Threads some = threads_for(simplices.size(), threads);
-  CheckpointOfThreads checkpoint(go_on);
-  for_each_part(some, radii.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
-    checkpoint();
-    space::circumradii_rounded_up(points, simplices.subspan(begin, end - begin),
-                                  std::span(radii).subspan(begin, end - begin));
-  });
-  return radii;
+  return space::circumradii_of(points, simplices, some, go_on);
 }
 
 double min_alpha(const Solid& delaunay, std::span<const double> radii, double share, const GoOn& go_on) {
