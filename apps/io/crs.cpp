@@ -51,11 +51,13 @@ constexpr std::uint16_t geocentric_codes[] = {
     9700, 9753, 9775, 9780, 9892, 9988, 20039};
 // clang-format on
 
+/// Returns the number of an EPSG code; 0, which is none, for other systems.
+std::size_t epsg_number(const Crs& crs) { return crs.authority == "EPSG" ? parse_count(crs.code).value_or(0) : 0; }
+
 bool is_vertical(const Crs& crs) {
-  const std::optional<std::size_t> code = parse_count(crs.code);
-  return crs.authority == "EPSG" && code &&
-         std::any_of(std::begin(vertical_codes), std::end(vertical_codes),
-                     [&](const auto& codes) { return *code >= codes.first && *code <= codes.second; });
+  const std::size_t code = epsg_number(crs);
+  return std::any_of(std::begin(vertical_codes), std::end(vertical_codes),
+                     [&](const auto& codes) { return code >= codes.first && code <= codes.second; });
 }
 
 bool is_word(std::string_view text) {
@@ -88,9 +90,8 @@ std::optional<std::string> Crs::srid() const {
 }
 
 bool Crs::is_geocentric() const {
-  const std::optional<std::size_t> number = parse_count(code);
-  return authority == "EPSG" && number &&
-         std::find(std::begin(geocentric_codes), std::end(geocentric_codes), *number) != std::end(geocentric_codes);
+  return std::find(std::begin(geocentric_codes), std::end(geocentric_codes), epsg_number(*this)) !=
+         std::end(geocentric_codes);
 }
 
 bool Crs::is_wgs84() const {
