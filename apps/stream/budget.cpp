@@ -36,7 +36,7 @@ void require_room(const std::string& folder, double needed, const std::string& w
 }  // namespace
 
 std::uint64_t program_bytes() {
-  // GDAL and its libraries take 31 MiB more, of which the other parts leave some 20 unused.
+  // GDAL and its libraries take 31 MiB more. The other parts leave some 20 of these unused.
   return std::uint64_t{has_gdal() ? 35U : 24U} << 20U;
 }
 
