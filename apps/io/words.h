@@ -56,7 +56,8 @@ inline std::string identifier(std::string_view words) {
 
 /// Returns `text` as a field of CSV: in double quotes if it has a separator, a quote, a blank or a line end.
 inline std::string csv_text(std::string_view text) {
-  if (text.find_first_of(",;\"\n\r\t ") == std::string_view::npos) return std::string(text);
+  const auto needs_quotes = [](char c) { return is_blank(c) || c == ',' || c == ';' || c == '"' || c == '\n'; };
+  if (std::none_of(text.begin(), text.end(), needs_quotes)) return std::string(text);
   std::string quoted = "\"";
   for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
   return quoted + '"';

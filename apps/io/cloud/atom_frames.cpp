@@ -173,11 +173,15 @@ void AtomFrames::read_atoms(AtomFrame& frame) {
   };
   frame.has_radii = radius_.has_value();
   AtomRow row;
+  std::string residue;  // whose atoms are of water if row.is_water
   for (Atom atom; source_->next(atom);) {
     row.index = counts.in_file++;
     row.line = atom.line;
     row.is_hetero = atom.is_hetero;
-    row.is_water = is_water(atom.fields[AtomColumn::resname]);
+    if (residue != atom.fields[AtomColumn::resname]) {
+      residue = atom.fields[AtomColumn::resname];
+      row.is_water = is_water(residue);
+    }
     if (leave_out(selection_ && !selection_->holds(atom), counts.deselected)) continue;
     if (leave_out(row.is_water && !choice_.waters, counts.waters)) continue;
     if (leave_out(row.is_hetero && !row.is_water && !choice_.ligands, counts.ligands)) continue;

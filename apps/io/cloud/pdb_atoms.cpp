@@ -131,23 +131,26 @@ class PdbAtoms final : public AtomSource {
 
   /// Takes an atom of PQR: words, with or without the chain; or the columns of PDB, then words: charge, radius.
   void take_pqr(std::string_view line, Atom& atom) const {
-    take(line, atom);
+    atom.line = lines_.number();
+    atom.is_hetero = line.starts_with("HETATM");
     atom.name_begins = 0;
-    for (const std::size_t k : {AtomColumn::element, AtomColumn::occupancy, AtomColumn::bfactor})
-      atom.fields[k].clear();
     const std::vector<std::string_view> words = split_words(line.substr(atom.is_hetero ? 6 : 4));
     const bool has_chain = words.size() == 10;
     const auto is_any_number = [](std::string_view word) {
       return parse_whole_number(word).fault == NumberFault::none;
     };
     const bool are_words = (words.size() == 9 || has_chain) &&
-                           words[words.size() - 6].find_first_of("0123456789") != std::string_view::npos &&
+                           std::any_of(words[words.size() - 6].begin(), words[words.size() - 6].end(), is_digit) &&
                            std::all_of(words.end() - 5, words.end(), is_any_number);
     if (!are_words) {
       const std::vector<std::string_view> behind = split_words(line.substr(std::min<std::size_t>(line.size(), 54)));
       if (behind.size() != 2)
         bad_input(at_line(name_, atom.line), in_quotes(line),
                   "an atom of PQR: serial, name, residue, chain or none, number, x, y, z, charge and radius");
+      take(line, atom);
+      atom.name_begins = 0;
+      for (const std::size_t k : {AtomColumn::element, AtomColumn::occupancy, AtomColumn::bfactor})
+        atom.fields[k].clear();
       atom.fields[AtomColumn::charge] = behind[0];
       atom.fields[AtomColumn::radius] = behind[1];
       return;
