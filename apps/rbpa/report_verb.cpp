@@ -39,14 +39,12 @@ void run_space_report(const ReportArguments& arguments) {
   require_different(outputs, arguments.points, "points");
 
   SpacePersistence run(source, outputs, arguments);
-  const std::vector<SolidPlateau> plateaus = run.find_plateaus();
   std::vector<SolidPair> pairs;
   std::vector<SolidRepresentative> found;
-  {
-    const ProgressLine line = run.options().line("representatives");
+  const std::vector<SolidPlateau> plateaus = run.find_plateaus([&](const GoOn& go_on) {
     pairs = chosen(run.pairs, {.top = shown});
-    found = solid_representatives(run.file.points, run.filtration, pairs, until_interrupted());
-  }
+    found = solid_representatives(run.file.points, run.filtration, pairs, go_on);
+  });
   {
     const ProgressLine line = run.writing();
     run.add(arguments.output, [&](OutputFile& page) {

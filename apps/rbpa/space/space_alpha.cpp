@@ -210,8 +210,11 @@ void run_space_alpha(const AlphaArguments& arguments) {
 
   SpacePersistence run(source, outputs, arguments);
   if (!request) run.drop_faces();
-  const std::vector<SolidPlateau> plateaus = arguments.csv ? std::vector<SolidPlateau>() : run.find_plateaus();
-  if (arguments.picture) run.add(*arguments.picture, [&](OutputFile& out) { out.write(svg_of(marked_plot(run))); });
+  std::string plot;
+  std::vector<SolidPlateau> plateaus;
+  const auto draw = [&](const GoOn&) { plot = arguments.picture ? svg_of(marked_plot(run)) : ""; };
+  arguments.csv ? draw({}) : void(plateaus = run.find_plateaus(draw));
+  if (arguments.picture) run.add(*arguments.picture, [&](OutputFile& out) { out.write(plot); });
   if (request) {
     const ProgressLine line = run.options().line("representatives");
     const std::vector<SolidPair> pairs = chosen(run.pairs, request->choice);

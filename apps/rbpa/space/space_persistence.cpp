@@ -68,10 +68,10 @@ void SpacePersistence::drop_faces() {
   filtration = std::move(kept);
 }
 
-std::vector<SolidPlateau> SpacePersistence::find_plateaus() {
+std::vector<SolidPlateau> SpacePersistence::find_plateaus(const std::function<void(const GoOn&)>& beside) {
   const ProgressLine line = options().line("plateaus");
   std::vector<SolidPlateau> plateaus = solid_plateaus(file.points, filtration.delaunay, filtration.tetrahedron_alpha,
-                                                      until_interrupted(), options().threads);
+                                                      until_interrupted(), options().threads, beside);
   build_seconds_ += lap();
   return plateaus;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,8 +29,9 @@ struct SpacePersistence : Run {
   SpacePersistence(const SpacePointSource& source, const std::vector<std::string>& outputs,
                    const RadiiArguments& arguments);
 
-  /// Returns the plateaus, the best first. Adds its own time to the seconds of building. Throws Cancelled.
-  std::vector<SolidPlateau> find_plateaus();
+  /// Returns the plateaus, the best first. Calls `beside` once, from any thread. Adds the time to the seconds of
+  /// building. Throws Cancelled; what `beside` throws.
+  std::vector<SolidPlateau> find_plateaus(const std::function<void(const GoOn&)>& beside);
   /// Frees the triangles and edges of the filtration.
   void drop_faces();
   void write_stats(OutputFile& file);

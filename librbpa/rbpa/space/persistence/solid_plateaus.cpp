@@ -87,7 +87,8 @@ class Parts {
   std::vector<std::uint32_t> size_;  // size_[i]: number of points in the set with least index i
 };
 
-constexpr std::size_t ahead = 16;  // the orders jump about in memory, so data is prefetched
+constexpr std::size_t ahead = 16;            // the orders jump about in memory, so data is prefetched
+constexpr std::size_t at_a_time = 1u << 13;  // the number of steps or tetrahedra that a thread takes
 
 /// Each tetrahedron's radius from which on it is in the complex or in a void of the complex, and its volume; ascending.
 struct Enclosed {
@@ -98,7 +99,7 @@ struct Enclosed {
 /// Removes tetrahedra in descending order from the complex. They join the outside or their neighbors that have left
 /// before.
 Enclosed enclosed(const Solid& delaunay, std::span<const double> alpha, std::span<const std::uint32_t> order,
-                  const std::vector<Wide>& volumes, Steps& step) {
+                  const std::vector<Wide>& volumes, Threads& threads, Steps& step) {
   std::size_t left = alpha.size();  // number of tetrahedra that are not outside yet
   Enclosed result{meshops::FreshVector<double>(left), meshops::FreshVector<Wide>(left)};
   meshops::FreshVector<std::uint32_t> joined(left);  // the tetrahedra in the order of the result
@@ -127,15 +128,20 @@ Enclosed enclosed(const Solid& delaunay, std::span<const double> alpha, std::spa
     }
   }
   meshops::require(left == 0, "solid_plateaus: expected neighbors as solid() returns them");
-  for (std::size_t i = 0; i < joined.size(); ++i) {
-    __builtin_prefetch(&volumes[joined[std::min(i + ahead, joined.size() - 1)]]);
-    result.volume[i] = volumes[joined[i]];
-  }
-  for (std::size_t first = 0, last; first < order.size(); first = last) {
-    step();
-    for (last = first + 1; last < order.size() && result.from[last] == result.from[first]; ++last) continue;
-    if (last - first > 1) std::sort(&result.volume[first], &result.volume[0] + last);
-  }
+  for_each_part(threads, joined.size(), at_a_time, [&](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      __builtin_prefetch(&volumes[joined[std::min(i + ahead, joined.size() - 1)]]);
+      result.volume[i] = volumes[joined[i]];
+    }
+  });
+  // Sort the volumes of each radius, in the part where they begin: sums do not depend on the numbering.
+  for_each_part(threads, joined.size(), at_a_time, [&](std::size_t first, std::size_t end) {
+    while (first > 0 && first < end && result.from[first] == result.from[first - 1]) ++first;
+    for (std::size_t last = first; first < end; first = last) {
+      while (last < joined.size() && result.from[last] == result.from[first]) ++last;
+      if (last - first > 1) std::sort(&result.volume[first], &result.volume[0] + last);
+    }
+  });
   return result;
 }
 
@@ -180,7 +186,6 @@ SolidSteps steps_of(const Solid& delaunay, std::size_t points, std::span<const d
 
 Growth growth_of(std::span<const Point3> points, const Solid& delaunay, std::span<const double> alpha, Threads& threads,
                  const GoOn& go_on) {
-  constexpr std::size_t at_a_time = 1u << 13;
   Steps step(go_on);
   std::vector<Wide> volumes(alpha.size());
   meshops::FreshVector<std::uint32_t> order;
@@ -195,7 +200,8 @@ Growth growth_of(std::span<const Point3> points, const Solid& delaunay, std::spa
   SolidSteps steps;
   Enclosed inner;
   side_by_side(
-      threads, go_on, [&](Steps& of_task, const GoOn&) { inner = enclosed(delaunay, alpha, order, volumes, of_task); },
+      threads, go_on,
+      [&](Steps& of_task, const GoOn&) { inner = enclosed(delaunay, alpha, order, volumes, threads, of_task); },
       [&](Steps& of_task, const GoOn&) { steps = steps_of(delaunay, points.size(), alpha, order, volumes, of_task); });
   Growth growth;
   growth.begin = steps.begin;
@@ -245,12 +251,15 @@ SolidPlateau plateau_of(const StepRange& range, const Growth& growth, double rat
 }
 
 /// Fills in the counts of plateaus that ascend by alpha.
-void count(std::size_t points, const Solid& delaunay, std::span<const double> radii, Steps& step,
+void count(std::size_t points, const Solid& delaunay, std::span<const double> radii, Threads& threads, Steps& step,
            std::vector<SolidPlateau>& plateaus) {
-  std::vector<std::uint8_t> first(radii.size(), 0);  // for each tetrahedron: the first plateau that has it
-  for (const SolidPlateau& plateau : plateaus)
-    for (std::size_t t = 0; t < radii.size(); ++t)
-      first[t] = static_cast<std::uint8_t>(first[t] + (radii[t] > plateau.alpha ? 1 : 0));
+  meshops::FreshVector<std::uint8_t> first(radii.size());  // for each tetrahedron: the first plateau that has it
+  for_each_part(threads, radii.size(), at_a_time, [&](std::size_t begin, std::size_t end) {
+    std::fill(&first[begin], &first[0] + end, std::uint8_t{0});
+    for (const SolidPlateau& plateau : plateaus)
+      for (std::size_t t = begin; t < end; ++t)
+        first[t] = static_cast<std::uint8_t>(first[t] + (radii[t] > plateau.alpha ? 1 : 0));
+  });
   Parts parts(points);
   std::size_t tetrahedra = 0;
   for (std::uint8_t i = 0; i < plateaus.size(); ++i) {
@@ -269,13 +278,10 @@ void count(std::size_t points, const Solid& delaunay, std::span<const double> ra
   }
 }
 
-}  // namespace
-
-std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const Solid& delaunay,
-                                         std::span<const double> radii, const GoOn& go_on, unsigned wanted) {
-  space::check_triangulation("solid_plateaus", points, delaunay, radii);
+std::vector<SolidPlateau> find_plateaus(std::span<const Point3> points, const Solid& delaunay,
+                                        std::span<const double> radii, Threads& threads, Steps& step,
+                                        const GoOn& go_on) {
   if (radii.empty()) return {};
-  Threads threads = threads_for(points.size(), wanted);
   const std::size_t distinct = delaunay.distinct;
   Growth growth = growth_of(points, delaunay, radii, threads, go_on);
   const StillRanges ranges(growth.alpha, std::move(growth.change), reach_of(points));
@@ -284,11 +290,27 @@ std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const S
        ranges.longest({growth.begin, growth.alpha.size()}, plateau_rules::most_plateaus, plateau_rules::least_ratio))
     found.push_back(plateau_of(range, growth, ranges.ratio_of(range), distinct));
   std::sort(found.begin(), found.end(), [](const SolidPlateau& a, const SolidPlateau& b) { return a.alpha < b.alpha; });
-  Steps step(go_on);
-  count(points.size(), delaunay, radii, step, found);
+  count(points.size(), delaunay, radii, threads, step, found);
   plateau_rules::rank(found, [&](const SolidPlateau& p) {
     return plateau_rules::Weight{p.is_structured, static_cast<double>(p.covered) / static_cast<double>(distinct)};
   });
+  return found;
+}
+
+}  // namespace
+
+std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const Solid& delaunay,
+                                         std::span<const double> radii, const GoOn& go_on, unsigned wanted,
+                                         const std::function<void(const GoOn&)>& beside) {
+  space::check_triangulation("solid_plateaus", points, delaunay, radii);
+  Threads threads = threads_for(points.size(), wanted);
+  std::vector<SolidPlateau> found;
+  side_by_side(
+      threads, go_on,
+      [&](Steps& step, const GoOn& goes_on) { found = find_plateaus(points, delaunay, radii, threads, step, goes_on); },
+      [&](Steps&, const GoOn& goes_on) {
+        if (beside) beside(goes_on);
+      });
   return found;
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -50,10 +51,12 @@ struct SolidPlateau {
 ///   H  product, over all radii up to alpha, of the factors ≥ 1 by which 1 − void_share rises or falls;
 ///   E  volume of tetrahedra and voids together.
 /// Requires: `delaunay` is solid() of `points` at infinity, with neighbors; `radii` are its circumradii().
+/// Calls `beside`, unless it is empty, once from any thread, while another one finds the plateaus.
 /// Throws:   ContractViolation when the numbers of tetrahedra, rows of neighbors and radii differ, a corner is not a
-///           point, or a neighbor no tetrahedron; Cancelled.
+///           point, or a neighbor no tetrahedron; Cancelled; what `beside` throws.
 RBPA_API std::vector<SolidPlateau> solid_plateaus(std::span<const Point3> points, const Solid& delaunay,
                                                   std::span<const double> radii, const GoOn& go_on = {},
-                                                  MaxThreads threads = 0);
+                                                  MaxThreads threads = 0,
+                                                  const std::function<void(const GoOn&)>& beside = {});
 
 }  // namespace rbpa

@@ -181,14 +181,15 @@ TEST_CASE("plateaus and pairs are the same with any number of threads; with one,
   const auto self = std::this_thread::get_id();
   const rbpa::GoOn stays = [&] { return std::this_thread::get_id() == self; };
   const auto& radii = filtration.tetrahedron_alpha;
-  CHECK(rbpa::solid_plateaus(points, filtration.delaunay, radii, stays, 1) ==
-        rbpa::solid_plateaus(points, filtration.delaunay, radii, {}, 2));
+  const auto plateaus = rbpa::solid_plateaus(points, filtration.delaunay, radii, stays, 1);
   const auto pairs = rbpa::solid_persistence(filtration, stays, 1);
   for (const unsigned threads : {1u, 2u}) {
     int calls = 0;
-    CHECK(rbpa::solid_persistence(filtration, {}, threads,
-                                  [&](const rbpa::GoOn& go_on) { calls += go_on() ? 1 : 0; }) == pairs);
-    CHECK(calls == 1);
+    const auto beside = [&](const rbpa::GoOn& go_on) { calls += go_on() ? 1 : 0; };
+    CHECK(rbpa::solid_plateaus(points, filtration.delaunay, radii, {}, threads, beside) == plateaus);
+    CHECK(rbpa::solid_plateaus({}, {}, {}, {}, threads, beside).empty());
+    CHECK(rbpa::solid_persistence(filtration, {}, threads, beside) == pairs);
+    CHECK(calls == 3);
   }
   CHECK(rbpa::auto_alpha(filtration.delaunay, radii, 0.9, stays, 1) ==
         rbpa::auto_alpha(filtration.delaunay, radii, 0.9, {}, 2));
