@@ -60,6 +60,15 @@ PointFile parse(std::string_view bytes, const std::string& name, const PointSour
   return read_plane_points(*open_plane_cloud(Content(bytes, name), source));
 }
 
+}  // namespace
+
+std::string warning_on_equal(std::size_t points, const Point& p) {
+  return "all " + std::to_string(points) + " points are (" + text_of(p.x) + ", " + text_of(p.y) +
+         "): were digits lost?";
+}
+
+namespace {
+
 /// Adds a warning if all points are equal; or if points such as (0, 0) or (-9999, -9999) are far from the others:
 /// farther outside of the bounding box of the others than its longer side.
 void warn_of_odd_points(PointFile& file) {
@@ -70,8 +79,7 @@ void warn_of_odd_points(PointFile& file) {
   const Point first = file.points.empty() ? Point{} : file.points.front();
   if (file.points.size() > 2 &&
       std::all_of(file.points.begin(), file.points.end(), [&](const Point& p) { return p == first; }))
-    return file.warnings.push_back("all " + std::to_string(file.points.size()) + " points are (" + text_of(first.x) +
-                                   ", " + text_of(first.y) + "): were digits lost?");
+    return file.warnings.push_back(warning_on_equal(file.points.size(), first));
   std::vector<Point> odd;
   Point least = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   Point greatest = {-least.x, -least.y};

@@ -60,6 +60,9 @@ void require_readable_input(Use use, Format format, bool columns, bool skip_inva
 /// file.degrees if the system is geographic.
 void settle_crs(PointFile& file, const std::optional<Crs>& said);
 
+/// Returns the warning that all of several points are `p`.
+std::string warning_on_equal(std::size_t points, const Point& p);
+
 /// Reads points from `bytes`, the content of a file; messages call the file `name`, and source.path is ignored. Throws
 /// as read_points().
 PointFile points_in(std::string_view bytes, const std::string& name, const PointSource& source);

@@ -203,17 +203,18 @@ std::string warning_on_degrees(const std::vector<Point3>& points) {
          share_of_latitude(box) + " degrees of latitude there (ogr2ogr -t_srs or pdal translate project them)";
 }
 
+std::string warning_on_degrees(const Point& least, const Point& greatest) {
+  const Box box{least, greatest};
+  if (!may_be_degrees(box)) return no_degrees(box);
+  return "coordinates are degrees, and so are radii, lengths and areas; a degree of longitude is as long as " +
+         share_of_latitude(box) + " degrees of latitude there (ogr2ogr -t_srs projects them)";
+}
+
 void warning_on_degrees(PointFile& file) {
   if (file.points.empty()) return;
   const Box box = box_of(file.points);
-  if (!may_be_degrees(box)) {
-    file.warnings.push_back(no_degrees(box));
-    return;
-  }
-  file.warnings.push_back(
-      "coordinates are degrees, and so are radii, lengths and areas; a degree of longitude is as long as " +
-      share_of_latitude(box) + " degrees of latitude there (ogr2ogr -t_srs projects them)");
-  if (lie_around_antimeridian(file.points, box))
+  file.warnings.push_back(warning_on_degrees(box.least, box.greatest));
+  if (may_be_degrees(box) && lie_around_antimeridian(file.points, box))
     file.warnings.push_back(
         "points lie on both sides of the antimeridian, longitude 180, and are far apart in the plane "
         "(--shift-longitude adds 360 to longitudes below 0)");

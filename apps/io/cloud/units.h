@@ -27,6 +27,9 @@ void shift_longitude(std::vector<Point>& points, const std::string& name);
 /// Returns the warning about points in space whose x and y are said to be degrees; empty if there are no points.
 std::string warning_on_degrees(const std::vector<Point3>& points);
 
+/// Returns the warning about points in the plane, in the box between two corners, that are said to be degrees.
+std::string warning_on_degrees(const Point& least, const Point& greatest);
+
 /// Adds warnings to `file` if file.degrees: that degrees of longitude and latitude have different lengths; that points
 /// are on both sides of the antimeridian, or are not in degrees.
 void warning_on_degrees(PointFile& file);

@@ -95,6 +95,17 @@ TEST_CASE("groups of LAS and GeoJSON are those of shape") {
 {"type":"Feature","properties":{"b":10},"geometry":{"type":"Point","coordinates":[0,1]}}]})");
   check_same(folder, "p.geojson", "--alpha 9 --group-by a", "");  // is cut at the antimeridian
   check_same(folder, "p.geojson", "--alpha 9 --group-by a,b", "");
+  folder.file("d.csv", "lon,lat,k\n10,50,a\n10.5,50,a\n10,50.5,a\n");
+  folder.file("e.csv", "x,y,k\n5,5,a\n5,5,b\n5,5,a\n");
+  for (const char* options : {"d.csv --alpha 9", "e.csv --alpha 9", "d.csv --alpha 9 --crs EPSG:4326",
+                              "e.csv --alpha 9 --crs EPSG:4326", "d.csv --alpha 9 --shift-longitude"}) {
+    check_same(folder, options, "--group-by k", "");
+    const std::string name = "rbpa: " + std::string(options, 5) + ": ";  // begins a warning
+    const std::string shape = folder.rbpa("shape " + std::string(options) + " -o o.wkt").err;
+    const std::string warnings = shape.substr(0, shape.find('\n', shape.rfind(name)) + 1);
+    CHECK(shape.starts_with(name));
+    CHECK(folder.rbpa("stream " + std::string(options) + " -o o.wkt").err.starts_with(warnings));
+  }
 }
 
 TEST_CASE("groups have their areas in the counts, also without an output") {
