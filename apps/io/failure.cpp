@@ -1,10 +1,11 @@
 #include "io/failure.h"
 
-#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+
+#include "io/utf8.h"
 
 namespace rbpa::app {
 
@@ -66,37 +67,6 @@ std::string listed(const std::vector<std::string>& words, std::string_view last)
 }
 
 namespace {
-
-struct Character {
-  char32_t code;
-  std::size_t size;  // number of bytes
-};
-
-/// Returns the first character of `text`, with size 0 if it is not UTF-8: a stray byte, a truncated or overlong
-/// sequence, a surrogate, or a number beyond Unicode.
-Character first_character(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char lead = byte(0);
-  if (lead < 0x80U) return {lead, 1};
-  struct Form {
-    unsigned char mask, mark;
-    char32_t least;
-  };
-  static constexpr std::array<Form, 3> forms = {{{0xE0U, 0xC0U, 0x80}, {0xF0U, 0xE0U, 0x800}, {0xF8U, 0xF0U, 0x10000}}};
-  for (std::size_t more = 1; more <= forms.size(); ++more) {
-    const Form& form = forms[more - 1];
-    if ((lead & form.mask) != form.mark) continue;
-    if (text.size() <= more) return {0, 0};
-    char32_t code = lead & static_cast<unsigned char>(~form.mask);
-    for (std::size_t i = 1; i <= more; ++i) {
-      if ((byte(i) & 0xC0U) != 0x80U) return {0, 0};
-      code = code << 6U | (byte(i) & 0x3FU);
-    }
-    const bool is_one = code >= form.least && code <= 0x10FFFF && !(code >= 0xD800 && code <= 0xDFFF);
-    return {code, is_one ? more + 1 : 0};
-  }
-  return {0, 0};
-}
 
 bool is_visible(char32_t code) {
   static constexpr std::pair<char32_t, char32_t> hidden[] = {

@@ -4,28 +4,31 @@
 #include <string>
 #include <string_view>
 
+#include "io/utf8.h"
+
 namespace rbpa::app {
 
-/// Returns the text with & < > " as entities, for elements and attributes. Control characters, which XML forbids, are
-/// replaced by spaces.
+/// Returns the text with & < > " as entities, for elements and attributes. What XML forbids is replaced: control
+/// characters by spaces, bytes that are not UTF-8 and noncharacters by U+FFFD.
 inline std::string markup_escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
+  while (!text.empty()) {
+    const auto [code, size] = first_character(text);
+    const std::string_view bytes = text.substr(0, size == 0 ? 1 : size);
+    text.remove_prefix(bytes.size());
+    if (size == 0 || code == 0xFFFE || code == 0xFFFF)
+      result += "\xEF\xBF\xBD";
+    else if (code == '&')
+      result += "&amp;";
+    else if (code == '<')
+      result += "&lt;";
+    else if (code == '>')
+      result += "&gt;";
+    else if (code == '"')
+      result += "&quot;";
+    else
+      result += code < ' ' ? " " : bytes;
+  }
   return result;
 }
 

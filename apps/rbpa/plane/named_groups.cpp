@@ -15,6 +15,7 @@
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
+#include "io/utf8.h"
 #include "io/values_at.h"
 #include "io/words.h"
 #include "shared/arguments.h"
@@ -286,8 +287,7 @@ std::vector<Attribute> key_attributes(const NamedGroups& named, std::vector<std:
 
 std::vector<std::string> warnings_on(const NamedGroups& named, bool by_file, std::size_t left_out) {
   std::vector<std::string> warnings;
-  const auto is_other = [](const std::string& name) { return printable(name).find("\\x") < std::string::npos; };
-  const auto other = std::find_if(named.names.begin(), named.names.end(), is_other);
+  const auto other = std::find_if_not(named.names.begin(), named.names.end(), is_utf8);
   if (other != named.names.end() && !by_file)
     warnings.push_back("the name of a group, " + in_quotes(*other) +
                        ", is not in UTF-8: names may become equal in files (iconv -f CP1252 -t UTF-8)");
