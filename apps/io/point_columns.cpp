@@ -76,11 +76,18 @@ const PointColumn& require_column(std::span<const PointColumn> columns, std::str
                           : "some of " + listed(there, " and ") + " (" + option + " chooses them)");
 }
 
-void require_fields(std::span<const PointColumn> columns, const std::optional<FieldChoice>& choice,
+void require_fields(std::vector<PointColumn>& columns, const std::optional<FieldChoice>& choice,
                     const std::string& file) {
   if (!choice || !choice->names) return;
   for (auto name = choice->names->begin(); name != choice->names->end() && !name->empty(); ++name)
     require_column(columns, *name, "--fields", file);
+  std::vector<bool> is_chosen(columns.size(), false);
+  for (const std::string& name : *choice->names)
+    if (const PointColumn* const found = find_column(columns, name))
+      is_chosen[static_cast<std::size_t>(found - columns.data())] = true;
+  std::erase_if(columns, [&](const PointColumn& column) {
+    return !is_chosen[static_cast<std::size_t>(&column - columns.data())];
+  });
 }
 
 bool become_numbers(PointColumn& column) {
@@ -95,6 +102,21 @@ bool become_numbers(PointColumn& column) {
   });
   if (all_fit) column = std::move(numbers);
   return all_fit;
+}
+
+void become_texts(PointColumn& column) {
+  PointColumn texts{.name = column.name, .type = Scalar::int32, .is_text = true};
+  with_type(column.type, [&](auto zero) {
+    using Value = decltype(zero);
+    for (std::size_t i = 0; i < column.size(); ++i) {
+      const auto value = column.value<Value>(i);
+      if constexpr (std::is_integral_v<Value>)
+        texts.append(texts.number_of(std::to_string(value)));
+      else
+        texts.append(texts.number_of(std::isnan(value) ? "" : text_of(static_cast<double>(value))));
+    }
+  });
+  column = std::move(texts);
 }
 
 namespace {
@@ -120,7 +142,7 @@ void append_columns(std::vector<PointColumn>& columns, std::vector<PointColumn> 
       continue;
     }
     if (column.is_text != other->is_text)
-      column.fault = "it has texts in one file and numbers in another";
+      become_texts(column.is_text ? *other : column);
     else if (column.type != other->type && !(become_numbers(column) && become_numbers(*other)))
       column.fault = "no type holds its numbers of all files";
     if (column.fault.empty()) append_values(column, *other);

@@ -84,18 +84,22 @@ const PointColumn& require_column(std::span<const PointColumn> columns, std::str
                                   const std::string& option, const std::string& file);
 
 /// Throws as require_column() unless each field that the choice of --fields names, up to an empty name, has a column.
-void require_fields(std::span<const PointColumn> columns, const std::optional<FieldChoice>& choice,
+/// Removes columns that find_column() finds for no name of the choice: of x and X, the one whose name is given.
+void require_fields(std::vector<PointColumn>& columns, const std::optional<FieldChoice>& choice,
                     const std::string& file);
 
 /// Appends the values of `more`, the columns of another file, to `columns`, those of the files before it: to each
 /// column those of the column with its name. `first`: there is no file before. Numbers of different types become
-/// float64. A column gets a fault if doubles do not hold its numbers, if it has texts in one file and numbers in
-/// another, or if a file does not have it.
+/// float64, and numbers become texts if a file has texts. A column gets a fault if doubles do not hold its numbers, or
+/// if a file does not have it.
 void append_columns(std::vector<PointColumn>& columns, std::vector<PointColumn> more, bool first);
 
 /// Changes the type of a column of numbers to float64. Returns false, and changes nothing, if doubles do not represent
 /// one of the numbers.
 bool become_numbers(PointColumn& column);
+
+/// Changes a column of numbers into one of their texts; NaN becomes an empty text.
+void become_texts(PointColumn& column);
 
 /// Removes value number `before` + i of each column for each i with kept[i] = 0.
 void keep_values(std::vector<PointColumn>& columns, std::size_t before, std::span<const std::uint8_t> kept);

@@ -161,6 +161,78 @@ TEST_SUITE("listed_fields") {
     CHECK(folder.content("t.csv").starts_with("x,y,polygon" + header.substr(3) + "\n0,0,1" + rows[0].substr(3) + "\n"));
   }
 
+  TEST_CASE("numbers of fields are read as they are written, with decimal commas, exponents and signs of other kinds") {
+    const Folder folder;
+    struct Case {
+      std::string table, mean;  // of field h of all points
+    };
+    const std::string minus = "\xE2\x88\x92";
+    const std::vector<Case> cases = {{"x;y;h\n0,5;0,5;3,5\n1,5;0,5;2,5\n0,5;1,5;1,5\n", "2.5"},
+                                     {"x;y;h\n0;0;3,5\n1;0;2,5\n0;1;1,5\n", "2.5"},
+                                     {"x;y;h\n0;0;3\n1;0,5;2,5\n0;1;2\n", "2.5"},
+                                     {"geom;h\nPOINT(0.5 0);3,5\nPOINT(1 0);2,5\nPOINT(0 1);1,5\n", "2.5"},
+                                     {"x,y,h\n0,0,1.0D3\n1,0,2.0D3\n0,1,3.0d3\n", "2000"},
+                                     {"x,y,h\n0,0," + minus + "1\n1,0," + minus + "2.5\n0,1,-2.5\n", "-2"},
+                                     {"x,y,h\n0,0,1.5D3\n1,0,\n0,1,NA\n", "1500"}};
+    for (const Case& one : cases) {
+      folder.file("t.csv", one.table);
+      run(folder, "shape t.csv --alpha 3 --summarize h:mean -o g.geojson");
+      CHECK(folder.content("g.geojson").find("\"h_mean\":" + one.mean + "}") != std::string::npos);
+    }
+    // Points with decimal points: 1,2 is a text. 1D2 is a label wherever it is.
+    folder.file("t.csv", "x;y;h;l\n0.5;0;1,2;1D2\n1.5;0;3,4;2D2\n0.5;1;5,6;3D2\n");
+    for (const std::string field : {"h", "l"})
+      refuses(folder, "shape t.csv --alpha 3 --summarize " + field + ":mean -o g.geojson", 3,
+              "found texts in field '" + field + "'");
+    // As a coordinate 2D3 is refused, as it may be a number or an angle.
+    folder.file("t.csv", "x,y\n1.5D3,0\n2D3,0\n1.0D3,1.0D3\n");
+    refuses(folder, "shape t.csv --alpha inf -o g.geojson", 3,
+            "t.csv:3: found '2D3', expected a number such as 2.0D3, or an angle such as 2d 3'");
+  }
+
+  TEST_CASE("radii of groups are read as other fields; one group without a radius is a group with a problem") {
+    const Folder folder;
+    for (const std::string radius : {"3,5", "3.5", "0,35D1", "3500e-3"}) {
+      folder.file("t.csv", "x;y;h;g\n0;0;" + radius + ";1\n1;0;" + radius + ";1\n0;1;" + radius + ";1\n9;9;1;2\n");
+      const Outcome outcome = run(folder, "shape t.csv --alpha column:h --group-by g -o g.csv");
+      CHECK(folder.content("g.csv").find("\n1,3,3.5,0.5,") != std::string::npos);
+    }
+    for (const std::string radius : {"-1", "0", "", "nan", "x"}) {
+      folder.file("t.csv", "x,y,h,g\n0,0," + radius + ",a\n1,0," + radius + ",a\n0,1," + radius + ",a\n");
+      const Outcome outcome = run(folder, "shape t.csv --alpha column:h --group-by g -o g.csv");
+      CHECK(outcome.err.find("1 group without a polygon: 'a', column 'h' has no radius above 0 for point 0") !=
+            std::string::npos);
+    }
+  }
+
+  TEST_CASE("a field without a value in one of several files, and one of two names in different case, are kept") {
+    const Folder folder;
+    folder.file("a.csv", "x,y,s\n0,0,\n1,0,\n0,1,\n");
+    folder.file("b.csv", "x,y,s\n5,0,oak\n6,0,elm\n5,1,oak\n");
+    for (const std::string files : {"a.csv b.csv", "b.csv a.csv"}) {
+      run(folder, "shape " + files + " --group-by-file --alpha 2 --summarize s:majority -o g.geojson");
+      CHECK(folder.content("g.geojson").find("\"s_majority\":\"oak\"}") != std::string::npos);
+    }
+    folder.file("c.csv", "x,y,a,A\n0,0,1,2\n1,0,1,2\n0,1,1,2\n");
+    for (const auto& [choice, header] : {std::pair("a", "a"), {"A", "A"}, {"a,A", "a,A_2"}}) {
+      run(folder, std::string("shape c.csv --alpha 3 -o p.csv --fields ") + choice);
+      CHECK(folder.content("p.csv").starts_with(std::string("x,y,polygon,") + header + "\n"));
+    }
+  }
+
+  TEST_CASE("names that are not UTF-8 give files that are; a backslash is none of them") {
+    const Folder folder;
+    folder.file("t.csv", "x,y,h\xE4he,g\n0,0,1,K\xF6ln\n1,0,2,K\xF6ln\n0,1,3,K\xF6ln\n");
+    const std::string instead = "\xEF\xBF\xBD";
+    run(folder, "mesh t.csv --alpha 3 -o t.vtu");
+    CHECK(folder.content("t.vtu").find("Name=\"h" + instead + "he\"") != std::string::npos);
+    const Outcome outcome = run(folder, "shape t.csv --group-by g --alpha 3 -o g.svg");
+    CHECK(outcome.err.find("K\\xf6ln', is not in UTF-8") != std::string::npos);
+    CHECK(folder.content("g.svg").find("K" + instead + "ln") != std::string::npos);
+    folder.file("t.csv", "x,y,g\n0,0,C:\\xampp\n1,0,C:\\xampp\n0,1,C:\\xampp\n");
+    CHECK(run(folder, "shape t.csv --group-by g --alpha 3 -o g.csv").err.find("UTF-8") == std::string::npos);
+  }
+
   TEST_CASE("--fields of shape needs a list of points, and fields that are there") {
     const Folder folder;
     folder.file("p.csv", "x,y,a\n0,0,1\n1,0,2\n0,1,3\n");
@@ -222,12 +294,12 @@ TEST_SUITE("listed_fields") {
     CHECK(folder.content("m.ply").find("comment t: 0 = oak, 1 = elm\n") != std::string::npos);
     const Outcome both = run(folder, "mesh a.csv b.csv --group-by-file --alpha inf -o m.ply --compact");
     const std::string ply = folder.content("m.ply");
-    CHECK(ply.find("property int g\nproperty double n\nproperty int t\nelement face") != std::string::npos);
-    CHECK(ply.find("comment t: 0 = oak, 1 = elm, 2 = ash\n") != std::string::npos);
-    CHECK(both.err.find("field 'm' is left out: it has texts in one file and numbers in another\n") !=
+    CHECK(ply.find("property int g\nproperty double n\nproperty int t\nproperty int m\nelement face") !=
           std::string::npos);
+    CHECK(ply.find("comment m: 0 = 1, 1 = 2, 2 = 3, 3 = a, 4 = b, 5 = c\n") != std::string::npos);
+    CHECK(ply.find("comment t: 0 = oak, 1 = elm, 2 = ash\n") != std::string::npos);
     CHECK(both.err.find("field 'only' is left out: not all files have it\n") != std::string::npos);
-    const std::size_t data = ply.find("end_header\n") + 11, row = 3 * 8 + 4 + 8 + 4;
+    const std::size_t data = ply.find("end_header\n") + 11, row = 3 * 8 + 4 + 8 + 4 + 4;
     const std::vector<double> n = {5, 6, 7, 8, 0.5, 9};
     const std::vector<std::int32_t> g = {1, 1, 1, 2, 2, 2}, t = {0, 1, 0, 1, 2, 0};
     for (std::size_t i = 0; i < 6; ++i) {

@@ -272,7 +272,6 @@ class TableCloud final : public Cloud {
     Numbers value{};
     std::array<std::string_view, 3> color;
     FieldCount count;
-    reading_.take_words();
     while (!fields.at_end()) {
       const std::uint8_t role = count.all < role_.size() ? role_[count.all] : nothing;
       if (role < numbers_) {
@@ -286,6 +285,7 @@ class TableCloud final : public Cloud {
       if (role == height) take_height(field);
     }
     take_width(count);
+    reading_.take_words();
     if (has_no_direction(value)) bad_input(here(), "a normal of length 0", "one of another length");
     if (facts_.colors) colors_.take(color, lines_.number(), block);
     append(value, block);

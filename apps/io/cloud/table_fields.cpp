@@ -45,7 +45,11 @@ double TableFields::read(Fields& fields, std::string_view where, std::size_t axi
   }
   const std::string_view field = trimmed(without_quotes(fields.take()));
   if (const std::optional<Angle> angle = where.empty() && axis < 2 ? parse_angle(field) : std::nullopt)
-    if (angle->has_sign || file_.degrees) return read_angle(angle->degrees, angle->hemisphere, field, axis);
+    if (angle->has_sign || file_.degrees) {
+      if (!file_.degrees && parse_written_number(field).fault == NumberFault::none)
+        refuse(field, "a number such as 2.0D3, or an angle such as 2d 3'");
+      return read_angle(angle->degrees, angle->hemisphere, field, axis);
+    }
   if (separator_ != ',' && field.find(',') != std::string_view::npos) return read_decimal_comma(field);
   comma_.refuse_point(field, here());
   if (separator_ == ',' && field.find(',') != std::string_view::npos && is_number(field))
@@ -114,7 +118,7 @@ void TableFields::take_words() {
     if (column != kept_[k]) continue;
     std::string room;
     words_[k] = text_of_field(field, room);
-    if (separator_ != ',' && comma_.is_used() && is_number(words_[k]))
+    if (separator_ != ',' && (comma_.is_used() || all_whole_) && is_number(words_[k]))
       std::replace(words_[k].begin(), words_[k].end(), ',', '.');
     ++k;
   }

@@ -38,7 +38,7 @@ class TableFields {
   /// Keeps the words of a column, from 0, in PointFile::kept. Requires: columns ascend.
   void keep(std::size_t column, const std::string& name);
   bool keeps_any() const { return !kept_.empty(); }
-  void take_words();    ///< reads the words of the current line
+  void take_words();    ///< reads the words of the current line; call after its numbers are read
   void append_words();  ///< appends the words that were read for a point of the line
 
  private:

@@ -94,7 +94,7 @@ class LineSelection {
     for (std::size_t k = 0; k < where_->columns(); ++k)
       if (places_[k] != not_there)
         selection_->values()[k] = kinds_[k] == Kind::text     ? numbers_[k].number_of(text(k))
-                                  : kinds_[k] == Kind::radius ? radius_of(text(k))
+                                  : kinds_[k] == Kind::radius ? radius_of(k, text(k), number)
                                   : keeps_                    ? kept_number(k, text(k), number)
                                                               : number(k);
     return true;
@@ -142,11 +142,17 @@ class LineSelection {
   void add_warnings(bool any_points, const std::string& name, std::vector<std::string>& warnings) const;
 
  private:
-  /// Returns the number in `text`; NaN for any other text, as only the group of that point has no radius then.
-  static double radius_of(std::string_view text) {
-    const ParsedNumber number = parse_whole_number(text);
-    const bool is_one = number.fault == NumberFault::none || number.fault == NumberFault::not_finite;
-    return is_one ? number.value : std::numeric_limits<double>::quiet_NaN();
+  /// Returns the number of column k, whose text is `word`; NaN for any other text, as only the group of that point has
+  /// no radius then.
+  template <typename Number>
+  static double radius_of(std::size_t k, std::string_view word, const Number& number) {
+    const ParsedNumber plain = parse_whole_number(word);
+    if (plain.fault == NumberFault::none || plain.fault == NumberFault::not_finite) return plain.value;
+    try {
+      return is_missing(word) ? std::numeric_limits<double>::quiet_NaN() : number(k);
+    } catch (const BadInput&) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
   }
 
   /// Returns the number of column k, whose text is `word`.

@@ -1,9 +1,8 @@
 #include "io/text/typed_words.h"
 
+#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <limits>
-#include <utility>
 
 #include "io/number.h"
 #include "io/text/fields.h"
@@ -22,23 +21,13 @@ namespace {
 
 std::optional<double> number_of(std::string_view word) {
   if (is_missing(word)) return std::numeric_limits<double>::quiet_NaN();
-  const ParsedNumber number = parse_whole_number(word);
+  // 1D2 may be a label, 1.0D2 is a number of Fortran.
+  const bool has_letter = std::any_of(word.begin(), word.end(), [](char c) { return c == 'd' || c == 'D'; });
+  const bool may_be_label = has_letter && word.find('.') == std::string_view::npos;
+  const ParsedNumber number = may_be_label ? parse_whole_number(word) : parse_written_number(word);
   const bool has_zeros = word.size() > 1 && word.front() == '0' && is_digit(word[1]);  // a label, such as 007
   if (has_zeros || (number.fault != NumberFault::none && number.fault != NumberFault::not_finite)) return std::nullopt;
   return number.value;
-}
-
-void become_texts(PointColumn& column) {
-  PointColumn texts{.name = column.name, .type = Scalar::int32, .is_text = true};
-  for (std::size_t i = 0; i < column.size(); ++i) {
-    std::string text;
-    if (column.type == Scalar::int64)
-      text = std::to_string(column.value<std::int64_t>(i));
-    else if (const double value = column.value<double>(i); !std::isnan(value))
-      text = text_of(value);
-    texts.append(texts.number_of(text));
-  }
-  column = std::move(texts);
 }
 
 }  // namespace
