@@ -20,7 +20,8 @@ namespace meshops {
 ///                           example a point. Floating-point numbers and ranges of them must be finite; so must values
 ///                           of a type whose namespace declares a function bool is_finite(place)
 ///   allows(mesh, e, place)  returns whether e may collapse to this place
-///   key(mesh, v)            returns a key of the vertex that does not depend on its number, for example its point.
+///   key(mesh, v)            returns a key of the vertex that does not depend on its number, for example its
+///                           coordinates as a std::array.
 ///                           Edges of equal cost are ordered by the keys of their ends. If all keys differ and no two
 ///                           edges join the same vertices, the result does not depend on the numbers of elements
 /// The engine computes the cost of every edge at the beginning. It computes the cost of an edge again after an end of
