@@ -251,8 +251,8 @@ void Scratch::clear_leftovers() const {
   }
 }
 
-/// Makes the requested folder. The folder has its mark before it has its name. Returns false if a folder of this name
-/// exists. Uses an unmarked folder that a killed run has left before renaming.
+/// Makes a folder under another name, marks it, and renames it. Returns false if the name exists. Takes over an
+/// unmarked folder of a killed run.
 bool Scratch::make_marked() const {
   std::error_code error;
   const std::string unmarked = folder_ + unmarked_name;

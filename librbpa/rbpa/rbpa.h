@@ -2,7 +2,7 @@
 // Law:    the triangles are a function of the set of points and alpha alone, not of the order of the input, the method
 //         of search or the compiler. rbpa(S, a) is a subset of rbpa(S, b) for a ≤ b, and rbpa(S, infinity) is the
 //         Delaunay triangulation.
-// Cost:   about linear in the number of points for samplings of bounded variation: docs/reference/performance.md.
+// Cost:   about linear in the number of points where density varies little: docs/reference/performance.md.
 // Source: Medeiros, Velho, Lopes, Restricted BPA, sections 3 and 4 (Theorem 1).
 #pragma once
 
@@ -20,8 +20,7 @@ namespace rbpa {
 struct Options {
   MaxThreads threads = 0;  ///< maximum number of threads; 0: one for each processor
   /// Callback for progress and cancellation, called every few milliseconds. Intervals are up to 0.1 s per million
-  /// points while points are sorted, triangles that no tile finds are inserted, or the mesh is finished; up to 0.5 s
-  /// per million points on sets in which tiles find no triangle.
+  /// points while points are sorted or the mesh is finished, and on rare sets up to 0.5 s per million points.
   OnProgress progress = {};
 };
 

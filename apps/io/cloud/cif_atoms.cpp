@@ -201,7 +201,7 @@ class CifAtoms final : public AtomSource {
     return false;
   }
 
-  /// Finds the cell of all frames, also if the text has the cell behind the atoms.
+  /// Finds the cell of all frames, also if the text has the cell after the atoms.
   void find_cell() {
     const bool is_found =
         std::any_of(cell_values_.begin(), cell_values_.end(), [](auto value) { return !value.empty(); });

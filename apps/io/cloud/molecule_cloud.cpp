@@ -157,8 +157,8 @@ constexpr CloudFormat molecule_format = {
     .open = open_as<MoleculeCloud, open>, .fields = fields, .is_molecule = true, .is_text = true};
 
 /// Read the atoms of the first model, in the order of the file, alternate locations included: PDB's records ATOM and
-/// HETATM, PDBx/mmCIF's _atom_site, PQR, GROMACS' .gro and LAMMPS' dump, with atom_columns as their fields, and of
-/// dumps all columns. Requires: content in memory.
+/// HETATM, PDBx/mmCIF's _atom_site, PQR, GROMACS' .gro and LAMMPS' dump. Fields are atom_columns; of dumps, all
+/// columns. Requires: content in memory.
 const CloudFormat pdb_reader = molecule_format<pdb_atoms, names_of_atoms<columns_of_pdb>>;
 const CloudFormat cif_reader = molecule_format<cif_atoms, names_of_atoms<columns_of_pdb>>;
 const CloudFormat pqr_reader = molecule_format<pqr_atoms, names_of_atoms<no_atom_column>>;

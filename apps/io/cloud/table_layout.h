@@ -22,8 +22,8 @@
 
 namespace rbpa::app {
 
-/// The kind of a table, by the ending of the file's name. `kind_rows` of table_layout.cpp has the columns of each kind
-/// but `any` without a header.
+/// The kind of a table, by the ending of the file's name. Without a header the kind determines the columns (`kind_rows`
+/// in table_layout.cpp), unless the kind is `any`.
 enum class TableKind { any, pts, xyzn, xyzrgb };
 
 /// Returns the least number of columns in a table of the kind.

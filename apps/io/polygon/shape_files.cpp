@@ -207,7 +207,7 @@ void for_each_isolated(const Shape& shape, const Visit& visit) {
   }
 }
 
-/// Writes the rings of polygons with commas between them; or, if `cuts`, the rings of the parts within ±180 of each.
+/// Writes the rings of polygons with commas between them. If `cuts`, first cuts each polygon at longitudes ±180.
 class RingWriter final : public PolygonSink {
  public:
   RingWriter(OutputFile& file, const PolygonSigns& signs, bool cuts) : file_(file), signs_(signs), cuts_(cuts) {}

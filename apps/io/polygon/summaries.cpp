@@ -32,7 +32,7 @@ std::uint32_t row_of(Statistic statistic, const std::vector<Entry>& sorted) {
   return sorted[best].second;
 }
 
-/// Calls use(value) with a function that returns the value in a row, a number or a text.
+/// Calls use(value), where value(row) is the number or the text of that row.
 template <typename Use>
 void with_values(const PointColumn& column, const Use& use) {
   if (column.is_text) return use([&](std::uint32_t row) { return std::string_view(column.text(row)); });

@@ -65,7 +65,7 @@ struct Boundary {
   std::vector<Polygon> polygons;
 };
 
-/// Returns the boundary, and sets the radius of stats if it is that of a shape.
+/// Returns the boundary, and sets alpha of stats if the boundary is a shape.
 Boundary boundary_of(const VoronoiRequest& request, const Run& run, const PointFile& file, const Delaunay& delaunay,
                      Stats& stats) {
   if (request.format) {

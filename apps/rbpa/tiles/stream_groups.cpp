@@ -31,7 +31,7 @@
 namespace rbpa::app {
 namespace {
 
-/// Tests whether all points of one block after another are on one line.
+/// Tests whether all points, given block by block, are on one line.
 class OnLine {
  public:
   void add(std::span<const Point> points) {

@@ -8,7 +8,8 @@
 namespace meshops {
 
 /// Base of visitors. A visitor declares the events that it uses, with the same names and parameters; other events cost
-/// nothing. The mesh is sound at each event. A visitor may be a local class, and may throw to end the run.
+/// nothing. At each event the mesh is sound (core/validate.h). A visitor may be a local class, and may throw to end the
+/// run.
 struct FrontVisitor {
   /// Called after a triangle of seed() was inserted.
   void seeded(const Front&, const InsertedTriangle&) {}

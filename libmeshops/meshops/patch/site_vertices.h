@@ -53,8 +53,8 @@ class MESHOPS_API SiteVertices {
     return further_[i - first_].site;
   }
 
-  /// Returns whether no fan is on this site; true for the number of a deleted first vertex. is_free(), for_each() and
-  /// first() throw ContractViolation unless s < sites(); the latter two find no vertex on a deleted one's number.
+  /// Returns whether no fan is on this site; true for the number of a deleted first vertex, on which for_each() and
+  /// first() find no vertex. All three throw ContractViolation unless s < sites().
   bool is_free(Site s) const {
     if (is_first(s)) return !has_own_fan(s) && first_listed(s) < 0;
     require(s < sites(), "Front: site ", s, " does not exist");

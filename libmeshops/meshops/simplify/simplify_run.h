@@ -229,7 +229,7 @@ class SimplifyRun {
   const ElementCounts counts_;
   Steps step_;
   EdgesByCost<Key> edges_;
-  std::vector<bool> left_at_;  // for each vertex, whether an edge at it may not wait for its turn
+  std::vector<bool> left_at_;  // for each vertex, whether an edge at it may have left the queue
   SimplifyResult result_;
 };
 

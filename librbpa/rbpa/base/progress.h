@@ -26,7 +26,8 @@ using OnProgress = std::function<bool(const Progress&)>;
 /// Callback like OnProgress, but without an argument (meshops/core/progress.h).
 using meshops::GoOn;
 using meshops::stop_if_cancelled;
-/// Function that a run calls every few milliseconds, unless it is empty, and that throws Cancelled to end the run.
+/// Callback that a run calls every few milliseconds, and that throws Cancelled to end the run. An empty callback is
+/// never called.
 using Checkpoint = std::function<void()>;
 
 /// Calls `progress` with `counts`, unless `progress` is empty. Throws Cancelled when `progress` returns false.

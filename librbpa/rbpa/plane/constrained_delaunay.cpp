@@ -89,7 +89,7 @@ std::vector<Segment> split(std::span<const Segment> segments, ConstrainedDelauna
                      ": found a crossing, expected segments that meet in points (split_crossings splits them)");
 }
 
-/// Returns the edges on segments between points that are all on one line.
+/// Returns the edges on segments. Requires: all points are on one line.
 std::vector<Segment> edges_on_line(const ConstrainedDelaunay& of, std::span<const Segment> segments, Steps& step) {
   std::vector<std::uint32_t> along;
   for_each_distinct(of.points.size(), of.duplicates, [&](std::uint32_t i) { along.push_back(i); });

@@ -70,7 +70,7 @@ struct SegmentRegions {
   std::vector<std::uint32_t> region;
   /// For each region, whether it is inside by the even-odd rule: whether a path from outside crosses an odd number of
   /// segments. Overlapping segments count each. If all segments are sides of closed curves, every path gives the same
-  /// answer; otherwise those paths count that cross the smallest number of edges.
+  /// answer; otherwise only paths that cross the fewest edges count.
   std::vector<bool> is_inside;
 };
 

@@ -1,6 +1,6 @@
 // What: holds polygons whose corners carry coordinates and 64-bit indices, for an input that does not fit into memory.
 // Law:  the polygons of a whole complex equal those of outline_polygons() (rbpa/plane/outline_polygons.h), to the last
-//       bit, except for holes that take_holes() removed.
+//       bit, except for holes that take_holes() (rbpa/plane/partial.h) removed.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ struct Corner {
 /// not repeat the first point at the end.
 using CornerRing = std::vector<Corner>;
 
-/// The name of an unfinished component: the input indices of the corners of one of its triangles. No other component
-/// ever has this triangle.
+/// The name of an unfinished component, which other regions may continue: the input indices of the corners of one of
+/// its triangles. No other component ever has this triangle.
 using ComponentName = std::array<std::uint64_t, 3>;
 
 /// A solid component as a polygon whose corners carry coordinates.

@@ -114,8 +114,8 @@ struct GroupShapes {
 ///           1 ≤ rank, if the rule uses them; bounds of the filter of at least 0.
 /// Throws:   InvalidInput as for_each_group(), when the number of radii is not 0, 1 or the number of groups, or when
 ///           the one radius, max_components or rank is out of its bounds, before anything is computed;
-///           ContractViolation when cover, and InvalidInput when a bound of the filter is out of its bounds, once the
-///           computation of a group needs the number; Cancelled.
+///           ContractViolation when cover is out of its bounds, and InvalidInput when a bound of the filter is, as
+///           soon as a group needs the number; Cancelled.
 RBPA_API GroupShapes shapes_of_groups(std::span<const Point> points, const Groups& groups, const GroupAlpha& alpha,
                                       const GroupShapesOptions& options = {});
 

@@ -95,7 +95,7 @@ std::vector<double> integrate(const std::vector<Part>& parts, const SizeField& f
     }
     is_known = !(doubt > tolerance * value);
     if (is_known) break;
-    // Pieces that are not halved have at most half of the tolerance together.
+    // The doubts of the pieces that stay whole sum up to at most half of the tolerance.
     const double tolerated = tolerance / 2 * value / static_cast<double>(pieces.size());
     for (std::size_t i = pieces.size(); i-- > 0 && pieces.size() < most;) {
       step();

@@ -48,10 +48,11 @@ void pair_components(const FilteredCells& cells, Steps& pulse, const Pair& pair)
     if (components.find(v) == v) pair(first[v], static_cast<const FilteredCells::Edge*>(nullptr));
 }
 
-/// Pairs holes. Edges are removed descending: removing an edge joins the gaps on its sides. A gap is filled when the
-/// last of its triangles is added; of two gaps that an edge separates, the gap that is filled first is a hole from the
-/// alpha of the edge until it is filled. Calls pair(birth, death) for each hole with birth < death.alpha: `birth` is
-/// the alpha of the edge, `death` the Arrival of the face that fills the hole.
+/// Pairs holes. Edges are removed by descending alpha. A gap is a bounded or unbounded piece outside of the complex;
+/// each removal joins the two gaps beside the edge. A gap is filled when the last of its triangles is added. Of two
+/// gaps that an edge separates, the gap that is filled first is a hole from the alpha of the edge until then. Calls
+/// pair(birth, death) for each hole with birth < death.alpha: `birth` is the alpha of the edge, `death` the Arrival of
+/// the face that fills the hole.
 /// Requires: the edges of `cells` are sorted by alpha.
 template <typename Pair>
 void pair_holes(const FilteredCells& cells, Steps& pulse, const Pair& pair) {

@@ -14,15 +14,14 @@ struct EdgeBatch {
   static constexpr std::size_t rows_at_once = 3,
                                row_length = 16;  ///< maxima of rows of cells, and of points of a row, for `fits`
 
-  /// The ends of each edge, and the radius to try first: the circumradius of the triangle behind the edge. These three
-  /// arrays have one entry more than `size`: a loop may write an entry before it tests whether the entry counts.
-  alignas(64) std::int32_t a[size + 1], b[size + 1];
-  alignas(64) float expected[size + 1];
+  // a, b and expected have one entry more than `size`: a loop may write an entry before it tests whether it counts.
+  alignas(64) std::int32_t a[size + 1], b[size + 1];  ///< ends of each edge
+  alignas(64) float expected[size + 1];  ///< radius to try first: the circumradius of the triangle behind the edge
 
   alignas(64) float ax[size], ay[size], bx[size], by[size];
-  /// The cells to search; whether the tile has all points there, except in unknown cells; and the extent of the cells.
-  alignas(64) std::int32_t c0[size], c1[size], r0[size], r1[size], is_inside[size];
-  alignas(64) float extent[size];
+  alignas(64) std::int32_t c0[size], c1[size], r0[size], r1[size];  ///< cells to search: their columns and rows
+  alignas(64) std::int32_t is_inside[size];  ///< whether the tile has all points there, except in unknown cells
+  alignas(64) float extent[size];            ///< of the cells
   /// Whether the cells to search are at most three rows of at most sixteen points; the first point and the number of
   /// points of each row, and a bit for each point that is an end of the edge.
   alignas(64) std::int32_t fits[size];

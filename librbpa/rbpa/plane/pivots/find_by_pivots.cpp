@@ -173,7 +173,7 @@ HWY_EXPORT(advance_on);
 bool is_along_curves(const Tile& tile) {
   constexpr double max_per_cell = 4;     // evenly scattered points have 2.3 per cell that is not empty
   constexpr double min_neighbors = 1.3;  // filled cells right or above: 1 along a curve, 1.7 if scattered
-  // mean over points of the number of points in their cell, divided by the mean over filled cells; high in clusters
+  // The mean over points of the number in their cell, divided by the mean over filled cells, is high in clusters.
   constexpr double max_occupancy = 2.5;
   const auto columns = static_cast<std::size_t>(tile.columns), cells = tile.cells();
   std::uint64_t filled = 0, neighbors = 0, squares = 0;

@@ -16,7 +16,7 @@ namespace rbpa {
 
 class CurveSplitter {
  public:
-  /// Prepares for curves whose points are below `points`.
+  /// Prepares for curves whose point indices are below `points`.
   explicit CurveSplitter(std::size_t points) : place_(points, nowhere) {}
 
   /// Appends the rings of a closed curve to `rings`; a ring may begin at any of its points. Cost: linear in the curve.

@@ -33,7 +33,7 @@ struct ExtractionWorkspace {
 };
 
 /// Replaces `result` by the triangles of the front that have circumradius ≤ alpha and that the tile owns, and by the
-/// settled sites.
+/// sites whose stars are settled (tile_patch.h).
 /// Requires: `coordinates` are those of the tile.
 void extract_patch(const Tile& tile, const TileCoordinates& coordinates, const LocalFront& front, const Radius& alpha,
                    ExtractionWorkspace& workspace, TilePatch& result);

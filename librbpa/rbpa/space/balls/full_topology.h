@@ -44,8 +44,8 @@ RBPA_API Solid void_space(std::span<const Point3> points, const Solid& delaunay,
 
 /// The voids of the full alpha complex, and the walls of all voids.
 struct FullVoids {
-  /// The walls, counter-clockwise seen from within a void. A triangle between two voids, or inside of one, occurs
-  /// twice.
+  /// The walls, counter-clockwise seen from within a void: opposite to solid_boundary() of void_space(). A triangle
+  /// between two voids, or inside of one, occurs twice.
   Surface boundary;
   std::vector<SolidVoid> all;  ///< the largest volume first; triangle numbers refer to `boundary`
 };

@@ -33,7 +33,7 @@ std::vector<double> first_radii(std::span<const double> radii, const space::Numb
 }
 
 /// Computes the volumes of voids in descending alpha. Each tetrahedron adds its volume to the void that contains its
-/// basin. The volume of a void is the sum at the radius at which the void closes.
+/// basin (void_pairs.h). The volume of a void is the sum at the radius at which the void closes.
 void find_volumes(std::span<const Point3> points, const Solid& delaunay, std::span<const double> radii, Steps& step,
                   VoidTree& tree) {
   std::vector<double> volumes(radii.size());

@@ -29,7 +29,7 @@ struct Minor {
 /// is so small that the determinant has no error (docs/explanation/exact_decisions.md, section 7).
 bool pulled_without_rounding(const Point3& pa, const Point3& pb, const Point3& pc, const Point3& pd, const Point3& pq) {
   const auto a = from<double>(pd, pa), b = from<double>(pd, pb), c = from<double>(pd, pc), q = from<double>(pd, pq);
-  // Volumes with q in place of each corner, and minus the volume of the corners, which is negative.
+  // Signed volumes with q in place of each corner; the last one is −volume. The volume of the corners is below 0.
   const auto ab = cross(a, b), cq = cross(c, q);
   const double volume = dot(ab, c), at_a = dot(b, cq), at_b = -dot(a, cq), at_c = dot(ab, q);
   const std::array<double, 5> at = {at_a, at_b, at_c, volume - at_a - at_b - at_c, -volume};

@@ -1,5 +1,5 @@
-// What:   rolls a ball that rests on three points, one step at a time: ball pivoting for code that traverses the
-//         exposed triangles in its own order, as an advancing front does.
+// What:   rolls a ball that rests on three points, one step at a time: ball pivoting for code that traverses exposed
+//         triangles, on which an empty ball of the radius rests, in its own order, as an advancing front does.
 // Law:    exact, on any finite input. Each result is a function of the points, their normals and the radius, not of
 //         earlier queries. Rolling back returns to the same triangle (docs/explanation/surfaces.md,
 //         sections 11 and 12).
@@ -27,7 +27,7 @@ class RBPA_API RollingBall {
   using Triangle = std::array<std::uint32_t, 3>;  ///< counter-clockwise as the ball sees it
 
   /// Copies points and normals.
-  /// Requires: what surface() requires.
+  /// Requires: what surface() (surface.h) requires.
   /// Throws:   InvalidInput that names the violated requirement.
   RollingBall(std::span<const Point3> points, std::span<const Point3> normals, double radius);
   /// Takes points without normals, as above. Requires: what exposed_triangles() requires.

@@ -21,7 +21,7 @@ struct Term {
   std::uint32_t region, ball;
   bool is_end = false;     // whether the ball is an end of an edge of the complex at the region
   std::int64_t turns = 0;  // half turns
-  double angles = 0;       // angles to be subtracted from the half turns
+  double angles = 0;       // in radians, to be subtracted from the half turns
   double arcs = 0;
   double contacts = 0;  // three times the volume of cones over contacts; each is counted at one end
 

@@ -233,8 +233,8 @@ std::vector<Number> components_of(const Neighborhoods& near) {
   return component;
 }
 
-/// Returns whether more than a tenth of many points, by a sample, are along curves. Such points may have as many
-/// tetrahedra as there are pairs of points.
+/// Returns whether, in a sample, more than a tenth of the points lie along curves; false below 2,000 points. Such
+/// points may have as many tetrahedra as there are pairs of points.
 bool is_of_curves(const Neighborhoods& near) {
   constexpr std::size_t few = 2000, step = 8, share = 10;
   if (near.count < 8 || near.points.size() < few) return false;

@@ -43,7 +43,8 @@ class Basins {
   std::vector<std::uint32_t> last_;
 };
 
-/// Joins each tetrahedron to the tetrahedron or outside across its last triangle of equal radius, if any.
+/// Joins each tetrahedron to what is across the last of its triangles that have the radius of the tetrahedron: another
+/// tetrahedron or the outside. A tetrahedron without such a triangle is not joined.
 void flow(const Solid& delaunay, std::span<const double> radii,
           std::span<const std::array<std::uint32_t, 4>> triangles_of, std::span<const double> triangle_radii,
           Steps& step, Basins& basins, std::vector<bool>& makes_one) {

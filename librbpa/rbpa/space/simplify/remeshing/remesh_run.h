@@ -68,7 +68,7 @@ class RemeshRun {
   MeshCurves curves_;
   const std::vector<double> given_wanted_;  // wanted_ of the given mesh
   std::vector<double> wanted_;              // wanted_lengths(), for the vertices as they are
-  const double long_, short_;               // squared lengths above and below which an edge is split and collapsed
+  const double long_, short_;  // squared lengths above and below which an edge is split and collapsed, respectively
   meshops::Steps step_;
 };
 

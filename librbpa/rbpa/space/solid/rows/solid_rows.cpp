@@ -10,10 +10,11 @@
 namespace rbpa::space {
 namespace {
 
-/// An even permutation of four numbers that puts the two least ones first. Two bits for each place.
+/// An even permutation of four numbers, with two bits for each place.
 using Permutation = std::uint8_t;
 
-/// Returns the permutations: element 4 i + j is for the least number at place i and the second least at place j ≠ i.
+/// Returns a table: entry 4 i + j is the even permutation that puts the two least of four numbers first, when the least
+/// is at place i and the second least at place j ≠ i.
 constexpr std::array<Permutation, 16> even_permutations() {
   std::array<Permutation, 16> all{};
   for (unsigned i = 0; i < 4; ++i)

@@ -15,8 +15,9 @@
 
 namespace rbpa::space {
 
-/// Tetrahedra with the numbers of points that a search uses. Row t of `corners` has the corners of tetrahedron t,
-/// positively oriented. Row t of `neighbors` has the tetrahedron across from each corner, or Solid::none.
+/// Tetrahedra whose corners are the numbers of points in a search, not input indices. Row t of `corners` has the
+/// corners of tetrahedron t, positively oriented. Row t of `neighbors` has the tetrahedron across from each corner, or
+/// Solid::none.
 struct SolidRows {
   std::vector<Row> corners;             ///< the memory is reused for Solid::neighbors
   meshops::FreshVector<Row> neighbors;  ///< used only if neighbors are wanted

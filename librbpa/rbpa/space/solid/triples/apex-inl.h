@@ -104,8 +104,8 @@ class ApexSearch {
     size_ = size;
   }
 
-  /// Returns the result for the side of positive t if `is_positive`, else for the side of negative t. After
-  /// Side::found, apex() is the position of the fourth corner among the near points.
+  /// Returns the result for the side of positive t, the position of the center along the axis, if `is_positive`, else
+  /// for the side of negative t. After Side::found, apex() is the position of the fourth corner among the near points.
   HWY_INLINE Side look(bool is_positive) {
     if (!is_bounded_) return Side::open;
     if (is_violated_) return Side::none;
