@@ -3,7 +3,8 @@
 // Law:  a mesh is sound, and the list is empty, exactly if the records agree, every edge has two different ends and a
 //       face on at least one side, every face is one loop of three or more sides, and the faces around every vertex
 //       form one path or one circle. Every operator of libmeshops keeps a sound mesh sound for all arguments, unless
-//       the operator's comment says "not checked".
+//       the operator's comment says "not checked". A record is the links of one element, live unless the element is
+//       marked deleted.
 #pragma once
 
 #include <string>

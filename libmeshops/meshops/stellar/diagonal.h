@@ -1,6 +1,6 @@
 // What:   the operators that cut a face in two along a diagonal, and that merge two faces by removing a common edge.
-// Law:    remove_diagonal(insert_diagonal(from, to).diagonal) restores the links of all elements that are not
-//         marked deleted. The topology stays.
+// Law:    remove_diagonal(insert_diagonal(from, to).diagonal) restores every live record (core/validate.h). The
+//         topology stays.
 // Source: Mäntylä, An introduction to solid modeling (1988): make edge and face, kill edge and face.
 #pragma once
 
