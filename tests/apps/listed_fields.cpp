@@ -184,7 +184,7 @@ TEST_SUITE("listed_fields") {
     for (const std::string field : {"h", "l"})
       refuses(folder, "shape t.csv --alpha 3 --summarize " + field + ":mean -o g.geojson", 3,
               "found texts in field '" + field + "'");
-    // As a coordinate 2D3 is refused, as it may be a number or an angle.
+    // The coordinate 2D3 may be a number or an angle.
     folder.file("t.csv", "x,y\n1.5D3,0\n2D3,0\n1.0D3,1.0D3\n");
     refuses(folder, "shape t.csv --alpha inf -o g.geojson", 3,
             "t.csv:3: found '2D3', expected a number such as 2.0D3, or an angle such as 2d 3'");
