@@ -13,6 +13,7 @@
 #include "io/cloud/ball_radii.h"
 #include "io/cloud/chemical_elements.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "python/file_errors.h"
 #include "python/module.h"
 
@@ -33,9 +34,29 @@ struct Frames {
   std::vector<std::string> warnings = {};
 };
 
-bool is_same_atom(const AtomRow& a, const AtomRow& b) {
-  return a.name == b.name && a.resname == b.resname && a.chain == b.chain && a.element == b.element &&
-         (a.resseq == b.resseq || std::isnan(a.resseq));
+/// Throws BadInput that names the first difference unless the atoms of a frame are those of the first frame.
+void require_same_atoms(const AtomFrame& frame, const AtomFrame& first, const std::string& file) {
+  const std::string number = std::to_string(frame.number);
+  const auto refuse = [&](const std::string& found, const std::string& expected) {
+    app::bad_input(
+        file, found + " in frame " + number,
+        expected + ", as in frame " + std::to_string(first.number) + " (models=" + number + " reads this frame alone)");
+  };
+  if (frame.rows.size() != first.rows.size())
+    refuse(app::counted(frame.rows.size(), "atom"), std::to_string(first.rows.size()));
+  for (std::size_t i = 0; i < frame.rows.size(); ++i) {
+    const AtomRow &row = frame.rows[i], &before = first.rows[i];
+    const std::string of_atom = std::isnan(row.serial) ? std::to_string(row.index) : app::text_of(row.serial);
+    for (const auto& [what, member] : {std::pair("name ", &AtomRow::name),
+                                       {"residue ", &AtomRow::resname},
+                                       {"chain ", &AtomRow::chain},
+                                       {"element ", &AtomRow::element}})
+      if (row.*member != before.*member)
+        refuse(what + app::in_quotes(frame.text(row.*member)) + " of atom " + of_atom,
+               app::in_quotes(first.text(before.*member)));
+    if (row.resseq != before.resseq && !std::isnan(row.resseq))
+      refuse("residue number " + app::text_of(row.resseq) + " of atom " + of_atom, app::text_of(before.resseq));
+  }
 }
 
 Frames read_frames(app::AtomFrames& file) {
@@ -43,11 +64,8 @@ Frames read_frames(app::AtomFrames& file) {
   for (AtomFrame frame; file.next(frame);) {
     if (result.numbers.empty()) {
       result.first = frame;
-    } else if (!std::equal(frame.rows.begin(), frame.rows.end(), result.first.rows.begin(), result.first.rows.end(),
-                           is_same_atom)) {
-      throw app::BadInput(file.name() + ": found other atoms in frame " + std::to_string(frame.number) +
-                          ", expected those of frame " + std::to_string(result.numbers[0]) +
-                          " (read one frame at a time)");
+    } else {
+      require_same_atoms(frame, result.first, file.name());
     }
     result.numbers.push_back(frame.number);
     if (const app::UnitCell& cell = frame.cell; cell.edges && cell.repeats == std::array{true, true, true})

@@ -4,6 +4,7 @@ import math
 import os
 import pathlib
 import pickle
+import re
 import shutil
 import subprocess
 
@@ -129,9 +130,39 @@ def test_frames_of_a_file_have_an_axis_and_their_radii(tmp_path):
     assert atoms[:1].positions.shape == (4, 1, 3) and atoms[:1].radii().shape == (4, 1)
     assert atoms.radii("bondi", default=1.5).tolist() == [1.7, 1.5]
     assert atoms.radii(overrides={"fe": 1.25}).tolist() == [1.7, 1.25]
-    path.write_text(FRAMES + "2\n\nC 0 0 0 1\nN 1 0 0 1\n")
-    with pytest.raises(rbpa.InvalidInput, match="other"):
+    names = FRAMES.splitlines()[1]
+    path.write_text(FRAMES + f"2\n{names}\nC 0 0 0 1\nN 1 0 0 1\n")
+    with pytest.raises(rbpa.InvalidInput, match=r"found element 'N' of atom 1 in frame 5, expected 'Fe', as in frame 1 \(models=5 reads"):
         rbpa.molecules.read(path, models="all")
+    path.write_text(FRAMES + f"1\n{names}\nC 0 0 0 1\n")
+    with pytest.raises(rbpa.InvalidInput, match="found 1 atom in frame 5, expected 2, as in frame 1"):
+        rbpa.molecules.read(path, models="all")
+
+
+@pytest.mark.parametrize(
+    "before, after, says",
+    [
+        ("C  12", "C  52", "found residue number 52 of atom 7 in frame 2, expected 12, as in frame 1 (models=2 reads this frame alone)"),
+        ("C  12", "B  12", "found chain 'B' of atom 7 in frame 2, expected 'C'"),
+        (" NA C", "KNA C", "found residue 'KNA' of atom 7 in frame 2, expected 'NA'"),
+        ("NA    NA", "K     NA", "found name 'K' of atom 7 in frame 2, expected 'NA'"),
+        ("      NA\n", "       K\n", "found element 'K' of atom 7 in frame 2, expected 'Na'"),
+    ],
+)
+def test_the_first_different_atom_of_a_frame_is_named(tmp_path, before, after, says):
+    atom = "HETATM    7 NA    NA C  12      16.260  23.720  18.910  1.00  0.00          NA\n"
+    (tmp_path / "m.pdb").write_text(f"MODEL 1\n{atom}ENDMDL\nMODEL 2\n{atom.replace(before, after)}ENDMDL\n")
+    with pytest.raises(rbpa.InvalidInput, match=re.escape(says)):
+        rbpa.molecules.read(tmp_path / "m.pdb", models="all")
+    assert len(rbpa.molecules.read(tmp_path / "m.pdb", models=2)) == 1
+
+
+def test_one_number_is_no_radius_of_atoms():
+    for atoms in (Group(), Nameless(), Atoms(), Trajectory(), iter([Group()]), rbpa.molecules.read(LYSOZYME)):
+        says = "radii: found 1.4 for atoms, expected 'bondi', 'protor' or one for each (probe=1.4 is the probe, np.full(n, 1.4) one"
+        with pytest.raises(rbpa.InvalidInput, match=re.escape(says)):
+            rbpa.balls(atoms, 1.4)
+    assert rbpa.balls(Group(), numpy.full(3, 1.4)).area == rbpa.balls(Group.positions, 1.4).area
 
 
 class Group:

@@ -35,8 +35,9 @@ def balls(
         among the threads. Atoms are those of `molecules.read`, or an object of MDAnalysis, ASE or mdtraj
         (`molecules.positions_of`).
     radii : array_like of shape (n,) or (frames, n), a number, "bondi" or "protor", optional
-        The radius of each ball, at least 0. By default atoms have the radii of their file, if the file has radii, and
-        otherwise Bondi's; "bondi" and "protor" choose radii by element and name (`molecules.radii`).
+        The radius of each ball, at least 0; one number for all is refused for atoms. By default atoms have the radii of
+        their file, if the file has radii, and otherwise Bondi's; "bondi" and "protor" choose radii by element and name
+        (`molecules.radii`).
     probe : float
         The length that is added to each radius: 1.4 for water, in angstroms.
     box : array_like, optional
@@ -64,8 +65,10 @@ def balls(
     >>> two.contacts.areas.round(6).tolist()
     [5.497787]
     """
+    of_atoms = molecules.are_atoms(centers)
     if isinstance(centers, Iterator):
-        centers = np.stack([np.array(molecules.positions_of(frame), float) for frame in centers])
+        each = [(np.array(molecules.positions_of(frame), float), molecules.are_atoms(frame)) for frame in centers]
+        centers, of_atoms = np.stack([positions for positions, _ in each]), any(atoms for _, atoms in each)
     array = as_array(molecules.positions_of(centers), "centers", 3)
     if array.ndim == 3:
         array = as_points(array.reshape(-1, array.shape[2]), "centers", 3).reshape(array.shape)
@@ -74,6 +77,9 @@ def balls(
     if radii is None or isinstance(radii, str):
         radii = molecules.radii(centers, radii)
     sizes = as_numbers(radii, "radii", "numbers of at least 0, one for each center")
+    if sizes.ndim == 0 and of_atoms:
+        hint = f"(probe={sizes} is the probe, np.full(n, {sizes}) one radius for all)"
+        raise InvalidInput(f"radii: found {sizes} for atoms, expected 'bondi', 'protor' or one for each {hint}")
     if sizes.ndim == 0:
         sizes = np.full(array.shape[-2], sizes)
     if sizes.shape not in (array.shape[-2:-1], array.shape[:-1]):

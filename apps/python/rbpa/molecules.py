@@ -182,6 +182,11 @@ def positions_of(atoms: Any) -> Any:
     return atoms if found is None else found
 
 
+def are_atoms(centers: Any) -> bool:
+    """Returns whether an object has elements or names of atoms."""
+    return _is_mdtraj(centers) or any(hasattr(centers, name) for name in ("elements", "get_chemical_symbols", "names"))
+
+
 def _kinds(atoms: Any) -> list[tuple[str, str, str]]:
     """Returns element, residue and name of each atom, an empty text for what the object does not have."""
     if _is_mdtraj(atoms):
