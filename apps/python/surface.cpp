@@ -1,5 +1,6 @@
 #include "rbpa/space/surface/surface.h"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,8 +9,10 @@
 #include "io/bytes/output_file.h"
 #include "io/failure.h"
 #include "io/formats.h"
+#include "io/mesh/ply_fields.h"
 #include "io/mesh/vertices_of_points.h"
 #include "io/mesh/write_mesh.h"
+#include "io/number.h"
 #include "python/file_errors.h"
 #include "python/mesh.h"
 #include "python/module.h"
@@ -189,18 +192,34 @@ py::dict refined(const Doubles& points, const MaybeDoubles& normals, const Indic
   return result;
 }
 
+/// Returns the numbers of open curves and of crossing pairs, with their places; an empty text if there are none.
+std::string defects_of(const WatertightSurface& made) {
+  if (made.open.empty() && made.crossing.empty()) return {};
+  std::string text = app::counted(made.open.size(), "boundary curve");
+  if (!made.open.empty()) {
+    const auto longest = std::max_element(made.open.begin(), made.open.end(),
+                                          [](const Hole& a, const Hole& b) { return a.length < b.length; });
+    text += ", the longest of length " + app::rounded(longest->length, 6) + " at point " +
+            std::to_string(longest->edges.front().from) + ",";
+  }
+  text += " and " + app::counted(made.crossing.size(), "pair") + " of triangles that cross";
+  if (!made.crossing.empty())
+    text += ", the first at point " + std::to_string(made.surface.triangles[made.crossing.front().first][0]);
+  return text;
+}
+
 /// Makes the surface watertight. Returns the watertight surface, for each given triangle whether it is kept, and the
-/// numbers of open curves and of crossing pairs.
+/// remaining defects.
 py::dict watertight(const Doubles& points, const Indices& triangles, const Indices& neighbors, unsigned threads) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
   WatertightSurface made = watched(long_work, py::none(), [&](Watch& watch) {
     return make_watertight(input, of_links(links), {}, {.threads = threads, .progress = watch.progress()});
   });
+  const std::string defects = defects_of(made);
   py::dict result = as_dict(made);
+  result["defects"] = defects;
   result["kept"] = line<std::uint8_t>(std::vector<std::uint8_t>(made.kept.begin(), made.kept.end()));
-  result["curves"] = made.open.size();
-  result["crossing"] = made.crossing.size();
   return result;
 }
 
@@ -215,10 +234,33 @@ void require_kept(app::Format format, const app::SpaceMesh& mesh, const std::str
   throw InvalidInput("save: " + why);
 }
 
+/// Returns a field as a column. `values` are an array of numbers, or a list of texts.
+app::PointColumn column_of(const std::string& name, const py::object& values) {
+  app::PointColumn column{.name = name};
+  if (py::isinstance<py::list>(values)) {
+    column.type = app::Scalar::int32;
+    column.is_text = true;
+    for (const py::handle text : values) column.append(column.number_of(py::cast<std::string>(text)));
+    return column;
+  }
+  const auto array = py::cast<py::array>(values);
+  const auto type = app::scalar_of(std::string(1, array.dtype().kind()), std::to_string(array.itemsize()));
+  if (!type) throw InvalidInput("fields: found a type of " + app::in_quotes(name) + " that no mesh file has");
+  column.type = *type;
+  const auto* const bytes = static_cast<const char*>(array.data());
+  column.bytes.assign(bytes, bytes + array.nbytes());
+  return column;
+}
+
+/// The colors of points, and the fields by name, in the form of column_of().
+using MaybeColors = std::optional<py::array_t<std::uint8_t, py::array::c_style>>;
+using Fields = std::vector<std::pair<std::string, py::object>>;
+
 /// Writes a mesh file in the format of the ending of `name`. If `manifold`, or for .glb, vertices are fans; otherwise,
 /// and for .npy, vertices are the points.
-void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& normals, const Indices& triangles,
-           const Indices& neighbors, bool manifold, const std::optional<std::string>& shift) {
+void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& normals, const MaybeColors& colors,
+           const Fields& fields, const Indices& triangles, const Indices& neighbors, bool manifold,
+           const std::optional<std::string>& shift) {
   const std::string path = name;
   const auto input = points3_of(points, "points");
   const auto vectors = points3_of(normals, "normals");
@@ -227,9 +269,16 @@ void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& nor
   if (!format)
     throw InvalidInput("save: found the ending " + app::in_quotes(app::ending(path)) + ", expected one of " +
                        app::endings(app::Use::boundary));
+  std::vector<app::PointColumn> columns;
+  for (const auto& [field, values] : fields) columns.push_back(column_of(field, values));
+  for (const app::PointColumn& column : columns)
+    if (*format == app::Format::ply && !app::ply_type(column))
+      throw InvalidInput("fields: found integers beyond 2^53 in " + app::in_quotes(column.name) +
+                         ", expected numbers that PLY has (.vtu has them; fields= chooses others)");
   with_file_errors([&] {
     return watched(links.triangles.size(), py::none(), [&](Watch& watch) {
-      app::SpaceMesh mesh{.vertices = input, .triangles = links.triangles, .normals = vectors};
+      app::SpaceMesh mesh{.vertices = input, .triangles = links.triangles, .normals = vectors, .fields = {columns}};
+      if (colors) mesh.colors = {reinterpret_cast<const std::array<std::uint8_t, 3>*>(colors->data()), input.size()};
       if (shift) mesh.shift = app::parse_shift("shift", *shift);
       if (app::has_single_precision(*format)) require_kept(*format, mesh, path);
       SplitFans fans;
@@ -296,8 +345,8 @@ void bind_surface(py::module_& module) {
              as_is("is_new"), arg("threads"), arg("progress"));
   module.def("decimate_surface", &decimated, as_is("points"), as_is("triangles"), as_is("neighbors"), arg("faces"),
              arg("error"), arg("no_crossings"), arg("progress"));
-  module.def("save_surface", &saved, arg("path"), as_is("points"), as_is("normals"), as_is("triangles"),
-             as_is("neighbors"), arg("manifold"), arg("shift"));
+  module.def("save_surface", &saved, arg("path"), as_is("points"), as_is("normals"), as_is("colors"), arg("fields"),
+             as_is("triangles"), as_is("neighbors"), arg("manifold"), arg("shift"));
   module.def("surface_mesh", &mesh_of, arg("mesh"), as_is("points"), as_is("triangles"), as_is("neighbors"));
 }
 

@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from rbpa._core import InvalidInput, fingerprint
 from rbpa._input import Floats, Indices
+from rbpa._read_points import PointFile
 
 
 def freeze(*arrays: npt.NDArray[Any]) -> None:
@@ -17,10 +18,14 @@ def freeze(*arrays: npt.NDArray[Any]) -> None:
         array.setflags(write=False)
 
 
+def of_file(points: Any, name: str) -> Any:
+    """Returns an attribute of points that `read_points` returned; None for any other points."""
+    return getattr(points, name) if isinstance(points, PointFile) else None
+
+
 def fields_of(points: Any) -> dict[str, npt.NDArray[Any]]:
     """Returns the fields of points that `read_points` returned; an empty dict for any other points."""
-    fields = getattr(points, "fields", None)
-    return dict(fields) if isinstance(fields, dict) else {}
+    return dict(of_file(points, "fields") or {})
 
 
 def short_repr(row: Any) -> str:

@@ -15,7 +15,7 @@ from rbpa import _core, meshops
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, aligned, as_count, as_limits, as_numbers, as_points, as_threads, index_of, shown
 from rbpa._plot import draw_triangles
-from rbpa._result import Result, fields_of, freeze
+from rbpa._result import Result, fields_of, freeze, of_file
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRepair
 
 Radius = Union[float, Sequence[float], npt.NDArray[Any], str]
@@ -41,9 +41,9 @@ def surface(
         Finite coordinates. A float64 array in C order is used without a copy, and must not be changed while the result
         is in use; anything else is converted.
     normals : array_like of shape (n, 3), "estimate" or "none"
-        A vector at each point that points outward, of any length but 0; the ball rolls on that side. By default they
-        are estimated, as by `estimate_normals`. "none" gives the triangles on all sides that a ball can reach: a closed
-        surface.
+        A vector at each point that points outward, of any length but 0; the ball rolls on that side. By default those
+        of a `PointFile` that has normals; otherwise they are estimated, as by `estimate_normals`, whose `viewpoint` turns
+        them toward a scanner. "none" gives the triangles on all sides that a ball can reach: a closed surface.
     radius : float, several, or "auto"
         The radius of the ball, in the units of the points: about one to four times the distance between neighbors.
         Several radii ascend: each closes gaps that smaller radii left, and keeps their triangles. "auto" chooses up to
@@ -76,6 +76,7 @@ def surface(
     if max_radius < math.inf and not automatic:
         raise InvalidInput(f"max_radius: found radius={shown(radius)}, expected radius='auto'")
     radii = np.zeros(0) if automatic else _as_radii(radius)
+    normals = of_file(points, "normals") if normals is None else normals
     estimates = normals is None or (isinstance(normals, str) and normals == "estimate")
     vectors: Optional[Floats] = None
     if isinstance(normals, str) and not estimates:
@@ -90,7 +91,7 @@ def surface(
         estimated = made.pop("normals")
         freeze(estimated)
         vectors = estimated
-    return Surface(array, vectors, made.pop("radii"), {"fields": fields_of(points), **made})
+    return Surface(array, vectors, made.pop("radii"), {**_beside(points), **made})
 
 
 def surface_of(
@@ -109,7 +110,8 @@ def surface_of(
         The corners of each triangle, as numbers of points, counter-clockwise seen from outside. Corners at equal
         positions are one point, so that those of an .stl file need not be merged.
     normals : array_like of shape (n, 3), optional
-        A vector at each point: `refined` gives an added point the mean of the vectors around it.
+        A vector at each point, by default those of a `PointFile`: `refined` gives an added point the mean of the vectors
+        around it.
 
     Returns
     -------
@@ -133,6 +135,7 @@ def surface_of(
     (True, 1, 1.0)
     """
     array = as_points(points, columns=3)
+    normals = of_file(points, "normals") if normals is None else normals
     vectors = None if normals is None else as_points(normals, "normals", columns=3)
     if vectors is not None and len(vectors) != len(array):
         raise InvalidInput(f"normals: found {len(vectors)} normals, expected one for each of {len(array)} points")
@@ -146,7 +149,13 @@ def surface_of(
         at = int(np.flatnonzero(wrong.any(axis=1))[0])
         raise InvalidInput(f"triangles: found {rows[at].tolist()} in row {at}, expected numbers of points, from 0 to {len(array) - 1}")
     made = _core.surface_of(array, np.ascontiguousarray(rows, dtype=np.int32))
-    return Surface(array, vectors, np.zeros(0), {"fields": fields_of(points), **made})
+    return Surface(array, vectors, np.zeros(0), {**_beside(points), **made})
+
+
+def _beside(points: Any) -> dict[str, Any]:
+    """Returns what a surface keeps of points beside coordinates and normals: fields and colors."""
+    colors = of_file(points, "colors")
+    return {"fields": fields_of(points), "colors": None if colors is None else colors.view()}
 
 
 def _not_empty(radii: Floats) -> Floats:
@@ -196,6 +205,8 @@ class Surface(Result):
         Points that are equal to an earlier point, each with this earlier point, which represents all equal points.
     fields : dict of arrays of shape (n,)
         The fields of the points, with their types, if `read_points` returned the points; else empty.
+    colors : uint8 array of shape (n, 3), or None
+        The colors of the points, if `read_points` returned the points.
     """
 
     points: Floats
@@ -207,6 +218,7 @@ class Surface(Result):
     boundary: Indices
     duplicates: Indices
     fields: dict[str, npt.NDArray[Any]]
+    colors: Optional[npt.NDArray[np.uint8]]
     given: Optional[Indices] = None
     # For a part of a surface: the whole surface, and the flags of the triangles that were kept.
     _kept_from: Optional[tuple[Surface, npt.NDArray[np.bool_]]] = None
@@ -333,6 +345,7 @@ class Surface(Result):
             "boundary": boundary,
             "duplicates": self.duplicates,
             "fields": self.fields,
+            "colors": self.colors,
         }
         part = Surface(self.points, self.normals, self.radii, made)
         if self._kept_from is not None:
@@ -378,7 +391,7 @@ class Surface(Result):
         place = np.full(len(kept), -1, dtype=np.int32)
         place[kept] = np.flatnonzero(old)
         made = {name: of[name] for name in ("triangles", "neighbors", "boundary")}
-        made["fields"] = of.get("fields", self.fields)
+        made.update(fields=of.get("fields", self.fields), colors=of.get("colors", self.colors))
         filled = Surface(points, normals, self.radii, {**made, "levels": levels, "duplicates": self.duplicates})
         freeze(place)
         filled._filled_from = (self, place)
@@ -427,17 +440,14 @@ class Surface(Result):
         Raises
         ------
         NotWatertight
-            Boundary curves remain, or triangles intersect; the message has their numbers.
+            Boundary curves remain, or triangles intersect; the message has their numbers and places.
         """
         self._require_unchanged()
         of = _core.make_watertight(self.points, self.triangles, self.neighbors, as_threads(threads))
         if len(of["triangles"]) == 0:
             raise NotWatertight("watertight: found no triangle, expected a surface")
-        if of["curves"] or of["crossing"]:
-            raise NotWatertight(
-                f"watertight: found {of['curves']} boundary curves and {of['crossing']} pairs of triangles that cross, "
-                "expected none"
-            )
+        if of["defects"]:
+            raise NotWatertight(f"watertight: found {of['defects']}, expected none (fill_holes(rims=True) fills what can be filled)")
         return self._with_filled(of, of["kept"] != 0, self.points, self.normals)
 
     def refined(self, *, threads: Optional[int] = None, progress: Progress = None) -> Surface:
@@ -452,7 +462,8 @@ class Surface(Result):
         -------
         Surface
             A surface with more points: the added points come last, with the mean normals of the points around them, the
-            means of fields of floating-point numbers, and the values of the nearest of these points otherwise. Its
+            means of colors and of fields of floating-point numbers, and the values of the nearest of these points
+            otherwise. Its
             `unused` points are those of this surface.
         """
         self._require_unchanged()
@@ -464,10 +475,13 @@ class Surface(Result):
         normals = None if self.normals is None else np.vstack((self.normals, of["normals"]))
         freeze(points, *([] if normals is None else [normals]))
         of["fields"] = {name: np.resize(values, len(points)) for name, values in self.fields.items()}
-        for i, around in enumerate(of["between"] if self.fields else [], len(self.points)):
+        of["colors"] = None if self.colors is None else np.resize(self.colors, (len(points), 3))
+        for i, around in enumerate(of["between"] if self.fields or self.colors is not None else [], len(self.points)):
             near = around[np.argmin(np.linalg.norm(points[around] - points[i], axis=1))]
             for values in of["fields"].values():
-                values[i] = values[around].mean() if values.dtype.kind == "f" else values[near]
+                values[i] = (values[around].astype(float) / 3).sum() if values.dtype.kind == "f" else values[near]
+            if of["colors"] is not None:
+                of["colors"][i] = (of["colors"][around].sum(axis=0, dtype=int) + 1) // 3
         return self._with_filled(of, ~new, points, normals)
 
     def decimated(
@@ -508,7 +522,7 @@ class Surface(Result):
             self.points, self.triangles, self.neighbors, *as_limits(faces, error), bool(no_crossings), progress
         )
         of["levels"] = self.levels[of["given"]]
-        return Surface(self.points, self.normals, self.radii, {**of, "duplicates": self.duplicates, "fields": self.fields})
+        return Surface(self.points, self.normals, self.radii, {**of, "duplicates": self.duplicates, "fields": self.fields, "colors": self.colors})
 
     @cached_property
     def _unused(self) -> tuple[Indices, npt.NDArray[np.uint8]]:
@@ -530,6 +544,8 @@ class Surface(Result):
         self,
         path: Union[str, os.PathLike[str]],
         *,
+        colors: Optional[npt.ArrayLike] = None,
+        fields: Optional[Sequence[str]] = None,
         manifold: bool = True,
         shift: Union[Literal["auto"], Sequence[float], None] = None,
     ) -> None:
@@ -540,6 +556,10 @@ class Surface(Result):
         ----------
         path
             The file, which appears whole or not at all.
+        colors : array_like of integers, of shape (n, 3), optional
+            Red, green and blue of each point, from 0 to 255, by default `colors`; written to .ply, .vtu and .glb.
+        fields : sequence of str, optional
+            The names of the fields to write to .ply and .vtu, by default all of `fields`.
         manifold : bool
             Write a vertex for each sheet at a point, so that edges have one or two triangles; .ply and .vtu have the
             index of each vertex's point as `point`. If False, the vertices are all points, so that their indices are
@@ -553,15 +573,32 @@ class Surface(Result):
         ------
         InvalidInput
             Another ending; a coordinate too large for .stl or .glb; triangles without area, or vertices at equal
-            positions, that single precision would cause.
+            positions, that single precision would cause; colors or fields that cannot be written.
         OSError
             The file cannot be written.
         """
         self._require_unchanged()
         by = shift if shift is None or isinstance(shift, str) else ",".join(repr(float(x)) for x in shift)
-        _core.save_surface(
-            os.fsencode(path), self.points, self.normals, self.triangles, self.neighbors, bool(manifold), by
-        )
+        names = list(self.fields) if fields is None else [fields] if isinstance(fields, str) else fields
+        columns = [(name, self._column(name)) for name in names]
+        colors = self.colors if colors is None else colors
+        beside = self.normals, None if colors is None else self._as_colors(colors), columns
+        _core.save_surface(os.fsencode(path), self.points, *beside, self.triangles, self.neighbors, bool(manifold), by)
+
+    def _as_colors(self, colors: npt.ArrayLike) -> npt.NDArray[np.uint8]:
+        array, shape = np.asarray(colors), (len(self.points), 3)
+        if array.shape != shape or array.dtype.kind not in "iu" or (array != array.astype(np.uint8)).any():
+            raise InvalidInput(f"colors: found {array.dtype} of shape {array.shape}, expected integers from 0 to 255 of shape {shape}")
+        return np.ascontiguousarray(array, np.uint8)
+
+    def _column(self, name: str) -> Any:
+        """Returns the values of a field for the compiled part: an array of numbers, or a list of texts."""
+        if name not in self.fields:
+            raise InvalidInput(f"fields: found {shown(name)}, expected some of {list(self.fields)}")
+        values = np.asarray(self.fields[name])
+        if values.shape != (len(self.points),):
+            raise InvalidInput(f"fields: found {shown(values)} for {name!r}, expected ({len(self.points)},)")
+        return values.tolist() if values.dtype.kind == "U" else np.ascontiguousarray(values, values.dtype.newbyteorder("="))
 
     def to_meshio(self) -> Any:
         """Returns a meshio.Mesh of the points, the triangles by input index, and the normals, if any, as point data
