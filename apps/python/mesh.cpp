@@ -264,10 +264,12 @@ auto change_copy(Mesh& mesh, const Doubles& points, std::size_t work, const py::
 }
 
 auto decimate_copy(Mesh& mesh, const Doubles& points, std::size_t faces, std::optional<double> error, bool no_crossings,
-                   const py::object& progress) {
+                   bool measured, const py::object& progress) {
   const auto [places, counts] =
       change_copy(mesh, points, mesh.kernel().n_faces(), progress, [&](auto& copy, auto& moved, const GoOn& go_on) {
-        return decimate(copy, moved, {.faces = faces, .error = error, .no_crossings = no_crossings, .go_on = go_on});
+        return decimate(
+            copy, moved,
+            {.faces = faces, .error = error, .measured = measured, .no_crossings = no_crossings, .go_on = go_on});
       });
   return std::make_tuple(places, counts.given, counts.left, counts.collapses, counts.refused, counts.distance);
 }
@@ -284,9 +286,11 @@ auto remesh_copy(Mesh& mesh, const Doubles& points, const Doubles& lengths, std:
                        .rounds = rounds,
                        .sharp_angle = sharp_angle,
                        .keep_boundary = keep_boundary,
+                       .measured = true,
                        .go_on = go_on});
       });
-  return std::make_tuple(places, counts.given, counts.left, counts.splits, counts.collapses, counts.flips);
+  return std::make_tuple(places, counts.given, counts.left, counts.splits, counts.collapses, counts.flips,
+                         *counts.distance);
 }
 
 void bind_progressive(py::module_& module) {
@@ -388,7 +392,7 @@ void bind_mesh(py::module_& module) {
   bind_progressive(module);
   bind_mesh_operators(module, mesh);
   mesh.def("_decimate", &decimate_copy, as_is("points"), arg("faces"), arg("error"), arg("no_crossings"),
-           arg("progress"));
+           arg("measured"), arg("progress"));
   mesh.def("_remesh", &remesh_copy, as_is("points"), as_is("length"), arg("error"), arg("rounds"), arg("sharp_angle"),
            arg("keep_boundary"), arg("progress"));
   mesh.def(py::pickle(&state_of, [](const py::tuple& state) {

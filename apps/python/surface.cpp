@@ -300,7 +300,7 @@ void saved(const py::bytes& name, const Doubles& points, const MaybeDoubles& nor
 
 /// Decimates the surface, and returns its arrays. Entry `given` has the number of each triangle before the decimation.
 py::dict decimated(const Doubles& points, const Indices& triangles, const Indices& neighbors, std::size_t faces,
-                   std::optional<double> error, bool no_crossings, const py::object& progress) {
+                   std::optional<double> error, bool no_crossings, bool measured, const py::object& progress) {
   const auto input = points3_of(points, "points");
   const Links links(triangles, neighbors);
   DecimatedSurface made = watched(links.triangles.size(), progress, [&](Watch& watch) {
@@ -308,11 +308,13 @@ py::dict decimated(const Doubles& points, const Indices& triangles, const Indice
     return decimate(input, of_links(links),
                     {.faces = faces,
                      .error = error,
+                     .measured = measured,
                      .no_crossings = no_crossings,
                      .go_on = go_on_of(report, input.size(), links.triangles.size())});
   });
   py::dict result = as_dict(made);
   result["given"] = line<std::int32_t>(std::move(made.given));
+  result["distance"] = made.counts.distance;
   return result;
 }
 
@@ -344,7 +346,7 @@ void bind_surface(py::module_& module) {
   module.def("refine_filling", &refined, as_is("points"), as_is("normals"), as_is("triangles"), as_is("neighbors"),
              as_is("is_new"), arg("threads"), arg("progress"));
   module.def("decimate_surface", &decimated, as_is("points"), as_is("triangles"), as_is("neighbors"), arg("faces"),
-             arg("error"), arg("no_crossings"), arg("progress"));
+             arg("error"), arg("no_crossings"), arg("measured"), arg("progress"));
   module.def("save_surface", &saved, arg("path"), as_is("points"), as_is("normals"), as_is("colors"), arg("fields"),
              as_is("triangles"), as_is("neighbors"), arg("manifold"), arg("shift"));
   module.def("surface_mesh", &mesh_of, arg("mesh"), as_is("points"), as_is("triangles"), as_is("neighbors"));

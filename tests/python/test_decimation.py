@@ -1,12 +1,14 @@
 """Surface.decimated() and meshops.Mesh.decimate(): fewer triangles, the same topology."""
 
 import math
+import re
 
 import numpy as np
 import pytest
 
 import rbpa
 import rbpa.meshops
+from distances import farthest
 
 
 def ball(count=900, top=2.0):
@@ -69,10 +71,16 @@ def test_an_error_is_kept_and_certified_and_triangles_of_near_sheets_do_not_cros
         mesh = whole.mesh()
         made = mesh.decimate(points[mesh.point_of_vertex], **limits, no_crossings=True)
         assert made.faces == mesh.n_faces and ("crossing triangles" in made.refused or "error" in limits)
-        assert 0 < made.distance <= 0.02 if "error" in limits else made.distance is None
+        corners = made.points[mesh.triangles()]
+        assert farthest(corners.mean(axis=1), points[whole.triangles]) <= made.distance <= limits.get("error", 0.3)
         part = whole.decimated(**limits, no_crossings=True)
         assert len(part.triangles) < len(whole.triangles) / 2 and topology(part.mesh()) == topology(whole.mesh())
         assert len(part.triangles) >= limits.get("faces", 0) - 1
+        centers = points[part.triangles].mean(axis=1)
+        assert farthest(centers, points[whole.triangles]) <= part.distance <= limits.get("error", 0.3)
+    assert whole.distance is None and whole.decimated(10**6).distance == 0
+    assert whole.decimated(200, measured=False).distance is None and whole.decimated(error=0.1, measured=False).distance <= 0.1
+    assert whole.mesh().decimate(points[whole.mesh().point_of_vertex], 200, measured=False).distance is None
     assert len(whole.decimated(error=0).triangles) > 3000
     sphere = rbpa.surface(ball(300), ball(300), 0.4)
     assert 4 < len(sphere.decimated(error=0.1).triangles) < 300
@@ -98,8 +106,10 @@ def test_what_cannot_be_decimated_is_refused_and_the_mesh_stays():
     with pytest.raises(rbpa.ContractViolation, match="face 0 is not a triangle"):
         rbpa.meshops.Mesh([[0, 1, 2, 3]]).decimate(np.zeros((4, 3)), 1)
     assert mesh.n_faces == 1796
-    with pytest.raises(rbpa.InvalidInput, match="faces"):
-        rbpa.surface(points, points, 0.2).decimated(0)
+    for share in (0, 0.1, "10%"):
+        message = f"faces: found {share!r}, expected a whole number, 1 or more (a tenth of the triangles: len(triangles) // 10)"
+        with pytest.raises(rbpa.InvalidInput, match=re.escape(message)):
+            rbpa.surface(points, points, 0.2).decimated(share)
     empty = rbpa.meshops.Mesh()
     assert empty.decimate(np.zeros((0, 3)), 1).faces == 0
 

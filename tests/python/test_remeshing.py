@@ -5,6 +5,7 @@ import pytest
 
 import rbpa
 import rbpa.meshops
+from distances import farthest
 
 
 def torus(n=40, m=16):
@@ -41,6 +42,8 @@ def test_edges_get_the_length_and_the_topology_stays():
         assert np.mean((all_lengths >= 0.8 * length) & (all_lengths <= length * 4 / 3)) > 0.95
         around = np.hypot(np.hypot(made.points[:, 0], made.points[:, 1]) - 1, made.points[:, 2])
         assert np.all(np.abs(around - 0.4) < 0.05)
+        samples = np.concatenate((made.points, made.points[mesh.triangles()].mean(axis=1)))
+        assert 0 < farthest(samples, points[triangles]) <= made.distance < 0.1
         assert mesh.split_face(0).delta.faces == 2
 
 

@@ -161,7 +161,7 @@ def as_limits(faces: Optional[int], error: Optional[float]) -> tuple[int, Option
         raise InvalidInput("faces: found None, and no error, expected a number of triangles, or a distance as error")
     if error is not None and not (error := as_number(error, "error", "a distance, at least 0")) >= 0:
         raise InvalidInput(f"error: found {error}, expected a distance, at least 0")
-    return 0 if faces is None else as_count(faces, "faces", 1), error
+    return 0 if faces is None else as_count(faces, "faces", 1, " (a tenth of the triangles: len(triangles) // 10)"), error
 
 
 def as_numbers(values: Any, name: str, expected: str) -> Floats:
@@ -207,10 +207,10 @@ def as_choice(alpha: Any, cover: float = 1.0, components: int = 1) -> AlphaChoic
     return choice
 
 
-def as_count(value: int, name: str, least: int) -> int:
+def as_count(value: int, name: str, least: int, hint: str = "") -> int:
     value = as_scalar(value)
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (numbers.Integral, np.integer)) or value < least:
-        raise InvalidInput(f"{name}: found {shown(value)}, expected a whole number, {least} or more")
+        raise InvalidInput(f"{name}: found {shown(value)}, expected a whole number, {least} or more{hint}")
     return min(int(value), 2**31 - 1)  # equivalent to any larger number
 
 

@@ -191,6 +191,8 @@ class Surface(Result):
         for `surface_of`.
     given : int32 array of shape (m,), or None
         For `surface_of`, the given number of each triangle; for `decimated`, its number before.
+    distance : float, or None
+        For `decimated`, if measured, a distance from the triangles before that no point of the result exceeds.
     triangles : int32 array of shape (m, 3)
         The corners of each triangle, counter-clockwise seen from outside, the smallest index first; triangles are in
         lexicographic order.
@@ -220,6 +222,7 @@ class Surface(Result):
     fields: dict[str, npt.NDArray[Any]]
     colors: Optional[npt.NDArray[np.uint8]]
     given: Optional[Indices] = None
+    distance: Optional[float] = None
     # For a part of a surface: the whole surface, and the flags of the triangles that were kept.
     _kept_from: Optional[tuple[Surface, npt.NDArray[np.bool_]]] = None
     # With filled holes: the surface before, and the new number of each of its triangles, or -1.
@@ -490,6 +493,7 @@ class Surface(Result):
         *,
         error: Optional[float] = None,
         no_crossings: bool = False,
+        measured: bool = True,
         progress: Progress = None,
     ) -> Surface:
         """Returns the surface with at most `faces` triangles, between some of the same points: edges collapse, the least
@@ -509,6 +513,8 @@ class Surface(Result):
         no_crossings : bool
             Whether collapses by which triangles would cross, or touch, that did not before are refused; exact. Without,
             triangles may cross where sheets are closer to each other than the error.
+        measured : bool
+            Whether to measure `distance` without an `error`, which takes several times as long as the rest.
         progress
             As for `surface`; called with the triangles before.
 
@@ -519,7 +525,7 @@ class Surface(Result):
         """
         self._require_unchanged()
         of = _core.decimate_surface(
-            self.points, self.triangles, self.neighbors, *as_limits(faces, error), bool(no_crossings), progress
+            self.points, self.triangles, self.neighbors, *as_limits(faces, error), bool(no_crossings), bool(measured), progress
         )
         of["levels"] = self.levels[of["given"]]
         return Surface(self.points, self.normals, self.radii, {**of, "duplicates": self.duplicates, "fields": self.fields, "colors": self.colors})

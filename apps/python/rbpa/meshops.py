@@ -80,6 +80,7 @@ class Mesh(_core.Mesh):
         *,
         error: Optional[float] = None,
         no_crossings: bool = False,
+        measured: bool = True,
         progress: Progress = None,
     ) -> Decimation:
         """Decimates the mesh in place: collapses edges, the least quadric error first, until `faces` triangles are left.
@@ -91,7 +92,7 @@ class Mesh(_core.Mesh):
         ----------
         points : array_like of shape (vertex_bound, 3)
             The position of each vertex; finite for those that are not deleted.
-        faces, error, no_crossings
+        faces, error, no_crossings, measured
             As for `rbpa.Surface.decimated`.
         progress
             As for `alpha_shape`.
@@ -117,7 +118,7 @@ class Mesh(_core.Mesh):
         (8, 12, 8, (1, 0, 1))
         """
         array = as_points(points, columns=3)
-        return Decimation(*self._decimate(array, *as_limits(faces, error), bool(no_crossings), progress))
+        return Decimation(*self._decimate(array, *as_limits(faces, error), bool(no_crossings), bool(measured), progress))
 
 
     def remesh(
@@ -145,7 +146,7 @@ class Mesh(_core.Mesh):
             mesh. From a vertex on, it grows at most by half of the distance.
         error : float
             Makes edges shorter where the surface curves, down to this distance: triangles with corners on a ball of
-            the same curvature are within it of the ball. What comes out is not measured.
+            the same curvature are within it of the ball. `Remeshing.distance` is what came out.
         rounds : int
             The number of rounds, each of which splits, collapses and flips edges, and moves vertices.
         sharp_angle : float
@@ -212,7 +213,8 @@ class ProgressiveMesh(_core.ProgressiveMesh):
 
 
 class Remeshing(NamedTuple):
-    """The result of `Mesh.remesh`: the position of each vertex, of shape (n_vertices, 3), and counts."""
+    """The result of `Mesh.remesh`: the position of each vertex, of shape (n_vertices, 3), counts, and a distance from the
+    triangles before that no point of the result exceeds."""
 
     points: Floats
     faces_before: int
@@ -220,6 +222,7 @@ class Remeshing(NamedTuple):
     splits: int
     collapses: int
     flips: int
+    distance: float
 
     def __repr__(self) -> str:
         return short_repr(self)
@@ -238,7 +241,7 @@ class Decimation(NamedTuple):
     """The number of refused collapses by reason: 'double edge', 'turned triangle', ... An edge may be refused several
     times."""
     distance: Optional[float]
-    """With `error`, a distance from the triangles before that no point of the result exceeds; else None."""
+    """A distance from the triangles before that no point of the result exceeds, certified; None if it is not measured."""
 
     def __repr__(self) -> str:
         return short_repr(self)
