@@ -8,6 +8,7 @@
 
 #include "io/cloud/read_points.h"
 #include "io/cloud/read_space_points.h"
+#include "io/crs.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
@@ -168,10 +169,18 @@ py::dict read_points(const py::bytes& path, bool space, const WantedFields& fiel
   });
 }
 
+/// Returns the name of a system for the member "crs" of GeoJSON; nothing for WGS 84, GeoJSON's default.
+std::optional<std::string> crs_urn(const std::string& name) {
+  const std::optional<app::Crs> crs = app::crs_of_name(name);
+  if (!crs) throw InvalidInput("crs: found " + app::in_quotes(name) + ", expected a horizontal system, EPSG:CODE");
+  return crs->is_wgs84() ? std::nullopt : std::optional(crs->urn());
+}
+
 }  // namespace
 
 void bind_points(py::module_& module) {
   using py::arg;
+  module.def("crs_urn", &crs_urn, arg("name"));
   module.def("read_points", &read_points, arg("path"), arg("space"), arg("fields"), arg("where"), arg("columns"),
              arg("format"), arg("skip_invalid"), arg("vertices"), arg("bounds"), arg("resolution"));
 }

@@ -1,5 +1,6 @@
-"""What a PointFile has beside its points goes on into results: normals, colors and fields."""
+"""What a PointFile has beside its points goes on into results: normals, colors, fields and the system of coordinates."""
 
+import json
 import subprocess
 
 import numpy as np
@@ -102,3 +103,34 @@ def test_colors_and_fields_that_no_file_has_are_refused(table, tmp_path):
         with pytest.raises(rbpa.InvalidInput, match=message):
             made.save(out)
     assert not out.exists()
+
+
+def outlines(points):
+    """Returns objects of every kind that has to_geojson()."""
+    shape = rbpa.alpha_shape(points, 100)
+    hulls = rbpa.concave_hulls(points, np.arange(len(points.points if isinstance(points, rbpa.PointFile) else points)) % 2)
+    cells = rbpa.Voronoi(points).cells("hull").polygons
+    return [shape, shape.polygons, rbpa.concave_hull(points), hulls, hulls[0], cells, rbpa.discs(points, 1).polygons]
+
+
+@pytest.mark.parametrize("crs", ["EPSG:28992", "EPSG:4326", None])
+def test_the_system_of_a_file_is_that_of_its_outlines(tmp_path, program, crs):
+    path = tmp_path / "points.geojson"
+    member = {} if crs is None else {"crs": {"type": "name", "properties": {"name": crs}}}
+    corners = [[float(x), float(y)] for x in range(4) for y in range(3)]
+    path.write_text(json.dumps({"type": "FeatureCollection", **member, "features": [
+        {"type": "Feature", "properties": {}, "geometry": {"type": "MultiPoint", "coordinates": corners}}]}))
+    read = rbpa.read_points(path)
+    assert np.array_equal(read.points, corners)
+    run = subprocess.run([program, "shape", path, "--alpha", "100", "-o", "-", "--output-format", "geojson"], check=True, capture_output=True)
+    expected = json.loads(run.stdout).get("crs")
+    assert (expected is not None) == (crs == "EPSG:28992")
+    for outline in outlines(read):
+        assert json.loads(outline.to_geojson()).get("crs") == expected
+        assert json.loads(outline.to_geojson(crs="EPSG:25832"))["crs"]["properties"]["name"] == "urn:ogc:def:crs:EPSG::25832"
+    for outline in outlines(np.array(corners)):
+        assert "crs" not in json.loads(outline.to_geojson()) and outline.crs is None
+        with pytest.raises(rbpa.InvalidInput, match="crs: found 'Dutch', expected"):
+            outline.to_geojson(crs="Dutch")
+    (tmp_path / "out.geojson").write_text(rbpa.alpha_shape(read, 100).to_geojson())
+    assert rbpa.read_points(tmp_path / "out.geojson", vertices=True).crs == read.crs

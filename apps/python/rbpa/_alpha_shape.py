@@ -14,7 +14,7 @@ from rbpa._input import PLATEAU, Alpha, Floats, Indices, Progress
 from rbpa._input import as_choice, as_count, as_number, as_points, as_share, as_threads, or_auto
 from rbpa._plot import draw_dots, median_side, page_scale, side_style
 from rbpa._polygons import Outlined, Polygons
-from rbpa._result import fields_of
+from rbpa._result import fields_of, of_file
 
 
 def alpha_shape(
@@ -76,7 +76,7 @@ def alpha_shape(
     radius = choice.radius if choice.is_given else _core.choose_alpha(array, choice, workers, progress)
     # If no radius covers the points, all points are on a line, and no radius gives a triangle.
     made = _core.triangulate(array, math.inf if radius is None else radius, workers, progress)
-    return AlphaShape(array, radius, {"fields": fields_of(points), **made})
+    return AlphaShape(array, radius, {"fields": fields_of(points), "crs": of_file(points, "crs"), **made})
 
 
 def concave_hull(
@@ -169,7 +169,7 @@ class AlphaShape(Outlined, Heights):
         given = {"min_hole_area": min_hole_area, "min_part_area": min_part_area}
         areas = [as_number(area, name, "an area, 0 or more") for name, area in given.items()]
         flat = _core.polygons(self.points, self.simplices, self.neighbors, *areas)
-        return Polygons(self.points, flat)
+        return Polygons(self.points, flat, self.crs)
 
     def plot(self, ax: Any = None, *, triangles: bool = False, points: bool = True, **style: Any) -> Any:
         """Draws the shape with matplotlib, and returns the axes.

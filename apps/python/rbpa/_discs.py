@@ -12,7 +12,7 @@ from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_numbers, as_points, as_threads
 from rbpa._polygons import Polygons
-from rbpa._result import Result, freeze, short_repr
+from rbpa._result import Result, freeze, of_file, short_repr
 
 
 def discs(
@@ -62,7 +62,7 @@ def discs(
     if not isinstance(corners, (int, np.integer)) or not 3 <= corners <= 100_000:
         raise InvalidInput(f"corners: found {corners!r}, expected a whole number from 3 to 100000")
     made = _core.measure_discs(array, sizes, as_threads(threads), progress)
-    return Discs(array, sizes, int(corners), made)
+    return Discs(array, sizes, int(corners), {**made, "_crs": of_file(centers, "crs")})
 
 
 class DiscCurve(NamedTuple):
@@ -120,6 +120,7 @@ class Discs(Result):
     hidden: Indices
     boundary: list[DiscCurve]
     corners: int
+    _crs: Optional[str]
 
     def __init__(self, centers: Floats, radii: Floats, corners: int, made: dict[str, Any]) -> None:
         curves = [DiscCurve(*curve) for curve in made.pop("boundary")]
@@ -132,7 +133,7 @@ class Discs(Result):
         """The components as polygons with holes, with corners on the circles: parts of the union, and valid, up to the
         rounding of corners where circles nearly touch. Made at the first access."""
         self._require_unchanged()
-        return Polygons(*_core.disc_polygons(self.centers, self.radii, self.boundary, self.corners))
+        return Polygons(*_core.disc_polygons(self.centers, self.radii, self.boundary, self.corners), self._crs)
 
     def __len__(self) -> int:
         return len(self.centers)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Dict, List, Sequence
+from typing import Any, Dict, List, Optional, Sequence
 
 import numpy as np
 
@@ -49,6 +49,7 @@ class Footprint(Outlined):
     holes: int
     boundary_curves: int
     triangle_files: List[str]
+    crs: Optional[str] = None
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
         """Draws the polygons with matplotlib, as `Polygons.plot`, and returns the axes."""
@@ -70,7 +71,7 @@ class _Places:
         return found
 
 
-def gathered(files: Sequence[str], rest: Flat) -> Polygons:
+def gathered(files: Sequence[str], rest: Flat, crs: Optional[str] = None) -> Polygons:
     """Returns the polygons of files and of `rest`, sorted by the first points of their shells, then by the second
     points."""
     flats = [rest]
@@ -79,7 +80,7 @@ def gathered(files: Sequence[str], rest: Flat) -> Polygons:
             flats.append(dict(file))
     flat = _sorted(_joined(flats))
     flat["area"], flat["perimeter"] = _sum(flat["areas"]), _sum(flat["perimeters"])
-    return Polygons(_Places(flat["indices"], flat.pop("coordinates")), flat)  # type: ignore[arg-type]
+    return Polygons(_Places(flat["indices"], flat.pop("coordinates")), flat, crs)  # type: ignore[arg-type]
 
 
 def _sum(values: Floats) -> float:

@@ -15,8 +15,8 @@ from rbpa._core import InvalidInput
 from rbpa._input import PLATEAU, Alpha, Floats, Indices, Integers, Progress
 from rbpa._input import aligned, as_choice, as_count, as_numbers, as_points, as_radius, as_share, as_threads
 from rbpa._input import index_of, or_auto, shown
-from rbpa._polygons import Polygons, number_or_none
-from rbpa._result import Result
+from rbpa._polygons import Polygons, feature_collection, number_or_none
+from rbpa._result import Result, of_file
 
 GroupAlphas = Union[Alpha, npt.ArrayLike, Mapping[Any, float]]
 
@@ -101,7 +101,7 @@ def _shapes(
     choice = as_choice(alpha if is_rule else math.inf, share, pieces)
     radii = np.empty(0) if is_rule else _radii(alpha, keys, names)
     made = _core.shapes_of_groups(array, labels, len(keys), radii, choice, min_hole_area, 0.0, as_threads(threads), progress)
-    return AlphaShapes(array, keys, names, labels, made)
+    return AlphaShapes(array, keys, names, labels, {**made, "crs": of_file(points, "crs")})
 
 
 def _labels(points: Any, groups: Any, count: int) -> tuple[list[Any], npt.NDArray[Any], Indices]:
@@ -221,6 +221,8 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
         The sums over all polygons of the group: exact, rounded once.
     problems : dict
         For each group without a polygon, the reason.
+    crs : str, or None
+        The system of the coordinates, if `read_points` returned the points and the file names one.
     """
 
     names: npt.NDArray[Any]
@@ -230,13 +232,14 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
     areas: Floats
     perimeters: Floats
     problems: dict[Any, str]
+    crs: Optional[str]
 
     def __init__(
         self, points: Floats, keys: list[Any], names: npt.NDArray[Any], labels: Indices, made: dict[str, Any]
     ) -> None:
         self._keys = keys
         self._number = {name: g for g, name in enumerate(keys)}
-        self.polygons = Polygons(points, made.pop("polygons"))
+        self.polygons = Polygons(points, made.pop("polygons"), made["crs"])
         self._polygon_begin, self._simplex_begin = made.pop("polygon_begin"), made.pop("simplex_begin")
         self._simplices = made.pop("simplices")
         made["problems"] = {self._keys[g]: why for g, why in made["problems"].items()}
@@ -286,12 +289,12 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
             features.append({"type": "Feature", "properties": properties, "geometry": polygons.__geo_interface__})
         return {"type": "FeatureCollection", "features": features}
 
-    def to_geojson(self) -> str:
+    def to_geojson(self, crs: Optional[str] = None) -> str:
         """Returns the text of a GeoJSON FeatureCollection: a feature for each group, with its number of points, alpha
         and area.
 
         Every coordinate reads back to the same double. Groups that JSON cannot represent are written as text, times by
-        ISO 8601.
+        ISO 8601. `crs` is that of `Polygons.to_geojson`.
         """
 
         def as_json(value: Any) -> Any:
@@ -299,7 +302,7 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
                 return value.item()
             return value.isoformat() if hasattr(value, "isoformat") else str(value)
 
-        return json.dumps(self.__geo_interface__, default=as_json)
+        return json.dumps(feature_collection(self.__geo_interface__["features"], crs or self.crs), default=as_json)
 
     def __repr__(self) -> str:
         return f"<rbpa.AlphaShapes of {len(self)} groups: {len(self.polygons)} polygons, {len(self.problems)} groups without>"

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterator, Optional, overload
 
 import numpy as np
 
+from rbpa import _core
 from rbpa._plot import axes_or_current, label_axes, outline_width, page_scale
 from rbpa._result import entry, freeze
 
@@ -36,6 +37,13 @@ class Geometry(Dict[str, Any]):
             return self[key]
         except KeyError:
             return default
+
+
+def feature_collection(features: list[Any], crs: Optional[str]) -> dict[str, Any]:
+    """Returns a FeatureCollection of GeoJSON, with the member "crs" of its draft of 2008 unless the system is WGS 84."""
+    urn = None if crs is None else _core.crs_urn(str(crs))
+    system = {} if urn is None else {"crs": {"type": "name", "properties": {"name": urn}}}
+    return {"type": "FeatureCollection", **system, "features": features}
 
 
 def number_or_none(value: float) -> Optional[float]:
@@ -97,6 +105,8 @@ class Outlined:
     """Base of `Polygons` and of results with polygons, which other packages accept in place of polygons."""
 
     polygons: Any  # Polygons
+    crs: Optional[str] = None
+    """The system of the coordinates, such as "EPSG:28992", if `read_points` returned the points and the file names one."""
 
     def __iter__(self) -> Iterator[Polygon]:
         """Iterates over the polygons: geopandas.GeoDataFrame.from_features() makes a row of each, with area, perimeter
@@ -121,15 +131,16 @@ class Outlined:
         properties = {"area": number_or_none(self.area), "perimeter": number_or_none(self.perimeter), "polygons": len(coordinates)}
         return Geometry("MultiPolygon", coordinates, properties)
 
-    def to_geojson(self) -> str:
+    def to_geojson(self, crs: Optional[str] = None) -> str:
         """Returns the text of a GeoJSON FeatureCollection: a feature for each polygon, with area, perimeter and number
         of holes.
 
-        Every coordinate reads back to the same double.
+        Every coordinate reads back to the same double. `crs` names the system of the coordinates, by default the
+        attribute of this name; readers that follow RFC 7946 take coordinates for degrees of WGS 84 all the same.
         """
         of = [p.__geo_interface__ for p in self]
         features = [{"type": "Feature", "properties": geometry["properties"], "geometry": geometry} for geometry in of]
-        return json.dumps({"type": "FeatureCollection", "features": features})
+        return json.dumps(feature_collection(features, crs or self.crs))
 
     def to_wkt(self) -> str:
         """Returns the text of an OGC MULTIPOLYGON. Every coordinate reads back to the same double."""
@@ -150,9 +161,10 @@ class Outlined:
 class Polygons(Outlined, Sequence[Polygon]):
     """The polygons of a shape, one for each solid component, and their totals: a sequence of `Polygon`."""
 
-    def __init__(self, points: Floats, flat: dict[str, Any]) -> None:
+    def __init__(self, points: Floats, flat: dict[str, Any], crs: Optional[str] = None) -> None:
         self._points = points
         self._flat = flat
+        self.crs = crs
         freeze(*(array for array in flat.values() if isinstance(array, np.ndarray)))
 
     area: float = entry("_flat", "area", "The exact sum of the polygons' areas, rounded once, in squared units of the points.")
@@ -165,7 +177,7 @@ class Polygons(Outlined, Sequence[Polygon]):
         """Returns polygons first to last - 1, with their totals. Arrays are shared."""
         flat = {name: self._flat[name][first:last] for name in ("areas", "perimeters")}
         flat["polygon_begin"] = self._flat["polygon_begin"][first : last + 1]
-        return Polygons(self._points, {**self._flat, **flat, "area": area, "perimeter": perimeter})
+        return Polygons(self._points, {**self._flat, **flat, "area": area, "perimeter": perimeter}, self.crs)
 
     @overload
     def __getitem__(self, index: int) -> Polygon: ...

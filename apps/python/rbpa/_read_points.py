@@ -131,7 +131,7 @@ def _field(values: Any) -> Any:
 class PointFile:
     """The content of a file, as returned by `read_points`. Arrays are writable. Functions that take points accept a
     PointFile as well, and use its `points`; `alpha_shape` and `surface` also keep its `fields`. `surface` and
-    `surface_of` use its normals by default, and `Surface.save` writes its colors.
+    `surface_of` use its normals by default, `Surface.save` writes its colors, and `to_geojson` names its system.
 
     Attributes
     ----------

@@ -13,7 +13,7 @@ from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_points, as_threads, shown
 from rbpa._polygons import Polygons
-from rbpa._result import OfPoints, Result
+from rbpa._result import OfPoints, Result, of_file
 
 _EXPECTED = '"box", "hull", (xmin, ymin, xmax, ymax), an (n, 2) array of corners, or polygons with __geo_interface__'
 
@@ -70,13 +70,14 @@ class Voronoi(OfPoints):
     point_region: Indices
     _of_regions: Indices
     _begin: npt.NDArray[np.int64]
+    _crs: Optional[str]
     ndim = 2
     furthest_site = False
 
     def __init__(self, points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> None:
         array = as_points(points)
         made = _core.voronoi(array, as_threads(threads), progress)
-        super().__init__(made, points=array)
+        super().__init__({**made, "_crs": of_file(points, "crs")}, points=array)
 
     @cached_property
     def regions(self) -> list[list[int]]:
@@ -150,7 +151,7 @@ class VoronoiCells(Result, Sequence[Any]):
     _end: npt.NDArray[np.intp]
 
     def __init__(self, diagram: Voronoi, made: dict[str, Any]) -> None:
-        polygons, points = Polygons(made.pop("vertices"), made.pop("polygons")), made["polygon_points"]
+        polygons, points = Polygons(made.pop("vertices"), made.pop("polygons"), diagram._crs), made["polygon_points"]
         first = np.full(len(diagram.regions), len(diagram.points))
         np.minimum.at(first, diagram.point_region, np.arange(len(diagram.points)))
         cell = first[diagram.point_region]  # of equal points, the first

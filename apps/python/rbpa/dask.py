@@ -113,7 +113,8 @@ def alpha_shape(
         merged = _merged(run, tree, pieces, radius, workers, str(folder), triangles)
         open_rim, files, triangle_files = run.compute([merged])[0]
         numbers, rest = _core.finish_partial(open_rim)
-        footprint = Footprint(alpha=radius, polygons=gathered(files, rest), triangle_files=triangle_files, **numbers)
+        crs = next((crs for _, _, crs in counts if crs), None)
+        footprint = Footprint(crs=crs, alpha=radius, polygons=gathered(files, rest, crs), triangle_files=triangle_files, **numbers)
     except BaseException:
         shutil.rmtree(folder, ignore_errors=True)
         raise
