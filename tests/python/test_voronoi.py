@@ -1,7 +1,9 @@
 """Voronoi diagrams, and their cells as polygons."""
 
+import json
 import math
 import pickle
+import subprocess
 
 import numpy
 import pytest
@@ -134,6 +136,19 @@ def test_a_boundary_may_have_bays_holes_and_parts():
     corner = rbpa.Voronoi(points).cells([[0, 0], [0, 1], [1, 0]])  # clockwise
     assert corner.area == pytest.approx(0.5, rel=1e-12)
     assert [len(cell) for cell in corner[:3]] == [len(corner[0]), len(corner[1]), len(corner[2])]
+
+
+def test_cells_within_the_shape_are_those_of_the_program(tmp_path, program):
+    points = sets.ring(200)
+    numpy.savetxt(tmp_path / "p.xy", points, fmt="%.17g")
+    subprocess.run([program, "voronoi", tmp_path / "p.xy", "--clip", "shape", "-o", tmp_path / "p.geojson"], check=True, capture_output=True)
+    features = json.loads((tmp_path / "p.geojson").read_text())["features"]
+    made = rbpa.Voronoi(points)
+    cells = made.cells("shape")
+    assert cells.areas.tolist() == made.cells(rbpa.alpha_shape(points)).areas.tolist() and cells.area < made.cells("hull").area
+    written = [feature["geometry"]["coordinates"] for feature in features]
+    assert sorted(written) == sorted(polygon.__geo_interface__["coordinates"] for polygon in cells.polygons)
+    assert len(rbpa.Voronoi([[0, 0], [1, 1]]).cells("shape").polygons) == 0
 
 
 def test_the_order_of_points_does_not_matter():

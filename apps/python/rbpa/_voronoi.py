@@ -10,12 +10,13 @@ import numpy as np
 import numpy.typing as npt
 
 from rbpa import _core
+from rbpa._alpha_shape import alpha_shape
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_points, as_threads, shown
 from rbpa._polygons import Polygons
 from rbpa._result import OfPoints, Result, of_file
 
-_EXPECTED = '"box", "hull", (xmin, ymin, xmax, ymax), an (n, 2) array of corners, or polygons with __geo_interface__'
+_EXPECTED = '"box", "hull", "shape", (xmin, ymin, xmax, ymax), an (n, 2) array of corners, or polygons with __geo_interface__'
 
 
 class Voronoi(OfPoints):
@@ -93,7 +94,7 @@ class Voronoi(OfPoints):
         ----------
         clip
             "box", the bounding box of the points and a tenth of its longer side around it; "hull", the convex hull of
-            the points; the numbers (xmin, ymin, xmax, ymax); the corners of a polygon, an array of shape (n, 2); or
+            the points; "shape", their `alpha_shape`, which with an alpha is ``clip=alpha_shape(points, alpha)``; the numbers (xmin, ymin, xmax, ymax); the corners of a polygon, an array of shape (n, 2); or
             polygons with `__geo_interface__`, such as an `AlphaShape` or those of Shapely: then no cell crosses a bay.
         threads, progress
             As for `alpha_shape`.
@@ -104,6 +105,7 @@ class Voronoi(OfPoints):
             A boundary of another kind, or polygons that are not valid under OGC Simple Features.
         """
         self._require_unchanged()
+        clip = alpha_shape(self.points, threads=threads) if isinstance(clip, str) and clip == "shape" else clip
         kind = clip if isinstance(clip, str) and clip in ("box", "hull") else "rings"
         polygons = _rings_of(clip) if kind == "rings" else []
         rings = [ring for polygon in polygons for ring in polygon]
