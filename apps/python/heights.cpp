@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "python/module.h"
@@ -10,16 +12,23 @@
 namespace rbpa::python {
 namespace {
 
-/// Returns the values of a raster, top row first, and its lower left corner.
-std::tuple<Doubles, double, double> grid_of(const Doubles& points, const Doubles& values, double alpha, double cell,
-                                            const Doubles& extent, bool by_natural_neighbors, unsigned threads,
-                                            const py::object& progress) {
+/// Triangles with their neighbors.
+using MaybeTriangles = std::optional<std::pair<Indices, Indices>>;
+
+/// Returns the values of a raster, top row first, and its lower left corner. Interpolates in the given triangles, else
+/// in those of the Delaunay triangulation.
+std::tuple<Doubles, double, double> grid_of(const Doubles& points, const Doubles& values, const MaybeTriangles& given,
+                                            double alpha, double cell, const Doubles& extent, bool by_natural_neighbors,
+                                            unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
   const double* const at = extent.data();
   const Raster raster = raster_around({at[0], at[1]}, {at[2], at[3]}, cell);
   std::vector<double> cells = watched(input.size(), progress, [&](Watch& watch) {
-    const Delaunay delaunay(input, {.threads = threads, .progress = watch.progress()});
-    const Locator locator(input, delaunay.triangulation(), {.threads = threads, .go_on = watch.until_stopped()});
+    std::optional<Delaunay> delaunay;
+    if (!given) delaunay.emplace(input, AlphaComplexOptions{.threads = threads, .progress = watch.progress()});
+    const TriangleArrays triangles =
+        given ? triangle_arrays_of(given->first, given->second) : TriangleArrays(delaunay->triangulation());
+    const Locator locator(input, triangles, {.threads = threads, .go_on = watch.until_stopped()});
     std::vector<double> all;
     all.reserve(raster.columns * raster.rows);
     interpolate_grid(locator, line_of(values), raster,
@@ -54,8 +63,8 @@ py::list contours_of(const Doubles& points, const Indices& simplices, const Indi
 
 void bind_heights(py::module_& module) {
   using py::arg;
-  module.def("grid", &grid_of, as_is("points"), as_is("values"), arg("alpha"), arg("cell"), as_is("extent"),
-             arg("by_natural_neighbors"), arg("threads"), arg("progress"));
+  module.def("grid", &grid_of, as_is("points"), as_is("values"), arg("triangles"), arg("alpha"), arg("cell"),
+             as_is("extent"), arg("by_natural_neighbors"), arg("threads"), arg("progress"));
   module.def("contours", &contours_of, as_is("points"), as_is("simplices"), as_is("neighbors"), as_is("values"),
              as_is("levels"), arg("threads"), arg("progress"));
   module.def(

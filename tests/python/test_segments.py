@@ -1,6 +1,8 @@
 """Constrained Delaunay triangulations: points with segments that become edges."""
 
+import json
 import pickle
+import subprocess
 
 import numpy
 import pytest
@@ -40,6 +42,44 @@ def test_places_are_found_exactly_and_heights_break_along_segments():
     assert rbpa.Delaunay(points).interpolate(heights, [[4, 2]])[0] != pytest.approx(4)
     with pytest.raises(ValueError, match='method: found "natural", expected "linear", as segments bound neighbors'):
         tri.interpolate(heights, places, method="natural")
+
+
+def test_rasters_and_contours_break_along_segments():
+    points = [[0, 0], [8, 0], [8, 4], [0, 4], [4, 0], [4, 4], [0, 2], [8, 2]]
+    heights = [0, 0, 0, 0, 0, 0, 4, 4]
+    tri = rbpa.Delaunay(points, segments=[[6, 7]])
+    raster = tri.grid(heights, cell=1)
+    assert raster.values.tolist() == [[1.0] * 8, [3.0] * 8, [3.0] * 8, [1.0] * 8]
+    lines = tri.contours(heights, [2])
+    assert sorted(sorted(line.points[:, 1].tolist())[0] for line in lines) == [1, 3] and all(numpy.ptp(line.points[:, 1]) == 0 for line in lines)
+    with pytest.raises(rbpa.InvalidInput, match='method: found "natural", expected "linear", as segments'):
+        tri.grid(heights, cell=1, method="natural")
+    crossed = rbpa.Delaunay(points, segments=[[6, 7], [4, 5]], split_crossings=True)
+    assert crossed.grid([*heights, 0], cell=1, extent=(3, 0, 5, 4)).values[1:3].max() < 3  # the place in the middle is low
+    with pytest.raises(rbpa.InvalidInput, match=r"values: found an array of shape \(8,\), expected \(9,\)"):
+        crossed.grid(heights, cell=1)
+
+
+def test_rasters_without_and_with_segments_are_those_of_alpha_shapes_and_of_the_program(tmp_path, program):
+    points = sets.uniform(300, 4).round(6) * 20
+    heights = (numpy.sin(points).sum(axis=1) * 9).round(6)
+    plain = rbpa.Delaunay(points, segments=[])
+    shape = rbpa.alpha_shape(points, numpy.inf)
+    assert numpy.array_equal(plain.grid(heights, 0.5).values, shape.grid(heights, 0.5).values, equal_nan=True)
+    for ours, theirs in zip(plain.contours(heights, every=3), shape.contours(heights, every=3)):
+        assert ours.height == theirs.height and numpy.array_equal(ours.points, theirs.points)
+    order = numpy.argsort(points[:, 0])
+    segments = numpy.column_stack((order[:-1:7], order[1::7]))
+    tri = rbpa.Delaunay(points, segments=segments)
+    numpy.savetxt(tmp_path / "p.xyz", numpy.column_stack((points, heights)), fmt="%.17g")
+    lines = [{"type": "LineString", "coordinates": points[row].tolist()} for row in segments]
+    (tmp_path / "lines.geojson").write_text(json.dumps({"type": "GeometryCollection", "geometries": lines}))
+    out = tmp_path / "out.npy"
+    run = [program, "grid", tmp_path / "p.xyz", "--segments", tmp_path / "lines.geojson", "--cell", "0.5", "-o", out]
+    subprocess.run(run, check=True, capture_output=True)
+    found = tri.grid(heights, 0.5).values
+    assert numpy.array_equal(found, numpy.load(out), equal_nan=True)
+    assert not numpy.array_equal(found, plain.grid(heights, 0.5).values, equal_nan=True)
 
 
 def test_walks_end_among_long_thin_triangles():

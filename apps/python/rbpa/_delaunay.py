@@ -10,8 +10,9 @@ import numpy as np
 import numpy.typing as npt
 
 from rbpa import _core
+from rbpa._heights import Heights, Raster, Values
 from rbpa._input import Floats, Indices, Progress, aligned, as_array, as_points, as_threads, index_of, shown
-from rbpa._result import OfPoints, Simplices, freeze
+from rbpa._result import OfPoints, Simplices, fields_of, freeze
 
 
 class Delaunay(OfPoints, Simplices):
@@ -326,12 +327,12 @@ class Delaunay(OfPoints, Simplices):
         return f"<rbpa.Delaunay of {self.npoints} points: {self.nsimplex} triangles, {len(self.duplicates)} duplicates>"
 
 
-class ConstrainedDelaunay(Delaunay):
+class ConstrainedDelaunay(Delaunay, Heights):
     """The constrained Delaunay triangulation of points and segments in the plane, which `Delaunay` returns for segments.
     Every segment is an edge, or a chain of edges where it passes points. The triangulation is unique: it does not depend
     on the order of points and segments. It has the members of `Delaunay`. Values are interpolated linearly in each
-    triangle, so that a breakline separates them; with `split_crossings` they are not aligned by an index. Members that
-    differ:
+    triangle, so that a breakline separates them; with `split_crossings` they are not aligned by an index. `grid` and
+    `contours` are those of `AlphaShape`. Members that differ:
 
     Attributes
     ----------
@@ -371,6 +372,8 @@ class ConstrainedDelaunay(Delaunay):
     constrained: npt.NDArray[np.bool_]
     region: Indices
     is_inside: npt.NDArray[np.bool_]
+    alpha = None
+    _is_delaunay = False
 
     def __init__(
         self,
@@ -398,12 +401,17 @@ class ConstrainedDelaunay(Delaunay):
         made["constrained"] = (made["constrained"][:, None] >> np.arange(3) & 1).astype(bool)
         made["is_inside"] = made["is_inside"].astype(bool)
         made["_index"] = None if split_crossings else index_of(points)
+        made["fields"] = fields_of(points)
         OfPoints.__init__(self, made)
 
     def _interpolate(self, rows: Floats, at: Floats, method: str) -> Floats:
-        if method == "natural":
-            raise _core.InvalidInput('method: found "natural", expected "linear", as segments bound neighbors')
+        _require_linear(method)
         return super()._interpolate(rows, at, method)
+
+    def grid(self, values: Values, cell: float, *, method: Literal["linear", "natural"] = "linear", **options: Any) -> Raster:
+        """Interpolates values on a raster, as `AlphaShape.grid`, linearly in each triangle."""
+        _require_linear(method)
+        return super().grid(values, cell, **options)
 
     def __repr__(self) -> str:
         text = super().__repr__().replace("Delaunay", "ConstrainedDelaunay")
@@ -482,6 +490,11 @@ class DelaunayInSpace(Delaunay):
 
     def __repr__(self) -> str:
         return f"<rbpa.DelaunayInSpace of {self.npoints} points: {self.nsimplex} tetrahedra, {len(self.duplicates)} duplicates>"
+
+
+def _require_linear(method: str) -> None:
+    if method == "natural":
+        raise _core.InvalidInput('method: found "natural", expected "linear", as segments bound neighbors')
 
 
 def _in_space(points: Floats) -> Floats:
