@@ -80,6 +80,19 @@ def test_colors_and_fields_come_back_from_the_saved_surface(table, tmp_path):
     assert rbpa.read_points(out, space=True, fields=["mine"]).fields["mine"].tolist() == list(range(len(read.points)))
 
 
+def test_meshio_has_colors_and_fields_of_numbers(table):
+    pytest.importorskip("meshio")
+    read = rbpa.read_points(table, space=True, fields=["id", "label"])
+    data = rbpa.surface(read, radius=0.3).to_meshio().point_data
+    assert list(data) == ["Normals", "RGB", "id"] and np.array_equal(data["RGB"], read.colors) and np.array_equal(data["id"], read.fields["id"])
+    assert list(rbpa.surface(read.points, "none", 0.3).to_meshio().point_data) == []
+    plane = rbpa.read_points(table, fields=["id", "label"])
+    for made in (rbpa.alpha_shape(plane), rbpa.Delaunay(plane, segments=[])):
+        assert list(made.to_meshio().point_data) == ["id"]
+    crossed = rbpa.Delaunay(plane, segments=[[0, 150], [100, 269]], split_crossings=True)
+    assert len(crossed.points) > len(plane.points) and crossed.fields == {} and crossed.to_meshio().point_data == {}
+
+
 def test_colors_and_fields_that_no_file_has_are_refused(table, tmp_path):
     made = rbpa.surface(rbpa.read_points(table, space=True, fields=["id"]), radius=0.3)
     count, out = len(made.points), tmp_path / "out.ply"

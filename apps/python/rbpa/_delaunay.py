@@ -401,7 +401,7 @@ class ConstrainedDelaunay(Delaunay, Heights):
         made["constrained"] = (made["constrained"][:, None] >> np.arange(3) & 1).astype(bool)
         made["is_inside"] = made["is_inside"].astype(bool)
         made["_index"] = None if split_crossings else index_of(points)
-        made["fields"] = fields_of(points)
+        made["fields"] = fields_of(points) if len(made["points"]) == len(array) else {}
         OfPoints.__init__(self, made)
 
     def _interpolate(self, rows: Floats, at: Floats, method: str) -> Floats:

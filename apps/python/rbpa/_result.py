@@ -28,6 +28,11 @@ def fields_of(points: Any) -> dict[str, npt.NDArray[Any]]:
     return dict(of_file(points, "fields") or {})
 
 
+def numbers_of(fields: dict[str, npt.NDArray[Any]]) -> dict[str, npt.NDArray[Any]]:
+    """Returns the fields of numbers, which other packages take."""
+    return {name: values for name, values in fields.items() if values.dtype.kind != "U"}
+
+
 def short_repr(row: Any) -> str:
     """Returns the repr of a named tuple with the shapes of arrays and the lengths of lists in place of their
     contents."""
@@ -105,7 +110,9 @@ class Simplices(Result):
     duplicates: Indices
 
     def to_meshio(self) -> Any:
-        """Returns a meshio.Mesh of all points and the simplices, triangles or tetrahedra. Needs the package meshio."""
+        """Returns a meshio.Mesh of all points, with the fields of numbers, and the simplices, triangles or tetrahedra.
+        Needs the package meshio."""
         import meshio
 
-        return meshio.Mesh(self.points, [("triangle" if self.simplices.shape[1] == 3 else "tetra", self.simplices)])
+        cells = "triangle" if self.simplices.shape[1] == 3 else "tetra", self.simplices
+        return meshio.Mesh(self.points, [cells], point_data=numbers_of(getattr(self, "fields", {})))

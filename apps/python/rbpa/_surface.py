@@ -15,7 +15,7 @@ from rbpa import _core, meshops
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, aligned, as_count, as_limits, as_numbers, as_points, as_threads, index_of, shown
 from rbpa._plot import draw_triangles
-from rbpa._result import Result, fields_of, freeze, of_file
+from rbpa._result import Result, fields_of, freeze, numbers_of, of_file
 from rbpa._surface_curves import SurfaceComponent, SurfaceHole, SurfaceRepair
 
 Radius = Union[float, Sequence[float], npt.NDArray[Any], str]
@@ -607,11 +607,12 @@ class Surface(Result):
         return values.tolist() if values.dtype.kind == "U" else np.ascontiguousarray(values, values.dtype.newbyteorder("="))
 
     def to_meshio(self) -> Any:
-        """Returns a meshio.Mesh of the points, the triangles by input index, and the normals, if any, as point data
-        `Normals`."""
+        """Returns a meshio.Mesh of the points, the triangles by input index, and as point data the fields of numbers, and
+        the normals as `Normals` and the colors as `RGB`, if there are any."""
         import meshio
 
-        data = {} if self.normals is None else {"Normals": self.normals}
+        data = {"Normals": self.normals, "RGB": self.colors, **numbers_of(self.fields)}
+        data = {name: values for name, values in data.items() if values is not None}
         return meshio.Mesh(self.points, [("triangle", self.triangles)], point_data=data)
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
