@@ -47,7 +47,7 @@ TopologyTarget parse_report_target(const std::string& path, bool json) {
   };
   if (find_format(Use::mesh, name))
     bad_usage(path, "the ending " + in_quotes(name) + " of a mesh",
-              "json or txt for a report, or --repair OUT to write a mesh");
+              "json or txt for a report, or --repair OUT to write a mesh (to convert: --weld 0 -o " + path + ")");
   if (is("txt") && json) bad_usage(path, "the ending 'txt' with --json", "json");
   if (json || is("json")) return {path, Format::json};
   if (name.empty() || is("txt")) return {path, Format::text};

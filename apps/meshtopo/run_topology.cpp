@@ -38,7 +38,7 @@ void require_surface(const std::string& option, const Findings& findings,
   bad_input(name_of(source),
             std::string(meshops::name(defect->kind)) + " (" +
                 for_people({defect->points, defect->faces}, findings.mesh) + ")",
-            "a surface, as " + option + " requires (--repair makes one)");
+            "a surface, as " + option + " requires (--repair makes one, or rbpa surface --manifold)");
 }
 
 /// Throws BadInput if a face is not a triangle.
@@ -69,6 +69,9 @@ class Run {
   void examine_mesh(const MeshSource& source, Report report) {
     const MeshFile mesh = read(source);
     for (const std::string& warning : mesh.warnings) say("meshtopo", name_of(source) + ": " + warning);
+    if (!mesh.unused.empty() && (plan_.written || plan_.progressive))
+      say("meshtopo", name_of(source) + ": the mesh is written without " + app::listed(mesh.unused, " and ") +
+                          " (rbpa surface, which makes new triangles of the vertices, keeps those of vertices)");
     Findings findings = {.mesh = mesh, .given = examine(mesh)};
     std::optional<EditedMesh> edited;
     if (plan_.edits.any()) {

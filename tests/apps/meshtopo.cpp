@@ -459,7 +459,7 @@ TEST_SUITE("meshtopo --generators") {
     CHECK(outcome.code == 3);
     CHECK(outcome.err ==
           "meshtopo: m.off: found degenerate face (vertices 7 7 6, face 4, line 17), expected a surface, as "
-          "--generators requires (--repair makes one)\n");
+          "--generators requires (--repair makes one, or rbpa surface --manifold)\n");
     CHECK(folder.names().size() == 1);
     CHECK(folder.meshtopo("m.off --repair -o r.off --generators l.obj -q").code == 0);
     CHECK(folder.has("l.obj"));

@@ -210,9 +210,12 @@ TEST_SUITE("meshtopo: wrong usage") {
     folder.file("m.off", pyramid_off);
     for (const std::string ending : {"ply", "off", "OBJ", "stl"})
       for (const std::string json : {"", " --json"})
-        refuses(folder, "m.off -o x." + ending + json, 2,
-                "x." + ending + ": found the ending '" + ending +
-                    "' of a mesh, expected json or txt for a report, or --repair OUT to write a mesh");
+        refuses(
+            folder, "m.off -o x." + ending + json, 2,
+            "x." + ending + ": found the ending '" + ending +
+                "' of a mesh, expected json or txt for a report, or --repair OUT to write a mesh (to convert: --weld "
+                "0 -o x." +
+                ending + ")");
     refuses(folder, "m.off -o x.csv", 2, "x.csv: found the ending 'csv', expected one of json, txt, or --json");
     refuses(folder, "m.off -o x.txt --json", 2, "x.txt: found the ending 'txt' with --json, expected json");
   }
@@ -223,7 +226,8 @@ TEST_SUITE("meshtopo: wrong usage") {
     refuses(folder, "m.off --repair", 2, "--repair requires a file for the repaired mesh (--repair OUT or -o OUT)");
     refuses(
         folder, "m.off --repair r.off -o s.off", 2,
-        "s.off: found the ending 'off' of a mesh, expected json or txt for a report, or --repair OUT to write a mesh");
+        "s.off: found the ending 'off' of a mesh, expected json or txt for a report, or --repair OUT to write a mesh "
+        "(to convert: --weld 0 -o s.off)");
     refuses(folder, "m.off --repair - --output-format off", 2,
             "--repair -: the mesh and the report cannot both go to standard output (name a file for the mesh, or leave "
             "out the report with --quiet)");

@@ -422,8 +422,44 @@ TEST_SUITE("meshtopo: changes together") {
     CHECK(
         refused.err ==
         "meshtopo: t.off: found non-manifold edge (vertices 1 2, faces 1 2 3, lines 13 14 15), expected a surface, as "
-        "--generators requires (--repair makes one)\n");
+        "--generators requires (--repair makes one, or rbpa surface --manifold)\n");
     CHECK_FALSE(folder.has("g.json"));
+  }
+
+  TEST_CASE("data that a mesh is written without are named, in every format that may have them") {
+    const Folder folder;
+    const std::string off = "3 1 0\n0 0 0 0 0 1 9 9 9\n1 0 0 0 0 1 9 9 9\n0 1 0 0 0 1 9 9 9\n3 0 1 2\n";
+    const auto ply = [](const std::string& more, const std::string& of_faces, const std::string& values) {
+      std::string text =
+          "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n" + more +
+          "element face 1\nproperty list uchar int vertex_indices\n" + of_faces + "end_header\n";
+      for (const char* const position : {"0 0 0", "1 0 0", "0 1 0"}) text += position + values + "\n";
+      return text + "3 0 1 2" + (of_faces.empty() ? "" : " 7") + "\n";
+    };
+    const std::string colors = "property uchar red\nproperty uchar green\nproperty uchar blue\n",
+                      label = "property int label\n", v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    for (const auto& row : std::initializer_list<std::array<std::string, 3>>{
+             {"m.ply", ply("", "", ""), ""},
+             {"m.ply", ply(colors + label, "", " 1 2 3 4"), "vertex colors and 1 vertex field"},
+             {"m.ply", ply("property float nx\n" + label, label, " 1 2"),
+              "vertex normals, 1 vertex field and 1 face field"},
+             {"m.off", "OFF\n" + off, ""},
+             {"m.off", "CNOFF\n" + off, "vertex normals and vertex colors"},
+             {"m.obj", v + "f 1 2 3\n", ""},
+             {"m.obj", "v 0 0 0 1\n" + v + "f 1 2 3\n", ""},
+             {"m.obj", v + "v 5 5 5 1 0 0\nvt 0 0\nvt 1 0\nvn 0 0 1\nusemtl gold\nf 1//1 2//1 3//1\n",
+              "vertex colors, texture coordinates, vertex normals and materials"}}) {
+      const std::string name = row[0], content = row[1], lost = row[2];
+      CAPTURE(content);
+      folder.file(name, content);
+      const Outcome written = folder.meshtopo(name + " --weld 0 -o x.stl -q");
+      CHECK(written.code == 0);
+      CHECK(written.err == (lost.empty() ? ""
+                                         : "meshtopo: " + name + ": the mesh is written without " + lost +
+                                               " (rbpa surface, which makes new triangles of the vertices, keeps those "
+                                               "of vertices)\n"));
+      CHECK(folder.meshtopo(name + " -q").err.empty());
+    }
   }
 
   TEST_CASE("-o names the mesh if it ends like one, in every format, and nothing else is written") {

@@ -211,6 +211,6 @@ TEST_SUITE("meshtopo, several meshes") {
     CHECK(
         refused("whole.off open.off -o ./open.off --json") ==
         "meshtopo: ./open.off: found the ending 'off' of a mesh, expected json or txt for a report, or --repair OUT to "
-        "write a mesh\n");
+        "write a mesh (to convert: --weld 0 -o ./open.off)\n");
   }
 }

@@ -252,7 +252,9 @@ TEST_SUITE("meshtopo --decimate") {
     folder.file("d.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n");
     outcome = folder.meshtopo("d.off --decimate 1 -o o.off");
     CHECK(outcome.code == 3);
-    CHECK(outcome.err.find("expected a surface, as --decimate requires (--repair makes one)") != std::string::npos);
+    CHECK(outcome.err.find(
+              "expected a surface, as --decimate requires (--repair makes one, or rbpa surface --manifold)") !=
+          std::string::npos);
     CHECK(folder.meshtopo("d.off --repair --decimate 1 -o o2.off -q").code == 0);
     CHECK(folder.meshtopo("p.off --decimate 4").err ==
           "meshtopo: --decimate changes the mesh, and requires a file for it (-o OUT or --repair OUT), or --check\n");

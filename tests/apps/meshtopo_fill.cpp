@@ -174,7 +174,7 @@ TEST_SUITE("meshtopo --fill-holes") {
     CHECK(refused.code == 3);
     CHECK(refused.err ==
           "meshtopo: t.off: found non-manifold edge (vertices 0 1, faces 0 1 3, lines 8 9 11), expected a surface, as "
-          "--fill-holes requires (--repair makes one)\n");
+          "--fill-holes requires (--repair makes one, or rbpa surface --manifold)\n");
     CHECK_FALSE(folder.has("w.off"));
     const json r = changed(folder, "t.off --drop-small 2 --repair w.off --fill-holes rims --check closed,genus=0");
     CHECK(r["changes"]["drop"]["components"] == 1);

@@ -154,7 +154,8 @@ TEST_SUITE("meshtopo --close-tunnels-below") {
           "--check\n");
     folder.file("t.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 2 1\n3 0 1 3\n3 0 1 4\n");
     CHECK(folder.meshtopo("t.off -q -o w.off --close-tunnels-below 1")
-              .err.ends_with("expected a surface, as --close-tunnels-below requires (--repair makes one)\n"));
+              .err.ends_with("expected a surface, as --close-tunnels-below requires (--repair makes one, or rbpa "
+                             "surface --manifold)\n"));
     CHECK(folder.meshtopo("t.off -q --repair w.off --close-tunnels-below 1").code == 0);
   }
 }

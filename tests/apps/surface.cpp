@@ -2,10 +2,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -117,6 +119,28 @@ TEST_SUITE("surface") {
     CHECK(lines.ends_with(loop));
   }
 
+  TEST_CASE("a line sums up the curves if there are more than are named: rims, holes, or both") {
+    const Folder folder;
+    std::string triangles, plate, sieve, line;
+    for (int x = 0; x < 14; ++x)
+      for (int y = 0; y < 14; ++y)
+        if (x % 3 != 2 || x == 2 || y % 4 < 2) plate += std::to_string(x) + " " + std::to_string(y) + " 0 0 0 1\n";
+    for (int k = 0; k < 7; ++k)
+      for (const char* const rest : {" 0", " 1", ".5 .5"}) triangles += std::to_string(9 * k) + rest + " 0 0 0 1\n";
+    std::istringstream lines(sphere(500));
+    for (int i = 0; std::getline(lines, line); ++i)
+      if (i % 60 != 30) sieve += line + "\n";
+    for (const auto& row : std::initializer_list<std::array<std::string, 3>>{
+             {triangles, "0.75", "all 7 rims of total length "},
+             {sieve, "0.15", "all 8 holes of total length "},
+             {plate, "0.75", "the 1 rim and 9 holes together, of total length "}}) {
+      folder.file("p.xyz", row[0]);
+      const Outcome outcome = folder.rbpa("surface p.xyz --radius " + row[1] + " -o m.ply");
+      CAPTURE(outcome.err);
+      CHECK(outcome.err.find("\nrbpa: " + row[2]) != std::string::npos);
+    }
+  }
+
   TEST_CASE("--stats and --json agree, and unused points are listed with their number") {
     const Folder folder;
     folder.file("s.xyz", "9 9 9 0 0 1\n" + sphere(500, 0.7) + "5 5 5 0 0 1\n");
@@ -190,6 +214,12 @@ TEST_SUITE("surface") {
     CHECK(ply.find("property uchar red\nproperty uchar green\nproperty uchar blue\n") != std::string::npos);
     CHECK(ply.find(std::string("\xFF\0\x01", 3)) != std::string::npos);
     CHECK(ply.find(std::string("\x03\x04\x05", 3)) != std::string::npos);
+    const std::string run = "surface c.csv --radius 2 --normals none -o m.ply -o m.glb ";
+    const std::string err = folder.rbpa(run + "-o m.obj -o m.off").err;
+    for (const std::string name : {"m.obj", "m.off"})
+      CHECK(err.find("rbpa: c.csv: colors are left out of " + name + " (.ply, .vtu and .glb have them)\n") !=
+            std::string::npos);
+    CHECK(folder.rbpa(run).err.find("left out") == std::string::npos);
   }
 
   TEST_CASE("without normals both sides are made, the outer one first") {

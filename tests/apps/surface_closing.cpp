@@ -192,7 +192,9 @@ TEST_SUITE("surface") {
     CHECK(flat.out.empty());
     CHECK(flat.err ==
           "rbpa: --watertight: 1 boundary curve left, 1 hole not filled: 1 where any filling crosses the surface, the "
-          "longest of length 3.41421 with 3 edges at 0, 0, 0; nothing is written\n");
+          "longest of length 3.41421 with 3 edges at 0, 0, 0; nothing is written (--fill-holes all in its place fills "
+          "what "
+          "can be filled; --holes FILE shows the rest)\n");
     CHECK(!folder.has("m.ply"));
     const Outcome none = folder.rbpa("surface t.xyz --radius 0.1 --watertight -o m.ply");
     CHECK(none.code == 1);

@@ -221,11 +221,19 @@ MeshFile read_obj_mesh(std::string_view text, const std::string& name) {
   ObjLines lines(text, name);
   MeshFile mesh;
   std::vector<std::uint32_t> corners;
+  const auto note = [&](const char* what) {
+    if (std::find(mesh.unused.begin(), mesh.unused.end(), what) == mesh.unused.end()) mesh.unused.emplace_back(what);
+  };
   lines.for_each([&](std::string_view word, std::string_view rest, std::size_t line) {
     if (word == "v") {
       mesh.positions.push_back(lines.take_vertex(rest, line));
       mesh.point_lines.push_back(line);
+      take_word(rest);  // a weight, or red
+      if (!trimmed(rest).empty()) note("vertex colors");
     }
+    if (word == "vn") note("vertex normals");
+    if (word == "vt") note("texture coordinates");
+    if (word == "usemtl") note("materials");
     if (word != "f") return;
     corners.clear();
     while (take_plain_corner(rest, corners)) continue;

@@ -120,6 +120,8 @@ MeshFile read_off_mesh(std::string_view text, const std::string& name) {
   const PlyElement &vertex = header.elements.front(), &face = header.elements.back();
   PlyText data(header, name);
   MeshFile mesh;
+  if (off.normals) mesh.unused.emplace_back("vertex normals");
+  if (off.colors) mesh.unused.emplace_back("vertex colors");
   mesh.positions.reserve(vertex.count);
   mesh.point_lines.reserve(vertex.count);
   data.pass(vertex, 0, vertex.count, [&](std::size_t, std::string_view& rest) {

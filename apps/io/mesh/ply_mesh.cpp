@@ -40,6 +40,21 @@ PlyMeshLayout lay_out(const PlyHeader& header, const std::string& name) {
   return layout;
 }
 
+/// Lists what the file has beside the mesh: "vertex colors", "1 vertex field", "2 face fields".
+std::vector<std::string> unused_of(const PlyMeshLayout& layout) {
+  constexpr std::string_view normal[] = {"nx", "ny", "nz"}, color[] = {"red", "green", "blue", "alpha"};
+  const std::size_t normals = number_places(*layout.vertex, normal).size(),
+                    colors = number_places(*layout.vertex, color).size(),
+                    others = layout.vertex->properties.size() - 3 - normals - colors,
+                    of_faces = layout.face == nullptr ? 0 : layout.face->properties.size() - 1;
+  std::vector<std::string> unused;
+  if (colors > 0) unused.emplace_back("vertex colors");
+  if (normals > 0) unused.emplace_back("vertex normals");
+  if (others > 0) unused.push_back(counted(others, "vertex field"));
+  if (of_faces > 0) unused.push_back(counted(of_faces, "face field"));
+  return unused;
+}
+
 /// Returns the corner at `at` if `type` is one of the usual integer types; a negative corner becomes a number beyond
 /// all points. Returns nothing for other types.
 std::optional<std::uint32_t> load_corner(Scalar type, const char* at, std::endian order) {
@@ -138,7 +153,9 @@ MeshFile read_ascii(const PlyHeader& header, const PlyMeshLayout& layout, const 
 MeshFile read_ply_mesh(std::string_view bytes, const std::string& name) {
   const PlyHeader header = read_ply_header(bytes, name);
   const PlyMeshLayout layout = lay_out(header, name);
-  return header.binary ? read_binary(header, layout, name) : read_ascii(header, layout, name);
+  MeshFile mesh = header.binary ? read_binary(header, layout, name) : read_ascii(header, layout, name);
+  mesh.unused = unused_of(layout);
+  return mesh;
 }
 
 }  // namespace rbpa::app

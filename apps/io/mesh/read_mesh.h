@@ -24,6 +24,7 @@ struct MeshFile {
   std::vector<std::size_t> point_lines;
   std::vector<std::size_t> face_lines;
   std::vector<std::string> warnings = {};  ///< warnings about data that are left out
+  std::vector<std::string> unused = {};    ///< what the file has beside positions and faces: "vertex colors"
 
   /// Reserves memory for `count` faces, of which most are triangles.
   void reserve_faces(std::size_t count) {

@@ -72,8 +72,13 @@ void add_curves(std::vector<std::string>& lines, const SurfaceFacts& facts) {
     lines.push_back(line);
   };
   for (std::size_t i = 0; i < named; ++i) add(i, i + 1, kind_names[static_cast<std::size_t>(facts.kinds[curves[i]])]);
-  if (others > named)
-    add(0, others, "all " + counted(counts[0], kind_names[0]) + " and " + counted(counts[1], kind_names[1]));
+  if (others > named) {
+    const std::string rims = counted(counts[0], kind_names[0]), holes = counted(counts[1], kind_names[1]);
+    add(0, others,
+        counts[0] == 0   ? "all " + holes
+        : counts[1] == 0 ? "all " + rims
+                         : "the " + rims + " and " + holes + " together,");
+  }
   if (islands > 0)
     add(others, curves.size(), islands == 1 ? "1 rim of an island" : std::to_string(islands) + " rims of islands");
 }

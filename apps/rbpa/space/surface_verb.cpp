@@ -110,7 +110,10 @@ SurfaceFacts SurfaceRun::reconstructed(SpacePoints& file) {
 void SurfaceRun::require_watertight(const SurfaceFacts& facts) const {
   if (const std::string left = openings(facts); !left.empty()) {
     if (facts.surface.triangles.empty()) say("rbpa", why_empty(facts));
-    throw Failure("--watertight: " + left + "; nothing is written");
+    throw Failure("--watertight: " + left + "; nothing is written" +
+                  (facts.holes.empty() ? ""
+                                       : " (--fill-holes all in its place fills what can be filled; --holes FILE shows "
+                                         "the rest)"));
   }
   for (const Target& target : request_.targets) {
     TriangleProgress progress(!options().quiet, "looking for crossings", triangles_text);
@@ -221,6 +224,10 @@ void SurfaceRun::run() {
   facts.build_seconds = lap();
 
   warning_on_fields(file.kept, request_.targets, facts.surface.duplicates.size());
+  for (const Target& target : request_.targets)
+    if ((!file.colors.empty() || request_.colors_normals) &&
+        (target.format == Format::obj || target.format == Format::off))
+      warning("colors are left out of " + output_name(target.path) + " (.ply, .vtu and .glb have them)");
   std::vector<std::string> lines;
   for (const Target& target : request_.targets)
     lines.push_back(text_of_shift(target.format, facts.points, facts.surface.triangles, request_.shift, target.path));
