@@ -292,7 +292,7 @@ CLI::App* add_balls(CLI::App& app, BallsArguments& arguments) {
       "OUT has a row for each atom: the names that the file gives it, radius (without the probe), area of its sphere "
       "on the surface of the union, volume of its part of the union, and whether it is buried, without any area. "
       "Areas and volumes are those of the balls with the probe, in units of the file; the summary has those without "
-      "it (van der Waals), too.\n" +
+      "it (van der Waals), too. Molecular (Connolly) volumes and areas are not computed.\n" +
       std::string(exit_codes));
   return &verb;
 }

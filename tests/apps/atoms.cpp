@@ -471,7 +471,7 @@ TEST_SUITE("atoms") {
         frame_of(pdb_line(" CA ") + pdb_line("FE  ", ' ', "HEM", 154, 1, "FE", "HETATM"), Format::pdb);
     CHECK(refusal_of([&] { BallRadii("bondi").of(iron, "m"); }) ==
           "m:2: found element 'Fe' of atom FE of residue HEM A 154, expected one with a radius of Bondi or Mantina "
-          "(--radii FILE names its radius, --radius-default R gives one to all)");
+          "(--radii FILE names its radius, --radius-default R is for all without one)");
     CHECK(BallRadii("bondi", 2.0).of(iron, "m") == std::vector<double>{1.7, 2});
     CHECK(refusal_of([&] { BallRadii("protor").of(frame_of(pdb_line(" HA "), Format::pdb), "m"); }) ==
           "m:1: found hydrogen, atom HA of residue ALA A 1, expected none, as ProtOr's radii include it "

@@ -122,7 +122,7 @@ TEST_SUITE("balls") {
           "rbpa: 1102 atoms, 1001 kept; left out: 101 of water (--waters keeps them)\n"
           "rbpa: radii: C 1.7 (613, Bondi), N 1.55 (193, Bondi), O 1.52 (185, Bondi), S 1.8 (10, Bondi)\n"
           "rbpa: probe 1.4: volume 23736.9, area 6695.65, 361 of 1001 buried; without it (van der Waals): volume "
-          "10728.6, area 12660.4; the molecular (Connolly) volume and area are not computed -> a.csv\n");
+          "10728.6, area 12660.4 -> a.csv\n");
     const Json json = json_of(folder, lysozyme + " --probe 1.4");
     CHECK(json["probe"] == 1.4);
     CHECK(json["radii"][1] ==
@@ -256,6 +256,8 @@ TEST_SUITE("balls") {
     CHECK(folder.content("some.csv") == joined);
     const Outcome outcome = folder.rbpa("balls m.pdb --probe 0.3 --models 1-3");
     CHECK(outcome.err.starts_with("rbpa: 3 frames with 21 atoms, 21 kept\n"));
+    CHECK(outcome.err.find("\nrbpa: radii in all frames: C ") != std::string::npos);
+    CHECK(outcome.err.find(" of 21 buried in all frames; without it") != std::string::npos);
     CHECK(outcome.err.find(": volume ") != std::string::npos);
     CHECK(outcome.err.find(" to ") != std::string::npos);
     CHECK(json_of(folder, "m.pdb --models 39,40")["frames"][1]["frame"] == 40);
@@ -286,7 +288,7 @@ TEST_SUITE("balls") {
     folder.file("c.xyz", frames);
     const Outcome outcome = folder.rbpa("balls c.xyz --models all --probe 0.25 --voids v.csv --pockets p.csv");
     CHECK(outcome.code == 0);
-    CHECK(outcome.err.ends_with("\nrbpa: with the probe: 1 void, 1 pocket -> v.csv, p.csv\n"));
+    CHECK(outcome.err.ends_with("\nrbpa: with the probe: 1 void, 1 pocket in all frames -> v.csv, p.csv\n"));
     const std::vector<Row> voids = rows_of(folder.content("v.csv")), pockets = rows_of(folder.content("p.csv"));
     REQUIRE(voids.size() == 1);
     CHECK(voids[0].at("frame") + voids[0].at("number") == "11");
@@ -409,8 +411,11 @@ TEST_SUITE("balls") {
     CHECK(number(rows[0], "area_a") == doctest::Approx(2 * pi * 4 * 0.5));
     CHECK(number(rows[0], "area_b") == doctest::Approx(2 * pi * 2 * 2.5));
     CHECK(number(rows[0], "contact_area") == number(contacts.at(0), "area"));
+    const std::string call = "balls t.csv --radii column:r --group column:kind --interfaces i.csv --where ";
+    CHECK(folder.rbpa(call + "'x < 2'").err.ends_with("\nrbpa: 0 interfaces (one group) -> i.csv\n"));
+    CHECK(folder.rbpa(call + "'x > 9'").err.ends_with("\nrbpa: 0 interfaces (no two groups meet) -> i.csv\n"));
     CHECK(folder.rbpa("balls t.csv --radii column:r --interfaces i.csv").err ==
-          "rbpa: --interfaces requires --group\n");
+          "rbpa: --interfaces requires --group (chain, for example)\n");
   }
 
   TEST_CASE("nested and equal balls, and points in a plane, have rows too") {
@@ -469,7 +474,7 @@ TEST_SUITE("balls") {
           {"w.pdb", 3, "w.pdb: found no atoms but those of water, expected others (--waters reads water too)"},
           {"iron.pdb -o a.csv", 3,
            "iron.pdb:2: found element 'Fe' of atom FE of residue HEM A 154, expected one with a radius of Bondi or "
-           "Mantina (--radii FILE names its radius, --radius-default R gives one to all)"},
+           "Mantina (--radii FILE names its radius, --radius-default R is for all without one)"},
           {"bad.pdb --models all -o a.csv --contacts c.csv", 3, "bad.pdb:5: found 'x.000' as y, expected a number"}}) {
       CAPTURE(call.arguments);
       const Outcome outcome = folder.rbpa("balls " + call.arguments);

@@ -106,6 +106,21 @@ TEST_SUITE("balls in a box") {
     CHECK(folder.content("i.csv") == header);
   }
 
+  TEST_CASE("--box auto takes the Lattice of extended XYZ, by name and from standard input") {
+    const Folder folder;
+    const std::string line = " Properties=species:S:1:pos:R:3\nC 0 0 0\n";
+    folder.file("one.xyz", "1\nLattice=\"2 0 0 0 3 0 0 0 3\"" + line + "1\nLattice=\"4 0 0 0 3 0 0 0 3\"" + line);
+    folder.file("none.xyz", "1\n" + line.substr(1));
+    const std::string given = folder.rbpa("balls one.xyz --box 2,3,3 --json -q").out;
+    CHECK(folder.rbpa("balls one.xyz --box auto --json -q").out == given);
+    CHECK(folder.rbpa("balls - --box auto --json -q < one.xyz").out == given);
+    const Json all = Json::parse(folder.rbpa("balls one.xyz --box auto --models all --json -q").out);
+    CHECK(all["frames"][0] == Json::parse(given)["frames"][0]);
+    CHECK(all["frames"][1]["area"] > all["frames"][0]["area"]);  // its images do not meet along x
+    CHECK(folder.rbpa("balls none.xyz --box auto").err ==
+          "rbpa: none.xyz: found no cell in frame 1, expected a cell for --box auto (--box LX,LY,LZ gives one)\n");
+  }
+
   TEST_CASE("a box that atoms do not fit into is reported; a missing one and wrong calls are refused") {
     const Folder folder;
     folder.file("two.csv", "x,y,z,r\n0,0,0,1\n30,0,0,1\n");

@@ -237,7 +237,8 @@ TEST_SUITE("molecules") {
                   Format::cif) == no_category);
     CHECK(refusal("data_x\nloop_\n_atom_site_label\n_atom_site_fract_x\nC1 0.5\n", Format::cif) ==
           "m:5: found atoms in fractions of the cell (_atom_site.fract_x), expected "
-          "the Cartesian coordinates Cartn_x, Cartn_y and Cartn_z");
+          "the Cartesian coordinates Cartn_x, Cartn_y and Cartn_z (Python: atoms = ase.io.read(FILE); "
+          "rbpa.balls(atoms, box=atoms.cell[:]))");
     for (const Format format : {Format::pdb, Format::cif})
       CHECK(refusal(std::string("\xFF\xFE"
                                 "A\0T\0",

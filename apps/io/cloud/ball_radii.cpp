@@ -60,7 +60,9 @@ BallRadii::BallRadii(const std::optional<std::string>& choice, std::optional<dou
 }
 
 void BallRadii::read(const std::string& path) {
-  const InputBytes input(path, "a file of radii, or bondi, protor or column:NAME");
+  const bool is_number = parse_whole_number(path).fault == NumberFault::none;
+  const InputBytes input(
+      path, "a file of radii, or bondi, protor or column:NAME" + (is_number ? " (--radius-default " + path + ")" : ""));
   std::string room;
   for (Lines lines(plain_text(input.bytes(), path, room)); lines.next();) {
     const std::vector<std::string_view> words = split_words(lines.line().substr(0, lines.line().find('#')));
@@ -104,9 +106,9 @@ std::pair<double, std::string_view> BallRadii::find(const AtomFrame& frame, cons
   if (otherwise_) return {*otherwise_, "default"};
   if (symbol.empty() && of_atom.empty())
     bad_input(name, "points without radii", "radii (--radii column:NAME, or --radius-default R)");
-  bad_input(
-      where, (symbol.empty() ? "no element" : "element " + in_quotes(symbol)) + " of " + frame.title(atom),
-      "one with a radius of Bondi or Mantina (--radii FILE names its radius, --radius-default R gives one to all)");
+  bad_input(where, (symbol.empty() ? "no element" : "element " + in_quotes(symbol)) + " of " + frame.title(atom),
+            "one with a radius of Bondi or Mantina (--radii FILE names its radius, --radius-default R is for all "
+            "without one)");
 }
 
 std::vector<double> BallRadii::of(const AtomFrame& frame, const std::string& name) {

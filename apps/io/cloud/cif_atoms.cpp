@@ -282,12 +282,15 @@ class CifAtoms final : public AtomSource {
       places_[k] = {place_of(names_in_cif[k][0]), place_of(names_in_cif[k][1])};
     model_ = place_of("pdbx_PDB_model_num");
     group_ = place_of("group_PDB");
+    const bool has_fractions = place_of("fract_x") != none;
     for (std::size_t k = x_of_atom; k < x_of_atom + 3; ++k)
       if (places_[k][0] == none)
-        bad_input(at_line(name_, line),
-                  place_of("fract_x") != none ? "atoms in fractions of the cell (_atom_site.fract_x)"
-                                              : "atoms without _atom_site." + std::string(names_in_cif[k][0]),
-                  std::string(missing_columns));
+        bad_input(
+            at_line(name_, line),
+            has_fractions ? "atoms in fractions of the cell (_atom_site.fract_x)"
+                          : "atoms without _atom_site." + std::string(names_in_cif[k][0]),
+            std::string(missing_columns) +
+                (has_fractions ? " (Python: atoms = ase.io.read(FILE); rbpa.balls(atoms, box=atoms.cell[:]))" : ""));
     if (first_block_ == 0) {
       first_block_ = block_;
     } else if (block_ == first_block_) {

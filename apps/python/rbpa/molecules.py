@@ -31,7 +31,7 @@ Texts = npt.NDArray[np.str_]
 
 # Options that messages of the program suggest, each with the argument that replaces the option in Python.
 _WAYS = {
-    "--radii FILE names its radius, --radius-default R gives one to all": "overrides={symbol: R} sets its radius, default=R that of all",
+    "--radii FILE names its radius, --radius-default R is for all without one": "overrides={symbol: R} sets its radius, default=R that of all without one",
     "--radii column:NAME, or --radius-default R": "default=R",
     "--no-hydrogens": "hydrogens=False",
     "--waters reads": "waters=True reads",

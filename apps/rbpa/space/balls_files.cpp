@@ -226,6 +226,7 @@ std::vector<std::string> text_of(double probe, const BallRadii& radii, const std
     return range_of((*least).*size, (*greatest).*size);
   };
   const std::string kept = std::to_string(sum([](const BallTotals& frame) { return frame.kept; }));
+  const std::string of_all = frames.size() == 1 ? "" : " in all frames";
   std::vector<std::string> left_out, used_radii;
   for (const LeftOut& reason : reasons)
     if (const std::size_t count = sum([&](const BallTotals& frame) { return frame.counts.*reason.count; }); count > 0)
@@ -236,14 +237,13 @@ std::vector<std::string> text_of(double probe, const BallRadii& radii, const std
   return {(frames.size() == 1 ? "" : counted(frames.size(), "frame") + " with ") +
               counted(sum([](const BallTotals& frame) { return frame.counts.in_file; }), noun) + ", " + kept + " kept" +
               (left_out.empty() ? "" : "; left out: " + listed(left_out, " and ")),
-          "radii: " + listed(used_radii, ", "),
+          "radii" + of_all + ": " + listed(used_radii, ", "),
           "probe " + text_of(probe) + ": volume " + range(&BallTotals::volume) + ", area " + range(&BallTotals::area) +
               ", " + std::to_string(sum([](const BallTotals& frame) { return frame.buried; })) + " of " + kept +
-              " buried" +
+              " buried" + of_all +
               (probe == 0 ? ""
                           : "; without it (van der Waals): volume " + range(&BallTotals::volume_without_probe) +
-                                ", area " + range(&BallTotals::area_without_probe)) +
-              "; the molecular (Connolly) volume and area are not computed"};
+                                ", area " + range(&BallTotals::area_without_probe))};
 }
 
 }  // namespace rbpa::app

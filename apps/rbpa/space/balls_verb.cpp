@@ -62,12 +62,13 @@ BallsRequest parse(const BallsArguments& arguments) {
   request.choice.radius = request.radii.column();
   if (arguments.models) request.choice.frames = parse_frames("--models", *arguments.models);
   if (arguments.box) {
-    request.box = parse_box(*arguments.box, request.format);
+    const bool may_have_lattice = request.format == Format::text || request.format == Format::by_content;
+    request.box = *arguments.box == "auto" && may_have_lattice ? UnitCell() : parse_box(*arguments.box, request.format);
     refuse_given({{arguments.pockets.has_value(), "--pockets"}}, "cannot be combined with --box");
   }
   if (arguments.pores && !arguments.box) throw WrongUsage("--pores requires --box");
   if (arguments.group) request.groups = parse_groups(*arguments.group, request.choice);
-  if (arguments.interfaces && !arguments.group) throw WrongUsage("--interfaces requires --group");
+  if (arguments.interfaces && !arguments.group) throw WrongUsage("--interfaces requires --group (chain, for example)");
   for (const auto& [option, path] :
        {std::pair("--contacts", &arguments.contacts), {"--interfaces", &arguments.interfaces}})
     if (*path) target_of(option, **path, Use::rows);
@@ -111,7 +112,7 @@ class BallsRun : public Run {
   std::vector<BallRows> tables_ = {};
   std::vector<BallVoidRows> voids_ = {};     // files of voids and of pockets
   std::array<std::size_t, 4> void_count_{};  // by the number of directions in which they percolate
-  std::size_t pocket_count_ = 0;
+  std::size_t pocket_count_ = 0, interface_count_ = 0, most_groups_ = 0;
   std::vector<BallTotals> frames_ = {};
   std::atomic<std::size_t> done_ = 0;  // number of finished atoms
   double read_seconds_ = 0, measure_seconds_ = 0, write_seconds_ = 0;
@@ -202,10 +203,13 @@ void BallsRun::measure(std::vector<MeasuredAtoms>& some) {
       some[f].buried = static_cast<std::size_t>(std::count(with[f].areas.begin(), with[f].areas.end(), 0.0));
       if (some[f].cell) some[f].cell_volume = some[f].cell->volume();
       some[f].balls = std::move(with[f]);
-      if (arguments_.interfaces)
-        some[f].interfaces =
-            ball_interfaces(frames[f], tables_.back().groups_of(some[f].rows),
-                            {.probe = request_.probe, .threads = options().threads, .progress = watch});
+      if (arguments_.interfaces) {
+        const std::vector<std::uint32_t> groups = tables_.back().groups_of(some[f].rows);
+        some[f].interfaces = ball_interfaces(
+            frames[f], groups, {.probe = request_.probe, .threads = options().threads, .progress = watch});
+        interface_count_ += some[f].interfaces.all.size();
+        most_groups_ = std::max(most_groups_, std::size_t{*std::max_element(groups.begin(), groups.end())} + 1);
+      }
       if (!voids_.empty())
         find_voids(some[f], centers[f], request_.probe, arguments_.pockets.has_value(), options().threads);
       if (arguments_.pores)
@@ -256,7 +260,8 @@ void BallsRun::run() {
   std::vector<std::string> lines = text_of(request_.probe, request_.radii, frames_, are_atoms_ ? "atom" : "point");
   if (!voids_.empty())
     lines.push_back("with the probe: " + (request_.box ? text_of_voids(void_count_) : counted(void_count_[0], "void")) +
-                    (arguments_.pockets ? ", " + counted(pocket_count_, "pocket") : ""));
+                    (arguments_.pockets ? ", " + counted(pocket_count_, "pocket") : "") +
+                    (frames_.size() == 1 ? "" : " in all frames"));
   if (arguments_.pores && frames_.size() == 1) {
     const PoreSizes& pores = *frames_[0].pores;
     lines.push_back("without the probe: a ball of radius " + rounded(pores.included, 6) + " fits in, one of " +
@@ -264,6 +269,8 @@ void BallsRun::run() {
                     " on its way; along the edges " + rounded(pores.along[0], 6) + ", " + rounded(pores.along[1], 6) +
                     ", " + rounded(pores.along[2], 6));
   }
+  if (arguments_.interfaces && interface_count_ == 0)
+    lines.emplace_back(most_groups_ == 1 ? "0 interfaces (one group)" : "0 interfaces (no two groups meet)");
   std::vector<std::string> paths =
       given({arguments_.contacts, arguments_.interfaces, arguments_.voids, arguments_.pockets});
   for (auto target = request_.targets.rbegin(); target != request_.targets.rend(); ++target)
