@@ -147,7 +147,7 @@ void require_same_crs(const std::optional<Crs>& crs, const std::string& name, co
   const bool both_are_wgs84 = crs && first && crs->is_wgs84() && first->is_wgs84();
   if (both_are_wgs84 || text(crs) == text(first)) return;
   const std::string code = crs && first ? "EPSG:CODE" : text(crs ? crs : first);
-  bad_input(name, "points in " + text(crs),
+  bad_input(name, "points in " + text(crs) + (crs && crs->implied ? ", which GeoJSON without a crs member means" : ""),
             text(first) + ", as in " + first_name + " (--crs " + code + " applies to all)");
 }
 

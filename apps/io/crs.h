@@ -12,6 +12,7 @@ struct Crs {
   std::string authority;  ///< "EPSG", or "OGC" for CRS84
   std::string code;       ///< "28992"
   bool degrees = false;   ///< true: x is a longitude and y a latitude
+  bool implied = false;   ///< true: the file names no system, which in GeoJSON means WGS 84
 
   /// Returns "EPSG:28992".
   std::string text() const { return authority + ":" + code; }

@@ -209,7 +209,7 @@ TEST_SUITE("GeoJSON in") {
             std::string::npos);
     }
     CHECK(folder.rbpa("info p.geojson --crs EPSG:28992").err ==
-          "rbpa: p.geojson: the file names EPSG:4326, but --crs EPSG:28992 overrides it\n");
+          "rbpa: p.geojson: GeoJSON without a crs member means EPSG:4326, but --crs EPSG:28992 overrides it\n");
     CHECK(folder.rbpa("info p.geojson --columns 1,2").err ==
           "rbpa: --columns: found a format with fixed columns, expected text\n");
   }

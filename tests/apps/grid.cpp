@@ -63,6 +63,16 @@ TEST_SUITE("grid") {
           std::string::npos);
   }
 
+  TEST_CASE("a raster as text does not name the system of --crs, and says so") {
+    const Folder folder;
+    folder.file("p.csv", plane_of(3));
+    const std::string call = "grid p.csv --cell 1 -o g.asc -o g.npy";
+    CHECK(folder.rbpa(call + " --crs EPSG:28992")
+              .err.find("rbpa: g.asc does not name EPSG:28992 (gdal_translate -a_srs "
+                        "EPSG:28992 does)\n") != std::string::npos);
+    CHECK(folder.rbpa(call).err.find("does not name") == std::string::npos);
+  }
+
   TEST_CASE("contour lines are LineStrings with their heights, one MULTILINESTRING Z, or a picture") {
     const Folder folder;
     folder.file("p.csv", plane_of(3));

@@ -126,7 +126,9 @@ TEST_SUITE("segments") {
     CHECK(folder.content("m.obj").find("v 180.5 1.5 0\n") != std::string::npos);
     folder.file("q.wkt", "SRID=28992;MULTIPOINT (0 0, 4 0, 4 4, 0 4)\n");
     folder.file("k.geojson", R"({"type":"LineString","coordinates":[[1,1],[3,2]]})");
-    CHECK(folder.rbpa("mesh q.wkt --alpha inf --segments k.geojson -o m.obj").code == 3);
+    CHECK(folder.rbpa("mesh q.wkt --alpha inf --segments k.geojson -o m.obj")
+              .err.ends_with("k.geojson: found points in EPSG:4326, which GeoJSON without a crs member means, expected "
+                             "EPSG:28992, as in q.wkt (--crs EPSG:CODE applies to all)\n"));
     CHECK(folder.rbpa("mesh q.wkt --alpha inf --segments k.geojson --crs EPSG:28992 -o m.obj").code == 0);
   }
 

@@ -271,8 +271,9 @@ TEST_SUITE("shape groups") {
     outcome = folder.rbpa("shape a.csv c.geojson --group-by-file --alpha 1 -o s.csv -q");
     CHECK(outcome.code == 3);
     CHECK(outcome.err ==
-          "rbpa: c.geojson: found points in EPSG:4326, expected no system, as in a.csv (--crs EPSG:4326 applies to "
-          "all)\n");
+          "rbpa: c.geojson: found points in EPSG:4326, which GeoJSON without a crs member means, expected no system, "
+          "as in "
+          "a.csv (--crs EPSG:4326 applies to all)\n");
   }
 
   TEST_CASE("groups by several columns are those by one column of all values, in the order of the columns") {

@@ -166,7 +166,8 @@ void append_points(const CloudBlock& block, std::vector<Point>& points) {
 
 void settle_crs(PointFile& file, const std::optional<Crs>& said) {
   if (said && file.crs && file.crs->text() != said->text())
-    file.warnings.push_back("the file names " + file.crs->text() + ", but --crs " + said->text() + " overrides it");
+    file.warnings.push_back((file.crs->implied ? "GeoJSON without a crs member means " : "the file names ") +
+                            file.crs->text() + ", but --crs " + said->text() + " overrides it");
   PointFile of_said;
   of_said.crs = said;
   if (said && !said->degrees && file.degrees && !file.crs && unit_of(of_said))
@@ -215,7 +216,7 @@ PointFile read_points(const PointSource& source) {
   if (reads_parts(source.path, source.format, source.window))
     return settled(read_plane_points(*open_plane_cloud(Content::of_file(source.path, true), source)), source.path,
                    source);
-  const InputBytes input(source.path, "a file of points",
+  const InputBytes input(source.path, source.beside_points ? "a file of lines" : "a file of points",
                          decompression_of(source.format, source.path,
                                           " (rbpa stream reads " + streamed_formats() + " a block at a time)"));
   if (source.format != Format::by_content) return points_in(input.bytes(), input.name(), source);

@@ -24,7 +24,7 @@ struct PointSource {
   bool heights = false;                           ///< fill PointFile::z
   bool skip_invalid = false;                      ///< leave out lines of text, and records of LAS, that are not points
   bool vertices = false;                          ///< take the vertices of lines and polygons as points
-  bool beside_points = false;                     ///< print no warning about degrees: others have caused it, if any
+  bool beside_points = false;                     ///< lines; no warning about degrees: points have caused it, if any
   std::optional<Condition> where = std::nullopt;  ///< selects points, in formats with fields
   std::optional<Crs> crs = std::nullopt;          ///< coordinate system of the points; overrides that of the file
   std::optional<std::string> layer = std::nullopt;  ///< name of the layer, if a source of OGR has several

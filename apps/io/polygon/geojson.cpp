@@ -321,7 +321,7 @@ class Events {
   }
 
   void settle_crs() {
-    if (!crs_name_ && !crs_is_unknown_) file_.crs = wgs84();
+    if (!crs_name_ && !crs_is_unknown_) (file_.crs = wgs84())->implied = true;
     if (!crs_name_) return;
     file_.crs = crs_of_name(*crs_name_);
     if (!file_.crs) file_.warnings.push_back(warning_on_crs(*crs_name_));

@@ -223,6 +223,10 @@ void run_grid(const GridArguments& arguments) {
   if (arguments.stats) run.add(*arguments.stats, [&](OutputFile& output) { write_stats(output, stats); });
   run.publish();
   caution(request.lines, file.points, file);
+  for (const Target& target : request.rasters)
+    if (request.source.crs && target.format == Format::esri_grid)
+      run.summarize(output_name(target.path) + " does not name " + request.source.crs->text() +
+                    " (gdal_translate -a_srs " + request.source.crs->text() + " does)");
   run.summarize(text_of_points(stats.points, stats.points - stats.distinct) + made +
                 alpha_text(request.alpha, stats.alpha) + run.list_of(arguments.outputs));
 }
