@@ -25,6 +25,9 @@ std::string conversion(std::string_view ending, const std::string& path, bool is
   if (is_word_of(ending, "xlsx xls ods dbf")) return "save the sheet as CSV, or ogr2ogr -f CSV points.csv " + path;
   if (is_word_of(ending, "shp gpkg fgb kml kmz gpx gml parquet gdb tab mif dxf osm pbf sqlite"))
     return "ogr2ogr -f GeoJSON points.geojson " + path;
+  if (is_word_of(ending, "xtc trr"))
+    return "gmx trjconv -f " + path + " -s topol.tpr -o frames.pdb; Python: MDAnalysis";
+  if (is_word_of(ending, "dcd nc")) return "MDAnalysis in Python writes it as .pdb";
   if (is_table && is_word_of(ending.empty() ? "dat" : ending, "dat prn asc")) return "--format txt if it is a table";
   return "";
 }
@@ -33,6 +36,12 @@ std::string conversion(std::string_view ending, const std::string& path, bool is
 
 std::string cloud_conversion(const std::string& path) {
   return is_word_of(input_ending(path), "zlas e57 pcd ptx bpf rdb") ? "pdal translate " + path + " points.las" : "";
+}
+
+bool lacks_gdal(Use use, std::string_view name) {
+  return std::any_of(std::begin(format_table), std::end(format_table), [&](const FormatRow& row) {
+    return row.is_for(use) && !is_there(row) && (is_word_of(name, row.endings) || is_word_of(name, row.aliases));
+  });
 }
 
 std::optional<Format> find_format(Use use, std::string_view name) {
@@ -70,13 +79,17 @@ std::string_view input_ending(std::string_view path) {
   return ending(path);
 }
 
+std::string one_of(std::string_view known) {
+  return (known.find(',') == std::string_view::npos ? "" : "one of ") + std::string(known);
+}
+
 void refuse_name(const std::string& option, std::string_view name, std::string_view known) {
-  throw WrongUsage(option + ": found " + in_quotes(name) + ", expected one of " + std::string(known));
+  throw WrongUsage(option + ": found " + in_quotes(name) + ", expected " + one_of(known));
 }
 
 void refuse_ending(const std::string& path, std::string_view known, const std::string& option) {
-  throw WrongUsage(path + ": found the ending " + in_quotes(ending(path)) + ", expected one of " + std::string(known) +
-                   ", or " + option);
+  throw WrongUsage(path + ": found the ending " + in_quotes(ending(path)) + ", expected " + one_of(known) + ", or " +
+                   option);
 }
 
 void refuse_input(const std::string& path, Use use, const std::string& option) {
@@ -85,7 +98,8 @@ void refuse_input(const std::string& path, Use use, const std::string& option) {
   try {
     refuse_ending(path, endings(use), option);
   } catch (const WrongUsage& refusal) {
-    const std::string command = conversion(input_ending(path), path, find_format(use, "txt").has_value());
+    std::string command = conversion(input_ending(path), path, find_format(use, "txt").has_value());
+    if (lacks_gdal(use, input_ending(path))) command.insert(0, "this build has no GDAL: ");
     throw WrongUsage(refusal.what() + (command.empty() ? "" : " (" + command + ")"));
   }
 }

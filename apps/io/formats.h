@@ -151,6 +151,9 @@ inline constexpr FormatRow format_table[] = {
 /// Returns whether this program was built with GDAL. Without it the formats of GDAL have no use.
 bool has_gdal();
 
+/// Returns whether only a build with GDAL reads or writes the ending `name` for the use, and this one has none.
+bool lacks_gdal(Use use, std::string_view name);
+
 /// Returns the format of the use that has `name`, such as "npy", as an ending or an alias, in letters of either case.
 std::optional<Format> find_format(Use use, std::string_view name);
 
@@ -188,6 +191,8 @@ bool is_gzip_name(std::string_view path);
 /// Returns the ending of a file name without its dot and without ".gz" after it: "csv" for "points.csv.gz".
 std::string_view input_ending(std::string_view path);
 
+/// Returns "one of csv, json", or "csv" alone.
+std::string one_of(std::string_view known);
 /// Throw WrongUsage that says that `name`, the value of `option`, or the ending of `path` is not among `known`.
 [[noreturn]] void refuse_name(const std::string& option, std::string_view name, std::string_view known);
 [[noreturn]] void refuse_ending(const std::string& path, std::string_view known, const std::string& option);

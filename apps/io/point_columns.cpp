@@ -8,6 +8,7 @@
 
 #include "io/failure.h"
 #include "io/number.h"
+#include "io/words.h"
 
 namespace rbpa::app {
 
@@ -71,7 +72,10 @@ const PointColumn& require_column(std::span<const PointColumn> columns, std::str
   if (const PointColumn* const found = find_column(columns, name)) return *found;
   std::vector<std::string> there;
   for (const PointColumn& column : columns) there.push_back(in_quotes(column.name));
-  bad_input(file, "no field " + in_quotes(name) + " beside the coordinates",
+  const bool is_axis = is_word_of(name, "x y z");
+  bad_input(file,
+            (is_axis ? in_quotes(name) + ", a coordinate, in place of a field"
+                     : "no field " + in_quotes(name) + " beside the coordinates"),
             there.empty() ? "one, as " + option + " requires"
                           : "some of " + listed(there, " and ") + " (" + option + " chooses them)");
 }

@@ -14,14 +14,16 @@
 namespace rbpa::app {
 
 /// Returns "is it WORD? " for the first of `words` whose beginning agrees longest with `word`; empty if at most half of
-/// `word` agrees.
+/// `word`, or at most one letter after "--", agrees.
 inline std::string nearest(const std::string& word, const std::vector<std::string>& words) {
   const auto agreeing = [&](const std::string& known) {
     return std::mismatch(word.begin(), word.end(), known.begin(), known.end()).first - word.begin();
   };
   const auto less = [&](const std::string& a, const std::string& b) { return agreeing(a) < agreeing(b); };
   const auto best = std::max_element(words.begin(), words.end(), less);
-  return best != words.end() && 2 * agreeing(*best) > std::ssize(word) ? "is it " + *best + "? " : "";
+  const bool is_near = best != words.end() && 2 * agreeing(*best) > std::ssize(word) &&
+                       agreeing(*best) > (word.starts_with("--") ? 3 : 0);
+  return is_near ? "is it " + *best + "? " : "";
 }
 
 /// Returns the message about an unknown `word` on a command line. `called` is the program, followed by the verb if one
@@ -42,10 +44,12 @@ inline std::string unexpected(const std::string& word, const CLI::App& app, cons
 }
 
 /// Returns a message of CLI11 in our words. The message about a missing value names the expected value; the message
-/// about a missing option adds the description of the option.
+/// about a missing option adds what its description has in the brackets "(required: ...)".
 inline std::string in_our_words(std::string message, const CLI::App& verb) {
   constexpr std::string_view value = ": 1 required ", no_value = " missing", no_option = " is required",
-                             note = " (required)";
+                             note = "(required: ", most = ": At Most 1 required but received ";
+  if (const std::size_t at = message.find(most); at != std::string::npos)
+    return message.replace(at, most.size(), ": found ") + " values, expected one";
   if (const std::size_t at = message.find(value); at != std::string::npos && message.ends_with(no_value)) {
     message.resize(message.size() - no_value.size());
     return message.replace(at, value.size(), ": found no value, expected ");
@@ -53,9 +57,11 @@ inline std::string in_our_words(std::string message, const CLI::App& verb) {
   const CLI::Option* const option =
       message.starts_with("--") ? verb.get_option_no_throw(message.substr(0, message.find(' '))) : nullptr;
   if (option == nullptr || !message.ends_with(no_option)) return message;
-  std::string description = option->get_description();
-  if (const std::size_t at = description.find(note); at != std::string::npos) description.erase(at, note.size());
-  return message + ": " + description;
+  const std::string description = option->get_description();
+  const std::size_t at = description.find(note);
+  if (at == std::string::npos) return message;
+  const std::size_t begin = at + note.size();
+  return message + ": " + description.substr(begin, description.find(')', begin) - begin);
 }
 
 /// Prints on standard error why `app` refused the command line with `error`, and returns wrong_usage.

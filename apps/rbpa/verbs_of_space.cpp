@@ -32,8 +32,9 @@ CLI::App* add_surface(CLI::App& app, SurfaceArguments& arguments) {
   add_space_point_options(verb, arguments);
   verb.add_option(
           "--radius", arguments.radius,
-          "Set the radius of the ball (required), in units of the points; with several in ascending order, each "
-          "closes gaps that the smaller ones leave; auto: choose them by the gaps between the points")
+          "Set the radius of the ball (required: auto, or a radius, about 1 to 4 times the distance between "
+          "neighbors); with several in ascending order, each closes gaps that the smaller ones leave; auto: choose "
+          "them by the gaps between the points")
       ->type_name("R[,R2,...]|auto")
       ->required();
   verb.add_option("--max-radius", arguments.max_radius,
@@ -141,7 +142,8 @@ CLI::App* add_solid(CLI::App& app, SolidArguments& arguments) {
       "solid", "Make tetrahedra of points in space: the solid alpha complex, with its boundary and voids");
   add_space_point_options(verb, arguments);
   verb.add_option("--alpha", arguments.alpha,
-                  "Set the largest circumradius (required), in units of the points; inf: the Delaunay "
+                  "Set the largest circumradius (required: a radius in units of the points, inf, min, auto or "
+                  "plateau); inf: the Delaunay "
                   "triangulation; min: the least that covers every point; auto: the least that has every point in "
                   "one solid component; plateau, plateau:K: one around which parts and voids hardly change")
       ->type_name("R|inf|auto|min|plateau")

@@ -182,9 +182,10 @@ CLI::App* add_discs(CLI::App& app, DiscsArguments& arguments) {
       "discs",
       "Measure the union of discs around points: covered area, boundary, components and holes of the coverage");
   add_point_options(verb, arguments);
-  verb.add_option("--radius", arguments.radius,
-                  "Radius of all discs, in units of the points, or column:NAME: a column or field with the radius of "
-                  "each")
+  verb.add_option(
+          "--radius", arguments.radius,
+          "Set the radius of all discs (required: a radius in units of the points, or column:NAME); column:NAME: "
+          "a column or field with the radius of each")
       ->type_name("R|column:NAME")
       ->required();
   add_output_options(verb, arguments, endings(Use::shape) + with_world_file);
@@ -299,7 +300,8 @@ CLI::App* add_info(CLI::App& app, InfoArguments& arguments) {
 CLI::App* add_report(CLI::App& app, ReportArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("report", "Write a page for the browser that shows the complex at every radius");
   add_point_options(verb, arguments);
-  verb.add_option("-o,--output", arguments.output, "Write this page, .html; - is standard output")
+  verb.add_option("-o,--output", arguments.output,
+                  "Write this page (required: a name such as page.html); - is standard output")
       ->type_name("OUT")
       ->required();
   verb.add_option(
@@ -330,7 +332,8 @@ CLI::App* add_fill(CLI::App& app, FillArguments& arguments) {
                   "Set the format of POLYGON, if its ending does not tell: " + endings(Use::polygons))
       ->type_name("NAME");
   verb.add_option("--size", arguments.size,
-                  "Make edges of about this length (required), in units of the polygons, and shorter ones where "
+                  "Make edges of about this length (required: a length in units of the polygons, or inf), and shorter "
+                  "ones where "
                   "--size-at or --grade ask for them; inf: add no point, which gives the constrained Delaunay "
                   "triangulation")
       ->type_name("H")

@@ -20,9 +20,10 @@ CLI::App* add_stream(CLI::App& app, StreamArguments& arguments) {
                   "which are left out")
       ->required();
   add_format_options(verb, arguments);
+  verb.get_option("--resolution")->group("");  // hidden, as parsing refuses it with the reason
   verb.add_option("--alpha", arguments.radius.alpha,
-                  "Set the largest circumradius (required): a finite radius in units of the points (rbpa alpha on "
-                  "a sample shows which to choose)")
+                  "Set the largest circumradius (required: a finite radius in units of the points; rbpa alpha on a "
+                  "sample shows which to choose)")
       ->type_name("R")
       ->required();
   add_output_options(verb, arguments, stream_formats());

@@ -163,8 +163,30 @@ TEST_SUITE("wrong usage") {
              {shape + "-o", "--output: found no value, expected OUT", "(see rbpa shape --help)"},
              {"shape p.csv --alpha", "--alpha: found no value, expected R|", "(see rbpa shape --help)"},
              {"shape p.csv --alpha 2,5 -o s.wkt", "--alpha: found '2,5', expected a radius", ", with a decimal point"},
-             {"surface p.csv -o s.ply", "--radius is required: Set the radius of the ball, in units",
-              "auto: choose them by the gaps between the points (see rbpa surface --help)"},
+             {"surface p.csv -o s.ply", "--radius is required: auto, or a radius, about 1 to 4 times",
+              "between neighbors (see rbpa surface --help)"},
+             {"solid p.csv -o s.vtu", "--alpha is required: a radius", ", auto or plateau (see rbpa solid --help)"},
+             {"stream p.csv -o s.wkt", "--alpha is required: a finite radius", " (see rbpa stream --help)"},
+             {"discs p.csv -o s.wkt", "--radius is required: a radius", "column:NAME (see rbpa discs --help)"},
+             {"report p.csv", "--output is required: a name such as page.html", "(see rbpa report --help)"},
+             {shape + "--columns x,y --columns 1,2", "--columns: found 2 values, expected one", " --help)"},
+             {"balls p.csv --pockets p.csv --pockets p.pml", "--pockets: found 2 values, expected one", " --help)"},
+             {"balls p.csv --top 3", "found '--top', expected an option of rbpa balls (see rbpa balls --help)", ""},
+             {"balls p.csv -o r.json", "r.json: found the ending 'json', expected csv, or --output-format", ""},
+             {"balls p.csv -o -", "-o - requires --output-format: csv", ""},
+             {"balls p.csv --radii 1.7", "1.7: found no such file", "column:NAME (--radius-default 1.7)"},
+             {"balls md.xtc", "md.xtc: found the ending 'xtc'",
+              "(gmx trjconv -f md.xtc -s topol.tpr -o frames.pdb; Python: MDAnalysis)"},
+             {"balls md.dcd", "md.dcd: found the ending 'dcd'", "(MDAnalysis in Python writes it as .pdb)"},
+             {"solid p.csv --alpha 1 --voids v.pml", "--voids: found the ending 'pml', expected one of obj, ",
+              "(rbpa balls --voids writes .pml)"},
+             {"grid p.csv --cell 1 -o d.tif", "d.tif: found the ending 'tif'",
+              "(write d.asc, then gdal_translate d.asc d.tif)"},
+             {"mesh p.csv --alpha inf -o m.ply --segments b.geojson",
+              "b.geojson: found no such file, expected a file of lines", ""},
+             {shape + "-o s.geojson --summarize z:mean",
+              "p.csv: found 'z', a coordinate, in place of a field, expected one", ", as --summarize requires"},
+             {shape + "-o s.csv --fields x", "p.csv: found 'x', a coordinate, in place of a field, expected ", ""},
              {"shape . --alpha 1 -o s.wkt", ".: found a folder, expected a file", ""},
              {"shape p.dat --alpha 1 -o s.wkt", "p.dat: found the ending 'dat'",
               "or --format (--format txt if it is a table)"},
@@ -284,6 +306,23 @@ TEST_SUITE("wrong usage") {
     }
     CHECK(folder.meshtopo("m.off --json=2").code == 2);
     CHECK(folder.names().size() == 1);
+  }
+
+  TEST_CASE("a build without GDAL says so for endings that GDAL would write or read, and for these alone") {
+    const Folder folder;
+    folder.file("p.xy", corner);
+    const std::string none = rbpa::app::has_gdal() ? "" : "(this build has no GDAL: ";
+    for (const auto& row : std::initializer_list<std::pair<std::string, std::string>>{
+             {"shape p.xy --alpha 1 -o s.gpkg", none + "write s.geojson, then ogr2ogr s.gpkg s.geojson)\n"},
+             {"mesh p.xy --alpha 1 -o s.shp", none + "write s.geojson, then ogr2ogr s.shp s.geojson)\n"},
+             {"shape s.fgb --alpha 1 -o s.wkt", none + "ogr2ogr -f GeoJSON points.geojson s.fgb)\n"},
+             {"shape p.xy --alpha 1 -o s.gpx", "(write s.geojson, then ogr2ogr s.gpx s.geojson)\n"},
+             {"grid p.xy --contours 1 -o s.gpkg", "(write s.geojson, then ogr2ogr s.gpkg s.geojson)\n"}}) {
+      const std::string arguments = row.first, advice = row.second;
+      CAPTURE(arguments);
+      const bool is_read_or_written = rbpa::app::has_gdal() && advice.front() != '(';
+      if (!is_read_or_written) CHECK(folder.rbpa(arguments).err.ends_with(" " + advice));
+    }
   }
 
   TEST_CASE("an unknown ending is refused with a list of the known ones") {

@@ -456,7 +456,7 @@ TEST_SUITE("balls") {
           {"m.pdb --models 0", 2, "--models: found '0', expected all, or numbers from 1 such as 1,3,10-20"},
           {"m.pdb --models 1,2", 3, "m.pdb: found 1 frame, expected frame 2"},
           {"m.pdb --contacts c.txt", 2, "--contacts: found the ending 'txt', expected csv"},
-          {"m.pdb -o a.pdb", 2, "a.pdb: found the ending 'pdb', expected one of csv, or --output-format"},
+          {"m.pdb -o a.pdb", 2, "a.pdb: found the ending 'pdb', expected csv, or --output-format"},
           {"m.pdb -o a.csv --contacts a.csv", 2, ""},
           {"m.pdb -o m.pdb --output-format csv", 2, ""},
           {"m.pdb --json -o - --output-format csv", 2, ""},

@@ -240,12 +240,8 @@ TEST_SUITE("fill") {
     folder.file("p.wkt", plate_wkt);
     folder.file("s.txt", "0 0 0.1\n");
     const std::string formats = "geojson, json, wkt, ewkt, poly";
-    refuses(
-        folder, "p.wkt -o m.off", 2,
-        "--size is required: Make edges of about this length, in units of the polygons, and shorter ones where "
-        "--size-at "
-        "or --grade ask for them; inf: add no point, which gives the constrained Delaunay triangulation (see rbpa fill "
-        "--help)");
+    refuses(folder, "p.wkt -o m.off", 2,
+            "--size is required: a length in units of the polygons, or inf (see rbpa fill --help)");
     refuses(folder, "p.wkt --size 0 -o m.off", 2,
             "--size: found '0', expected inf or a length in units of the polygons: a number above 0");
     refuses(folder, "p.wkt --size inf --grade 1 -o m.off", 2,

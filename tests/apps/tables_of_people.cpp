@@ -355,7 +355,8 @@ TEST_SUITE("tables of people") {
   TEST_CASE("a format that is not read is refused with the program that converts it") {
     const Folder folder;
     CHECK(folder.rbpa("info p.e57").err.find("(pdal translate p.e57 points.las)") != std::string::npos);
-    const std::string of_gpx = rbpa::app::has_gdal() ? "p.gpx: " : "(ogr2ogr -f GeoJSON points.geojson p.gpx)";
+    const std::string of_gpx =
+        rbpa::app::has_gdal() ? "p.gpx: " : "(this build has no GDAL: ogr2ogr -f GeoJSON points.geojson p.gpx)";
     CHECK(folder.rbpa("info p.gpx").err.find(of_gpx) != std::string::npos);
     CHECK(folder.rbpa("info p.foo").err.find("(") == std::string::npos);
   }

@@ -15,6 +15,16 @@
 namespace rbpa::app {
 namespace {
 
+/// Returns " (write s.geojson, then ogr2ogr s.gpx s.geojson)" for a path that only programs of GDAL write; empty for
+/// others.
+std::string way_to_write(Use use, const std::string& path) {
+  const bool is_grid = use == Use::heights && is_word_of(ending(path), "tif tiff");
+  if (!is_grid && !is_word_of(ending(path), "shp gpkg fgb kml gml gpx dxf parquet")) return "";
+  const std::string first = path.substr(0, path.size() - ending(path).size()) + (is_grid ? "asc" : "geojson");
+  return std::string(" (") + (lacks_gdal(use, ending(path)) ? "this build has no GDAL: " : "") + "write " + first +
+         ", then " + (is_grid ? "gdal_translate " + first + " " + path : "ogr2ogr " + path + " " + first) + ")";
+}
+
 std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool any_report) {
   const std::string known_formats = endings(use);
   std::optional<Format> otherwise;
@@ -28,13 +38,8 @@ std::vector<Target> targets_of(Use use, const OutputArguments& arguments, bool a
     if (path.empty()) bad_usage("-o", "an empty name", "a path or -");
     std::optional<Format> known = path == "-" ? std::nullopt : find_format(use, ending(path));
     if (!known) known = otherwise;
-    if (!known && path == "-") throw WrongUsage("-o - requires --output-format: one of " + known_formats);
-    const bool is_of_gdal = is_word_of(ending(path), "shp gpkg fgb kml gml gpx dxf parquet");
-    const std::string geojson = path.substr(0, path.size() - ending(path).size()) + "geojson";
-    if (!known)
-      refuse_ending(path, known_formats,
-                    std::string("--output-format") +
-                        (is_of_gdal ? " (write " + geojson + ", then ogr2ogr " + path + " " + geojson + ")" : ""));
+    if (!known && path == "-") throw WrongUsage("-o - requires --output-format: " + one_of(known_formats));
+    if (!known) refuse_ending(path, known_formats, "--output-format" + way_to_write(use, path));
     targets.push_back({path, *known});
   }
   return targets;
@@ -188,10 +193,8 @@ std::optional<Shift> parse_shift_of(const std::optional<std::string>& text, cons
 
 Target target_of(const std::string& option, const std::string& path, Use use, bool (*fits)(Format)) {
   const std::optional<Format> format = find_format(use, ending(path));
-  const std::string known = endings(use, fits);
   if (!format || (fits && !fits(*format)))
-    bad_usage(option, "the ending " + in_quotes(ending(path)),
-              (known.find(',') == std::string::npos ? "" : "one of ") + known);
+    bad_usage(option, "the ending " + in_quotes(ending(path)), one_of(endings(use, fits)));
   return {path, *format};
 }
 

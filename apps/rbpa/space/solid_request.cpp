@@ -71,6 +71,10 @@ SolidRequest parse(const SolidArguments& arguments) {
   if (arguments.boundary) request.boundary = target_of("--boundary", *arguments.boundary, Use::boundary);
   request.shift =
       parse_shift_of(arguments.shift, request.boundary ? std::vector{*request.boundary} : std::vector<Target>());
+  const std::string of_voids(ending(arguments.voids.value_or("")));
+  if (find_format(Use::lined, of_voids) && !find_format(Use::voids, of_voids))
+    bad_usage("--voids", "the ending " + in_quotes(of_voids),
+              one_of(endings(Use::voids)) + " (rbpa balls --voids writes ." + of_voids + ")");
   if (arguments.voids) request.voids = target_of("--voids", *arguments.voids, Use::voids);
   if (arguments.box) {
     const UnitCell box = parse_box(*arguments.box, request.source.format);
