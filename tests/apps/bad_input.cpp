@@ -308,7 +308,7 @@ TEST_SUITE("wrong usage") {
     CHECK(folder.names().size() == 1);
   }
 
-  TEST_CASE("a build without GDAL says so for endings that GDAL would write or read, and for these alone") {
+  TEST_CASE("a missing GDAL is named for endings that GDAL would write or read, and for these alone") {
     const Folder folder;
     folder.file("p.xy", corner);
     const std::string none = rbpa::app::has_gdal() ? "" : "(this build has no GDAL: ";

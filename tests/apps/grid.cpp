@@ -63,7 +63,7 @@ TEST_SUITE("grid") {
           std::string::npos);
   }
 
-  TEST_CASE("a raster as text does not name the system of --crs, and says so") {
+  TEST_CASE("a raster as text, which cannot name the system of --crs, comes with a warning") {
     const Folder folder;
     folder.file("p.csv", plane_of(3));
     const std::string call = "grid p.csv --cell 1 -o g.asc -o g.npy";

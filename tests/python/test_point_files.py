@@ -1,4 +1,4 @@
-"""What a PointFile has beside its points goes on into results: normals, colors, fields and the system of coordinates."""
+"""What a PointFile has beside its points is kept in results: normals, colors, fields and the system of coordinates."""
 
 import json
 import subprocess

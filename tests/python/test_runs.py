@@ -103,12 +103,12 @@ def test_other_threads_run_on_during_every_long_run(name):
 
 
 def test_progress_is_reported_in_the_calling_thread():
-    told = []
-    rbpa.alpha_shape(MANY, progress=lambda triangles, points: told.append((triangles, points, threading.get_ident())))
-    assert len(told) > 1
-    assert {ident for _, _, ident in told} == {threading.get_ident()}
-    assert all(0 <= triangles <= 2 * len(MANY) and 0 <= points <= len(MANY) for triangles, points, _ in told)
-    assert max(triangles for triangles, _, _ in told) > 0
+    reports = []
+    rbpa.alpha_shape(MANY, progress=lambda triangles, points: reports.append((triangles, points, threading.get_ident())))
+    assert len(reports) > 1
+    assert {ident for _, _, ident in reports} == {threading.get_ident()}
+    assert all(0 <= triangles <= 2 * len(MANY) and 0 <= points <= len(MANY) for triangles, points, _ in reports)
+    assert max(triangles for triangles, _, _ in reports) > 0
 
 
 def test_progress_ends_the_run():

@@ -37,8 +37,8 @@ struct SolidPair {
 /// Requires: `filtration` is the result of solid_filtration() or of weighted_filtration(); the values of the latter
 ///           take the place of alpha.
 /// Calls `beside`, unless it is empty, once from any thread, while another one reduces the matrix of dimension 1.
-/// Throws:   ContractViolation when sizes or numbers in the arrays of the filtration do not fit together; Cancelled; what
-///           `beside` throws.
+/// Throws:   ContractViolation when sizes or numbers in the arrays of the filtration do not fit together; Cancelled;
+///           what `beside` throws.
 RBPA_API std::vector<SolidPair> solid_persistence(const SolidFiltration& filtration, const GoOn& go_on = {},
                                                   MaxThreads threads = 0,
                                                   const std::function<void(const GoOn&)>& beside = {});
