@@ -9,6 +9,7 @@ usage: PYTHONPATH=build/release/python python3 tests/bench/bench_stream.py [--po
 from __future__ import annotations
 
 import argparse
+import contextlib
 import ctypes
 import json
 import os
@@ -143,6 +144,16 @@ def compute_warm(path: str, alpha: str, threads: str) -> None:
     print(seconds)
 
 
+def bytes_in(folder: pathlib.Path) -> int:
+    """Returns the bytes of all files in a folder, without those that a program removes meanwhile."""
+    total = 0
+    for path, _, names in os.walk(folder):
+        for name in names:
+            with contextlib.suppress(FileNotFoundError):
+                total += os.stat(os.path.join(path, name)).st_size
+    return total
+
+
 class Watched:
     """A run of `rbpa`, with what it wrote, its processor time, its memory and its files on disk."""
 
@@ -160,8 +171,7 @@ class Watched:
                 break
             kilobytes = {line.split()[0]: int(line.split()[1]) for line in status.splitlines() if line.endswith("kB")}
             self.peak = 1024 * kilobytes.get("VmHWM:", self.peak // 1024)
-            files = sum(file.stat().st_size for file in scratch.rglob("*") if file.exists())
-            self.moments.append((time.perf_counter() - start, 1024 * kilobytes.get("VmRSS:", 0), files))
+            self.moments.append((time.perf_counter() - start, 1024 * kilobytes.get("VmRSS:", 0), bytes_in(scratch)))
             time.sleep(0.05)
         self.seconds = time.perf_counter() - start
         assert code == 0, f"{verb} ended with status {code}"

@@ -68,7 +68,8 @@ RBPA_API void for_each_group(std::span<const Point> points, const Groups& groups
 
 /// The choice of the radius of each group.
 struct GroupAlpha {
-  /// Radii: one for all groups, or one for each group; empty: `choice` has the radius or the rule.
+  /// Radii: one for all groups, or one for each group, NaN for a group that has none; empty: `choice` has the radius or
+  /// the rule.
   std::span<const double> given = {};
   /// The radius of all groups, or the rule that chooses a radius for each group; by default the least radius at which
   /// all points of the group are in one solid component. If a group has fewer plateaus than the rank, its last plateau
@@ -110,8 +111,8 @@ struct GroupShapes {
 
 /// Computes the solid alpha complex of each group. Groups may overlap. Each group that has no polygon is listed in
 /// `problems`, also if one of its points is not finite, or the radius given for it is not above 0.
-/// Requires: 0 < alpha ≤ infinity, if there is one radius for all groups; 0 < cover ≤ 1, 1 ≤ max_components and
-///           1 ≤ rank, if the rule uses them; bounds of the filter of at least 0.
+/// Requires: 0 < alpha ≤ infinity or alpha is NaN, if there is one radius for all groups; 0 < cover ≤ 1,
+///           1 ≤ max_components and 1 ≤ rank, if the rule uses them; bounds of the filter of at least 0.
 /// Throws:   InvalidInput as for_each_group(), when the number of radii is not 0, 1 or the number of groups, or when
 ///           the one radius, max_components or rank is out of its bounds, before anything is computed;
 ///           ContractViolation when cover is out of its bounds, and InvalidInput when a bound of the filter is, as

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -177,7 +178,7 @@ void check(const GroupAlpha& alpha, std::size_t groups) {
   if (given > 1 && given != groups)
     throw InvalidInput("alpha: found " + std::to_string(given) + " radii for " + std::to_string(groups) +
                        " groups, expected as many, or one for all");
-  if (given == 1 && groups != 1) check(std::span<const Point>(), alpha.given[0]);
+  if (given == 1 && !std::isnan(alpha.given[0])) check(std::span<const Point>(), alpha.given[0]);
   if (given > 0) return;
   const AlphaChoice& choice = alpha.choice;
   if (choice.rule == AlphaRule::given) check(std::span<const Point>(), choice.radius);

@@ -249,6 +249,7 @@ TEST_CASE("wrong labels, offsets, members and radii are refused") {
   const double two[] = {1, 2}, zero[] = {0};
   CHECK(refusal(points, {{0, 1, 2, 3}, {0, 1, 2}}, {.given = two}) ==
         "alpha: found 2 radii for 3 groups, expected as many, or one for all");
+  CHECK(rbpa::shapes_of_groups(points, {{0, 3}, {0, 1, 2}}, {.given = {&none, 1}}).problems.size() == 1);
   for (const rbpa::GroupAlpha& alpha : {rbpa::GroupAlpha{.given = zero}, {.choice = {.radius = 0}}})
     CHECK(refusal(points, {{0, 3}, {0, 1, 2}}, alpha) == "alpha is 0, expected a radius above 0, or infinity");
 }
