@@ -28,12 +28,18 @@ requires is_unbounded_array_v<T> unique_ptr<T> make_unique_for_overwrite(size_t 
   return unique_ptr<T>(new remove_extent_t<T>[size]);
 }
 
-/// An atomic_ref for a single thread: a plain store.
+/// An atomic_ref for a single thread: plain loads and stores.
 template <typename T>
 class atomic_ref {
  public:
   explicit atomic_ref(T& value) : value_(value) {}
+  T load(memory_order) const { return value_; }
   void store(T value, memory_order) { value_ = value; }
+  bool compare_exchange_strong(T& expected, T wanted, memory_order) {
+    const bool is_expected = value_ == expected;
+    (is_expected ? value_ : expected) = is_expected ? wanted : value_;
+    return is_expected;
+  }
 
  private:
   T& value_;
