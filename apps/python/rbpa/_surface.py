@@ -466,8 +466,7 @@ class Surface(Result):
         Surface
             A surface with more points: the added points come last, with the mean normals of the points around them, the
             means of colors and of fields of floating-point numbers, and the values of the nearest of these points
-            otherwise. Its
-            `unused` points are those of this surface.
+            otherwise. Its `unused` points are those of this surface.
         """
         self._require_unchanged()
         new = self.levels < 0

@@ -94,8 +94,9 @@ class Voronoi(OfPoints):
         ----------
         clip
             "box", the bounding box of the points and a tenth of its longer side around it; "hull", the convex hull of
-            the points; "shape", their `alpha_shape`, which with an alpha is ``clip=alpha_shape(points, alpha)``; the numbers (xmin, ymin, xmax, ymax); the corners of a polygon, an array of shape (n, 2); or
-            polygons with `__geo_interface__`, such as an `AlphaShape` or those of Shapely: then no cell crosses a bay.
+            the points; "shape", their `alpha_shape`, across whose bays no cell runs; the numbers (xmin, ymin, xmax,
+            ymax); the corners of a polygon, an array of shape (n, 2); or polygons with `__geo_interface__`, such as
+            those of Shapely, or ``alpha_shape(points, alpha)``.
         threads, progress
             As for `alpha_shape`.
 
