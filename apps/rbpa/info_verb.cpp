@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "io/box.h"
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
@@ -20,10 +21,6 @@
 
 namespace rbpa::app {
 namespace {
-
-struct Box {
-  Point least, greatest;
-};
 
 struct Info {
   std::size_t points = 0;
@@ -41,13 +38,11 @@ Info examine(std::vector<Point> points, const RunOptions& run) {
   if (points.empty()) return info;
   sort(points);
   info.distinct = static_cast<std::size_t>(std::unique(points.begin(), points.end()) - points.begin());
-  Box box{points.front(), points.front()};
+  Box box;
   InterruptibleSteps step;
   for (std::size_t i = 0; i < info.distinct; ++i) {
     step();
-    const Point& p = points[i];
-    box = {{std::min(box.least.x, p.x), std::min(box.least.y, p.y)},
-           {std::max(box.greatest.x, p.x), std::max(box.greatest.y, p.y)}};
+    box.add(points[i]);
   }
   info.box = box;
   // Halve the sides, and multiply roots, so that nothing overflows.

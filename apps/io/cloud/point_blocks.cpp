@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "io/box.h"
 #include "io/bytes/content.h"
 #include "io/cloud/cloud.h"
 #include "io/cloud/read_points.h"
@@ -31,11 +32,7 @@ class CloudBlocks final : public PointBlocks {
       append_fields(columns_, fields_);
     }
     if (source_.shift_longitude) shift_longitude(block, source_.path);
-    if (points_ == 0 && !block.empty()) least_ = greatest_ = block.front();
-    for (const Point& p : block) {
-      least_ = {std::min(least_.x, p.x), std::min(least_.y, p.y)};
-      greatest_ = {std::max(greatest_.x, p.x), std::max(greatest_.y, p.y)};
-    }
+    for (const Point& p : block) box_.add(p);
     points_ += block.size();
     if (block.empty() && !is_finished_) {
       is_finished_ = true;
@@ -43,8 +40,8 @@ class CloudBlocks final : public PointBlocks {
       about_ = std::move(cloud_->facts().file);
       settle_crs(about_, source_.crs);
       if (source_.shift_longitude) about_.degrees = true;
-      if (about_.degrees && points_ > 0) about_.warnings.push_back(warning_on_degrees(least_, greatest_));
-      if (points_ > 2 && least_ == greatest_) about_.warnings.push_back(warning_on_equal(points_, least_));
+      if (about_.degrees && points_ > 0) about_.warnings.push_back(warning_on_degrees(box_));
+      if (points_ > 2 && box_.least == box_.greatest) about_.warnings.push_back(warning_on_equal(points_, box_.least));
     }
     return !block.empty();
   }
@@ -54,8 +51,8 @@ class CloudBlocks final : public PointBlocks {
   PointSource source_;
   std::unique_ptr<Cloud> cloud_;
   CloudBlock columns_ = {};
-  std::size_t points_ = 0;            // number of points read
-  Point least_ = {}, greatest_ = {};  // corners of the box of these points
+  std::size_t points_ = 0;  // number of points read
+  Box box_ = {};            // of these points
   bool ended_ = false, is_finished_ = false;
 };
 

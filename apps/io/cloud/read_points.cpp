@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "io/box.h"
 #include "io/bytes/input_bytes.h"
 #include "io/cloud/units.h"
 #include "io/failure.h"
@@ -81,8 +82,7 @@ void warn_of_odd_points(PointFile& file) {
       std::all_of(file.points.begin(), file.points.end(), [&](const Point& p) { return p == first; }))
     return file.warnings.push_back(warning_on_equal(file.points.size(), first));
   std::vector<Point> odd;
-  Point least = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  Point greatest = {-least.x, -least.y};
+  Box box;
   InterruptibleSteps step;
   for (const Point& p : file.points) {
     step();
@@ -90,10 +90,10 @@ void warn_of_odd_points(PointFile& file) {
       odd.push_back(p);
       continue;
     }
-    least = {std::min(least.x, p.x), std::min(least.y, p.y)};
-    greatest = {std::max(greatest.x, p.x), std::max(greatest.y, p.y)};
+    box.add(p);
   }
   if (file.points.size() < odd.size() + 3) return;
+  const Point &least = box.least, &greatest = box.greatest;
   const double side = std::max(greatest.x - least.x, greatest.y - least.y);
   std::erase_if(odd, [&](const Point& p) {
     return std::max({least.x - p.x, p.x - greatest.x, least.y - p.y, p.y - greatest.y}) <= side;

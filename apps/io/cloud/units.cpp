@@ -128,16 +128,10 @@ std::optional<std::string_view> unit_of(const PointFile& file) {
 
 namespace {
 
-struct Box {
-  Point least, greatest;
-};
-
 template <typename P>
 Box box_of(const std::vector<P>& points) {
-  Box box{{points.front().x, points.front().y}, {points.front().x, points.front().y}};
-  for (const P& p : points)
-    box = {{std::min(box.least.x, p.x), std::min(box.least.y, p.y)},
-           {std::max(box.greatest.x, p.x), std::max(box.greatest.y, p.y)}};
+  Box box;
+  for (const P& p : points) box.add({p.x, p.y});
   return box;
 }
 
@@ -203,8 +197,7 @@ std::string warning_on_degrees(const std::vector<Point3>& points) {
          share_of_latitude(box) + " degrees of latitude there (ogr2ogr -t_srs or pdal translate project them)";
 }
 
-std::string warning_on_degrees(const Point& least, const Point& greatest) {
-  const Box box{least, greatest};
+std::string warning_on_degrees(const Box& box) {
   if (!may_be_degrees(box)) return no_degrees(box);
   return "coordinates are degrees, and so are radii, lengths and areas; a degree of longitude is as long as " +
          share_of_latitude(box) + " degrees of latitude there (ogr2ogr -t_srs projects them)";
@@ -213,7 +206,7 @@ std::string warning_on_degrees(const Point& least, const Point& greatest) {
 void warning_on_degrees(PointFile& file) {
   if (file.points.empty()) return;
   const Box box = box_of(file.points);
-  file.warnings.push_back(warning_on_degrees(box.least, box.greatest));
+  file.warnings.push_back(warning_on_degrees(box));
   if (may_be_degrees(box) && lie_around_antimeridian(file.points, box))
     file.warnings.push_back(
         "points lie on both sides of the antimeridian, longitude 180, and are far apart in the plane "

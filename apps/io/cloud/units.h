@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/box.h"
 #include "io/point_file.h"
 #include "rbpa/base/point3.h"
 
@@ -27,8 +28,8 @@ void shift_longitude(std::vector<Point>& points, const std::string& name);
 /// Returns the warning about points in space whose x and y are said to be degrees; empty if there are no points.
 std::string warning_on_degrees(const std::vector<Point3>& points);
 
-/// Returns the warning about points in the plane, in the box between two corners, that are said to be degrees.
-std::string warning_on_degrees(const Point& least, const Point& greatest);
+/// Returns the warning about points in the plane, with this bounding box, that are said to be degrees.
+std::string warning_on_degrees(const Box& box);
 
 /// Adds warnings to `file` if file.degrees: that degrees of longitude and latitude have different lengths; that points
 /// are on both sides of the antimeridian, or are not in degrees.

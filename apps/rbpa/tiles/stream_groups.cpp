@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/box.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "io/number.h"
@@ -92,7 +93,7 @@ class GroupStream {
 
   /// Returns two corners of the box of all points; none without points.
   std::vector<Point> corners() const {
-    return stats_.points > 0 ? std::vector{least_, greatest_} : std::vector<Point>{};
+    return stats_.points > 0 ? std::vector{box_.least, box_.greatest} : std::vector<Point>{};
   }
   std::string input() const {
     const std::size_t files = request_.sources.size();
@@ -122,8 +123,7 @@ class GroupStream {
       fields.resize(keys);
       for (std::size_t i = 0; i < block.points.size(); ++i) {
         const Point& p = block.points[i];
-        least_ = {std::min(least_.x, p.x), std::min(least_.y, p.y)};
-        greatest_ = {std::max(greatest_.x, p.x), std::max(greatest_.y, p.y)};
+        box_.add(p);
         for (std::size_t k = 0; k < keys; ++k) key[k] = block.fields[k][i];
         if (std::any_of(key.begin(), key.end(), [](double value) { return std::isnan(value); })) continue;
         const auto [place, is_new] = numbers.try_emplace(key, 0);
@@ -284,7 +284,7 @@ class GroupStream {
   Budget budget_;
   GroupPoints points_;
   std::uint64_t most_ = 0;  // the most points of groups that are computed in memory together
-  Point least_ = {INFINITY, INFINITY}, greatest_ = {-INFINITY, -INFINITY};
+  Box box_ = {};
   NamedGroups named_ = {};  // its points stand for all points of a file with the same keys
   std::vector<Attribute> attributes_ = {};
   std::vector<std::unique_ptr<GroupsWriter>> writers_ = {};
