@@ -15,20 +15,16 @@ py::dict voronoi_of(const Doubles& points, unsigned threads, const py::object& p
   Voronoi made = watched(input.size(), progress, [&](Watch& watch) {
     return rbpa::voronoi(Delaunay(input, {.threads = threads, .progress = watch.progress()}), watch.until_stopped());
   });
-  std::vector<std::int32_t> of_regions;
-  std::vector<std::int64_t> begin = {0};
-  for (const std::vector<std::int32_t>& region : made.regions) {
-    of_regions.insert(of_regions.end(), region.begin(), region.end());
-    begin.push_back(static_cast<std::int64_t>(of_regions.size()));
-  }
+  std::vector<Point> directions(made.ridge_points.size());
+  for (const UnboundedRidge& ridge : made.unbounded) directions[ridge.ridge] = ridge.direction;
   py::dict result;
   result["vertices"] = rows<double>(std::move(made.vertices));
   result["ridge_points"] = rows<std::int32_t>(std::move(made.ridge_points));
   result["ridge_vertices"] = rows<std::int32_t>(std::move(made.ridge_vertices));
-  result["ridge_directions"] = rows<double>(std::move(made.ridge_directions));
+  result["ridge_directions"] = rows<double>(std::move(directions));
   result["point_region"] = line<std::int32_t>(std::move(made.point_region));
-  result["_of_regions"] = line<std::int32_t>(std::move(of_regions));
-  result["_begin"] = line<std::int64_t>(std::move(begin));
+  result["_of_regions"] = line<std::int32_t>(std::move(made.region_vertices));
+  result["_begin"] = line<std::int64_t>(std::move(made.region_begin));
   return result;
 }
 

@@ -89,6 +89,20 @@ Run voronoi_by_cgal(std::span<const rbpa::Point> points) {
   for (const auto& [face, i] : delaunay.finite_edges())
     ridges.push_back({face->vertex(Delaunay::ccw(i))->info(), face->vertex(Delaunay::cw(i))->info(), face->info(),
                       face->neighbor(i)->info()});
+  std::vector<std::uint32_t> of_regions, point_region(points.size());
+  std::vector<std::size_t> begin = {0};
+  of_regions.reserve(6 * points.size());
+  begin.reserve(points.size() + 1);
+  for (const auto vertex : delaunay.finite_vertex_handles()) {
+    const auto first = vertex->face();
+    auto face = first;
+    do {
+      of_regions.push_back(face->info());
+      face = face->neighbor(Delaunay::ccw(face->index(vertex)));
+    } while (face != first);
+    point_region[vertex->info()] = static_cast<std::uint32_t>(begin.size() - 1);
+    begin.push_back(of_regions.size());
+  }
   return watch.run(centers.size());
 }
 

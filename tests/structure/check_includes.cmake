@@ -61,7 +61,7 @@ set(allowed
     rbpa/plane/predicate rbpa/plane/tile"
   "rbpa/plane/shape: rbpa/base rbpa/base/exact rbpa/base/run rbpa/plane rbpa/plane/predicate"
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
-  "rbpa/plane/voronoi: rbpa/base rbpa/plane"
+  "rbpa/plane/voronoi: meshops/core rbpa/base rbpa/base/run rbpa/plane"
   "rbpa/space/balls: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run rbpa/space/balls/full
     rbpa/space/balls/periodic rbpa/space/cells rbpa/space/persistence rbpa/space/persistence/pairing
     rbpa/space/predicate rbpa/space/solid

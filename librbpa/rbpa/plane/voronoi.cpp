@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "meshops/core/disjoint_sets.h"
-#include "rbpa/base/arrays/simplices_at.h"
+#include "meshops/core/fresh_vector.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/plane/predicate/constructions.h"
 #include "rbpa/plane/predicate/predicates.h"
@@ -18,11 +18,18 @@ namespace {
 
 constexpr std::uint32_t ahead = 16;  // memory of a triangle is prefetched this many triangles before
 
+/// Reserves memory for `size` elements in large pages.
+template <typename T>
+void reserve(std::vector<T>& elements, std::size_t size) {
+  elements.reserve(size);
+  meshops::prefer_large_pages(elements.data(), size * sizeof(T));
+}
+
 std::vector<Point> centers_of(const Delaunay& delaunay, Steps& step) {
   const std::vector<Triangle>& triangles = delaunay.triangulation().triangles;
   const std::span<const Point> points = delaunay.points();
   std::vector<Point> centers;
-  centers.reserve(triangles.size());
+  reserve(centers, triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     step();
     if (t + ahead < triangles.size())
@@ -33,13 +40,13 @@ std::vector<Point> centers_of(const Delaunay& delaunay, Steps& step) {
   return centers;
 }
 
-/// Returns the sets of triangles that have the same circle. Then the rounded centers are equal, too, so that few
-/// triangles have to be tested.
+/// Returns the sets of triangles that have the same circle; no sets if no two have. Triangles that have the same circle
+/// have the same rounded center, so that few have to be tested.
 meshops::DisjointSets cocircular_sets(const Delaunay& delaunay, std::span<const Point> centers, Steps& step) {
   const std::vector<Triangle>& triangles = delaunay.triangulation().triangles;
   const std::vector<Triangle>& neighbors = delaunay.triangulation().neighbors;
   const std::span<const Point> points = delaunay.points();
-  meshops::DisjointSets sets(triangles.size());
+  meshops::DisjointSets sets;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     step();
     if (t + ahead < triangles.size())
@@ -51,10 +58,27 @@ meshops::DisjointSets cocircular_sets(const Delaunay& delaunay, std::span<const 
       const auto& [a, b, c] = triangles[t];
       const auto& [p, q, r] = triangles[other];
       const std::uint32_t apex = p ^ q ^ r ^ triangles[t][(k + 1) % 3] ^ triangles[t][(k + 2) % 3];  // not of the side
-      if (Predicates<long double>::in_circle(points[a], points[b], points[c], points[apex]) == 0) sets.join(t, other);
+      if (Predicates<long double>::in_circle(points[a], points[b], points[c], points[apex]) != 0) continue;
+      if (sets.size() == 0) sets = meshops::DisjointSets(triangles.size());
+      sets.join(t, other);
     }
   }
   return sets;
+}
+
+/// Keeps one vertex for each set of triangles. Returns the vertex of each triangle.
+meshops::FreshVector<std::int32_t> join_vertices(std::vector<Point>& vertices, meshops::DisjointSets& sets,
+                                                 Steps& step) {
+  meshops::FreshVector<std::int32_t> vertex_of(sets.size());
+  std::int32_t kept = 0;
+  for (std::uint32_t t = 0; t < sets.size(); ++t) {
+    step();
+    const std::uint32_t least = sets.find(t);
+    vertex_of[t] = least == t ? kept : vertex_of[least];
+    if (least == t) vertices[static_cast<std::size_t>(kept++)] = vertices[t];
+  }
+  vertices.resize(static_cast<std::size_t>(kept));
+  return vertex_of;
 }
 
 /// Returns the direction of q − p turned to the right.
@@ -70,60 +94,49 @@ Point right_normal(const Point& p, const Point& q) {
 
 Voronoi voronoi(const Delaunay& delaunay, const GoOn& go_on) {
   Steps step(go_on);
-  const CellRidges ridges(delaunay);
+  const CellRidges ridges(delaunay, step);
   const AlphaComplex& made = delaunay.triangulation();
   Voronoi result;
-  const std::vector<Point> centers = centers_of(delaunay, step);
-  meshops::DisjointSets sets = cocircular_sets(delaunay, centers, step);
-  std::vector<std::int32_t> vertex_of(made.triangles.size());
-  for (std::uint32_t t = 0; t < made.triangles.size(); ++t) {
-    step();
-    const std::uint32_t least = sets.find(t);
-    vertex_of[t] = least == t ? static_cast<std::int32_t>(result.vertices.size()) : vertex_of[least];
-    if (least == t) result.vertices.push_back(centers[t]);
-  }
-  const auto vertex = [&](std::uint32_t t) { return t == no_index ? Voronoi::infinity : vertex_of[t]; };
+  result.vertices = centers_of(delaunay, step);
+  meshops::FreshVector<std::int32_t> vertex_of;  // empty: the vertex of each triangle has its number
+  if (auto sets = cocircular_sets(delaunay, result.vertices, step); sets.size() > 0)
+    vertex_of = join_vertices(result.vertices, sets, step);
+  const auto vertex = [&](std::uint32_t t) {
+    return t == no_index ? Voronoi::infinity : vertex_of.empty() ? static_cast<std::int32_t>(t) : vertex_of[t];
+  };
   result.point_region.resize(delaunay.points().size());
-  const TrianglesAt at(made.triangles, delaunay.points().size());
   std::vector<CellRidge> later;
-  std::vector<std::int32_t> region;
-  result.regions.reserve(made.distinct);
-  result.ridge_points.reserve(3 * made.distinct);
-  result.ridge_vertices.reserve(3 * made.distinct);
-  result.ridge_directions.reserve(3 * made.distinct);
+  reserve(result.region_begin, made.distinct + 1);
+  reserve(result.region_vertices, 6 * made.distinct);
+  reserve(result.ridge_points, 3 * made.distinct);
+  reserve(result.ridge_vertices, 3 * made.distinct);
   for (std::uint32_t p = 0; p < result.point_region.size(); ++p) {
-    if (const std::uint32_t next = p + ahead / 4; next < result.point_region.size())
-      for (const std::uint32_t t : at[next]) {
-        __builtin_prefetch(&made.triangles[t]);
-        __builtin_prefetch(&made.neighbors[t]);
-        __builtin_prefetch(&vertex_of[t]);
-      }
     if (!ridges.has_cell(p)) continue;
-    result.point_region[p] = static_cast<std::uint32_t>(result.regions.size());
-    region.clear();
+    result.point_region[p] = static_cast<std::uint32_t>(result.regions());
+    std::vector<std::int32_t>& region = result.region_vertices;
+    const auto is_empty = [&] { return region.size() == result.region_begin.back(); };
     later.clear();
     ridges.for_each(p, [&](const CellRidge& ridge) {
       step();
       const std::int32_t from = vertex(ridge.from), to = vertex(ridge.to);
       const bool is_line = ridge.from == no_index && ridge.to == no_index;
       if (from == to && !is_line) return false;
-      if (region.empty() || region.back() != Voronoi::infinity) region.push_back(to);
+      if (is_empty() || region.back() != Voronoi::infinity) region.push_back(to);
       if (ridge.other > p) later.push_back(ridge);
       return false;
     });
-    if (region.empty()) region.push_back(Voronoi::infinity);
-    result.regions.emplace_back(region.begin(), region.end());
+    if (is_empty()) region.push_back(Voronoi::infinity);
+    result.region_begin.push_back(region.size());
     std::sort(later.begin(), later.end(), [](const CellRidge& a, const CellRidge& b) { return a.other < b.other; });
     for (const CellRidge& ridge : later) {
-      result.ridge_points.push_back({p, ridge.other});
       const auto [low, high] = std::minmax({vertex(ridge.from), vertex(ridge.to)});
+      if (low == Voronoi::infinity) {
+        const bool is_end = ridge.to == no_index;  // otherwise the ridge comes from infinity
+        result.unbounded.push_back({result.ridge_points.size(), right_normal(ridges.point(is_end ? ridge.other : p),
+                                                                             ridges.point(is_end ? p : ridge.other))});
+      }
+      result.ridge_points.push_back({p, ridge.other});
       result.ridge_vertices.push_back({low, high});
-      Point direction;
-      if (ridge.to == no_index)
-        direction = right_normal(ridges.point(ridge.other), ridges.point(p));
-      else if (ridge.from == no_index)
-        direction = right_normal(ridges.point(p), ridges.point(ridge.other));
-      result.ridge_directions.push_back(direction);
     }
   }
   for (const auto& [index, stands_for] : made.duplicates) result.point_region[index] = result.point_region[stands_for];

@@ -67,7 +67,7 @@ std::string wrong_with(const Voronoi& made, const Points& points) {
   if (made.vertices.size() != centers.size()) return "not one vertex for each circle";
   for (const auto& [a, b, c] : complex.triangles) {
     const ExactPoint center = exact_center(points[a], points[b], points[c]);
-    const auto& region = made.regions[made.point_region[a]];
+    const auto region = made.region(made.point_region[a]);
     if (std::none_of(region.begin(), region.end(), [&](std::int32_t v) {
           if (v == Voronoi::infinity) return false;
           const Point& p = made.vertices[static_cast<std::size_t>(v)];
@@ -75,29 +75,31 @@ std::string wrong_with(const Voronoi& made, const Points& points) {
         }))
       return "a circumcenter is not a vertex of the region";
   }
-  if (made.regions.size() != complex.distinct) return "not one region for each distinct point";
-  std::size_t ends = 0;
-  for (const auto& region : made.regions) ends += region.size();
-  const std::size_t unbounded = static_cast<std::size_t>(std::count_if(
-      made.regions.begin(), made.regions.end(), [](const auto& r) { return r.back() == Voronoi::infinity; }));
+  if (made.regions() != complex.distinct) return "not one region for each distinct point";
+  std::size_t unbounded = 0;
+  for (std::size_t r = 0; r < made.regions(); ++r)
+    unbounded += static_cast<std::size_t>(made.region(r).back() == Voronoi::infinity);
   if (!complex.triangles.empty()) {
-    if (made.vertices.size() + made.regions.size() != made.ridge_points.size() + 1) return "Euler's formula";
-    if (ends != 2 * made.ridge_points.size()) return "regions have another number of ridges";
+    if (made.vertices.size() + made.regions() != made.ridge_points.size() + 1) return "Euler's formula";
+    if (made.region_vertices.size() != 2 * made.ridge_points.size()) return "regions have another number of ridges";
   }
   if (unbounded != (complex.triangles.empty() ? complex.distinct : complex.isolated.size() + unbounded))
     return "bounded";
   for (const auto& [duplicate, first] : complex.duplicates)
     if (made.point_region[duplicate] != made.point_region[first]) return "a duplicate has another region";
   // Each ridge is passed by both regions, in opposite directions.
+  auto direction = made.unbounded.begin();
   for (std::size_t r = 0; r < made.ridge_points.size(); ++r) {
     const auto [from, to] = made.ridge_vertices[r];
-    const Point direction = made.ridge_directions[r];
-    if ((from == Voronoi::infinity) != (std::abs(std::hypot(direction.x, direction.y) - 1) < 1e-15))
-      return "a direction";
+    if (from == Voronoi::infinity) {
+      if (direction == made.unbounded.end() || direction->ridge != r) return "an unbounded ridge without a direction";
+      if (std::abs(std::hypot(direction->direction.x, direction->direction.y) - 1) >= 1e-15) return "a direction";
+      ++direction;
+    }
     if (complex.triangles.empty()) continue;
     std::array<int, 2> times = {};
     for (const std::uint32_t p : made.ridge_points[r]) {
-      const auto& region = made.regions[made.point_region[p]];
+      const auto region = made.region(made.point_region[p]);
       for (std::size_t i = 0; i < region.size(); ++i) {
         const std::int32_t a = region[i], b = region[(i + 1) % region.size()];
         times[0] += static_cast<int>(a == from && b == to);
@@ -107,6 +109,7 @@ std::string wrong_with(const Voronoi& made, const Points& points) {
     if (times != std::array{1, 1} && !(from == Voronoi::infinity && times[0] > 0 && times[1] > 0))
       return "a ridge is not on two regions";
   }
+  if (direction != made.unbounded.end()) return "a direction of a bounded ridge";
   return "";
 }
 

@@ -26,7 +26,7 @@ struct RingCrossing {
 class CellCutter {
  public:
   CellCutter(const Delaunay& delaunay, std::span<const Point> points, std::span<const Ring> rings, Steps& step)
-      : ridges_(delaunay), triangles_(delaunay.triangulation()), points_(points), rings_(rings), step_(step) {}
+      : ridges_(delaunay, step), triangles_(delaunay.triangulation()), points_(points), rings_(rings), step_(step) {}
 
   CutCells cut() {
     is_crossed_.resize(ridges_.delaunay().points().size());
