@@ -172,6 +172,41 @@ TEST_SUITE("atoms") {
           "m: found no atom in frame 1 that is not left out, expected at least one");
   }
 
+  TEST_CASE("of several faults the first in the file is named, whatever the number of threads") {
+    const std::string head =
+        "data_x\nloop_\n_atom_site.id\n_atom_site.label_comp_id\n_atom_site.Cartn_x\n"
+        "_atom_site.Cartn_y\n_atom_site.Cartn_z\n";
+    const auto atoms = [](std::size_t count, const std::string& residue = "ALA") {
+      std::string rows;
+      for (std::size_t i = 0; i < count; ++i) rows += std::to_string(i) + " " + residue + " 1 2 3\n";
+      return rows;
+    };
+    const std::string number = "7 ALA 1 two 3\n", water = "7 HOH 1 two 3\n", quote = "8 ALA 1 2 '3\n",
+                      odd = "9 ALA 1\n";
+    const std::string of_number = "found 'two' as y", of_quote = "found ''3'", of_odd = "found 3 values";
+    struct Row {
+      std::string text, line, expected;
+    };
+    const Row rows[] = {
+        {number + quote, "8", of_number},
+        {atoms(300) + number + atoms(3) + quote, "308", of_number},
+        {atoms(300) + quote + number, "308", of_quote},
+        {water + atoms(2000) + quote, "2009", of_quote},
+        {water + atoms(300), "", ""},
+        {atoms(3) + odd + atoms(2000) + quote, "11", of_odd},
+        {number + odd + atoms(2000), "8", of_number},
+        {atoms(2000) + number + atoms(2000) + odd + atoms(1), "2008", of_number},
+    };
+    for (const Row& row : rows)
+      for (const unsigned threads : {1U, 2U, 0U}) {
+        CAPTURE(row.line);
+        CAPTURE(threads);
+        const std::string found = refusal(head + row.text, Format::cif, {.threads = threads});
+        CHECK(found.substr(0, row.expected.empty() ? found.size() : 4 + row.line.size() + row.expected.size()) ==
+              (row.expected.empty() ? "" : "m:" + row.line + ": " + row.expected));
+      }
+  }
+
   TEST_CASE("of alternate locations a residue has one, of the highest occupancy, else of the first letter") {
     using Rows = std::vector<std::string>;
     for (const auto& [rows, kept] :

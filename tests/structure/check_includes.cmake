@@ -123,7 +123,7 @@ set(allowed
     rbpa/space/surface"
   "apps/io: rbpa/base"
   "apps/io/bytes: apps/io meshops/core"
-  "apps/io/cloud: apps/io apps/io/bytes apps/io/laz apps/io/polygon apps/io/text rbpa/base"
+  "apps/io/cloud: apps/io apps/io/bytes apps/io/laz apps/io/polygon apps/io/text meshops/core rbpa/base"
   "apps/io/laz: apps/io apps/io/bytes rbpa/base"
   "apps/io/mesh: apps/io apps/io/bytes apps/io/cloud apps/io/polygon apps/io/text meshops/core meshops/topology
     rbpa/base rbpa/plane"

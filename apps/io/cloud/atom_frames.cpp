@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <exception>
+#include <functional>
 #include <map>
+#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -11,9 +14,12 @@
 #include "io/cloud/read_space_points.h"
 #include "io/cloud/table_beginning.h"
 #include "io/failure.h"
+#include "io/interrupt.h"
 #include "io/number.h"
 #include "io/text/plain_text.h"
 #include "io/text/signature.h"
+#include "meshops/core/large_pages.h"
+#include "rbpa/base/read_ahead.h"
 
 namespace rbpa::app {
 namespace {
@@ -66,6 +72,68 @@ void require_radius(double radius, const std::string& where) {
   if (!(radius >= 0 && std::isfinite(radius)))
     bad_input(where, (std::isnan(radius) ? "no number" : in_quotes(text_of(radius))) + " as a radius",
               "a number of at least 0");
+}
+
+/// Atoms that are read together; then an exception for the next one.
+struct AtomBatch {
+  struct Values {
+    AtomRow row = {};  // without texts
+    std::string_view element = {};
+    std::exception_ptr failure = nullptr;  // of a number of the atom, which counts unless the atom is left out
+  };
+  std::vector<Atom> atoms = {};
+  std::vector<Values> values = {};
+  std::exception_ptr failure = nullptr;
+};
+
+/// Returns a function that reads the next atoms of a frame; it returns false at the end.
+std::function<bool(AtomBatch&)> batches_of(AtomSource& source) {
+  return [&source, ended = false](AtomBatch& batch) mutable {
+    constexpr std::size_t most = 256;
+    while (!ended && batch.atoms.size() < most) {
+      try {
+        ended = !source.next(batch.atoms.emplace_back());
+      } catch (...) {
+        batch.failure = std::current_exception();
+        ended = true;
+      }
+      if (ended) batch.atoms.pop_back();
+    }
+    return !batch.atoms.empty() || batch.failure;
+  };
+}
+
+/// Finds the values of each atom but texts; `radius` is the column of radii.
+void find_values(AtomBatch& batch, const AtomSource& source, std::optional<std::size_t> radius,
+                 const std::string& name) {
+  std::string residue;  // whose atoms are of water if `of_water`
+  bool of_water = false;
+  batch.values.resize(batch.atoms.size());
+  for (std::size_t i = 0; i < batch.atoms.size(); ++i) {
+    const Atom& atom = batch.atoms[i];
+    auto& [row, element, failure] = batch.values[i];
+    if (residue != atom.fields[AtomColumn::resname]) {
+      residue = atom.fields[AtomColumn::resname];
+      of_water = is_water(residue);
+    }
+    row.line = atom.line;
+    row.is_hetero = atom.is_hetero;
+    row.is_water = of_water;
+    element = element_of(atom);
+    for (const auto& [column, number] : {std::pair(AtomColumn::serial, &AtomRow::serial),
+                                         {AtomColumn::resseq, &AtomRow::resseq},
+                                         {AtomColumn::occupancy, &AtomRow::occupancy},
+                                         {AtomColumn::charge, &AtomRow::charge}})
+      row.*number = number_if_any(atom, column);
+    try {
+      row.center = source.center(atom);
+      if (!radius) continue;
+      row.radius = source.number(atom, *radius);
+      require_radius(row.radius, at_line(name, atom.line));
+    } catch (const BadInput&) {
+      failure = std::current_exception();
+    }
+  }
 }
 
 }  // namespace
@@ -172,40 +240,38 @@ void AtomFrames::read_atoms(AtomFrame& frame) {
     return is_left_out;
   };
   frame.has_radii = radius_.has_value();
-  AtomRow row;
-  std::string residue;  // whose atoms are of water if row.is_water
-  for (Atom atom; source_->next(atom);) {
+  if (!choice_.frames.all && choice_.frames.numbers.size() == 1) {
+    // As growing would touch each row twice; what is not needed is not touched.
+    constexpr std::size_t least_line = 32, most_rows = 10'000'000;
+    frame.rows.reserve(std::min(bytes_.size() / least_line, most_rows));
+    meshops::prefer_large_pages(frame.rows.data(), frame.rows.capacity() * sizeof(AtomRow));
+  }
+  const auto take = [&](const Atom& atom, AtomBatch::Values& values) {
+    AtomRow& row = values.row;
     row.index = counts.in_file++;
-    row.line = atom.line;
-    row.is_hetero = atom.is_hetero;
-    if (residue != atom.fields[AtomColumn::resname]) {
-      residue = atom.fields[AtomColumn::resname];
-      row.is_water = is_water(residue);
-    }
-    if (leave_out(selection_ && !selection_->holds(atom), counts.deselected)) continue;
-    if (leave_out(row.is_water && !choice_.waters, counts.waters)) continue;
-    if (leave_out(row.is_hetero && !row.is_water && !choice_.ligands, counts.ligands)) continue;
-    const std::string_view element = element_of(atom);
-    if (leave_out(!choice_.hydrogens && is_hydrogen(element), counts.hydrogens)) continue;
-    row.center = source_->center(atom);
-    if (radius_) {
-      row.radius = source_->number(atom, *radius_);
-      require_radius(row.radius, at_line(name_, atom.line));
-    }
+    if (leave_out(selection_ && !selection_->holds(atom), counts.deselected)) return;
+    if (leave_out(row.is_water && !choice_.waters, counts.waters)) return;
+    if (leave_out(row.is_hetero && !row.is_water && !choice_.ligands, counts.ligands)) return;
+    if (leave_out(!choice_.hydrogens && is_hydrogen(values.element), counts.hydrogens)) return;
+    if (values.failure) std::rethrow_exception(values.failure);
+    const AtomRow& before = frame.rows.empty() ? row : frame.rows.back();
     for (const auto& [column, text] : {std::pair(AtomColumn::name, &AtomRow::name),
                                        {AtomColumn::resname, &AtomRow::resname},
                                        {AtomColumn::chain, &AtomRow::chain},
                                        {AtomColumn::icode, &AtomRow::icode},
                                        {AtomColumn::altloc, &AtomRow::altloc}})
-      row.*text = frame.number_of(atom.fields[column], row.*text);
-    if (group_) row.group = frame.number_of(AtomSource::text(atom, *group_), row.group);
-    row.element = frame.number_of(element.empty() ? atom.fields[AtomColumn::element] : element, row.element);
-    for (const auto& [column, number] : {std::pair(AtomColumn::serial, &AtomRow::serial),
-                                         {AtomColumn::resseq, &AtomRow::resseq},
-                                         {AtomColumn::occupancy, &AtomRow::occupancy},
-                                         {AtomColumn::charge, &AtomRow::charge}})
-      row.*number = number_if_any(atom, column);
+      row.*text = frame.number_of(atom.fields[column], before.*text);
+    if (group_) row.group = frame.number_of(AtomSource::text(atom, *group_), before.group);
+    const std::string_view element = values.element.empty() ? atom.fields[AtomColumn::element] : values.element;
+    row.element = frame.number_of(element, before.element);
     frame.rows.push_back(row);
+  };
+  const bool alone = choice_.threads == 1 || std::thread::hardware_concurrency() == 1;
+  ReadAhead<AtomBatch> batches(alone ? 0 : 1, 4, batches_of(*source_),
+                               [&](AtomBatch& batch) { find_values(batch, *source_, radius_, name_); });
+  for (AtomBatch batch; batches.next(batch); stop_if_interrupted()) {
+    for (std::size_t i = 0; i < batch.atoms.size(); ++i) take(batch.atoms[i], batch.values[i]);
+    if (batch.failure) std::rethrow_exception(batch.failure);
   }
   frame.cell = source_->cell();
   if (!choice_.alternates) counts.alternates = keep_best_locations(frame);

@@ -43,7 +43,6 @@ bool is_water(std::string_view residue) {
 double AtomSource::parsed(const Atom& atom, std::size_t column, std::string_view where) const {
   const ParsedNumber number = parse_whole_number(text(atom, column));
   if (number.fault == NumberFault::none) return number.value;
-  require_columns();
   bad_input(at_line(name_, atom.line),
             in_quotes(text(atom, column)) +
                 (column < no_atom_column ? " as " + std::string(atom_columns[column]) : std::string()),

@@ -83,8 +83,6 @@ class AtomSource {
 
  protected:
   explicit AtomSource(const std::string& name) : name_(name) {}
-  /// Throws BadInput if a value of an earlier atom may be missing, so that later values are in wrong columns.
-  virtual void require_columns() const {}
   /// Returns the number in a column of the atom, in the units of the result. Throws BadInput, also for an empty text.
   virtual double parsed(const Atom& atom, std::size_t column, std::string_view where) const;
 

@@ -10,6 +10,7 @@
 #include "io/cloud/atoms.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/number.h"
 #include "io/text/lines.h"
 
 namespace rbpa::app {
@@ -182,11 +183,8 @@ class CifAtoms final : public AtomSource {
     if (!waits_ || is_new_frame_) return false;
     waits_ = false;
     fill(atom);
+    if (odd_line_ > 0) require_columns(atom);
     return true;
-  }
-
-  void require_columns() const override {
-    if (odd_line_ > 0) refuse_row(odd_line_);
   }
 
  private:
@@ -328,10 +326,7 @@ class CifAtoms final : public AtomSource {
         odd_line_ = row_line_;
     }
     is_first_row_ = false;
-    if (row_.size() < width_) {
-      require_columns();
-      refuse_row(row_line_);
-    }
+    if (row_.size() < width_) refuse_row(odd_line_ > 0 ? odd_line_ : row_line_);
     return true;
   }
 
@@ -344,6 +339,14 @@ class CifAtoms final : public AtomSource {
       for (CifTokens words(lines.line(), name_); words.is_value(); words.next()) ++count;
     bad_input(at_line(name_, line), counted(count, "value") + " (" + in_quotes(lines.line()) + ")",
               std::to_string(width_) + ", one for each name of _atom_site");
+  }
+
+  /// Throws BadInput if texts of the atom are no numbers: then a value of an earlier atom is missing.
+  void require_columns(const Atom& atom) const {
+    for (const std::size_t k :
+         {x_of_atom, x_of_atom + 1, x_of_atom + 2, AtomColumn::occupancy, AtomColumn::bfactor, AtomColumn::charge})
+      if (!atom.fields[k].empty() && parse_whole_number(atom.fields[k]).fault != NumberFault::none)
+        refuse_row(odd_line_);
   }
 
   /// Returns whether the atom is of the first block, and of the first model unless all frames are read.

@@ -180,6 +180,7 @@ void BallsRun::measure(std::vector<MeasuredAtoms>& some) {
   std::vector<std::vector<Point3>> centers(some.size());
   std::vector<BallFrame> frames;
   for (std::size_t f = 0; f < some.size(); ++f) {
+    centers[f].reserve(some[f].rows.size());
     for (const AtomRow& row : some[f].rows) centers[f].push_back(row.center);
     frames.push_back({centers[f], some[f].radii, some[f].cell});
   }

@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
-#include <vector>
+
+#include "meshops/core/fresh_vector.h"
 
 namespace rbpa {
 
@@ -45,8 +46,8 @@ class SimplicesAt {
   }
 
  private:
-  std::vector<std::size_t> begin_;  // for each point, the begin of its range in simplices_
-  std::vector<std::uint32_t> simplices_;
+  meshops::FreshVector<std::size_t> begin_;  // for each point, the begin of its range in simplices_
+  meshops::FreshVector<std::uint32_t> simplices_;
 };
 
 using TrianglesAt = SimplicesAt<3>;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "meshops/core/fresh_vector.h"
 #include "rbpa/base/exact/exact_sum.h"
 #include "rbpa/base/parallel/in_order.h"
 #include "rbpa/space/balls/full/ball_wedges.h"
@@ -33,13 +34,16 @@ class BallParts {
         go_on_(go_on),
         scale_(scale_exponent(cells.positions, radii)),
         stars_(cells_),
-        vertices_(own) {
+        vertices_(own),
+        balls_(radii.size()) {
     const auto scaled = [&](double value) { return scale_ == 0 ? value : std::ldexp(value, scale_); };
-    balls_.reserve(radii.size());
-    for (std::size_t i = 0; i < radii.size(); ++i) {
-      const Point3& p = cells.positions[i];
-      balls_.push_back({{scaled(p.x), scaled(p.y), scaled(p.z)}, scaled(radii[i])});
-    }
+    for_each_part(threads, radii.size(), 1U << 14U, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const Point3& p = cells.positions[i];
+        balls_[i] = {{scaled(p.x), scaled(p.y), scaled(p.z)}, scaled(radii[i])};
+        if (i < own) vertices_[i] = {};
+      }
+    });
     if (options.derivatives) {
       result_.volume_gradient.assign(own, {});
       result_.area_gradient.assign(own, {});
@@ -295,8 +299,8 @@ class BallParts {
   const GoOn& go_on_;
   int scale_;
   PointStars stars_;
-  std::vector<Vertex> vertices_;
-  std::vector<Ball> balls_;  // scaled
+  meshops::FreshVector<Vertex> vertices_;
+  meshops::FreshVector<Ball> balls_;  // scaled
   BallMeasures result_;
 };
 
