@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <map>
 #include <stdexcept>
 
 namespace apps_test {
@@ -30,11 +31,16 @@ std::string compressed_at(int level, const std::string& content) {
 std::string compressed(const std::string& content) { return compressed_at(Z_BEST_SPEED, content); }
 
 std::string bomb(const std::string& content, const std::string& filler, std::size_t size) {
-  std::string much;
-  while (much.size() < (std::size_t{16} << 20U)) much += filler;
-  const std::string member = compressed_at(Z_BEST_COMPRESSION, much);  // a gzip file may have several
+  constexpr std::size_t member_size = std::size_t{16} << 20U;
+  static std::map<std::string, std::string> members;  // a gzip file may have several
+  std::string& member = members[filler];
+  if (member.empty()) {
+    std::string much;
+    while (much.size() < member_size) much += filler;
+    member = compressed_at(Z_BEST_COMPRESSION, much);
+  }
   std::string bytes = compressed(content);
-  for (std::size_t done = 0; done < size; done += much.size()) bytes += member;
+  for (std::size_t done = 0; done < size; done += member_size) bytes += member;
   return bytes;
 }
 
