@@ -72,7 +72,7 @@ elif [ "$preset" = javascript ]; then
   build javascript
   ctest --preset javascript
 elif [ "$preset" = site ]; then
-  build release --target rbpa_python
+  build release --target rbpa_python_package
   build javascript
   bash docs/site/build.sh
   node --test tests/site
