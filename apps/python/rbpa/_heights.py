@@ -34,7 +34,7 @@ class Raster(NamedTuple):
 
     @property
     def transform(self) -> tuple[float, float, float, float, float, float]:
-        """The affine transform from (column, row) to the plane, as in rasterio: Affine(*raster.transform)."""
+        """The affine transform from (column, row) to the plane, as in rasterio: `Affine(*raster.transform)`."""
         return self.cell, 0.0, self.extent[0], 0.0, -self.cell, self.extent[3]
 
     def __repr__(self) -> str:
