@@ -48,14 +48,14 @@ py::list contours_of(const Doubles& points, const Indices& simplices, const Indi
                      const Doubles& levels, unsigned threads, const py::object& progress) {
   const auto input = points_of(points);
   const TriangleArrays triangles = triangle_arrays_of(simplices, neighbors);
-  std::vector<Contour> lines = watched(input.size(), progress, [&](Watch& watch) {
+  const Contours lines = watched(input.size(), progress, [&](Watch& watch) {
     return contours(input, triangles, line_of(values), line_of(levels),
                     {.threads = threads, .go_on = watch.until_stopped()});
   });
   py::list result;
-  for (Contour& line : lines)
-    result.append(
-        py::make_tuple(levels.at(py::ssize_t(line.level)), line.is_closed, rows<double>(std::move(line.points))));
+  for (const Contour& line : lines)
+    result.append(py::make_tuple(levels.at(py::ssize_t(line.level)), line.is_closed,
+                                 rows<double>(std::vector<Point>(line.points.begin(), line.points.end()))));
   return result;
 }
 

@@ -38,7 +38,7 @@ void RasterWriter::write(std::span<const double> values) {
   }
 }
 
-void write_contours(OutputFile& file, Format format, std::span<const Contour> lines, std::span<const double> levels,
+void write_contours(OutputFile& file, Format format, const Contours& lines, std::span<const double> levels,
                     const std::optional<Crs>& crs) {
   const bool is_json = format == Format::geojson;
   file.write(is_json ? geojson_collection(crs) : lines.empty() ? "MULTILINESTRING Z EMPTY" : "MULTILINESTRING Z (");

@@ -36,7 +36,7 @@ class RasterWriter {
 /// Writes contour lines: GeoJSON with a Feature for each line, a LineString with the properties "height" and "closed";
 /// or well-known text, one MULTILINESTRING Z whose z is the height. A closed line ends with its first point. Requires:
 /// `format` is geojson or wkt. Throws Cancelled, and as OutputFile::write().
-void write_contours(OutputFile& file, Format format, std::span<const Contour> lines, std::span<const double> levels,
+void write_contours(OutputFile& file, Format format, const Contours& lines, std::span<const double> levels,
                     const std::optional<Crs>& crs);
 
 }  // namespace rbpa::app

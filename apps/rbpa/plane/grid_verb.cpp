@@ -109,7 +109,7 @@ std::vector<double> values_of(const std::string& value, PointFile& file, const s
 }
 
 /// Returns a drawing of the lines, which refers to `corners` and `edges`: these receive the points and the sides.
-Drawing drawing_of_lines(const std::vector<Contour>& lines, std::vector<Point>& corners, std::vector<Edge>& edges) {
+Drawing drawing_of_lines(const Contours& lines, std::vector<Point>& corners, std::vector<Edge>& edges) {
   for (const Contour& line : lines) {
     const auto first = static_cast<std::uint32_t>(corners.size()), n = static_cast<std::uint32_t>(line.points.size());
     corners.insert(corners.end(), line.points.begin(), line.points.end());
@@ -163,8 +163,8 @@ struct GridRun {
     AlphaComplex part;
     if (!std::isinf(alpha))
       part = build(file.points, alpha, {}, ComplexKind::solid, Links::neighbors, request.run).complex;
-    const std::vector<Contour> lines = contours(file.points, std::isinf(alpha) ? triangles : part, values, levels,
-                                                {request.run.threads, until_interrupted()});
+    const Contours lines = contours(file.points, std::isinf(alpha) ? triangles : part, values, levels,
+                                    {request.run.threads, until_interrupted()});
     std::vector<Point> corners;
     std::vector<Edge> edges;
     std::optional<Drawing> drawing;

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "rbpa/base/error.h"
@@ -24,7 +22,7 @@ struct Surface {
 
 /// Rotates a closed line so that it begins at its least point; if it passes this point several times, so that the whole
 /// line is least.
-void begin_at_least(std::vector<Point>& line) {
+void begin_at_least(std::span<Point> line) {
   const std::size_t n = line.size();
   std::size_t least = 0;
   for (std::size_t i = 1; i < n; ++i) {
@@ -35,7 +33,18 @@ void begin_at_least(std::vector<Point>& line) {
   std::rotate(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(least), line.end());
 }
 
-/// The lines of one level. Each triangle that the level crosses has one segment, from the side that the line enters to
+/// The lines of one level, in order. Points of `lines` are numbers of elements of `points`.
+struct FoundLines {
+  struct Line {
+    std::size_t begin, size;
+    bool is_closed;
+  };
+  std::vector<Line> lines = {};
+  std::vector<Point> points = {};
+  std::span<const Point> points_of(const Line& line) const { return std::span(points).subspan(line.begin, line.size); }
+};
+
+/// Finds the lines of one level. Each triangle that the level crosses has one segment, from the side that the line enters to
 /// the side that it leaves.
 class LinesOfLevel {
  public:
@@ -43,20 +52,28 @@ class LinesOfLevel {
   LinesOfLevel(const Surface& surface, double level, std::span<const std::uint32_t> crossed)
       : surface_(surface), level_(level), crossed_(crossed), is_done_(crossed.size(), false) {}
 
-  std::vector<Contour> find(std::size_t number) {
-    std::vector<Contour> lines;
+  FoundLines find() && {
     const auto follow = [&](std::size_t i, bool is_closed) {
-      Contour line{.level = number, .is_closed = is_closed, .points = line_from(i, is_closed)};
-      if (line.points.size() > 1) lines.push_back(std::move(line));
+      const std::size_t begin = found_.points.size();
+      add_line(i, is_closed);
+      const std::size_t size = found_.points.size() - begin;
+      if (size > 1)
+        found_.lines.push_back({begin, size, is_closed});
+      else
+        found_.points.resize(begin);
     };
     for (std::size_t i = 0; i < crossed_.size(); ++i)
       if (surface_.of.neighbors[crossed_[i]][sides(crossed_[i]).entry] == no_index) follow(i, false);
     for (std::size_t i = 0; i < crossed_.size(); ++i)
       if (!is_done_[i]) follow(i, true);
-    std::sort(lines.begin(), lines.end(), [](const Contour& a, const Contour& b) {
-      return std::tie(a.points, a.is_closed) < std::tie(b.points, b.is_closed);
+    using Line = FoundLines::Line;
+    std::sort(found_.lines.begin(), found_.lines.end(), [&](const Line& a, const Line& b) {
+      const auto p = found_.points_of(a), q = found_.points_of(b);
+      const auto [at, other] = std::mismatch(p.begin(), p.end(), q.begin(), q.end());
+      if (at == p.end() && other == q.end()) return a.is_closed < b.is_closed;
+      return other != q.end() && (at == p.end() || *at < *other);
     });
-    return lines;
+    return std::move(found_);
   }
 
  private:
@@ -87,10 +104,12 @@ class LinesOfLevel {
     return {std::lerp(a.x, b.x, share), std::lerp(a.y, b.y, share)};
   }
 
-  std::vector<Point> line_from(std::size_t i, bool is_closed) {
-    std::vector<Point> line;
+  /// Appends the points of the line that passes triangle crossed_[i], or enters there.
+  void add_line(std::size_t i, bool is_closed) {
+    std::vector<Point>& points = found_.points;
+    const std::size_t begin = points.size();
     const auto add = [&](const Point& point) {
-      if (line.empty() || !(line.back() == point)) line.push_back(point);
+      if (points.size() == begin || !(points.back() == point)) points.push_back(point);
     };
     if (!is_closed) add(crossing(crossed_[i], sides(crossed_[i]).entry));
     while (!is_done_[i]) {
@@ -102,16 +121,16 @@ class LinesOfLevel {
       if (next == no_index) break;
       i = static_cast<std::size_t>(std::lower_bound(crossed_.begin(), crossed_.end(), next) - crossed_.begin());
     }
-    if (!is_closed) return line;
-    while (line.size() > 1 && line.front() == line.back()) line.pop_back();
-    begin_at_least(line);
-    return line;
+    if (!is_closed) return;
+    while (points.size() > begin + 1 && points[begin] == points.back()) points.pop_back();
+    begin_at_least(std::span(points).subspan(begin));
   }
 
   const Surface& surface_;
   double level_;
   std::span<const std::uint32_t> crossed_;
   std::vector<bool> is_done_;
+  FoundLines found_;
 };
 
 void check_values(std::span<const Point> points, std::span<const double> values, std::span<const double> levels) {
@@ -130,9 +149,8 @@ void check_values(std::span<const Point> points, std::span<const double> values,
 
 }  // namespace
 
-std::vector<Contour> contours(std::span<const Point> points, const TriangleArrays& triangles,
-                              std::span<const double> values, std::span<const double> levels,
-                              const ContourOptions& options) {
+Contours contours(std::span<const Point> points, const TriangleArrays& triangles, std::span<const double> values,
+                  std::span<const double> levels, const ContourOptions& options) {
   check_values(points, values, levels);
   require_linked(triangles, points.size(), options.go_on);
   // Calls visit(level) for each level that crosses triangle t: the levels above its least value, up to its greatest.
@@ -154,19 +172,34 @@ std::vector<Contour> contours(std::span<const Point> points, const TriangleArray
   for (std::uint32_t t = 0; t < count; ++t) for_each_level(t, [&](std::size_t level) { crossed[next[level]++] = t; });
 
   const Surface surface{points, triangles, values};
-  std::vector<std::vector<Contour>> lines(levels.size());
+  std::vector<FoundLines> found(levels.size());
   Threads threads = threads_for(crossed.size(), options.threads);
   CheckpointOfThreads checkpoint(options.go_on);
   for_each_index(threads, levels.size(), [&](std::size_t level) {
     checkpoint();
     const auto of_level =
         std::span<const std::uint32_t>(crossed).subspan(begin[level], begin[level + 1] - begin[level]);
-    lines[level] = LinesOfLevel(surface, levels[level], of_level).find(level);
+    found[level] = LinesOfLevel(surface, levels[level], of_level).find();
   });
+  std::size_t lines = 0, corners = 0;
+  for (const FoundLines& of_level : found) {
+    lines += of_level.lines.size();
+    corners += of_level.points.size();
+  }
   std::vector<Contour> all;
-  for (std::vector<Contour>& of_level : lines)
-    all.insert(all.end(), std::make_move_iterator(of_level.begin()), std::make_move_iterator(of_level.end()));
-  return all;
+  std::vector<Point> all_points;
+  all.reserve(lines);
+  all_points.reserve(corners);  // so that the points stay where they are
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    const FoundLines of_level = std::exchange(found[level], {});
+    for (const FoundLines::Line& line : of_level.lines) {
+      steps();
+      const auto from = of_level.points_of(line);
+      all_points.insert(all_points.end(), from.begin(), from.end());
+      all.push_back({level, line.is_closed, std::span<const Point>(all_points).last(from.size())});
+    }
+  }
+  return {std::move(all), std::move(all_points)};
 }
 
 std::vector<double> levels_every(double step, std::span<const double> values) {

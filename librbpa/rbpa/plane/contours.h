@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "rbpa/base/api.h"
@@ -22,7 +23,28 @@ struct Contour {
   bool is_closed = false;  ///< the last point is joined with the first, which is not repeated
   /// Two points or more, with higher values on the left, so that lines around summits are counter-clockwise. No point
   /// equals the next. A closed line begins at the least of its points.
-  std::vector<Point> points;
+  std::span<const Point> points;
+};
+
+/// Contour lines, which refer to the points that this object holds: it can be moved, but not copied.
+class Contours {
+ public:
+  Contours() = default;
+  /// Requires: `lines` refer to `points`; not checked.
+  Contours(std::vector<Contour> lines, std::vector<Point> points)
+      : lines_(std::move(lines)), points_(std::move(points)) {}
+  Contours(Contours&&) = default;
+  Contours& operator=(Contours&&) = default;
+
+  std::size_t size() const { return lines_.size(); }
+  bool empty() const { return lines_.empty(); }
+  const Contour& operator[](std::size_t i) const { return lines_[i]; }
+  auto begin() const { return lines_.begin(); }
+  auto end() const { return lines_.end(); }
+
+ private:
+  std::vector<Contour> lines_;
+  std::vector<Point> points_;  // of all lines, one after another
 };
 
 struct ContourOptions {
@@ -35,9 +57,9 @@ struct ContourOptions {
 /// Requires: counter-clockwise triangles with neighbors, as alpha_complex() returns them for any alpha.
 /// Throws:   InvalidInput when there is not one finite value for each point, or the levels are not finite or not
 ///           ascending; ContractViolation as require_linked(); Cancelled.
-RBPA_API std::vector<Contour> contours(std::span<const Point> points, const TriangleArrays& triangles,
-                                       std::span<const double> values, std::span<const double> levels,
-                                       const ContourOptions& options = {});
+RBPA_API Contours contours(std::span<const Point> points, const TriangleArrays& triangles,
+                           std::span<const double> values, std::span<const double> levels,
+                           const ContourOptions& options = {});
 
 /// Returns the multiples of `step` that are above the least and not above the greatest of the values: the levels that
 /// contours() may find.

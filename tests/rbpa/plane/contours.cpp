@@ -37,15 +37,15 @@ std::map<Side, int> sides_of(const AlphaComplex& of) {
   return sides;
 }
 
-bool is_same(const std::vector<Contour>& a, const std::vector<Contour>& b) {
+bool is_same(const rbpa::Contours& a, const rbpa::Contours& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Contour& s, const Contour& t) {
-    return s.level == t.level && s.is_closed == t.is_closed && s.points == t.points;
+    return s.level == t.level && s.is_closed == t.is_closed && std::ranges::equal(s.points, t.points);
   });
 }
 
 /// Calls visit(a, b) for each segment of the lines.
-template <typename Visit>
-void for_each_segment(const std::vector<Contour>& lines, Visit visit) {
+template <typename Lines, typename Visit>
+void for_each_segment(const Lines& lines, Visit visit) {
   for (const Contour& line : lines)
     for (std::size_t k = 0; k + (line.is_closed ? 0 : 1) < line.points.size(); ++k)
       visit(line.points[k], line.points[(k + 1) % line.points.size()]);
@@ -166,7 +166,7 @@ TEST_CASE("lines of a plane are straight, and rings around a cone have the radiu
     CHECK(ring.is_closed);
     CHECK(ring.points.front() == *std::min_element(ring.points.begin(), ring.points.end()));
     double area = 0;
-    for_each_segment({ring}, [&](const Point& a, const Point& b) { area += (a.x * b.y - a.y * b.x) / 2; });
+    for_each_segment(std::span(&ring, 1), [&](const Point& a, const Point& b) { area += (a.x * b.y - a.y * b.x) / 2; });
     const double radius = radii[ring.level];
     CHECK(area == doctest::Approx(3.14159 * radius * radius).epsilon(0.02));  // positive: counter-clockwise
   }
@@ -202,7 +202,7 @@ TEST_CASE("values and levels of any size work, and wrong ones are refused") {
   const auto line = [&](std::vector<double> values, double level) {
     const auto lines = rbpa::contours(points, of, values, std::span(&level, 1));
     REQUIRE(lines.size() == 1);
-    return lines[0].points;
+    return Points(lines[0].points.begin(), lines[0].points.end());
   };
   CHECK(line({-most, most, most}, 0) == Points{{0, 2}, {2, 0}});  // higher points are on the left
   CHECK(line({most, -most, -most}, 0) == Points{{2, 0}, {0, 2}});
