@@ -6,7 +6,6 @@
 #include <exception>
 #include <functional>
 #include <map>
-#include <thread>
 #include <tuple>
 #include <utility>
 
@@ -241,7 +240,7 @@ void AtomFrames::read_atoms(AtomFrame& frame) {
   };
   frame.has_radii = radius_.has_value();
   if (!choice_.frames.all && choice_.frames.numbers.size() == 1) {
-    // As growing would touch each row twice; what is not needed is not touched.
+    // Growing would touch each row twice. Memory that is reserved and not used is never touched.
     constexpr std::size_t least_line = 32, most_rows = 10'000'000;
     frame.rows.reserve(std::min(bytes_.size() / least_line, most_rows));
     meshops::prefer_large_pages(frame.rows.data(), frame.rows.capacity() * sizeof(AtomRow));
@@ -266,8 +265,7 @@ void AtomFrames::read_atoms(AtomFrame& frame) {
     row.element = frame.number_of(element, before.element);
     frame.rows.push_back(row);
   };
-  const bool alone = choice_.threads == 1 || std::thread::hardware_concurrency() == 1;
-  ReadAhead<AtomBatch> batches(alone ? 0 : 1, 4, batches_of(*source_),
+  ReadAhead<AtomBatch> batches(choice_.threads == 1 ? 0 : 1, 4, batches_of(*source_),
                                [&](AtomBatch& batch) { find_values(batch, *source_, radius_, name_); });
   for (AtomBatch batch; batches.next(batch); stop_if_interrupted()) {
     for (std::size_t i = 0; i < batch.atoms.size(); ++i) take(batch.atoms[i], batch.values[i]);

@@ -33,7 +33,7 @@ void begin_at_least(std::span<Point> line) {
   std::rotate(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(least), line.end());
 }
 
-/// The lines of one level, in order. Points of `lines` are numbers of elements of `points`.
+/// The lines of one level, in order. The points of a line follow each other in `points`.
 struct FoundLines {
   struct Line {
     std::size_t begin, size;
