@@ -191,3 +191,22 @@ TEST_CASE(
     check(rbpa_test::read_points(file));
   }
 }
+
+TEST_CASE("a cell with few or many neighbors has all of them, in order, inside and on the hull") {
+  rbpa_test::Random random(3);
+  for (const double turn : {6.2, 3.1})  // around the point, and on one side of it
+    for (const int neighbors : {3, 23, 24, 25, 26, 60}) {
+      CAPTURE(turn);
+      CAPTURE(neighbors);
+      Points points = {{0, 0}};
+      for (int i = 0; i < neighbors; ++i) {
+        const double angle = turn * (i + random.between(0, 0.3)) / neighbors;
+        points.push_back({std::cos(angle), std::sin(angle)});
+      }
+      random.shuffle(points);
+      const Voronoi made = rbpa::voronoi(rbpa::Delaunay(points));
+      CHECK(wrong_with(made, points) == "");
+      const auto hub = static_cast<std::size_t>(std::find(points.begin(), points.end(), Point{0, 0}) - points.begin());
+      CHECK(made.region(made.point_region[hub]).size() + 1 >= static_cast<std::size_t>(neighbors));
+    }
+}
