@@ -242,8 +242,7 @@ void AtomFrames::read_atoms(AtomFrame& frame) {
   if (!choice_.frames.all && choice_.frames.numbers.size() == 1) {
     // Growing would touch each row twice. Memory that is reserved and not used is never touched.
     constexpr std::size_t least_line = 32, most_rows = 10'000'000;
-    frame.rows.reserve(std::min(bytes_.size() / least_line, most_rows));
-    meshops::prefer_large_pages(frame.rows.data(), frame.rows.capacity() * sizeof(AtomRow));
+    meshops::reserve_in_large_pages(frame.rows, std::min(bytes_.size() / least_line, most_rows));
   }
   const auto take = [&](const Atom& atom, AtomBatch::Values& values) {
     AtomRow& row = values.row;

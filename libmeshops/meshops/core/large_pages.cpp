@@ -13,8 +13,7 @@ void prefer_large_pages([[maybe_unused]] const void* begin, [[maybe_unused]] std
   constexpr std::uintptr_t page = large_page;
   if (bytes < page) return;
   const auto address = reinterpret_cast<std::uintptr_t>(begin);
-  const std::uintptr_t first = (address + page - 1) / page * page, last = (address + bytes) / page * page;
-  if (first >= last) return;
+  const std::uintptr_t first = address / page * page, last = (address + bytes + page - 1) / page * page;
   // A refusal of the system is no error: the memory is only slower.
   static_cast<void>(madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE));
 #endif

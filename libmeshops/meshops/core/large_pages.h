@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "meshops/core/api.h"
 
@@ -14,5 +15,16 @@ inline constexpr std::size_t large_page = std::size_t{1} << 21;  ///< size of a 
 /// function before the memory is touched. The advice has no effect on systems other than Linux, on systems without
 /// large pages, and on a range without a whole large page.
 MESHOPS_API void prefer_large_pages(const void* begin, std::size_t bytes);
+
+/// Reserves memory for `size` or a few more elements, in large pages. The system aligns memory to large pages if it is a
+/// whole number of them, together with the few bytes that malloc() adds.
+template <typename T>
+void reserve_in_large_pages(std::vector<T>& elements, std::size_t size) {
+  constexpr std::size_t added = 64;
+  if (size < large_page / sizeof(T)) return elements.reserve(size);
+  const std::size_t pages = (size * sizeof(T) + added + large_page - 1) / large_page;
+  elements.reserve((pages * large_page - added) / sizeof(T));
+  prefer_large_pages(elements.data(), elements.capacity() * sizeof(T));
+}
 
 }  // namespace meshops

@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "meshops/core/fresh_vector.h"
+#include "meshops/core/large_pages.h"
 #include "rbpa/base/arrays/distinct.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/run/input.h"
@@ -126,7 +128,8 @@ void turn(FixedTriangles& of, std::uint32_t t) {
 /// Brings the triangles into canonical order, in which those are that no segment has changed.
 void put_in_order(FixedTriangles& of, Steps& step) {
   const auto n = static_cast<std::uint32_t>(of.triangles.size());
-  std::vector<std::uint32_t> changed, order;
+  std::vector<std::uint32_t> changed;
+  meshops::FreshVector<std::uint32_t> order, rank(n);
   std::vector<bool> is_changed(n);
   for (std::uint32_t t = 0; t < n; ++t) {
     if ((of.fixed[t] & FixedTriangles::changed) == 0) continue;
@@ -146,17 +149,18 @@ void put_in_order(FixedTriangles& of, Steps& step) {
     order.push_back(t);
   }
   order.insert(order.end(), next, changed.end());
-  std::vector<std::uint32_t> rank(n);
   for (std::uint32_t i = 0; i < n; ++i) rank[order[i]] = i;
-  FixedTriangles sorted{std::vector<Triangle>(n), std::vector<Triangle>(n), std::vector<std::uint8_t>(n)};
-  for (std::uint32_t i = 0; i < n; ++i) {
+  FixedTriangles sorted;
+  meshops::reserve_in_large_pages(sorted.triangles, n);
+  meshops::reserve_in_large_pages(sorted.neighbors, n);
+  meshops::reserve_in_large_pages(sorted.fixed, n);
+  for (const std::uint32_t t : order) {
     step();
-    sorted.triangles[i] = of.triangles[order[i]];
-    sorted.fixed[i] = of.fixed[order[i]];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t across = of.neighbors[order[i]][k];
-      sorted.neighbors[i][k] = across == no_index ? no_index : rank[across];
-    }
+    sorted.triangles.push_back(of.triangles[t]);
+    sorted.fixed.push_back(of.fixed[t]);
+    for (std::uint32_t& across : of.neighbors[t])
+      if (across != no_index) across = rank[across];
+    sorted.neighbors.push_back(of.neighbors[t]);
   }
   of = std::move(sorted);
 }
@@ -173,10 +177,12 @@ std::vector<Segment> edges_of(const ConstrainedDelaunay& of, Steps& step) {
         }
     }
   };
-  std::vector<std::size_t> end(of.points.size() + 1);  // for each point, the end of the edges from it
+  std::vector<std::uint32_t> end(of.points.size() + 1);  // for each point, the end of the edges from it
   visit([&](std::uint32_t low, std::uint32_t) { ++end[low + 1]; });
   std::partial_sum(end.begin(), end.end(), end.begin());
-  std::vector<Segment> edges(end.back());
+  std::vector<Segment> edges;
+  meshops::reserve_in_large_pages(edges, end.back());
+  edges.resize(end.back());
   visit([&](std::uint32_t low, std::uint32_t high) { edges[end[low]++] = {low, high}; });
   for (auto first = edges.begin(); first != edges.end();) {
     auto last = first + 1;
@@ -237,6 +243,7 @@ ConstrainedDelaunay constrained_delaunay(std::span<const Point> points, std::spa
   const GoOn go_on = go_on_of(options.progress, points.size());
   Steps step(go_on);
   ConstrainedDelaunay result;
+  meshops::reserve_in_large_pages(result.points, points.size());
   result.points.assign(points.begin(), points.end());
   std::vector<Segment> parts(segments.begin(), segments.end());
   if (options.split_crossings) parts = split(segments, result, step);
@@ -250,6 +257,7 @@ ConstrainedDelaunay constrained_delaunay(std::span<const Point> points, std::spa
       if (at != result.duplicates.end() && at->index == end) end = at->stands_for;
     }
   FixedTriangles triangles{std::move(whole.triangles), std::move(whole.neighbors), {}};
+  meshops::reserve_in_large_pages(triangles.fixed, triangles.triangles.size());
   triangles.fixed.assign(triangles.triangles.size(), 0);
   if (triangles.triangles.empty()) {
     result.edges = edges_on_line(result, parts, step);

@@ -18,18 +18,11 @@ namespace {
 
 constexpr std::uint32_t ahead = 16;  // memory of a triangle is prefetched this many triangles before
 
-/// Reserves memory for `size` elements in large pages.
-template <typename T>
-void reserve(std::vector<T>& elements, std::size_t size) {
-  elements.reserve(size);
-  meshops::prefer_large_pages(elements.data(), size * sizeof(T));
-}
-
 std::vector<Point> centers_of(const Delaunay& delaunay, Steps& step) {
   const std::vector<Triangle>& triangles = delaunay.triangulation().triangles;
   const std::span<const Point> points = delaunay.points();
   std::vector<Point> centers;
-  reserve(centers, triangles.size());
+  meshops::reserve_in_large_pages(centers, triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     step();
     if (t + ahead < triangles.size())
@@ -106,10 +99,10 @@ Voronoi voronoi(const Delaunay& delaunay, const GoOn& go_on) {
   };
   result.point_region.resize(delaunay.points().size());
   std::vector<CellRidge> later;
-  reserve(result.region_begin, made.distinct + 1);
-  reserve(result.region_vertices, 6 * made.distinct);
-  reserve(result.ridge_points, 3 * made.distinct);
-  reserve(result.ridge_vertices, 3 * made.distinct);
+  meshops::reserve_in_large_pages(result.region_begin, made.distinct + 1);
+  meshops::reserve_in_large_pages(result.region_vertices, 6 * made.distinct);
+  meshops::reserve_in_large_pages(result.ridge_points, 3 * made.distinct);
+  meshops::reserve_in_large_pages(result.ridge_vertices, 3 * made.distinct);
   for (std::uint32_t p = 0; p < result.point_region.size(); ++p) {
     if (!ridges.has_cell(p)) continue;
     result.point_region[p] = static_cast<std::uint32_t>(result.regions());

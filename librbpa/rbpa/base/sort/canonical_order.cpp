@@ -225,8 +225,7 @@ std::vector<Triangle> CanonicalOrder<Item>::sort_all(Threads& threads, PutNumber
     for (const Run& run : bucket) start.back() += run.count;
   }
   std::vector<Triangle> all;
-  all.reserve(start.back());
-  meshops::prefer_large_pages(all.data(), start.back() * sizeof(Triangle));
+  meshops::reserve_in_large_pages(all, start.back());
   const std::size_t width = std::size_t{1} << shift_;
   in_order<Workspace>(
       threads, buckets_,

@@ -30,9 +30,8 @@ void sort_few(std::vector<NumberedRow>& rows) {
 void resize_rows(std::vector<Row>& rows, std::size_t count, Threads& threads) {
   constexpr std::size_t page = 4096;
   rows.clear();
-  rows.reserve(count);
+  meshops::reserve_in_large_pages(rows, count);
   auto* const memory = reinterpret_cast<std::byte*>(rows.data());
-  meshops::prefer_large_pages(memory, count * sizeof(Row));
   for_each_part(threads, count * sizeof(Row), meshops::large_page, [&](std::size_t first, std::size_t last) {
     for (std::size_t at = first; at < last; at += page) memory[at] = std::byte{0};
   });

@@ -70,8 +70,7 @@ OwnedTriangles LinkedTriangles::sorted(Threads& threads, const Checkpoint& check
   meshops::FreshVector<std::uint32_t> rank(size_);
   result.triangles = order_.sorted_with_ranks(threads, rank.data(), checkpoint);
   order_.end();
-  result.neighbors.reserve(size_);
-  meshops::prefer_large_pages(result.neighbors.data(), size_ * sizeof(Triangle));
+  meshops::reserve_in_large_pages(result.neighbors, size_);
   result.neighbors.resize(size_);
   std::mutex calling;
   for_each_part(threads, size_, triangles_at_a_time, [&](std::size_t first, std::size_t last) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "meshops/core/contract.h"
+#include "meshops/core/fresh_vector.h"
 #include "rbpa/base/exact/magnitude.h"
 #include "rbpa/plane/predicate/predicates.h"
 
@@ -338,7 +339,7 @@ class Inserter {
   std::vector<Triangle>&corners_, &across_;
   std::vector<std::uint8_t>& fixed_;
   Steps& step_;
-  std::vector<Site> star_;  // for each place, a triangle with this corner
+  meshops::FreshVector<Site> star_;  // for each place, a triangle with this corner
   // State of the insertion of an edge:
   std::vector<Rim> left_, right_;
   std::vector<std::uint32_t> slots_, taken_;  // removed triangles, in the order of removal; the same, ascending

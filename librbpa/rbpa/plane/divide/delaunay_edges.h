@@ -15,8 +15,8 @@
 #include <exception>
 #include <mutex>
 #include <span>
-#include <vector>
 
+#include "meshops/core/fresh_vector.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/progress.h"
 #include "rbpa/plane/divide/halve.h"
@@ -232,7 +232,7 @@ class DelaunayEdges {
   static constexpr std::size_t min_for_threads = 10000;  // points: one or two milliseconds of work
   std::span<SitePoint> places_;
   QuadEdges edges_;
-  std::vector<Edge> hull_;  // for an extreme corner, the edge of the hull that leaves it counter-clockwise
+  meshops::FreshVector<Edge> hull_;  // for an extreme corner, the edge of the hull that leaves it counter-clockwise
   Threads* threads_;
   DivisionSteps steps_;
 };

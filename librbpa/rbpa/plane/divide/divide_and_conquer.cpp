@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "meshops/core/fresh_vector.h"
+#include "meshops/core/large_pages.h"
 #include "rbpa/base/parallel/in_order.h"
 #include "rbpa/plane/divide/delaunay_edges.h"
 
@@ -23,6 +24,8 @@ class Extraction {
 
   /// Extracts the triangles. Loops have no unpredictable branch, and read data that is still in a cache.
   void extract(const Fate& fate, meshops::Patch& patch, meshops::Outline* outline) {
+    meshops::reserve_in_large_pages(patch.triangles, 2 * places_.size());
+    meshops::reserve_in_large_pages(patch.across, 2 * places_.size());
     patch.triangles.resize(2 * places_.size());
     patch.across.resize(2 * places_.size());
     std::size_t kept = 0;

@@ -8,7 +8,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+
+#include "meshops/core/fresh_vector.h"
 
 namespace rbpa {
 
@@ -23,7 +24,7 @@ class QuadEdges {
   };
 
   /// Reserves memory for the edges of a triangulation of `points` points.
-  explicit QuadEdges(std::size_t points) : size_(6 * points), edges_(std::make_unique_for_overwrite<Links[]>(size_)) {}
+  explicit QuadEdges(std::size_t points) : edges_(6 * points) {}
 
   /// Returns the unused edges for a triangulation of the points `first` to `last` − 1; no two calls share a point.
   /// Requires: at least one point.
@@ -39,7 +40,7 @@ class QuadEdges {
 
   /// Returns one more than the greatest edge number. Directed edges are numbered from 0; unused edges have the lnext()
   /// 0.
-  std::size_t size() const { return size_; }
+  std::size_t size() const { return edges_.size(); }
 
   static Edge sym(Edge e) { return e ^ 1; }
   Corner org(Edge e) const { return edges_[e].org; }
@@ -111,8 +112,7 @@ class QuadEdges {
     edges_[e].oprev = edges_[sym(e)].oprev = 0;
   }
 
-  std::size_t size_;
-  std::unique_ptr<Links[]> edges_;
+  meshops::FreshVector<Links> edges_;
 };
 
 }  // namespace rbpa

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "meshops/core/large_pages.h"
 #include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/plane/divide/divide_and_conquer.h"
 
@@ -27,10 +28,12 @@ void Remainder::add(const TilePatch& tile) {
 
 std::vector<std::uint32_t> Remainder::not_done() const {
   std::vector<std::uint32_t> unsettled, beside;
+  meshops::reserve_in_large_pages(unsettled, sites_.size());
   for (std::uint32_t s = 0; s < sites_.size(); ++s)
     if (!is_settled(s)) unsettled.push_back(s);
   for (const auto& [site, neighbor] : unsettled_neighbors_)
     if (is_settled(site) && !is_settled(neighbor)) beside.push_back(site);
+  if (beside.empty()) return unsettled;
   sort_unique(beside);
   std::vector<std::uint32_t> sites(unsettled.size() + beside.size());
   std::merge(unsettled.begin(), unsettled.end(), beside.begin(), beside.end(), sites.begin());
@@ -51,8 +54,10 @@ void Remainder::complete(Threads& threads, const Checkpoint& working, TilePatch&
   const bool fits = sites_.beyond().empty();
   const auto points = sites_.grid().points();
   const Radius radius = fits ? sites_.window().scaled(alpha_) : alpha_;
-  std::vector<SitePoint> places;
-  for (const std::uint32_t s : not_done()) places.push_back({fits ? points[s] : sites_.at(s), s});
+  const std::vector<std::uint32_t> sites = not_done();
+  meshops::FreshVector<SitePoint> places;
+  places.reserve(sites.size());
+  for (const std::uint32_t s : sites) places.push_back({fits ? points[s] : sites_.at(s), s});
 
   // Among the triangles of these sites, only those without a settled corner are surely Delaunay among all points.
   const std::vector<Corners> found = found_without_settled();

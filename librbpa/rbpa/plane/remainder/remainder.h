@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "meshops/core/fresh_vector.h"
 #include "meshops/patch/patch.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/plane/grid/sites.h"
@@ -47,9 +48,9 @@ class Remainder {
   const Sites& sites_;
   Radius alpha_;
   // for each site, the number of missing triangles; `unseen` more while no tile has seen the whole star
-  std::vector<int> missing_;
-  std::vector<TilePatch::Neighbors> unsettled_neighbors_;  // pairs of a site whose star is seen and a neighbor
-  std::vector<Corners> loose_triangles_;                   // triangles of patches that may have no settled corner
+  meshops::FreshVector<int> missing_;
+  meshops::FreshVector<TilePatch::Neighbors> unsettled_neighbors_;  // pairs of a site whose star is seen and a neighbor
+  meshops::FreshVector<Corners> loose_triangles_;                   // triangles of patches that may have no settled corner
 };
 
 }  // namespace rbpa

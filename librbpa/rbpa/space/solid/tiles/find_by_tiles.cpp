@@ -20,8 +20,7 @@ class Collected {
  public:
   Collected(const Leaves& leaves, bool has_radii) : leaves_(leaves), has_radii_(has_radii) {
     const std::size_t expected = 7 * leaves.distinct();
-    found.rows.corners.reserve(expected);
-    meshops::prefer_large_pages(found.rows.corners.data(), expected * sizeof(Row));
+    meshops::reserve_in_large_pages(found.rows.corners, expected);
     found.rows.neighbors.reserve(expected);
     found.border.reserve(leaves.distinct());
     shared_.reserve(leaves.distinct());
