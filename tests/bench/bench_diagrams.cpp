@@ -1,11 +1,15 @@
-// Measures constrained_delaunay() on coasts, and voronoi() on uniform points, and CGAL, in turn, one thread.
+// Measures constrained_delaunay() on coasts, and voronoi() on uniform points, and CGAL, in turn, one thread,
+// with warm memory and in fresh processes.
 //   bench_diagrams [--runs=N] [--points=N]      5 runs of each in turn, of about 1,000,000 points
 #include <cmath>
 #include <cstdio>
+#include <functional>
+#include <stdexcept>
 #include <vector>
 
 #include "bench/options.h"
 #include "bench/peers.h"
+#include "bench/process.h"
 #include "bench/tables.h"
 #include "rbpa/plane/constrained_delaunay.h"
 #include "rbpa/plane/voronoi.h"
@@ -53,10 +57,35 @@ std::vector<Point> uniform(std::size_t count) {
   return points;
 }
 
-void print(const char* what, std::size_t points, const std::vector<Contestant>& contestants, int runs) {
-  const auto of = in_turn(contestants, {.runs = runs, .by_processor = true});
-  print_row({what, text("%zu", points), text("%zu", of[0].count), of[0].seconds.text(3, 1), of[1].seconds.text(3, 1),
-             text("%.2f", of[1].seconds.median() / of[0].seconds.median())});
+/// Times of one contestant, of the processor: in a process that keeps its memory, and in fresh processes.
+struct Times {
+  Timings warm = {}, fresh = {};
+  std::size_t count = 0;
+};
+
+/// Measures contestants in turn. Each run is in a child, as the pages and the heap of one contestant help or hinder the
+/// next one: one run in a fresh child, or the fourth run in one that keeps its memory.
+void print(const char* what, std::size_t points, const std::vector<std::function<Run()>>& contestants, int runs) {
+  std::vector<Times> times(contestants.size());
+  for (int round = 0; round < runs; ++round)
+    for (std::size_t i = 0; i < contestants.size(); ++i) {
+      const auto& run = contestants[i];
+      const auto fresh = in_child<Run>(run);
+      const auto warm = in_child<Run>([&] {
+        keep_memory();
+        for (int before = 0; before < 3; ++before) run();
+        return run();
+      });
+      if (!fresh || !warm || fresh->count != warm->count) throw std::runtime_error("a run has failed");
+      times[i].fresh.of.push_back(fresh->processor_seconds);
+      times[i].warm.of.push_back(warm->processor_seconds);
+      times[i].count = warm->count;
+    }
+  const Times &ours = times[0], &cgal = times[1];
+  if (ours.count != cgal.count) throw std::runtime_error("the results differ in size");
+  print_row({what, text("%zu", points), text("%zu", ours.count), ours.warm.text(3), cgal.warm.text(3),
+             text("%.2f", cgal.warm.median() / ours.warm.median()), ours.fresh.text(3), cgal.fresh.text(3),
+             text("%.2f", cgal.fresh.median() / ours.fresh.median())});
 }
 
 }  // namespace
@@ -65,27 +94,26 @@ void print(const char* what, std::size_t points, const std::vector<Contestant>& 
 int main(int argc, char** argv) {
   using namespace rbpa_bench;
   const auto [most, runs] = read_sizes(argc, argv);
-  std::printf("%s; one thread, %d runs of each in turn.\n\n", machine().c_str(), runs);
-  std::printf("Seconds of processor time: median (min–max).\n\n");
-  print_head({"what"}, {"points", "triangles or vertices", "rbpa", "CGAL", "CGAL / rbpa"});
+  std::printf("%s; one thread, %d runs of each in turn, each in a process.\n\n", machine().c_str(), runs);
+  std::printf("Seconds of processor time with warm memory and in fresh processes: median (min–max).\n\n");
+  print_head({"what"}, {"points", "triangles or vertices", "rbpa, warm", "CGAL, warm", "CGAL / rbpa", "rbpa, fresh",
+                        "CGAL, fresh", "CGAL / rbpa"});
   const Coasts coasts = coasts_of(most);
   print("constrained Delaunay triangulation of coasts", coasts.points.size(),
-        {{"rbpa",
-          [&] {
-            const Stopwatch watch;
-            const auto made = rbpa::constrained_delaunay(coasts.points, coasts.segments, {.threads = 1});
-            return watch.run(made.triangles.size());
-          }},
-         {"CGAL", [&] { return constrained_by_cgal(coasts.points, coasts.segments); }}},
+        {[&] {
+           const Stopwatch watch;
+           const auto made = rbpa::constrained_delaunay(coasts.points, coasts.segments, {.threads = 1});
+           return watch.run(made.triangles.size());
+         },
+         [&] { return constrained_by_cgal(coasts.points, coasts.segments); }},
         runs);
   const std::vector<Point> points = uniform(most);
   print("Voronoi diagram of uniform points", points.size(),
-        {{"rbpa",
-          [&] {
-            const Stopwatch watch;
-            const rbpa::Voronoi made = rbpa::voronoi(rbpa::Delaunay(points, {.threads = 1}));
-            return watch.run(made.vertices.size());
-          }},
-         {"CGAL", [&] { return voronoi_by_cgal(points); }}},
+        {[&] {
+           const Stopwatch watch;
+           const rbpa::Voronoi made = rbpa::voronoi(rbpa::Delaunay(points, {.threads = 1}));
+           return watch.run(made.vertices.size());
+         },
+         [&] { return voronoi_by_cgal(points); }},
         runs);
 }

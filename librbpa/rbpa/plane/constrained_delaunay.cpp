@@ -167,23 +167,24 @@ void put_in_order(FixedTriangles& of, Steps& step) {
 
 /// Returns the edges on segments, in lexicographic order.
 std::vector<Segment> edges_of(const ConstrainedDelaunay& of, Steps& step) {
-  const auto visit = [&](const auto& take) {
-    for (std::uint32_t t = 0; t < of.triangles.size(); ++t) {
-      step();
-      for (std::uint32_t k = 0; k < 3; ++k)
-        if (of.is_constrained(t, k) && t < of.neighbors[t][k]) {
-          const auto [low, high] = std::minmax(of.triangles[t][(k + 1) % 3], of.triangles[t][(k + 2) % 3]);
-          take(low, high);
-        }
-    }
-  };
-  std::vector<std::uint32_t> end(of.points.size() + 1);  // for each point, the end of the edges from it
-  visit([&](std::uint32_t low, std::uint32_t) { ++end[low + 1]; });
+  constexpr unsigned sides = 7;  // the bits of the three sides
+  meshops::FreshVector<Segment> found;
+  meshops::FreshVector<std::uint32_t> end(of.points.size() + 1, 0);  // for each point, the end of the edges from it
+  for (std::uint32_t t = 0; t < of.triangles.size(); ++t) {
+    step();
+    if ((of.constrained[t] & sides) == 0) continue;
+    for (std::uint32_t k = 0; k < 3; ++k)
+      if (of.is_constrained(t, k) && t < of.neighbors[t][k]) {
+        const auto [low, high] = std::minmax(of.triangles[t][(k + 1) % 3], of.triangles[t][(k + 2) % 3]);
+        found.push_back({low, high});
+        ++end[low + std::size_t{1}];
+      }
+  }
   std::partial_sum(end.begin(), end.end(), end.begin());
   std::vector<Segment> edges;
-  meshops::reserve_in_large_pages(edges, end.back());
-  edges.resize(end.back());
-  visit([&](std::uint32_t low, std::uint32_t high) { edges[end[low]++] = {low, high}; });
+  meshops::reserve_in_large_pages(edges, found.size());
+  edges.resize(found.size());
+  for (const Segment& edge : found) edges[end[edge[0]]++] = edge;
   for (auto first = edges.begin(); first != edges.end();) {
     auto last = first + 1;
     while (last != edges.end() && (*last)[0] == (*first)[0]) ++last;

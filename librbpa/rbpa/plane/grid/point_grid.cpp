@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "meshops/core/large_pages.h"
 #include "rbpa/base/exact/two.h"
 #include "rbpa/base/sort/sort_by_cell.h"
 
@@ -64,7 +65,10 @@ void PointGrid::refine(Threads& threads, const Checkpoint& checkpoint) {
         if (start[cell + 1] - start[cell] > max_in_cell)
           dense.push_back({static_cast<std::uint32_t>(i), cell, start[cell], start[cell + 1]});
     }
-    std::vector<std::optional<Level>> finer(dense.size());
+    std::vector<std::optional<Level>> finer;
+    meshops::reserve_in_large_pages(finer, dense.size());
+    meshops::reserve_in_large_pages(levels_, levels_.size() + dense.size());
+    finer.resize(dense.size());
     for_each_index(threads, dense.size(),
                    [&](std::size_t i) { finer[i] = level_of(dense[i].first, dense[i].last, threads); });
     for (std::size_t i = 0; i < dense.size(); ++i) {

@@ -50,7 +50,7 @@ class Remainder {
   // for each site, the number of missing triangles; `unseen` more while no tile has seen the whole star
   meshops::FreshVector<int> missing_;
   meshops::FreshVector<TilePatch::Neighbors> unsettled_neighbors_;  // pairs of a site whose star is seen and a neighbor
-  meshops::FreshVector<Corners> loose_triangles_;                   // triangles of patches that may have no settled corner
+  meshops::FreshVector<Corners> loose_triangles_;  // triangles of patches that may have no settled corner
 };
 
 }  // namespace rbpa
