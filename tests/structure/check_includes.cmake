@@ -57,7 +57,7 @@ set(allowed
     rbpa/plane/tile"
   "rbpa/plane/pivots: rbpa/base/lanes rbpa/plane/predicate rbpa/plane/tile"
   "rbpa/plane/predicate: rbpa/base rbpa/base/exact"
-  "rbpa/plane/remainder: meshops/patch rbpa/base/arrays rbpa/base/parallel rbpa/plane/divide rbpa/plane/grid
+  "rbpa/plane/remainder: meshops/core meshops/patch rbpa/base/arrays rbpa/base/parallel rbpa/plane/divide rbpa/plane/grid
     rbpa/plane/predicate rbpa/plane/tile"
   "rbpa/plane/shape: rbpa/base rbpa/base/exact rbpa/base/run rbpa/plane rbpa/plane/predicate"
   "rbpa/plane/tile: meshops/patch rbpa/base rbpa/base/parallel rbpa/plane/grid rbpa/plane/predicate"
