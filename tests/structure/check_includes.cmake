@@ -119,7 +119,7 @@ set(allowed
     rbpa/space/predicate rbpa/space/surface rbpa/space/surface/pivot"
 
   # Programs: folders of ours first, then what each uses of the libraries.
-  "apps/examples: meshops meshops/core meshops/front meshops/graph meshops/topology rbpa/plane rbpa/space/repair
+  "apps/examples: meshops meshops/core meshops/front meshops/graph meshops/simplify meshops/topology rbpa/plane rbpa/space/repair
     rbpa/space/surface"
   "apps/io: rbpa/base"
   "apps/io/bytes: apps/io meshops/core"

@@ -11,13 +11,13 @@ namespace meshops {
 
 inline constexpr std::size_t large_page = std::size_t{1} << 21;  ///< size of a large page in bytes
 
-/// Advises the system to use large pages for the whole large pages within the `bytes` bytes from `begin` on. Call the
-/// function before the memory is touched. The advice has no effect on systems other than Linux, on systems without
-/// large pages, and on a range without a whole large page.
+/// Advises the system to use large pages for the `bytes` bytes from `begin` on, and for what lies in the same large
+/// pages. Call the function before the memory is touched. The advice has no effect on systems other than Linux, on
+/// systems without large pages, and on fewer bytes than a large page has.
 MESHOPS_API void prefer_large_pages(const void* begin, std::size_t bytes);
 
-/// Reserves memory for `size` or a few more elements, in large pages. The system aligns memory to large pages if it is a
-/// whole number of them, together with the few bytes that malloc() adds.
+/// Reserves memory for `size` elements or slightly more, in large pages. With the few bytes that malloc() adds, the
+/// memory is a whole number of large pages, so that Linux aligns it to large pages.
 template <typename T>
 void reserve_in_large_pages(std::vector<T>& elements, std::size_t size) {
   constexpr std::size_t added = 64;
