@@ -20,8 +20,8 @@ class BallPivoting {
  public:
   using Triangle = std::array<meshops::Site, 3>;
 
-  /// Prepares the current level of the front. Requires: `carried` is the result of next_level(). Interior points remain
-  /// closed.
+  /// Prepares the current level of the front. Requires: `carried` is the result of next_level(). Sites in the interior
+  /// of the surface are left out of `carried`, as no ball may roll to them.
   BallPivoting(const rbpa::RollingBall& ball, const meshops::Front& front, std::vector<meshops::Site> carried)
       : ball_(ball), level_(front.level()), open_(std::move(carried)) {
     std::erase_if(open_, [&](meshops::Site s) {

@@ -29,7 +29,7 @@ class Ears {
  public:
   explicit Ears(const std::vector<Place>& polygon) : at_(polygon) {}
 
-  /// A request that the engine computes key(), the square of the length of a cut, again after a cut nearby.
+  /// Makes the engine compute key(), the square of the length of a cut, again for the edges beside a cut that is made.
   static constexpr bool rekeys_neighbors = true;
   std::int64_t key(const Front& front, Halfedge h) const {
     const auto [a, b, c] = ear(front, h);

@@ -274,7 +274,9 @@ std::optional<double> unit_of_wkt(std::string_view text) {
 
 Crs parse_crs(const std::string& text) {
   const std::optional<Crs> crs = system_of_name(text);
-  if (!crs) bad_usage("--crs", in_quotes(text), "an authority and a code, such as EPSG:28992");
+  if (!crs)
+    bad_usage("--crs", in_quotes(text),
+              "an authority and a code, such as EPSG:28992, or EPSG:4326 for longitudes and latitudes");
   if (is_vertical(*crs))
     bad_usage("--crs", in_quotes(text) + ", a system of heights", "a horizontal one, such as EPSG:28992");
   // Accept the range from which EPSG assigns codes of systems, also codes that are not assigned.

@@ -66,11 +66,11 @@ enum class Use : unsigned {
   polygons = 1U << 3U,   ///< in
   triangles = 1U << 4U,  ///< out: triangles of the plane
   surface = 1U << 5U,    ///< out, in space
-  shape = 1U << 6U,      ///< out
-  levels = 1U << 7U,     ///< out
-  polylines = 1U << 8U,  ///< out
+  shape = 1U << 6U,      ///< out: outline polygons
+  levels = 1U << 7U,     ///< out: the table of --levels
+  polylines = 1U << 8U,  ///< out: lines in space
   solid = 1U << 9U,      ///< out: tetrahedra
-  voids = 1U << 10U,     ///< out
+  voids = 1U << 10U,     ///< out: voids of a solid
   cycles = 1U << 11U,    ///< out: representative cycles of persistence pairs in space
   full = 1U << 12U,      ///< out: triangles of the plane with edges and points in no triangle
   isolated = 1U << 13U,  ///< out: points in no polygon

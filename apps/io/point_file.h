@@ -75,7 +75,8 @@ struct PointFile : PointFacts {
   std::vector<bool> keys_are_texts = {};
   /// Third coordinates, one for each point, NaN if it has none; empty unless they were requested and any point has one.
   std::vector<double> z = {};
-  bool degrees = false;  ///< x is a longitude and y a latitude, as a CRS or the names of columns say
+  std::string height_name = "z";  ///< name of the column of third coordinates
+  bool degrees = false;           ///< x is a longitude and y a latitude, as a CRS or the names of columns say
   /// Third coordinates that are ignored, for a warning if they differ. Not set for LAS, whose users expect footprints.
   Heights heights = {};
   /// The lines and rings whose vertices are points, in the order of the file. Unspecified if --where leaves points out.

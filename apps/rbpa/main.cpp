@@ -38,13 +38,14 @@ std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
 int main(int argc, char** argv) {
   occupy_standard_streams();
   catch_interrupts();
-  CLI::App app("Alpha shapes of points in the plane, surfaces and solids of points in space, by ball pivoting", "rbpa");
+  CLI::App app("Outlines and triangles of points in the plane, surfaces and solids of points in space", "rbpa");
   app.formatter(std::make_shared<NarrowHelp>());
   app.set_version_flag("--version", std::string("rbpa ") + RBPA_VERSION);
   app.require_subcommand(1);
   app.footer(
       "Examples:\n"
       "  rbpa info points.xy\n"
+      "  rbpa shape points.xy --alpha plateau -o outline.geojson\n"
       "  rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png\n"
       "\n"
       "See `rbpa help VERB` for each verb.");

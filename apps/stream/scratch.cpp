@@ -74,7 +74,8 @@ std::string new_name() {
 int rename_to_new(const std::string& from, const std::string& to) {
   if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != ENOSYS && errno != EINVAL) return errno;
-  // Check first on a disk that cannot do both atomically. An empty folder that appears after the check is replaced.
+  // This file system cannot rename and refuse an existing name in one step: check first. An empty folder that appears
+  // after the check is replaced.
   if (access(to.c_str(), F_OK) == 0) return EEXIST;
   return std::rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }

@@ -1,4 +1,4 @@
-// What:   triangulates polygons with holes by an advancing front, with triangles of a given size.
+// What:   triangulates polygons with holes by an advancing front, with edges of about a given length.
 // Law:    the triangles cover the polygons, meet in whole edges, and have the same boundary as the polygons. All
 //         decisions are exact, so this holds for every valid multipolygon (validity.h), and for groups of them. The
 //         triangles do not depend on the direction of the rings, their first points, or their order.
@@ -18,9 +18,9 @@
 
 namespace rbpa {
 
-/// Fills polygons with triangles of about the size `options.size`. The rings of `polygons` are indices into `points`. A
-/// ring may begin anywhere, have either orientation, and repeat a point in a row; rings may touch at single points, and
-/// polygons may lie in holes of others. A polygon without points has no triangle. Of equal points the one of lowest
+/// Fills polygons with triangles whose edges are about `options.size` long. The rings of `polygons` are indices into
+/// `points`. A ring may begin anywhere, have either orientation, and repeat a point in a row; rings may touch at single
+/// points, and polygons may lie in holes of others. A polygon without points has no triangle. Of equal points the one of lowest
 /// index is used. A point at which a ring touches an edge becomes a vertex of that edge's ring. A point that fill()
 /// adds on an edge is rounded to doubles, and may therefore lie beside the edge.
 /// Requires: each group (FillOptions::groups) is a valid multipolygon.

@@ -16,7 +16,8 @@ namespace {
 
 std::string warning(const std::string& file, int points = 3) {
   return "rbpa: " + file + ": z of " + std::to_string(points) +
-         " points was ignored (rbpa surface and rbpa solid use it)\n";
+         " points is not used (rbpa mesh keeps heights, rbpa grid interpolates them; rbpa surface and solid work in "
+         "space)\n";
 }
 
 /// Returns points of three numbers with the given third ones.
@@ -91,6 +92,34 @@ TEST_SUITE("heights") {
     says("p.las", bytes_of(LasFile{.points = {{.z = 1}, {.x = 1, .z = 2}, {.y = 1}}}), false);
   }
 
+  TEST_CASE("heights are a field, as z or by the name of their column, and are then not ignored") {
+    struct Case {
+      std::string file, content, field, sum = "6";
+    };
+    const std::vector<Case> cases = {
+        {"p.csv", "x,y,Height\n0,0,1\n1,0,1\n0,1,4\n", "Height"},
+        {"p.csv", "x,y,Height\n0,0,1\n1,0,1\n0,1,4\n", "z"},
+        {"p.csv", "lon;height;lat\n0;1;0\n1;1;0\n0;4;1\n", "height"},
+        {"p.ply", ply({1, 1, 4}, true, false), "z"},
+        {"p.ply", ply({1, 1, 4}, false, false), "Z"},
+        {"p.las", bytes_of(LasFile{.points = {{.z = 1}, {.x = 1, .z = 1}, {.y = 1, .z = 4}}}), "z",
+         "0.06"},  // in hundredths
+        {"p.geojson", "{\"type\":\"MultiPoint\",\"coordinates\":[[0,0,1],[1,0,1],[1,1,4]]}", "z"}};
+    const Folder folder;
+    for (const Case& one : cases) {
+      CAPTURE(one.file + " " + one.field);
+      folder.file(one.file, one.content);
+      const Outcome made =
+          folder.rbpa("shape " + one.file + " --alpha inf --summarize " + one.field + ":sum -o s.geojson");
+      CHECK(made.err.find("z of") == std::string::npos);
+      CHECK(folder.content("s.geojson").find("\"" + one.field + "_sum\":" + one.sum + "}") != std::string::npos);
+    }
+    folder.file("p.csv", "x,y,Height\n0,0,1\n1,0,1\n0,1,4\n9,9,5\n");
+    folder.rbpa("shape p.csv --alpha 2 --fields Height --isolated i.csv -o s.wkt");
+    CHECK(folder.content("i.csv").find("Height\n9,9,") != std::string::npos);
+    CHECK(folder.content("i.csv").find(",5\n") != std::string::npos);
+  }
+
   TEST_CASE("all verbs of the plane without vertices print that warning, and info says how it counts duplicates") {
     const Folder folder;
     folder.file("p.csv", "x,y,z\n0,0,1\n1,0,1\n0,1,2\n0,1,3\n");
@@ -101,7 +130,7 @@ TEST_SUITE("heights") {
       CHECK(folder.rbpa(verb + " --quiet").err.find("z of") == std::string::npos);
     }
     CHECK(folder.rbpa("info p.csv").out.find("duplicates  1  (of x and y; z was ignored)\n") != std::string::npos);
-    CHECK(folder.rbpa("surface p.csv --radius 2 -o s.off").err.find("ignored") == std::string::npos);
+    CHECK(folder.rbpa("surface p.csv --radius 2 -o s.off").err.find("not used") == std::string::npos);
     folder.file("q.csv", "x,y\n0,0\n0,0\n");
     CHECK(folder.rbpa("info q.csv").out.find("duplicates  1\n") != std::string::npos);
   }

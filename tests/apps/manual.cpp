@@ -96,7 +96,7 @@ TEST_SUITE("manual") {
   TEST_CASE("the title names plane and space; verbs have a line each, and a description of their own") {
     const Folder folder;
     const std::string help = folder.rbpa("help").out, title = help.substr(0, help.find('\n'));
-    CHECK(title == "Alpha shapes of points in the plane, surfaces and solids of points in space, by ball pivoting");
+    CHECK(title == "Outlines and triangles of points in the plane, surfaces and solids of points in space");
     CHECK(folder.rbpa("--man").out.find(".SH NAME\nrbpa \\- " + title + "\n") != std::string::npos);
     CHECK(
         help.find("  shape                       Make polygons with holes of the alpha solid, valid under OGC Simple\n"

@@ -140,7 +140,7 @@ TEST_SUITE("heights of triangles") {
       folder.file(name, content);
       const Outcome outcome = folder.rbpa("mesh " + name + " --alpha inf --fields none" + all_writers());
       REQUIRE(outcome.code == 0);
-      CHECK(outcome.err.find("was ignored") == std::string::npos);
+      CHECK(outcome.err.find("is not used") == std::string::npos);
       CHECK((outcome.err.find("column 3 is read as z") != std::string::npos) == (name == "p.txt"));
       for (const std::string& writer : writers) {
         CAPTURE(writer);
@@ -191,9 +191,9 @@ TEST_SUITE("heights of triangles") {
     CHECK(vertices(folder, "t.obj") == Places{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     CHECK(folder.content("t.geojson").find("\"coordinates\":[[[0,0],[1,0],[0,1],[0,0]]]") != std::string::npos);
     folder.file("p.csv", "x,y,z\n0,0,1\n1,0,2\n0,1,3\n");
-    CHECK(folder.rbpa("mesh p.csv --alpha 2 -o t.npy -o t.svg").err.find("z of 3 points was ignored") !=
+    CHECK(folder.rbpa("mesh p.csv --alpha 2 -o t.npy -o t.svg").err.find("z of 3 points is not used") !=
           std::string::npos);
-    CHECK(folder.rbpa("shape p.csv --alpha 2 -o s.wkt").err.find("z of 3 points was ignored") != std::string::npos);
+    CHECK(folder.rbpa("shape p.csv --alpha 2 -o s.wkt").err.find("z of 3 points is not used") != std::string::npos);
     const std::string flat = "p.csv: meshes of tiles have z = 0 (rbpa mesh keeps heights";
     CHECK(folder.rbpa("stream p.csv --alpha 2 -o 't*.ply'").err.find(flat) != std::string::npos);
     CHECK(folder.rbpa("stream p.csv --alpha 2 -o t.wkt").err.find("z = 0") == std::string::npos);

@@ -28,7 +28,7 @@ constexpr std::array<const char*, phases> names = {
 
 using Seconds = std::array<double, phases>;
 
-/// Adds the time since the last lap to a phase.
+/// A stopwatch: lap(phase) adds the time since the last lap to the phase.
 class Laps {
  public:
   explicit Laps(Seconds& seconds) : seconds_(seconds) {}

@@ -48,7 +48,7 @@ def test_conditions_select_points_with_their_fields(tmp_path, space):
     read = rbpa.read_points(las(tmp_path / "scan.las"), space=space, fields=["intensity", "z"], where="classification == 2")
     assert np.array_equal(read.points, (PLACES / 100 + [500000, 0, 0])[CLASSES == 2][:, : 3 if space else 2])
     assert read.fields["intensity"].tolist() == [0, 7, 28] and read.fields["z"].tolist() == [0, 0.1, 0.4]
-    assert read.warnings[-1] == "--where selects 3 of 5 points"
+    assert read.warnings[-1] == "where selects 3 of 5 points"
     none = rbpa.read_points(tmp_path / "scan.las", space=space, fields=["intensity"], where="classification == 9")
     assert none.points.shape == (0, 3 if space else 2) and none.fields["intensity"].shape == (0,)
 
@@ -182,7 +182,7 @@ def test_a_header_without_known_names_is_among_the_warnings(tmp_path):
         warnings = rbpa.read_points(path).warnings
         assert any(text.startswith("no name of a column is that of a coordinate") for text in warnings) != known, header
     path.write_text("a,b,c\n0,1,2\n2,5,3\n")
-    with pytest.raises(rbpa.InvalidInput, match="expected known names of coordinates, such as x and y .--columns b,c chooses columns"):
+    with pytest.raises(rbpa.InvalidInput, match="expected known names of coordinates, such as x and y .columns b,c chooses columns"):
         rbpa.read_points(path)
 
 

@@ -14,14 +14,15 @@ namespace rbpa_test {
 /// Picture as rows from the top; '#' is solid. All rows have the same length.
 using Picture = std::vector<std::string>;
 
-/// A pixel is 2 × 2, with its corners on even integers and its center on odd ones. The center makes four triangles of
-/// circumradius 1; three corners without it have √2.
+/// Returns the corners of all pixels, and the centers of solid pixels. A pixel is 2 × 2: corners are on even integers,
+/// centers on odd ones. A center and two corners have circumradius 1, so that a solid pixel is filled. Three corners
+/// have √2, so that an empty pixel is not.
 Points points_of(const Picture& picture);
 inline constexpr double picture_alpha = 1;
 
 Picture random_picture(std::size_t rows, std::size_t columns, double solid, Random& random);
 
-/// Polygon by numbers that are exact.
+/// Exact measures of a polygon.
 struct Part {
   double area;
   double perimeter;

@@ -104,6 +104,24 @@ void warn_of_odd_points(PointFile& file) {
                           "), far from all others, as where a number is missing (--where leaves points out)");
 }
 
+/// Returns whether a field that may be the height is chosen by its name.
+bool chooses_height(const std::optional<FieldChoice>& choice) {
+  return choice && choice->names &&
+         std::any_of(choice->names->begin(), choice->names->end(),
+                     [](const std::string& name) { return find_height({name}).has_value(); });
+}
+
+/// Adds the heights to the kept fields if they are chosen, as z or by the name of their column.
+void keep_heights(PointFile& file, const std::optional<FieldChoice>& choice) {
+  if (!chooses_height(choice) || file.z.empty()) return;
+  for (const std::string& name : *choice->names) {
+    if (find_column(file.kept, name) || !(same_letters(name, file.height_name) || same_letters(name, "z"))) continue;
+    PointColumn& column = file.kept.emplace_back();
+    column.name = name;
+    for (const double z : file.z) column.append(z);
+  }
+}
+
 /// Returns `file` with its system of coordinates, with shifted longitudes and heights as requested, and with warnings.
 PointFile settled(PointFile file, const std::string& name, const PointSource& source) {
   settle_crs(file, source.crs);
@@ -115,6 +133,7 @@ PointFile settled(PointFile file, const std::string& name, const PointSource& so
   }
   if (file.degrees && !source.beside_points) warning_on_degrees(file);
   warn_of_odd_points(file);
+  keep_heights(file, source.keeps);
   if (!source.heights) file.z = {};  // readers of geometries always fill in z
   return file;
 }
@@ -126,7 +145,7 @@ std::unique_ptr<Cloud> open_plane_cloud(Content content, const PointSource& sour
   return open_cloud(*cloud_format(source.format), std::move(content),
                     {.columns = source.columns,
                      .where = source.where,
-                     .heights = source.heights,
+                     .heights = source.heights || chooses_height(source.keeps),
                      .skip_invalid = source.skip_invalid,
                      .vertices = source.vertices,
                      .keeps = source.keeps,
@@ -231,8 +250,10 @@ PointFile points_in(std::string_view bytes, const std::string& name, const Point
   // Refuse an empty file, the result of an earlier command that failed; a file without points may be intended.
   if (bytes.empty()) bad_input(name, "an empty file", "points");
   std::string room;
-  if (!is_table(source.format)) bytes = plain_text(bytes, name, source.format, room);
-  return settled(parse(bytes, name, source), name, source);
+  return reading_as(Use::points, source.format, bytes, [&] {
+    if (!is_table(source.format)) bytes = plain_text(bytes, name, source.format, room);
+    return settled(parse(bytes, name, source), name, source);
+  });
 }
 
 }  // namespace rbpa::app

@@ -101,8 +101,10 @@ SpacePoints space_points_in(std::string_view bytes, const std::string& name, For
   // Refuse an empty file, the result of an earlier command that failed; a file without points may be intended.
   if (bytes.empty()) bad_input(name, "an empty file", "points");
   std::string room;
-  if (!is_table(format)) bytes = plain_text(bytes, name, format, room);
-  return read_content(Content(bytes, name), format, request);
+  return reading_as(Use::space, format, bytes, [&] {
+    if (!is_table(format)) bytes = plain_text(bytes, name, format, room);
+    return read_content(Content(bytes, name), format, request);
+  });
 }
 
 }  // namespace rbpa::app

@@ -27,7 +27,8 @@ std::string_view properties_in(std::string_view comment) {
   return comment.substr(0, std::min(comment.find_first_of(quoted ? "\"" : " \t"), comment.size()));
 }
 
-/// Returns the names of the columns that "species:S:1:pos:R:3" describes; empty if the description is not understood.
+/// Returns the names of the columns of a Properties value of extended XYZ, such as "species:S:1:pos:R:3"; empty if it
+/// is not understood.
 std::vector<std::string> names_of(std::string_view properties) {
   std::deque<std::string> room;
   const std::vector<std::string_view> words = split(properties, ':', room);
@@ -116,9 +117,9 @@ class Starter {
     if (start_.has_line && !lines_.comment_before().empty()) comment_ = lines_.comment_before();
   }
 
-  /// Takes the count and the comment of the .xyz format of chemistry, if there are any. Returns whether they give the
-  /// layout, which they do unless columns are requested. Elements may be numbers only if the ending of the file is .xyz
-  /// or absent.
+  /// Takes the count and the comment of the .xyz format of chemistry, if there are any. Returns whether the layout
+  /// follows from them: if there are any, and no columns are requested. Elements may be numbers only if the ending of
+  /// the file is .xyz or absent.
   bool take_atoms() {
     if (kind_ != TableKind::any || !parse_count(lines_.line())) return false;
     const std::string_view known = input_ending(lines_.name());

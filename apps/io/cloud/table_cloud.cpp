@@ -127,6 +127,7 @@ class TableCloud final : public Cloud {
       for (std::size_t k = 0; k < numbers_; ++k) is(layout.numbers[k], k);
     for (std::size_t k = 0; k < layout.colors.size(); ++k) is(layout.colors[k], first_color + k);
     if (layout.height) is(*layout.height, height);
+    if (layout.height && *layout.height < names.size()) facts_.file.height_name = names[*layout.height];
     for (std::size_t k = 0; request_.keeps && k < names.size(); ++k) {
       const std::string& name = names[k];
       if (name.empty() || !request_.keeps->has(name) || k == wkt_ || (k < role_.size() && role_[k] != nothing))

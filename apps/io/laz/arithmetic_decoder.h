@@ -142,12 +142,13 @@ class ArithmeticDecoder {
     return number;
   }
 
+  /// Decodes a number of 64 bits, which no model predicts. Throws BadStream.
   std::uint64_t bits64() {
     const std::uint64_t low = bits(32);
     return std::uint64_t{bits(32)} << 32U | low;
   }
 
-  /// Returns the next byte to read: after the last symbol of a stream the byte behind the stream.
+  /// Returns the position of the next unread byte; after the last symbol of a stream this is the end of the stream.
   const char* at() const { return at_; }
   /// Continues with `bytes`, a copy of the bytes from at() on, perhaps with more bytes after them.
   void move_to(std::string_view bytes) {

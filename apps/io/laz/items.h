@@ -1,6 +1,7 @@
-// What: the items of a point record, some consecutive bytes each, which LASzip compresses by a rule of their own.
-// How:  point by point, one stream has all items of a point after those of the point before; in layers, each field, or
-//       a few, of all points of a chunk has a stream of its own, so that only requested fields are decoded.
+// What: the items of a point record: runs of bytes that LASzip compresses separately.
+// How:  pointwise, one stream has all items of the first point, then those of the next point, and so on. In layers, each
+//       field, or group of fields, has a stream of its own for all points of a chunk, and only requested ones are
+//       decoded.
 // Source: M. Isenburg, LASzip: lossless compression of LiDAR data, PE&RS 79(2), 2013; LASzip 3 for layers.
 #pragma once
 
@@ -37,14 +38,14 @@ struct ItemStart {
   const char* first;  ///< the item of the first record of the chunk, which is not compressed
   std::size_t size;   ///< in bytes
   unsigned version;
-  std::vector<std::string_view> streams;  ///< of the layers; fields of an empty one are not decoded, and do not change
+  std::vector<std::string_view> streams;  ///< one for each layer; if it is empty, its fields keep their values
   ChunkState& chunk;
 };
 
 struct ItemKind {
   unsigned type, least_version, greatest_version;  ///< LASzip's numbers
   std::size_t size;                                ///< in bytes; 0: any
-  std::string_view layers;  ///< for each byte its layer, from 'a' on; empty: each byte has a layer of its own
+  std::string_view layers;  ///< character k is the layer of byte k, 'a', 'b', …; empty: each byte is a layer
   std::unique_ptr<ItemDecoder> (*make)(const ItemStart& start);
 };
 

@@ -33,7 +33,8 @@ MeshFile mesh_in(std::string_view bytes, const std::string& name, Format format)
   // Refuse an empty file, the result of an earlier command that failed; a mesh without faces may be intended.
   if (bytes.empty()) bad_input(name, "an empty file", "a mesh");
   std::string room;
-  MeshFile mesh = parse(format, plain_text(bytes, name, format, room), name);
+  MeshFile mesh =
+      reading_as(Use::mesh, format, bytes, [&] { return parse(format, plain_text(bytes, name, format, room), name); });
   // Limit the numbers: a halfedge mesh numbers its elements with int, and a soup its corners with 32 bits.
   constexpr std::size_t most = std::numeric_limits<int>::max() / 2;
   if (mesh.positions.size() > most || mesh.soup.corners.size() > most)

@@ -30,7 +30,8 @@ PolygonFile read_polygons(const std::string& path, Format format) {
   if (format == Format::by_content)
     format = format_of_content(Use::polygons, input.bytes(), input.name(), std::nullopt);
   std::string room;
-  return parse(plain_text(input.bytes(), input.name(), format, room), input.name(), format);
+  return reading_as(Use::polygons, format, input.bytes(),
+                    [&] { return parse(plain_text(input.bytes(), input.name(), format, room), input.name(), format); });
 }
 
 namespace {

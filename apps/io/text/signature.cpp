@@ -96,4 +96,10 @@ Format format_of_content(Use use, std::string_view bytes, const std::string& nam
             "one of " + endings(use) + (found.empty() ? " (name the format with --format)" : ""));
 }
 
+std::string way_by_content(Use use, Format format, std::string_view bytes) {
+  const std::string found(ending_of_content(bytes));
+  const std::optional<Format> other = found.empty() ? std::nullopt : find_format(use, found);
+  return other && *other != format ? "the content is that of a file ." + found + ": --format " + found : std::string();
+}
+
 }  // namespace rbpa::app

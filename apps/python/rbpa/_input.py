@@ -5,7 +5,7 @@ from __future__ import annotations
 import decimal
 import numbers
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Callable, Optional, Union
 
 import numpy as np
@@ -86,6 +86,13 @@ def shown(value: Any) -> str:
     return text if len(text) <= _LONG else f"{text[: _LONG - 3]}..."
 
 
+def in_python(text: str, ways: Mapping[str, str]) -> str:
+    """Returns a message of the program with arguments in place of options, as `ways` maps options to arguments."""
+    for option, argument in ways.items():
+        text = text.replace(option, argument)
+    return text
+
+
 def index_of(points: Any) -> Any:
     """Returns the index of a pandas object; None for anything else."""
     index = getattr(points, "index", None)
@@ -114,6 +121,8 @@ def _hint_of_kind(points: npt.ArrayLike, array: npt.NDArray[Any], name: str) -> 
         return "; take (z.real, z.imag) as two columns"
     if hasattr(points, "columns"):
         return f"; {name}[[X, Y]].astype(float) takes two columns of a table"
+    if isinstance(points, (str, os.PathLike)):
+        return f"; rbpa.read_points({shown(os.fspath(points))}).points reads a file"
     if array.ndim == 1 and array.size and hasattr(array[0], "x"):
         return f"; np.array([(p.x, p.y) for p in {name}]) has the coordinates"
     return ""

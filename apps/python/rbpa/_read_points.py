@@ -10,7 +10,16 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, as_number, as_numbers, shown
+from rbpa._input import Floats, as_number, as_numbers, in_python, shown
+
+# Options that messages of the program name, each with the argument in Python.
+_WAYS = {
+    "--skip-invalid": "skip_invalid=True",
+    "--vertices": "vertices=True",
+    "--columns": "columns",
+    "--format": "format",
+    "--where": "where",
+}
 
 
 def read_points(
@@ -96,9 +105,9 @@ def read_points(
     except InvalidInput as error:
         if not os.path.exists(path):
             raise FileNotFoundError(str(error)) from None
-        if where is None:  # fields are found by the same code as --where
-            raise InvalidInput(str(error).replace("--where", "fields")) from None
-        raise
+        # Fields are found by the same code as --where.
+        raise InvalidInput(in_python(str(error), _WAYS if where is not None else {**_WAYS, "--where": "fields"})) from None
+    read["warnings"] = [in_python(text, _WAYS) for text in read["warnings"]]
     read["fields"] = dict(zip(wanted, map(_field, read["fields"])))
     return PointFile(read)
 

@@ -22,7 +22,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, as_number, shown
+from rbpa._input import Floats, as_number, in_python, shown
 from rbpa._read_points import _field
 
 __all__ = ["Atoms", "positions_of", "radii", "read"]
@@ -38,13 +38,6 @@ _WAYS = {
     "--radii": "radius",
     "--where": "where",
 }
-
-
-def _said(error: InvalidInput) -> InvalidInput:
-    text = str(error)
-    for way, argument in _WAYS.items():
-        text = text.replace(way, argument)
-    return InvalidInput(text)
 
 
 def read(
@@ -91,7 +84,7 @@ def read(
     except InvalidInput as error:
         if not os.path.exists(path):
             raise FileNotFoundError(str(error)) from None
-        raise _said(error) from None
+        raise InvalidInput(in_python(str(error), _WAYS)) from None
     return Atoms(made, () if is_one else (len(made["frames"]),))
 
 
@@ -237,6 +230,6 @@ def radii(
     try:
         found = _core.atom_radii([(*kind, i) for kind, i in first.items()], str(choice or "bondi"), otherwise, table)
     except InvalidInput as error:
-        raise _said(error) from None
+        raise InvalidInput(in_python(str(error), _WAYS)) from None
     radius_of = dict(zip(first, found))
     return np.array([radius_of[kind] for kind in kinds], float)

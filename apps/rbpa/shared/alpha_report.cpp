@@ -178,9 +178,8 @@ std::optional<Recommendation> recommended(const Radii& radii) {
         "no range of alpha stands out: the longest plateau is " + factor + ", which may be chance for so few points"};
   if (best.kind == PlateauKind::one_piece)
     return Recommendation{"plateau", best.alpha,
-                          "from " + from +
-                              " on one part holds nearly all points that are covered, and little but its " +
-                              "area changes" + up_to + ", " + factor};
+                          "from " + from + up_to + ", " + factor +
+                              ", one part holds nearly all covered points, and little but its area changes"};
   return Recommendation{"plateau", best.alpha,
                         "from " + from + up_to + ", " + factor + ", the shape has " +
                             counts_in(radii.filtration, best, &FiltrationStep::solid_components, "part") + " and " +

@@ -29,8 +29,10 @@ PointFile Run::read_points(const PointSource& source) const {
   const auto warn = [&](const std::string& text) { summarize(input_name(source.path) + ": " + text); };
   for (const std::string& text : file.warnings) warn(text);
   require_fields(file.kept, source.keeps, input_name(source.path));
-  if (file.heights.differ() && !source.heights)
-    warn("z of " + counted(file.points.size(), "point") + " was ignored (rbpa surface and rbpa solid use it)");
+  if (file.heights.differ() && !source.heights && !find_column(file.kept, file.height_name) &&
+      !find_column(file.kept, "z"))
+    warn("z of " + counted(file.points.size(), "point") +
+         " is not used (rbpa mesh keeps heights, rbpa grid interpolates them; rbpa surface and solid work in space)");
   return file;
 }
 

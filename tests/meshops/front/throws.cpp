@@ -160,7 +160,7 @@ std::vector<int> run(long at, long every, std::size_t& throws) {
   Front front(mesh, sites);
   Policy policy;
   Burning visitor;
-  // Whatever threw, the events of a triangle are complete.
+  // After an exception, too, the visitor has received all events of a triangle.
   const auto has_all_events = [&] { return visitor.curves == static_cast<int>(front.curves().size()); };
   fuse = {at, 0};
   for (;;) {

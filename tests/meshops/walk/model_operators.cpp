@@ -210,7 +210,8 @@ std::string collapse(Model& model, int h) {
   if (right >= 0) model.set_face(right, {});
   model.erase_edge(h);
   if (left >= 0 && right >= 0 && l[2] == (r[1] ^ 1)) {
-    // v has one other edge, which is removed. Of the two edges from w to the apex, the one on the right of h stays.
+    // Both faces have the same apex. The edge from v to it is removed. Of the two edges from w to it, the one on the
+    // right of h stays.
     model.erase_edge(l[2]);
     model.replace(l[1] ^ 1, r[2]);
     if (l[1] != (r[2] ^ 1)) model.erase_edge(l[1]);

@@ -45,8 +45,8 @@ namespace by_definition {
 // Handle operators ----------------------------------------------------------------------------------------------------
 
 std::string glue(Model& model, int first, int second);
-/// Names: the second side on the boundary; a vertex for the start of h and one for its end, if these are on the
-///        boundary.
+/// `names` are, in this order, the second side; a vertex for the start of h if that is on the boundary; one for its end
+/// if that is on the boundary.
 std::string unglue(Model& model, int h, Names names);
 std::string destroy_triangle(Model& model, int f);
 /// `left` has the starts of the remaining sides, which are one vertex in each fan.

@@ -1,4 +1,4 @@
-// The steps that undo: by unchanged effects, by effects from another state of the mesh, and by made-up ones.
+// Steps that undo: with effects as returned, with effects of an earlier state of the mesh, and with invented ones.
 #include <algorithm>
 #include <cstdint>
 

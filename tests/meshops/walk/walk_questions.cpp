@@ -19,7 +19,7 @@ void turn_around(const Graph& graph, typename Graph::vertex_descriptor v) {
   for (auto [other, end] = adjacent_vertices(v, graph); other != end; ++other) degree(*other, graph);
 }
 
-/// Accepts a contract violation as an answer.
+/// Calls ask(); a contract violation is a valid answer.
 template <typename Ask>
 void allow_refusal(Ask ask) {
   try {

@@ -31,7 +31,7 @@ class CheckpointOfThreads {
       throw;
     }
   }
-  /// Ends the other threads, at their next calls, with the first failure of all.
+  /// Makes the next calls in all threads throw the first failure of all. No effect if go_on is empty.
   void fail(std::exception_ptr failure) {
     const std::lock_guard<std::mutex> lock(one_call_);
     if (!failure_) failure_ = std::move(failure);

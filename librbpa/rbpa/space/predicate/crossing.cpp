@@ -58,8 +58,8 @@ bool cross_at_side(const Point3& a, const Point3& b, const Point3& c, const Poin
   return plane.turn(a, b, c) == plane.turn(a, b, d);
 }
 
-/// Returns whether s and t, whose common corner v is s[0] and t[0], cross. Crossing triangles intersect from v up to
-/// the side across from v of one of them.
+/// Returns whether s and t, whose common corner v is s[0] and t[0], cross. Crossing triangles intersect in a segment
+/// from v to the side across from v of one of them.
 bool cross_at_corner(const Corners& s, const Corners& t) {
   const int side_c = side_of(s, t[1]), side_d = side_of(s, t[2]);
   if (side_c * side_d > 0) return false;

@@ -19,7 +19,7 @@ struct Volume {
   Integer128 high = 0;
   Word low = 0;
 
-  /// Adds a · b. Requires: |a| < 2^124 and |b| < 2^61; at most three calls.
+  /// Adds a · b. Requires: |a| < 2^124 and |b| < 2^61; at most three calls for one volume.
   void add_product(Integer128 a, std::int64_t b) {
     const auto word = static_cast<Word>(a);
     const Unsigned128 all = Unsigned128{word} * static_cast<Word>(b);

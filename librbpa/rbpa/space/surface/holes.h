@@ -17,7 +17,8 @@ namespace rbpa {
 
 /// The reason why the surface ends at a boundary edge, given by the triangle to which the ball rolls over the edge.
 enum class RimCause : std::uint8_t {
-  /// The ball rolls to the back: to the same three points, or to a triangle with which normals at all corners disagree.
+  /// The ball comes to rest on the back: on the same three points from the other side, or on a triangle with which
+  /// normals at all corners disagree.
   nothing_within_reach,
   normals_disagree,  ///< the ball rolls to a triangle with which normals at one or two corners disagree
   /// The ball rolls to a triangle that agrees with all normals, but touches an interior point or interior edge of the
@@ -37,7 +38,7 @@ struct RimEdge {
   /// interior point of the surface of the smaller radii.
   std::array<bool, 3> corners = {};
   /// For the side of `next` across from each corner, if the cause is `blocked`: whether the side is an interior edge of
-  /// the surface of the smaller radii whose ends are not interior points.
+  /// the surface of the smaller radii, and neither of its ends is an interior point.
   std::array<bool, 3> sides = {};
   friend bool operator==(const RimEdge&, const RimEdge&) = default;
 };

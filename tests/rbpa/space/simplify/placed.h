@@ -10,7 +10,7 @@
 
 namespace rbpa_test {
 
-/// A mesh without points, with status of every kind, and the place of each vertex.
+/// A mesh without points, with the status properties of all its elements; places[v] is the place of vertex v.
 struct Placed {
   explicit Placed(const Triangles& t) {
     meshops::PolygonSoup soup;

@@ -16,7 +16,7 @@
 
 namespace rbpa::space {
 
-/// The three corners of a tetrahedron other than the center.
+/// The three corners of a tetrahedron other than `center`, the point whose link is examined.
 using LinkTriangle = std::array<std::uint32_t, 3>;
 
 /// Returns whether the arc from a direction within `from` to a direction within `to` crosses the arc from p to q. A
