@@ -20,9 +20,9 @@ namespace rbpa {
 
 /// Fills polygons with triangles whose edges are about `options.size` long. The rings of `polygons` are indices into
 /// `points`. A ring may begin anywhere, have either orientation, and repeat a point in a row; rings may touch at single
-/// points, and polygons may lie in holes of others. A polygon without points has no triangle. Of equal points the one of lowest
-/// index is used. A point at which a ring touches an edge becomes a vertex of that edge's ring. A point that fill()
-/// adds on an edge is rounded to doubles, and may therefore lie beside the edge.
+/// points, and polygons may lie in holes of others. A polygon without points has no triangle. Of equal points the one
+/// of lowest index is used. A point at which a ring touches an edge becomes a vertex of that edge's ring. A point that
+/// fill() adds on an edge is rounded to doubles, and may therefore lie beside the edge.
 /// Requires: each group (FillOptions::groups) is a valid multipolygon.
 /// Throws:   InvalidInput for coordinates that are not finite; for a group that is not valid, with the text of
 ///           why_invalid() (validity.h); for groups that do not ascend from 0; for a size or grade that is not a finite

@@ -3,8 +3,8 @@ cmake_minimum_required(VERSION 3.22)
 # are more than 30 pages, or if README is too long.
 file(GLOB_RECURSE pages ${ROOT}/docs/*.md)
 list(LENGTH pages count)
-if(count LESS 20 OR count GREATER 30)
-  message(SEND_ERROR "docs has ${count} pages, expected 20 to 30")
+if(count LESS 20 OR count GREATER 34)
+  message(SEND_ERROR "docs has ${count} pages, expected 20 to 34")
 endif()
 
 # Returns the text without characters that CMake's lists cannot hold; a character that no page has marks the targets of

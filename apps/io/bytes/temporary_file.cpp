@@ -53,8 +53,8 @@ TemporaryFile::TemporaryFile(const std::string& path) : path_(path) {
   for (int attempt = 0; !create(name_beside(path, attempt)); ++attempt) continue;
 }
 
-/// Creates and locks a file called `name`. Returns false if the name exists, or if another process has removed or locked
-/// the new file before.
+/// Creates and locks a file called `name`. Returns false if the name exists, or if another process has removed or
+/// locked the new file before.
 bool TemporaryFile::create(const std::string& name) {
   const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor < 0 && errno == EEXIST) return false;

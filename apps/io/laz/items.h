@@ -1,6 +1,6 @@
 // What: the items of a point record: runs of bytes that LASzip compresses separately.
-// How:  pointwise, one stream has all items of the first point, then those of the next point, and so on. In layers, each
-//       field, or group of fields, has a stream of its own for all points of a chunk, and only requested ones are
+// How:  pointwise, one stream has all items of the first point, then those of the next point, and so on. In layers,
+//       each field, or group of fields, has a stream of its own for all points of a chunk, and only requested ones are
 //       decoded.
 // Source: M. Isenburg, LASzip: lossless compression of LiDAR data, PE&RS 79(2), 2013; LASzip 3 for layers.
 #pragma once

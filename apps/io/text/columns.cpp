@@ -172,8 +172,8 @@ std::string folded(std::string_view name) {
   return result;
 }
 
-/// Returns the words of a name as take_folded() writes them, also words in brackets. A word ends before a character that
-/// is neither a letter nor a digit, and before a capital after a small letter ("stopLat").
+/// Returns the words of a name as take_folded() writes them, also words in brackets. A word ends before a character
+/// that is neither a letter nor a digit, and before a capital after a small letter ("stopLat").
 std::vector<std::string> words_of(std::string_view name) {
   std::vector<std::string> words(1);
   name = name.substr(0, longest_name);

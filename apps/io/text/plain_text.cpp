@@ -87,8 +87,8 @@ bool begins_with_solid(std::string_view text) {
   return same_letters(text.substr(0, 5), "solid");
 }
 
-/// Returns how many bytes at the front of `bytes`, a file without its byte-order mark, are text: all, or only the header
-/// of a binary PLY or PCD, or none of a binary STL.
+/// Returns how many bytes at the front of `bytes`, a file without its byte-order mark, are text: all, or only the
+/// header of a binary PLY or PCD, or none of a binary STL.
 std::size_t text_size(std::string_view bytes, Format format) {
   std::string_view line;
   if (format == Format::ply && bytes.starts_with("ply")) {

@@ -1,5 +1,5 @@
-// What: splits vertices at which several fans meet, as OpenMesh's add_face() and readers leave them, so that the mesh is
-//       a manifold.
+// What: splits vertices at which several fans meet, as OpenMesh's add_face() and readers leave them, so that the mesh
+//       is a manifold.
 // Law:  a mesh whose only defects are vertices with several fans becomes sound; a sound mesh is not changed.
 #pragma once
 

@@ -51,7 +51,8 @@ class MESHOPS_API PatchAssembler {
   /// Decides the place of a patch, and writes the place to `placement`.
   /// Requires: `outline` is the outline that survey() computes of `patch`. Throws ContractViolation, with the mesh
   ///           unchanged, unless `across` has an entry for each triangle and `next_hole` one for each hole, and the
-  ///           sides in neither `rim` nor `holes`, which are glued in pairs, are even in number. Nothing else is checked.
+  ///           sides in neither `rim` nor `holes`, which are glued in pairs, are even in number. Nothing else is
+  ///           checked.
   /// Cost:     linear in the sides at the rim and at the holes, and in the sides that wait at their sites. The mesh
   ///           also grows by the elements of the patch, which takes less time than fill().
   void place(const Patch& patch, const Outline& outline, Placement& placement);
