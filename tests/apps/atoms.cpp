@@ -98,7 +98,9 @@ TEST_SUITE("atoms") {
                            {"ZN", "ZN", 13, "", "Zn"},     {"Zn1", "X", 0, "", "Zn"},    {"OW", "SOL", 0, "", "O"},
                            {"SI1", "QTZ", 0, "", "Si"},    {"D", "DOD", 14, "D", "D"},   {"DA", "ALA", 14, "", "D"},
                            {"C1", "LIG", 0, "Fe3+", "Fe"}, {"", "", 0, "26", "Fe"},      {"C5'", "DA", 14, "", "C"},
-                           {"N", "ALA", 14, "1A", "N"},    {"XX", "LIG", 0, "", ""},     {"12", "", 0, "", ""}}) {
+                           {"N", "ALA", 14, "1A", "N"},    {"XX", "LIG", 0, "", ""},     {"12", "", 0, "", ""},
+                           {"UNK", "UNX", 13, "X", ""},    {"UNK", "UNX", 13, "", ""},   {"UN1", "UNK", 0, "", ""},
+                           {"U", "U4", 13, "U", "U"},      {"C1", "LIG", 13, "X", ""}}) {
       CAPTURE(row.name);
       CAPTURE(row.residue);
       CAPTURE(row.begins);
@@ -253,7 +255,7 @@ TEST_SUITE("atoms") {
     CHECK(all[1].cell.sides->x == 12);
     CHECK(all[2].cell.sides->x == 12);
     CHECK(all[2].number == 3);
-    CHECK(warnings.empty());
+    CHECK(warnings == std::vector<std::string>{"frame 2 has 1 atom, frame 1 has 2: is the file whole?"});
     all = frames_of(models, Format::pdb, {.frames = parse_frames("--models", "3,1-2,2")});
     CHECK(all.size() == 3);
     all = frames_of(models, Format::pdb, {.frames = parse_frames("--models", "2")}, &warnings);
@@ -273,6 +275,14 @@ TEST_SUITE("atoms") {
     REQUIRE(all.size() == 2);
     CHECK(names_of(all[0]) == "CA CB");
     CHECK(names_of(all[1]) == "CG");
+    // The first model has the cell, too, before the atoms or after them.
+    const std::string atoms = "CA 1 2 3 1\nCB 1 2 3 2\n",
+                      lengths = "_cell.length_a 10\n_cell.length_b 11\n_cell.length_c 12\n",
+                      angles = "_cell.angle_alpha 90\n_cell.angle_beta 90\n_cell.angle_gamma 90\n";
+    for (const std::string& text :
+         {"data_x\n" + lengths + angles + names.substr(7) + atoms, names + atoms + lengths + angles})
+      for (const rbpa::app::AtomChoice& choice : {rbpa::app::AtomChoice(), all_frames})
+        CHECK(frames_of(text, Format::cif, choice).at(0).cell.sides->y == 11);
     CHECK(refusal(names + "CA 1 2 3 1\nCB 1 2 3 2\nCG 4 5 6 1\n", Format::cif) ==
           "m:10: found an atom of model '1' behind another model, expected all atoms of a model together");
   }

@@ -192,6 +192,45 @@ TEST_SUITE("balls") {
     CHECK(folder.content("g.csv").starts_with("r,atoms,area,volume,buried\n1,3,"));
   }
 
+  TEST_CASE("--where knows elements as they are written, also those of names") {
+    const Folder folder;
+    const auto line = [](int serial, const std::string& name, const std::string& element) {
+      char text[100];
+      std::snprintf(text, sizeof text, "HETATM%5d %-4s LIG A   1    %8.3f%8.3f%8.3f  1.00  0.00          %2s\n", serial,
+                    name.c_str(), 5.0 * serial, 0.0, 0.0, element.c_str());
+      return std::string(text);
+    };
+    folder.file("l.pdb", line(1, "ZN", "ZN") + line(2, " C1", "") + line(3, " H1", "") + line(4, " H2", "H"));
+    for (const auto& [where, atoms] : {std::pair("element == 'Zn'", 1),
+                                       {"element == 'ZN'", 1},
+                                       {"element == 'H'", 2},
+                                       {"element != 'H'", 2},
+                                       {"element == 'C'", 1}}) {
+      CAPTURE(where);
+      const std::string condition = std::string(" --where \"") + where + "\"";
+      CHECK(folder.rbpa("balls l.pdb" + condition).err.find(", " + std::to_string(atoms) + " kept") !=
+            std::string::npos);
+      CHECK(folder.rbpa("solid l.pdb --alpha inf -o s.npy" + condition)
+                .err.find("--where selects " + std::to_string(atoms) + " of 4 ") != std::string::npos);
+    }
+  }
+
+  TEST_CASE("residues that share a number are told of, as one row stands for them") {
+    const Folder folder;
+    const auto line = [](int serial, int residue) {
+      char text[60];
+      std::snprintf(text, sizeof text, "%5d%-5s%5s%5d%8.3f%8.3f%8.3f\n", residue, "LYS", "CA", serial, 0.4 * serial,
+                    0.0, 0.0);
+      return std::string(text);
+    };
+    folder.file("two.gro", "copies\n4\n" + line(1, 1) + line(2, 2) + line(3, 1) + line(4, 2) + "9 9 9\n");
+    folder.file("one.gro", "one\n4\n" + line(1, 1) + line(2, 1) + line(3, 2) + line(4, 2) + "9 9 9\n");
+    CHECK(folder.rbpa("balls two.gro --group residue -o r.csv")
+              .err.find("2 residues have atoms in several places of the file and one row each") != std::string::npos);
+    CHECK(folder.rbpa("balls one.gro --group residue -o r.csv").err.find("places") == std::string::npos);
+    CHECK(folder.rbpa("balls two.gro -o r.csv").err.find("places") == std::string::npos);
+  }
+
   TEST_CASE("what is left out is counted by its reason") {
     const Folder folder;
     folder.file("m.pdb", atom(" CA ", 0) + atom(" HA ", 1) + atom(" CB ", 2, 1, "  0.40  0.00", "ALA", 'A') +

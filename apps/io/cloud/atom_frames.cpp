@@ -217,6 +217,8 @@ bool AtomFrames::next(AtomFrame& frame) {
     frame.cell = {};
     frame.number_of("");
     source_ ? read_atoms(frame) : read_points(frame);
+    if (first_.number == 0) first_ = {frame.number, frame.counts.in_file};
+    if (other_.number == 0 && frame.counts.in_file != first_.atoms) other_ = {frame.number, frame.counts.in_file};
     return true;
   }
   if (source_) frames_ = source_->frames();
@@ -228,6 +230,10 @@ bool AtomFrames::next(AtomFrame& frame) {
     warnings_.push_back("the atoms are those of the first of " + std::to_string(source_->blocks()) + " blocks of data");
   if (frames_ > 1 && !choice_.frames.all && choice_.frames.numbers.size() == 1)
     warnings_.push_back("the atoms are those of frame " + std::to_string(last) + " of " + std::to_string(frames_));
+  if (other_.number != 0)
+    warnings_.push_back("frame " + std::to_string(other_.number) + " has " + counted(other_.atoms, "atom") +
+                        ", frame " + std::to_string(first_.number) + " has " + std::to_string(first_.atoms) +
+                        ": is the file whole?");
   if (!source_->remark().empty()) warnings_.emplace_back(source_->remark());
   return false;
 }

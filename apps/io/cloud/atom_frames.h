@@ -117,8 +117,12 @@ class AtomFrames {
   std::unique_ptr<AtomSource> source_ = nullptr;  // null for points that are no atoms
   std::optional<AtomSelection> selection_ = std::nullopt;
   std::optional<std::size_t> radius_ = std::nullopt, group_ = std::nullopt;  // the columns that were chosen
-  std::size_t frames_ = 0;                                                   // number of frames begun
-  bool is_begun_ = false;                                                    // the current frame is not read yet
+  struct Frame {
+    std::size_t number = 0, atoms = 0;
+  };
+  Frame first_ = {}, other_ = {};  // the first frame of the choice; the first of them with another number of atoms
+  std::size_t frames_ = 0;         // number of frames begun
+  bool is_begun_ = false;          // the current frame is not read yet
   std::vector<std::string> warnings_ = {};
 };
 

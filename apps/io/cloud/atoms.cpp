@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "io/cloud/chemical_elements.h"
 #include "io/failure.h"
 #include "io/number.h"
 #include "io/text/line_selection.h"
@@ -85,10 +86,13 @@ AtomSelection::AtomSelection(const Condition& where, const AtomSource& source) :
 
 bool AtomSelection::holds(const Atom& atom) {
   const auto number = [&](std::size_t field) { return source_.number(atom, places_[field], of_where); };
-  // '?' matches an empty value, as in PDBx/mmCIF.
+  // '?' matches an empty value, as in PDBx/mmCIF. An element is that of the column, or the one that is used.
   const auto is_text = [&](std::size_t k) {
-    const std::string& field = AtomSource::text(atom, texts_[k].first);
-    return field == texts_[k].second || (field.empty() && texts_[k].second == "?");
+    const auto& [column, text] = texts_[k];
+    const std::string& field = AtomSource::text(atom, column);
+    if (column == AtomColumn::element && (same_letters(field, text) || same_letters(element_of(atom), text)))
+      return true;
+    return field == text || (field.empty() && text == "?");
   };
   return selection_.holds(number, is_text);
 }

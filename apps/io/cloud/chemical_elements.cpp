@@ -77,6 +77,10 @@ bool is_of_mantina(std::string_view symbol) {
 
 std::string_view element_of(const Atom& atom) {
   const std::string& field = atom.fields[AtomColumn::element];
+  // X stands for an unknown element; so do the names of atoms of unknown residues.
+  if (is_word_of(field, "X Xx") || (field.empty() && is_word_of(atom.fields[AtomColumn::resname], "UNK UNX") &&
+                                    atom.fields[AtomColumn::name].starts_with("UN")))
+    return {};
   if (const std::string_view symbol = symbol_of(field); !symbol.empty()) return symbol;
   const std::optional<std::size_t> number = parse_count(field);
   if (number && *number >= 1 && *number <= std::size(known_elements) - isotopes && atom.name_begins == 0)

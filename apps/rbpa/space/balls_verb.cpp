@@ -2,7 +2,9 @@
 #include <atomic>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -103,6 +105,7 @@ class BallsRun : public Run {
   void measure(std::vector<MeasuredAtoms>& some);
   void begin_tables(const AtomFrame& first);
   void require_groups(const AtomFrame& first) const;
+  void warn_of_parted_residues(const AtomFrame& first) const;
 
   const BallsArguments& arguments_;
   BallsRequest request_;
@@ -130,8 +133,26 @@ void BallsRun::require_groups(const AtomFrame& first) const {
               is_chain ? "some (--group residue, or column:NAME)" : "some (--group column:NAME takes any column)");
 }
 
+/// Prints a warning if atoms of one residue are in several places of the file: its number may stand for several.
+void BallsRun::warn_of_parted_residues(const AtomFrame& first) const {
+  if (request_.groups != AtomGroups::residue) return;
+  std::set<std::tuple<std::uint32_t, double, std::uint32_t, std::uint32_t>> seen, parted;
+  std::tuple<std::uint32_t, double, std::uint32_t, std::uint32_t> last;
+  for (const AtomRow& row : first.rows) {
+    const std::tuple now(row.chain, std::isnan(row.resseq) ? -1e300 : row.resseq, row.icode, row.resname);
+    if (!seen.empty() && now == last) continue;
+    if (!seen.insert(now).second) parted.insert(now);
+    last = now;
+  }
+  if (!parted.empty())
+    warning(counted(parted.size(), "residue") + (parted.size() == 1 ? " has" : " have") +
+            " atoms in several places of the file and one row each: do numbers of residues repeat? (chains tell copies "
+            "apart)");
+}
+
 void BallsRun::begin_tables(const AtomFrame& first) {
   require_groups(first);
+  warn_of_parted_residues(first);
   are_atoms_ = first.rows.front().line > 0;
   has_frames_ = request_.choice.frames.all || request_.choice.frames.numbers.size() > 1;
   const auto begin = [&](const std::string& path, BallRows::Of of) {
