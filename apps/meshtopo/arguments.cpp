@@ -1,13 +1,13 @@
 #include "meshtopo/arguments.h"
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/mesh/write_mesh.h"
 #include "io/number.h"
+#include "io/words.h"
 #include "meshtopo/check.h"
 
 namespace rbpa::app {
@@ -41,10 +41,7 @@ TopologyTarget parse_generator_target(const std::string& path) {
 TopologyTarget parse_report_target(const std::string& path, bool json) {
   if (path == "-") return {path, json ? Format::json : Format::text};
   const std::string_view name = ending(path);
-  const auto is = [name](std::string_view known) {
-    return std::equal(name.begin(), name.end(), known.begin(), known.end(),
-                      [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
-  };
+  const auto is = [name](std::string_view known) { return same_letters(name, known); };
   if (find_format(Use::mesh, name))
     bad_usage(path, "the ending " + in_quotes(name) + " of a mesh",
               "json or txt for a report, or --repair OUT to write a mesh (to convert: --weld 0 -o " + path + ")");
@@ -62,7 +59,7 @@ Edits parse_edits(const TopologyArguments& arguments) {
   return edits;
 }
 
-/// Returns the first option that changes the mesh. Requires: an option other than --repair changes the mesh.
+/// Returns the first option other than --repair that changes the mesh; empty if none does.
 std::string change_option(const TopologyArguments& arguments) {
   return arguments.weld                  ? "--weld"
          : arguments.keep_largest        ? "--keep-largest"
@@ -71,17 +68,16 @@ std::string change_option(const TopologyArguments& arguments) {
          : arguments.fill_holes          ? "--fill-holes"
          : arguments.close_tunnels_below ? "--close-tunnels-below"
          : arguments.decimate            ? "--decimate"
-                                         : "--remesh";
+         : arguments.remesh              ? "--remesh"
+                                         : "";
 }
 
 /// Returns whether -o names the mesh and not the report. With --repair this is so if --repair has no OUT; without
 /// --repair, if another option changes the mesh, and --output-format is given or the ending of -o is that of a mesh.
 bool writes_mesh(const TopologyArguments& arguments) {
   if (arguments.repair) return arguments.repaired.empty();
-  const bool changes = arguments.at_faces || arguments.weld || arguments.keep_largest || arguments.drop_small ||
-                       arguments.orient || arguments.fill_holes || arguments.close_tunnels_below ||
-                       arguments.decimate || arguments.remesh;
-  return changes && (arguments.output_format || find_format(Use::mesh, ending(*arguments.output)));
+  return (arguments.at_faces || !change_option(arguments).empty()) &&
+         (arguments.output_format || find_format(Use::mesh, ending(*arguments.output)));
 }
 
 /// Parses LENGTH or LENGTH,error=E. Throws WrongUsage that names the text.

@@ -9,8 +9,7 @@
 #include "io/mesh/read_mesh.h"
 #include "meshtopo/edits.h"
 #include "meshtopo/findings.h"
-#include "triangulation/decimation_choice.h"
-#include "triangulation/hole_choice.h"
+#include "triangulation/choices.h"
 
 namespace rbpa::app {
 

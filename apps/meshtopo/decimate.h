@@ -9,7 +9,7 @@
 
 #include "io/mesh/read_mesh.h"
 #include "rbpa/space/simplify/remesh.h"
-#include "triangulation/decimation_choice.h"
+#include "triangulation/choices.h"
 
 namespace rbpa::app {
 

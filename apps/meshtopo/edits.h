@@ -10,7 +10,7 @@
 
 #include "io/mesh/read_mesh.h"
 #include "meshtopo/weld.h"
-#include "triangulation/component_choice.h"
+#include "triangulation/choices.h"
 
 namespace rbpa::app {
 

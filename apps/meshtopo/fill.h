@@ -18,8 +18,8 @@
 #include "io/mesh/read_mesh.h"
 #include "rbpa/space/surface/curve_kinds.h"
 #include "rbpa/space/surface/holes.h"
+#include "triangulation/choices.h"
 #include "triangulation/filling_counts.h"
-#include "triangulation/hole_choice.h"
 
 namespace rbpa::app {
 

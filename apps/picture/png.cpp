@@ -1,4 +1,4 @@
-#include "picture/png.h"
+#include "picture/picture.h"
 
 #include <png.h>
 

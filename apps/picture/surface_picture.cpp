@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/interrupt.h"
-#include "picture/png.h"
+#include "picture/picture.h"
 #include "picture/space_view.h"
 #include "picture/style.h"
 

@@ -1,4 +1,4 @@
-#include "picture/svg.h"
+#include "picture/picture.h"
 
 #include <array>
 #include <charconv>

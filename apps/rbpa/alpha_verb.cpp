@@ -76,7 +76,8 @@ void run_alpha(const AlphaArguments& arguments) {
   const PointSource source = parse_source(arguments);
   if (arguments.picture) require_plot(*arguments.picture);
   const std::optional<RepresentativeRequest> request_of_pairs = parse_representatives(arguments, false);
-  const std::vector<std::string> outputs = given({"-", arguments.picture, arguments.representatives, arguments.stats});
+  const std::vector<std::string> outputs =
+      given({"-", arguments.picture, arguments.representatives, arguments.run.stats});
   require_different(outputs, arguments.points, "points");
 
   RadiiRun run(source, outputs, options, request, !arguments.csv || arguments.picture);
@@ -94,7 +95,7 @@ void run_alpha(const AlphaArguments& arguments) {
 
   // Open files before anything is printed: a file that cannot be written is then refused first.
   OutputFile* picture = arguments.picture ? &run.files().add(*arguments.picture) : nullptr;
-  OutputFile* stats_file = arguments.stats ? &run.files().add(*arguments.stats) : nullptr;
+  OutputFile* stats_file = arguments.run.stats ? &run.files().add(*arguments.run.stats) : nullptr;
   {
     const ProgressLine line = run.writing();
     if (picture != nullptr) {

@@ -37,7 +37,6 @@ struct DiscsRequest {
 DiscsRequest parse(const DiscsArguments& arguments) {
   DiscsRequest request{.source = parse_source(arguments)};
   request.run = parse_run(arguments.run);
-  request.source.threads = request.run.threads;
   if (arguments.radius.starts_with(column_prefix) && arguments.radius.size() > column_prefix.size()) {
     request.column = arguments.radius.substr(column_prefix.size());
     request.source.keeps = FieldChoice{{{"", *request.column}}};  // optional: radii_of() reports what is missing
@@ -47,7 +46,7 @@ DiscsRequest parse(const DiscsArguments& arguments) {
   request.corners =
       static_cast<unsigned>(parse_whole("--corners", arguments.corners, {.least = 3, .greatest = 100'000}, "corners"));
   request.width = parse_width(arguments.width);
-  request.targets = parse_targets(Use::shape, arguments, arguments.points, given({arguments.stats}));
+  request.targets = parse_targets(Use::shape, arguments, arguments.points);
   return request;
 }
 
@@ -82,11 +81,11 @@ void run_discs(const DiscsArguments& arguments) {
   const DiscsRequest request = parse(arguments);
   Run run(arguments.points, arguments.outputs, request.run);
   Stats stats{.threads = run.options().threads_or_all()};
-  PointFile file = run.read([&] { return run.read_points(request.source); });
+  PointFile file = run.read_points(request.source);
   require_srid(request.targets, file.crs);
   const std::vector<double> radii = radii_of(request, file, run.input());
   stats.points = file.points.size();
-  if (!request.run.quiet || arguments.stats) stats.distinct = number_of_distinct(file.points);
+  if (!request.run.quiet || arguments.run.stats) stats.distinct = number_of_distinct(file.points);
   stats.read_seconds = run.lap();
   DiscMeasures measures;
   DiscPolygons made;
@@ -120,10 +119,10 @@ void run_discs(const DiscsArguments& arguments) {
   }
   stats.write_seconds = run.lap();
   const PolygonTotals totals = total(made.polygons);
-  if (arguments.stats) {
+  if (arguments.run.stats) {
     stats.polygons = made.polygons.size();
     stats.of_polygons = {totals.holes, measures.area, measures.length};
-    run.add(*arguments.stats, [&](OutputFile& output) { write_stats(output, stats); });
+    run.add_stats([&](OutputFile& output) { write_stats(output, stats); });
   }
   run.publish();
   caution(request.targets, shape);

@@ -161,7 +161,7 @@ void write_groups(OutputFile& out, const NamedGroups& named, bool json) {
 }
 
 void run_group_info(const InfoArguments& arguments) {
-  refuse_given({{arguments.stats.has_value(), "--stats"}}, not_with_groups);
+  refuse_given({{arguments.run.stats.has_value(), "--stats"}}, not_with_groups);
   const GroupSources sources = parse_group_sources(arguments, arguments);
   require_different({"-"}, sources);
   Run run(sources.files.size() == 1 ? arguments.points : counted(sources.files.size(), "file"), {"-"},
@@ -177,21 +177,19 @@ void run_info(const InfoArguments& arguments) {
   if (arguments.has_groups()) return run_group_info(arguments);
   PointSource source = parse_source(arguments);
   source.scan_counts = true;
-  std::vector<std::string> outputs = given({"-", arguments.stats});
+  std::vector<std::string> outputs = given({"-", arguments.run.stats});
   require_different(outputs, arguments.points, "points");
   Run run(arguments.points, outputs, parse_run(arguments.run));
   PointFile file = run.read_points(source);
-  Stats stats{.read_seconds = run.lap()};
+  const double read_seconds = run.lap();
   Info info = examine(std::move(file.points), run.options());
   info.crs = file.crs;
   info.scan = file.scan;
   info.flattened = file.heights.differ();
 
-  if (arguments.stats) {
-    stats.points = info.points;
-    stats.distinct = info.distinct;
-    run.add(*arguments.stats, [&](OutputFile& report) { write_stats(report, stats); });
-  }
+  run.add_stats([&](OutputFile& report) {
+    write_stats(report, {.points = info.points, .distinct = info.distinct, .read_seconds = read_seconds});
+  });
   run.add("-", [&](OutputFile& out) { out.write(arguments.json ? as_json(info) : for_people(info)); });
   run.publish();
 }

@@ -35,7 +35,7 @@ void run_space_report(const ReportArguments& arguments) {
   constexpr std::size_t shown = 100;  // the most pairs of each dimension with representatives
   const SpacePointSource source = parse_space_points(arguments);
   check_output(arguments.output);
-  const std::vector<std::string> outputs = given({arguments.output, arguments.stats});
+  const std::vector<std::string> outputs = given({arguments.output, arguments.run.stats});
   require_different(outputs, arguments.points, "points");
 
   SpacePersistence run(source, outputs, arguments);
@@ -60,7 +60,7 @@ void run_space_report(const ReportArguments& arguments) {
                                 .representatives = found});
     });
   }
-  if (arguments.stats) run.add(*arguments.stats, [&](OutputFile& file) { run.write_stats(file); });
+  run.add_stats([&](OutputFile& file) { run.write_stats(file); });
   run.publish();
   run.summarize(counted(run.file.points.size(), "point") + ", " + counted(run.pairs.size(), "pair") +
                 list_of({arguments.output}));
@@ -75,7 +75,7 @@ void run_report(const ReportArguments& arguments) {
   const RunOptions options = parse_run(arguments.run);
   const PointSource source = parse_source(arguments);
   check_output(arguments.output);
-  const std::vector<std::string> outputs = given({arguments.output, arguments.stats});
+  const std::vector<std::string> outputs = given({arguments.output, arguments.run.stats});
   require_different(outputs, path, "points");
 
   RadiiRun run(source, outputs, options, request, true);
@@ -94,7 +94,7 @@ void run_report(const ReportArguments& arguments) {
     run.add(arguments.output, [&](OutputFile& page) { write_report(page, report); });
   }
   run.stats.write_seconds = run.lap();
-  if (arguments.stats) run.add(*arguments.stats, [&](OutputFile& file) { run.write_stats(file); });
+  run.add_stats([&](OutputFile& file) { run.write_stats(file); });
   run.publish();
   run.say_empty();
   const std::size_t radii = run.radii.filtration.steps.size();

@@ -8,7 +8,6 @@
 #include "io/failure.h"
 #include "io/text/markup.h"
 #include "report/blob.h"
-#include "report/facts_text.h"
 #include "report/page_parts.h"
 
 namespace rbpa::app {

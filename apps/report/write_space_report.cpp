@@ -13,7 +13,6 @@
 #include "io/text/markup.h"
 #include "rbpa/base/pair_choice.h"
 #include "report/blob.h"
-#include "report/facts_text.h"
 #include "report/page_parts.h"
 
 namespace rbpa::app {

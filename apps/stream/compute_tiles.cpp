@@ -3,29 +3,78 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <cstring>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "io/bytes/output_file.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/mesh/write_triangles.h"
 #include "rbpa/base/join_in_order.h"
+#include "rbpa/plane/partial.h"
 #include "rbpa/plane/partial_bytes.h"
-#include "stream/compute_tile.h"
 #include "stream/pass_progress.h"
 #include "stream/scratch_file.h"
 #include "stream/tile_file.h"
+#include "stream/triangle_rows.h"
 
 namespace rbpa::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
+
+/// Computes the tile whose box is `region`, by at most `threads` threads. PartialAndItems::owned, the triangles that
+/// belong to this tile and no other, is empty unless `wants_triangles`.
+/// Requires: `points` contains all points of the file of the tile.
+/// Throws:   InvalidInput as partial() does; Cancelled.
+PartialAndItems compute_tile(const Region& region, const IndexedPoints& points, double alpha, unsigned threads,
+                             bool wants_triangles) {
+  PartialOptions options{.threads = threads};
+  options.progress = [](const Progress&) { return !interrupted(); };
+  const RegionPoints given{points.points, points.indices};
+  if (!wants_triangles) return {partial(region, given, alpha, options), {}};
+  return partial_and_items(region, given, alpha, options);
+}
+
+/// Returns the path of the mesh of a tile, with its number for the last '*': "tiles/000012.ply" for "tiles/*.ply".
+std::string tile_mesh_path(const std::string& pattern, std::uint32_t tile) {
+  std::string path = pattern;
+  return path.replace(path.rfind('*'), 1, file_number(tile));
+}
+
+/// Writes a PLY file of `triangles` and the points that they use, in the order of the point indices. Requires: `points`
+/// contains all points that triangles use. Throws Failure, Cancelled.
+void write_tile_mesh(const std::string& path, const IndexedPoints& points, std::span<const TriangleRow> triangles) {
+  std::vector<std::uint64_t> used;
+  for (const TriangleRow& triangle : triangles) used.insert(used.end(), triangle.begin(), triangle.end());
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  const auto place = [](const std::vector<std::uint64_t>& sorted, std::uint64_t index) {
+    return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), index) - sorted.begin());
+  };
+  std::vector<Point> vertices;
+  for (const std::uint64_t index : used) vertices.push_back(points.points[place(points.indices, index)]);
+  std::vector<std::array<std::uint32_t, 3>> faces;
+  for (const TriangleRow& triangle : triangles) {
+    std::array<std::uint32_t, 3>& face = faces.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) face[k] = static_cast<std::uint32_t>(place(used, triangle[k]));
+  }
+  OutputSet outputs;
+  OutputFile& file = outputs.add(path);
+  write_triangles(file, Format::ply, {vertices, faces, {}, {}});
+  file.finish();
+  outputs.publish();
+}
 
 void write_partials(const std::vector<Partial>& partials, const std::string& path) {
   ScratchFile file(path, ScratchFile::Mode::write);

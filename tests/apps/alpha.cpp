@@ -30,10 +30,8 @@ std::string text_of(const Json& number) { return number.dump(); }
 
 TEST_SUITE("alpha") {
   TEST_CASE("every critical radius has the counts of rbpa mesh at that alpha") {
-    const Folder folder;
-    folder.file("p.xy", two_triangles);
-    const Outcome outcome = folder.rbpa("alpha p.xy --json -q");
-    REQUIRE(outcome.code == 0);
+    const Folder folder("p.xy", two_triangles);
+    const Outcome outcome = folder.rbpa("alpha p.xy --json -q", 0);
     CHECK(outcome.err.empty());
     const Json report = Json::parse(outcome.out);
     CHECK(report["critical"][0] == Json::parse(R"({"alpha": 5.0, "triangles": 1, "solid_components": 1,
@@ -67,8 +65,7 @@ TEST_SUITE("alpha") {
   }
 
   TEST_CASE("CSV has the lines of the JSON") {
-    const Folder folder;
-    folder.file("p.xy", two_triangles);
+    const Folder folder("p.xy", two_triangles);
     CHECK(
         folder.rbpa("alpha p.xy --csv -q")
             .out.starts_with(
@@ -99,10 +96,8 @@ TEST_SUITE("alpha") {
   }
 
   TEST_CASE("points without a triangle are reported, and auto and min are null") {
-    const Folder folder;
-    folder.file("line.xy", "0 0\n1 1\n3 3\n");
-    const Outcome line = folder.rbpa("alpha line.xy --json --persistence --complex full -q");
-    CHECK(line.code == 0);
+    const Folder folder("line.xy", "0 0\n1 1\n3 3\n");
+    const Outcome line = folder.rbpa("alpha line.xy --json --persistence --complex full -q", 0);
     CHECK(line.err == "rbpa: the complex is empty at every alpha: all points are collinear\n");
     const Json report = Json::parse(line.out);
     CHECK(report["auto"].is_null());
@@ -111,38 +106,33 @@ TEST_SUITE("alpha") {
     CHECK(report["pairs"].size() == 3);
     folder.file("two.xy", "0 0\n1 1\n0 0\n");
     CHECK(folder.rbpa("alpha two.xy").err.ends_with("fewer than three distinct points\n"));
-    CHECK(folder.rbpa("alpha two.xy").out.find("none") != std::string::npos);
+    CHECK(contains(folder.rbpa("alpha two.xy").out, "none"));
   }
 
   TEST_CASE("numbers above every double are \"inf\", and the JSON stays valid") {
-    const Folder folder;
-    folder.file("p.xy", "-1e308 0\n0 -5e-324\n1e308 0\n0 -1e308\n");
+    const Folder folder("p.xy", "-1e308 0\n0 -5e-324\n1e308 0\n0 -1e308\n");
     const Json report = Json::parse(folder.rbpa("alpha p.xy --json -q").out);
     CHECK(report["critical"].back()["alpha"] == "inf");
     CHECK(report["critical"].back()["area"] == "inf");
   }
 
   TEST_CASE("text has min, auto and the range of radii") {
-    const Folder folder;
-    folder.file("p.xy", two_triangles);
-    const Outcome outcome = folder.rbpa("alpha p.xy");
-    CHECK(outcome.code == 0);
-    CHECK(outcome.out.find("7, 6 of them distinct") != std::string::npos);
-    CHECK(outcome.out.find("min       10 ") != std::string::npos);
-    CHECK(outcome.out.find("from 5 to ") != std::string::npos);
+    const Folder folder("p.xy", two_triangles);
+    const Outcome outcome = folder.rbpa("alpha p.xy", 0);
+    CHECK(contains(outcome.out, "7, 6 of them distinct"));
+    CHECK(contains(outcome.out, "min       10 "));
+    CHECK(contains(outcome.out, "from 5 to "));
   }
 
   TEST_CASE("a picture has both marks, and is the same for shuffled points") {
-    const Folder folder;
-    folder.file("p.xy", two_triangles);
-    folder.file("q.xy", "100 16\n0 8\n112 0\n0 0\n100 0\n6 0\n");
+    const Folder folder({{"p.xy", two_triangles}, {"q.xy", "100 16\n0 8\n112 0\n0 0\n100 0\n6 0\n"}});
     REQUIRE(folder.rbpa("alpha p.xy -q -o p.svg").code == 0);
     REQUIRE(folder.rbpa("alpha q.xy -q -o q.svg").code == 0);
     const std::string picture = folder.content("p.svg");
     CHECK(picture == folder.content("q.svg"));
-    CHECK(picture.find(">min = 10<") != std::string::npos);
-    CHECK(picture.find(">auto = ") != std::string::npos);
-    CHECK(picture.find(">plateau = ") != std::string::npos);
+    CHECK(contains(picture, ">min = 10<"));
+    CHECK(contains(picture, ">auto = "));
+    CHECK(contains(picture, ">plateau = "));
     REQUIRE(folder.rbpa("alpha p.xy -q --csv -o csv.svg").code == 0);
     CHECK(picture == folder.content("csv.svg"));
     CHECK(picture.ends_with("</svg>\n"));
@@ -154,9 +144,9 @@ TEST_SUITE("alpha") {
       folder.file("p.xy", points);
       REQUIRE(folder.rbpa("alpha p.xy -q -o p.svg").code == 0);
       const std::string picture = folder.content("p.svg");
-      CHECK(picture.find(">alpha<") != std::string::npos);
-      CHECK(picture.find("nan") == std::string::npos);
-      CHECK(picture.find("inf") == std::string::npos);
+      CHECK(contains(picture, ">alpha<"));
+      CHECK(!contains(picture, "nan"));
+      CHECK(!contains(picture, "inf"));
     }
   }
 
@@ -191,8 +181,7 @@ TEST_SUITE("alpha") {
     CHECK(Json::parse(folder.content("all.geojson"))["features"].size() > 1000);
     const double birth = made["features"].back()["properties"]["birth"];
     const auto births_at = [&](const std::string& levels) {
-      REQUIRE(folder.rbpa("alpha " + points + "--representatives l.geojson --min-persistence 0 -q --levels " + levels)
-                  .code == 0);
+      folder.rbpa("alpha " + points + "--representatives l.geojson --min-persistence 0 -q --levels " + levels, 0);
       std::set<double> births;
       const Json written = Json::parse(folder.content("l.geojson"));
       for (const Json& feature : written["features"]) births.insert(feature["properties"]["birth"].get<double>());
@@ -202,23 +191,18 @@ TEST_SUITE("alpha") {
     CHECK(births_at("hrbpa:16").size() > 3);
     CHECK(births_at("hrbpa").size() < births_at("hrbpa:16").size());
     const auto refuses = [&](const std::string& arguments, const std::string& why) {
-      const Outcome refused = folder.rbpa("alpha " + points + arguments);
-      CHECK(refused.code == 2);
-      CHECK(refused.err.find(why) != std::string::npos);
+      says(folder, "alpha " + points + arguments, 2, why);
     };
     refuses("--representatives r.geojson --levels 2,1", "--levels: found '1' after 2, expected ascending radii");
     refuses("--representatives r.geojson --levels all",
             "--levels: found 'all', expected numbers above 0 with commas between them, or hrbpa");
     refuses("--levels 1", "--levels requires --representatives");
-    const Outcome wrong = folder.rbpa("alpha " + points + "--representatives r.obj");
-    CHECK(wrong.code == 2);
-    CHECK(wrong.err.find("--representatives: found the ending 'obj', expected one of geojson, json") !=
-          std::string::npos);
+    says(folder, "alpha " + points + "--representatives r.obj", 2,
+         "--representatives: found the ending 'obj', expected one of geojson, json");
   }
 
   TEST_CASE("a picture that cannot be written is refused, and leaves no file") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     CHECK(folder.rbpa("alpha p.xy -o p.tiff").code == 2);
     CHECK(folder.rbpa("alpha p.xy -o -").code == 2);
     CHECK(folder.rbpa("alpha p.xy -o no_folder/p.svg").code == 1);
@@ -241,7 +225,7 @@ TEST_SUITE("alpha") {
       std::vector<std::pair<double, double>> ticks;
       std::istringstream lines(folder.content("p.svg"));
       for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with("<text") || line.find("y=\"520\"") == std::string::npos) continue;
+        if (!line.starts_with("<text") || !contains(line, "y=\"520\"")) continue;
         const long double value = std::strtold(line.c_str() + line.find('>') + 1, nullptr);
         CHECK(value > 0);
         CHECK(std::isfinite(value));
@@ -256,11 +240,8 @@ TEST_SUITE("alpha") {
   }
 
   TEST_CASE("all files of a run appear, or none does") {
-    const Folder folder;
-    folder.file("p.xy", corner);
-    folder.file("p.svg", "before");
-    const Outcome no_folder = folder.rbpa("alpha p.xy -o p.svg --stats no_folder/s.json");
-    CHECK(no_folder.code == 1);
+    const Folder folder({{"p.xy", corner}, {"p.svg", "before"}});
+    const Outcome no_folder = folder.rbpa("alpha p.xy -o p.svg --stats no_folder/s.json", 1);
     CHECK(no_folder.out.empty());
     CHECK(folder.rbpa("alpha p.xy -o p.svg --stats s.json > /dev/full 2> /dev/null && true").code == 1);
     CHECK(folder.rbpa("alpha p.xy -o no_folder/p.svg --stats s.json").code == 1);
@@ -277,16 +258,14 @@ TEST_SUITE("alpha") {
     for (const std::string wrong : {"--json --csv", "--components 0", "--components -1", "--complex full",
                                     "--persistence --complex half", "--stats -"}) {
       CAPTURE(wrong);
-      const Outcome outcome = folder.rbpa("alpha no_such_file.xy " + wrong);
-      CHECK(outcome.code == 2);
+      const Outcome outcome = folder.rbpa("alpha no_such_file.xy " + wrong, 2);
       CHECK(outcome.out.empty());
       CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
     }
   }
 
   TEST_CASE("statistics have sizes and times") {
-    const Folder folder;
-    folder.file("p.xy", two_triangles);
+    const Folder folder("p.xy", two_triangles);
     REQUIRE(folder.rbpa("alpha p.xy --stats s.json").code == 0);
     const Json stats = Json::parse(folder.content("s.json"));
     CHECK(stats["points"] == 7);

@@ -102,8 +102,7 @@ TEST_SUITE("alpha choice") {
   }
 
   TEST_CASE("the summary and the statistics have the rule and its radius") {
-    const Folder folder;
-    folder.file("p.xy", two_triangles);
+    const Folder folder("p.xy", two_triangles);
     CHECK(folder.rbpa("mesh p.xy --alpha min -o m.off").err ==
           "rbpa: 7 points (1 duplicate), 2 triangles, 0 isolated, alpha min = 10 -> m.off\n");
     CHECK(folder.rbpa("shape p.xy --alpha auto --components 2 -o s.wkt").err ==
@@ -123,8 +122,7 @@ TEST_SUITE("alpha choice") {
   }
 
   TEST_CASE("the paper's search accepts a chosen radius") {
-    const Folder folder;
-    folder.file("p.xy", two_triangles);
+    const Folder folder("p.xy", two_triangles);
     CHECK(stats_of(folder, "mesh p.xy --alpha min --search paper")["alpha"] == 10);
   }
 
@@ -133,14 +131,12 @@ TEST_SUITE("alpha choice") {
     const auto none = [&](const std::string& points, const std::string& rule, const std::string& reason) {
       CAPTURE(points);
       folder.file("p.xy", points);
-      const Outcome mesh = folder.rbpa("mesh p.xy --alpha " + rule + " -o m.npy -q --stats s.json");
-      CHECK(mesh.code == 0);
+      const Outcome mesh = folder.rbpa("mesh p.xy --alpha " + rule + " -o m.npy -q --stats s.json", 0);
       CHECK(mesh.err == "rbpa: the complex is empty: " + reason + "\n");
       CHECK(folder.has("m.npy"));
       CHECK(Json::parse(folder.content("s.json"))["alpha"].is_null());
       CHECK(Json::parse(folder.content("s.json"))["alpha_rule"] == rule);
-      const Outcome shape = folder.rbpa("shape p.xy --alpha " + rule + " -o s.wkt");
-      CHECK(shape.code == 0);
+      const Outcome shape = folder.rbpa("shape p.xy --alpha " + rule + " -o s.wkt", 0);
       CHECK(shape.err.starts_with("rbpa: the shape is empty: " + reason + "\n"));
       CHECK(shape.err.ends_with(", alpha " + rule + " = none -> s.wkt\n"));
       CHECK(folder.content("s.wkt") == "MULTIPOLYGON EMPTY\n");
@@ -153,8 +149,7 @@ TEST_SUITE("alpha choice") {
   }
 
   TEST_CASE("a radius above every double is inf") {
-    const Folder folder;
-    folder.file("p.xy", "-1e308 0\n0 -5e-324\n1e308 0\n0 -1e308\n");
+    const Folder folder("p.xy", "-1e308 0\n0 -5e-324\n1e308 0\n0 -1e308\n");
     const Json radii = radii_of(folder, "p.xy");
     for (const std::string rule : {"auto", "min"}) {
       const Json chosen = stats_of(folder, "mesh p.xy --alpha " + rule);
@@ -165,22 +160,19 @@ TEST_SUITE("alpha choice") {
 
   TEST_CASE("unknown words and --components without auto are refused before anything is read") {
     const Folder folder;
-    const auto refuses = [&](const std::string& options, const std::string& message) {
-      for (const std::string verb : {"mesh", "shape"}) {
-        const Outcome outcome = folder.rbpa(verb + " no_such_file.xy -o s.svg --alpha " + options);
-        CHECK(outcome.code == 2);
-        CHECK(outcome.err == "rbpa: " + message + "\n");
-        CHECK(folder.names().empty());
-      }
+    const auto refuses_choice = [&](const std::string& options, const std::string& message) {
+      for (const std::string verb : {"mesh", "shape"})
+        refuses(folder, verb + " no_such_file.xy -o s.svg --alpha " + options, 2, message);
     };
     for (const std::string word : {"Auto", "automatic", "max", "-1", "0", "nan", "1e", "-inf"})
-      refuses(word, "--alpha: found '" + word +
-                        "', expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K");
-    refuses("''", "--alpha: found '', expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K");
+      refuses_choice(word, "--alpha: found '" + word +
+                               "', expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K");
+    refuses_choice("''",
+                   "--alpha: found '', expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K");
     for (const std::string alpha : {"0.5", "inf", "min"})
-      refuses(alpha + " --components 2", "--components applies only to --alpha auto");
-    refuses("auto --components 0", "--components: found '0', expected a whole number from 1");
-    refuses("auto --components -3", "--components: found '-3', expected a whole number from 1");
+      refuses_choice(alpha + " --components 2", "--components applies only to --alpha auto");
+    refuses_choice("auto --components 0", "--components: found '0', expected a whole number from 1");
+    refuses_choice("auto --components -3", "--components: found '-3', expected a whole number from 1");
     CHECK(folder.rbpa("mesh no_such_file.xy -o s.svg --alpha auto --components two").code == 2);
   }
 }

@@ -56,12 +56,10 @@ TEST_SUITE("alpha cover") {
   }
 
   TEST_CASE("the report and the summary name the share") {
-    const Folder folder;
-    folder.file("p.xy", two_triangles);
+    const Folder folder("p.xy", two_triangles);
     const std::string text = folder.rbpa("alpha p.xy --cover 0.5").out;
-    CHECK(text.find("min       5  (least alpha that covers a share of 0.5 of the points)\n") != std::string::npos);
-    CHECK(text.find("auto      5  (moreover with at most 1 solid component, without the others)\n") !=
-          std::string::npos);
+    CHECK(contains(text, "min       5  (least alpha that covers a share of 0.5 of the points)\n"));
+    CHECK(contains(text, "auto      5  (moreover with at most 1 solid component, without the others)\n"));
     CHECK(folder.rbpa("mesh p.xy --alpha min --cover 0.5 -o m.off").err ==
           "rbpa: 7 points (1 duplicate), 1 triangle, 3 isolated, alpha min = 5 with --cover 0.5 -> m.off\n");
     CHECK(folder.rbpa("mesh p.xy --alpha min --cover 1 -o m.off").err ==
@@ -69,8 +67,7 @@ TEST_SUITE("alpha cover") {
   }
 
   TEST_CASE("a squared radius and an inverse one are the radius") {
-    const Folder folder;
-    folder.file("p.xy", two_triangles);
+    const Folder folder("p.xy", two_triangles);
     const auto same = [&](const std::string& option, const std::string& alpha) {
       CAPTURE(option);
       for (const std::string verb : {"mesh p.xy -o a.svg ", "shape p.xy -o a.svg "}) {
@@ -92,29 +89,25 @@ TEST_SUITE("alpha cover") {
 
   TEST_CASE("wrong shares, squares and inverses are refused before anything is read") {
     const Folder folder;
-    const auto refuses = [&](const std::string& arguments, const std::string& message) {
-      for (const std::string verb : {"mesh", "shape"}) {
-        const Outcome outcome = folder.rbpa(verb + " no_such_file.xy -o s.svg " + arguments);
-        CHECK(outcome.code == 2);
-        CHECK(outcome.err == "rbpa: " + message + "\n");
-        CHECK(folder.names().empty());
-      }
+    const auto refuses_both = [&](const std::string& arguments, const std::string& message) {
+      for (const std::string verb : {"mesh", "shape"})
+        refuses(folder, verb + " no_such_file.xy -o s.svg " + arguments, 2, message);
     };
     for (const std::string share : {"0", "1.01", "-0.5", "nan", "inf", "half", "50%", "99"}) {
       const std::string message = "--cover: found '" + share + "', expected a share of the points, > 0 and <= 1";
-      refuses("--alpha min --cover " + share, message);
+      refuses_both("--alpha min --cover " + share, message);
       CHECK(folder.rbpa("alpha no_such_file.xy --cover " + share).err == "rbpa: " + message + "\n");
     }
     for (const std::string given : {"--alpha 0.5", "--alpha inf", "--alpha-squared 4", "--alpha-inverse 4"}) {
-      refuses(given + " --cover 0.9", "--cover applies only to --alpha auto or min");
-      refuses(given + " --components 2", "--components applies only to --alpha auto");
+      refuses_both(given + " --cover 0.9", "--cover applies only to --alpha auto or min");
+      refuses_both(given + " --components 2", "--components applies only to --alpha auto");
     }
     for (const std::string wrong : {"0", "-1", "nan", "-inf", "auto"})
-      refuses("--alpha-squared " + wrong,
-              "--alpha-squared: found '" + wrong + "', expected the square of a radius, > 0, or inf");
+      refuses_both("--alpha-squared " + wrong,
+                   "--alpha-squared: found '" + wrong + "', expected the square of a radius, > 0, or inf");
     for (const std::string wrong : {"-1", "nan", "inf", "auto"})
-      refuses("--alpha-inverse " + wrong,
-              "--alpha-inverse: found '" + wrong + "', expected one over a radius, finite and >= 0");
+      refuses_both("--alpha-inverse " + wrong,
+                   "--alpha-inverse: found '" + wrong + "', expected one over a radius, finite and >= 0");
     for (const std::string two :
          {"--alpha 1 --alpha-squared 1", "--alpha 1 --alpha-inverse 1", "--alpha-squared 1 --alpha-inverse 1"})
       CHECK(folder.rbpa("mesh no_such_file.xy -o s.svg " + two).err ==

@@ -55,37 +55,32 @@ TEST_SUITE("alpha plateau") {
     const std::string advice = "for the footprint of a scan take --alpha plateau:2\n";
     const Outcome shape = folder.rbpa("shape uneven.xy --alpha plateau -o u.wkt");
     CHECK(shape.err.starts_with("rbpa: --alpha plateau: at "));
-    CHECK(shape.err.find(" there are 41 parts, as points are not evenly dense, and at plateau:2, which is ") !=
-          std::string::npos);
-    CHECK(shape.err.find(advice) != std::string::npos);
-    CHECK(folder.rbpa("alpha uneven.xy").out.find("for the footprint of a scan take --alpha plateau:2.\n") !=
-          std::string::npos);
+    CHECK(contains(shape.err, " there are 41 parts, as points are not evenly dense, and at plateau:2, which is "));
+    CHECK(contains(shape.err, advice));
+    CHECK(contains(folder.rbpa("alpha uneven.xy").out, "for the footprint of a scan take --alpha plateau:2.\n"));
     CHECK(folder.rbpa("shape uneven.xy --alpha plateau -o u.wkt -q").err.empty());
-    CHECK(folder.rbpa("shape uneven.xy --alpha plateau:2 -o u.wkt").err.find("evenly") == std::string::npos);
-    CHECK(folder.rbpa("shape even.xy --alpha plateau -o u.wkt").err.find("evenly") == std::string::npos);
-    CHECK(folder.rbpa("alpha even.xy").out.find("evenly") == std::string::npos);
+    CHECK(!contains(folder.rbpa("shape uneven.xy --alpha plateau:2 -o u.wkt").err, "evenly"));
+    CHECK(!contains(folder.rbpa("shape even.xy --alpha plateau -o u.wkt").err, "evenly"));
+    CHECK(!contains(folder.rbpa("alpha even.xy").out, "evenly"));
   }
 
   TEST_CASE("--alpha plateau warns only when no plateau stands out") {
-    const Folder folder;
-    folder.file("p.xy", corner);
-    folder.file("two.xy", two_squares());
+    const Folder folder({{"p.xy", corner}, {"two.xy", two_squares()}});
     const std::string words =
         "rbpa: --alpha plateau: no range of alpha stands out, and the longest one may be chance (rbpa alpha POINTS "
         "shows the choices, and recommends auto)\n";
     CHECK(folder.rbpa("shape p.xy --alpha plateau -o s.wkt").err.starts_with(words));
     CHECK(folder.rbpa("mesh p.xy --alpha plateau -o m.off").err.starts_with(words));
     CHECK(folder.rbpa("mesh p.xy --alpha plateau:1 -o m.off").err.starts_with(words));
-    CHECK(folder.rbpa("alpha p.xy").out.find("Recommended: --alpha auto, which is ") != std::string::npos);
+    CHECK(contains(folder.rbpa("alpha p.xy").out, "Recommended: --alpha auto, which is "));
     CHECK(folder.rbpa("shape p.xy --alpha plateau -o s.wkt -q").err.empty());
-    CHECK(folder.rbpa("shape two.xy --alpha plateau -o s.wkt").err.find("stands out") == std::string::npos);
+    CHECK(!contains(folder.rbpa("shape two.xy --alpha plateau -o s.wkt").err, "stands out"));
     // A rank that does not exist gives this message only.
-    CHECK(folder.rbpa("shape p.xy --alpha plateau:9 -o s.wkt").err.find("stands out") == std::string::npos);
+    CHECK(!contains(folder.rbpa("shape p.xy --alpha plateau:9 -o s.wkt").err, "stands out"));
   }
 
   TEST_CASE("two squares are recommended as two, with an outlier that ruins min and auto") {
-    const Folder folder;
-    folder.file("p.xy", two_squares());
+    const Folder folder("p.xy", two_squares());
     const Json report = radii_of(folder, "p.xy");
     CHECK(report["auto"] > 1000.0);
     CHECK(report["min"] > 1000.0);
@@ -125,8 +120,7 @@ TEST_SUITE("alpha plateau") {
   }
 
   TEST_CASE("the table has a line for every plateau, then min and auto with the names that others give them") {
-    const Folder folder;
-    folder.file("p.xy", two_squares());
+    const Folder folder("p.xy", two_squares());
     const std::size_t plateaus = radii_of(folder, "p.xy")["plateaus"].size();
     const std::vector<std::string> lines = lines_of(folder.rbpa("alpha p.xy -q").out);
     const auto head = std::find_if(lines.begin(), lines.end(), [](auto& line) { return line.starts_with("choice "); });
@@ -144,8 +138,8 @@ TEST_SUITE("alpha plateau") {
     // The choices of MATLAB and CGAL cover every point in one piece: they are not named with other options.
     for (const std::string other : {"--cover 0.9", "--components 2"}) {
       const std::string text = folder.rbpa("alpha p.xy -q " + other).out;
-      CHECK(text.find("one-region") == std::string::npos);
-      CHECK(text.find("plateau:2") != std::string::npos);
+      CHECK(!contains(text, "one-region"));
+      CHECK(contains(text, "plateau:2"));
     }
   }
 
@@ -160,8 +154,7 @@ TEST_SUITE("alpha plateau") {
   }
 
   TEST_CASE("auto is recommended when no plateau stands out, and points without a triangle have no plateau") {
-    const Folder folder;
-    folder.file("p.xy", "0 0\n6 0\n0 8\n");
+    const Folder folder("p.xy", "0 0\n6 0\n0 8\n");
     const Json one = radii_of(folder, "p.xy");
     REQUIRE(one["plateaus"].size() == 1);
     CHECK(one["plateaus"][0]["alpha"] == 5.0);
@@ -175,15 +168,14 @@ TEST_SUITE("alpha plateau") {
     CHECK(few["recommended"]["choice"] == "auto");
     CHECK(few["recommended"]["alpha"] == few["auto"]);
     CHECK(few["plateaus"][0]["alpha"] < few["auto"]);
-    CHECK(folder.rbpa("alpha few.xy").out.find("Recommended: --alpha auto, which is ") != std::string::npos);
+    CHECK(contains(folder.rbpa("alpha few.xy").out, "Recommended: --alpha auto, which is "));
     for (const char* none : {"# none\n", "1 1\n1 1\n1 1\n", "0 0\n1 1\n3 3\n"}) {
       folder.file("none.xy", none);
       const Json report = radii_of(folder, "none.xy");
       CHECK(report["plateaus"].empty());
       CHECK(report["recommended"].is_null());
-      CHECK(folder.rbpa("alpha none.xy").out.find("choice") == std::string::npos);
-      const Outcome shape = folder.rbpa("shape none.xy --alpha plateau -o s.wkt");
-      CHECK(shape.code == 0);
+      CHECK(!contains(folder.rbpa("alpha none.xy").out, "choice"));
+      const Outcome shape = folder.rbpa("shape none.xy --alpha plateau -o s.wkt", 0);
       CHECK(shape.err.ends_with(", alpha plateau = none -> s.wkt\n"));
     }
   }
@@ -204,17 +196,14 @@ TEST_SUITE("alpha plateau") {
   }
 
   TEST_CASE("a wrong rank is refused at once, and one that is too high when the points are known") {
-    const Folder folder;
-    folder.file("p.xy", two_squares());
+    const Folder folder("p.xy", two_squares());
     for (const std::string wrong : {"", "0", "-1", "two", "1.5"})
       CHECK(folder.rbpa("shape no_such_file.xy -o s.wkt --alpha plateau:" + wrong).err ==
             "rbpa: --alpha: found 'plateau:" + wrong +
                 "', expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K\n");
     const std::size_t count = radii_of(folder, "p.xy")["plateaus"].size();
-    const Outcome high = folder.rbpa("shape p.xy -o s.wkt --alpha plateau:99");
-    CHECK(high.code == 2);
-    CHECK(high.err == "rbpa: --alpha plateau:99: there are only " + std::to_string(count) +
-                          " plateaus (rbpa alpha POINTS lists them)\n");
+    refuses(folder, "shape p.xy -o s.wkt --alpha plateau:99", 2,
+            "--alpha plateau:99: there are only " + std::to_string(count) + " plateaus (rbpa alpha POINTS lists them)");
     CHECK(folder.names() == std::vector<std::string>{"p.xy"});
     for (const std::string option : {"--cover 0.9", "--components 2"})
       CHECK(folder.rbpa("shape p.xy -o s.wkt --alpha plateau " + option).code == 2);

@@ -16,6 +16,7 @@
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
 #include "support/program.h"
+#include "support/refusal_of.h"
 
 using namespace apps_test;
 using rbpa::Point3;
@@ -45,14 +46,7 @@ const AtomChoice all_frames = {.frames = {.all = true}};
 
 template <typename Read>
 std::string refusal_of(const Read& read) {
-  try {
-    read();
-  } catch (const rbpa::app::BadInput& e) {
-    return e.what();
-  } catch (const rbpa::app::WrongUsage& e) {
-    return e.what();
-  }
-  return "";
+  return rbpa_test::refusal_of<rbpa::app::BadInput, rbpa::app::WrongUsage>(read);
 }
 std::string refusal(const std::string& text, Format format, const AtomChoice& choice = {.frames = {.all = true}}) {
   return refusal_of([&] { frames_of(text, format, choice); });
@@ -497,8 +491,7 @@ TEST_SUITE("atoms") {
           "C ProtOr 1.610000 1.880000 6\nCa Mantina 2.310000 2.310000 2\nN ProtOr 1.640000 1.640000 2\n"
           "O ProtOr 1.420000 1.460000 4\nS ProtOr 1.770000 1.770000 2\n");
 
-    const Folder folder;
-    folder.file("radii.txt", "# mine\nC 1.9\nASP CG 1.25\n* CZ 1.5 # of any residue\n");
+    const Folder folder("radii.txt", "# mine\nC 1.9\nASP CG 1.25\n* CZ 1.5 # of any residue\n");
     const std::string path = folder.path("radii.txt");
     CHECK(by(path) == std::vector<double>{1.55, 1.9, 1.25, 1.52, 1.5, 1.52, 1.8, 2.31});
     for (const std::string line : {"Q 1", "C", "C -1", "C x", "ALA CA CB 1"}) {

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <cstring>
 
 #include "support/gdal_endings.h"
@@ -13,20 +12,9 @@ using namespace apps_test;
 
 namespace {
 
-/// Checks for this line on standard error, this exit code, and only the input in the folder.
-void refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message) {
-  const auto before = folder.names().size();
-  const Outcome outcome = folder.rbpa(arguments);
-  CHECK(outcome.code == code);
-  CHECK(outcome.err == "rbpa: " + message + "\n");
-  CHECK(outcome.out.empty());
-  CHECK(folder.names().size() == before);
-}
-
 void refuses_text(const std::string& content, const std::string& message) {
   CAPTURE(content);
-  const Folder folder;
-  folder.file("p.xy", content);
+  const Folder folder("p.xy", content);
   refuses(folder, "mesh p.xy --alpha 1 -o m.off", 3, message);
 }
 
@@ -54,8 +42,7 @@ TEST_SUITE("bad input") {
   }
 
   TEST_CASE("text in the first columns of a wider table is refused with a hint at --columns") {
-    const Folder folder;
-    folder.file("p.csv", "name,a,b\nBerlin,13.4,52.5\n");
+    const Folder folder("p.csv", "name,a,b\nBerlin,13.4,52.5\n");
     refuses(folder, "mesh p.csv --alpha 1 -o m.off", 3,
             "p.csv:1: found 'name,a,b', expected known names of coordinates, such as x and y (--columns a,b chooses "
             "columns)");
@@ -73,11 +60,8 @@ TEST_SUITE("bad input") {
   }
 
   TEST_CASE("a number beyond every double is refused") {
-    const Folder folder;
-    folder.file("p.xy", "0 0\n1e999 1\n");
-    const Outcome outcome = folder.rbpa("mesh p.xy --alpha 1 -o m.off");
-    CHECK(outcome.code == 3);
-    CHECK(outcome.err.find("p.xy:2: found '1e999', expected ") != std::string::npos);
+    const Folder folder("p.xy", "0 0\n1e999 1\n");
+    says(folder, "mesh p.xy --alpha 1 -o m.off", 3, "p.xy:2: found '1e999', expected ");
   }
 
   TEST_CASE("a wrong number of columns is refused") {
@@ -86,26 +70,18 @@ TEST_SUITE("bad input") {
   }
 
   TEST_CASE("a missing column is refused") {
-    const Folder folder;
-    folder.file("p.csv", "lon,lat\n1,2\n");
-    const Outcome outcome = folder.rbpa("mesh p.csv --columns lon,height --alpha 1 -o m.off");
-    CHECK(outcome.code == 3);
-    CHECK(outcome.err.find("'height'") != std::string::npos);
+    const Folder folder("p.csv", "lon,lat\n1,2\n");
+    says(folder, "mesh p.csv --columns lon,height --alpha 1 -o m.off", 3, "'height'");
   }
 
   TEST_CASE("a truncated binary file is refused") {
-    const Folder folder;
-    folder.file("p.npy",
-                npy_file("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }", doubles({0, 0, 1, 0, 0})));
-    Outcome outcome = folder.rbpa("mesh p.npy --alpha 1 -o m.off");
-    CHECK(outcome.code == 3);
-    CHECK(outcome.err.find("p.npy: found 40 bytes of data, expected 3 rows of 16 bytes as the header says") !=
-          std::string::npos);
+    const Folder folder(
+        "p.npy", npy_file("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }", doubles({0, 0, 1, 0, 0})));
+    Outcome outcome = folder.rbpa("mesh p.npy --alpha 1 -o m.off", 3);
+    CHECK(contains(outcome.err, "p.npy: found 40 bytes of data, expected 3 rows of 16 bytes as the header says"));
     folder.file("p.ply", ply_header + doubles({0, 0, 1, 0, 0}));
-    outcome = folder.rbpa("mesh p.ply --alpha 1 -o m.off");
-    CHECK(outcome.code == 3);
-    CHECK(outcome.err.find("p.ply: found 40 bytes of data, expected 3 vertex elements as line 3 says") !=
-          std::string::npos);
+    outcome = folder.rbpa("mesh p.ply --alpha 1 -o m.off", 3);
+    CHECK(contains(outcome.err, "p.ply: found 40 bytes of data, expected 3 vertex elements as line 3 says"));
     folder.file("p.f64xy", doubles({0, 0, 1}));
     CHECK(folder.rbpa("mesh p.f64xy --alpha 1 -o m.off").code == 3);
     CHECK_FALSE(folder.has("m.off"));
@@ -122,27 +98,22 @@ TEST_SUITE("bad input") {
     folder.file("p.off", "OFF\n99999999999999 0 0\n0 0 0\n");
     for (const char* name : {"p.npy", "p.ply", "p.off"}) {
       CAPTURE(name);
-      const Outcome outcome = folder.rbpa(std::string("mesh ") + name + " --alpha 1 -o m.off");
-      CHECK(outcome.code == 3);
-      CHECK(outcome.err.find("99999999999999") != std::string::npos);
+      says(folder, std::string("mesh ") + name + " --alpha 1 -o m.off", 3, "99999999999999");
       CHECK_FALSE(folder.has("m.off"));
     }
   }
 
   TEST_CASE("NaN in a binary file is refused with the number of the point") {
-    const Folder folder;
-    folder.file("p.f64xy", doubles({0, 0, 1, __builtin_nan("")}));
-    const Outcome outcome = folder.rbpa("mesh p.f64xy --alpha 1 -o m.off");
-    CHECK(outcome.code == 3);
-    CHECK(outcome.err.find("nan") != std::string::npos);
-    CHECK(outcome.err.find("point 1") != std::string::npos);
+    const Folder folder("p.f64xy", doubles({0, 0, 1, __builtin_nan("")}));
+    const Outcome outcome = folder.rbpa("mesh p.f64xy --alpha 1 -o m.off", 3);
+    CHECK(contains(outcome.err, "nan"));
+    CHECK(contains(outcome.err, "point 1"));
   }
 }
 
 TEST_SUITE("wrong usage") {
   TEST_CASE("an alpha that is not a radius is refused") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     for (const std::string alpha : {"0", "-1", "nan", "-inf", "abc", "1x"})
       refuses(
           folder, "mesh p.xy -o m.off --alpha=" + alpha, 2,
@@ -153,10 +124,7 @@ TEST_SUITE("wrong usage") {
     struct Mistake {
       std::string arguments, found, way;
     };
-    const Folder folder;
-    folder.file("p.csv", "x,y,sp\n0,0,a\n1,0,a\n0,1,b\n");
-    folder.file("p.dat", corner);
-    folder.file("p", corner);
+    const Folder folder({{"p.csv", "x,y,sp\n0,0,a\n1,0,a\n0,1,b\n"}, {"p.dat", corner}, {"p", corner}});
     const std::string shape = "shape p.csv --alpha 1 ";
     for (const Mistake& mistake : std::initializer_list<Mistake>{
              {"", "found no verb, expected one of mesh, alpha, shape", "(see rbpa --help)"},
@@ -215,23 +183,19 @@ TEST_SUITE("wrong usage") {
   }
 
   TEST_CASE("a missing alpha, a missing verb and an unknown option are refused") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     CHECK(folder.rbpa("mesh p.xy -o m.off").code == 2);
     CHECK(folder.rbpa("").code == 2);
     CHECK(folder.rbpa("info p.xy --stats -").code == 2);
     refuses(folder, "mehs p.xy --alpha 1 -o m.off", 2,
             "found 'mehs', expected one of mesh, alpha, shape, discs, voronoi, grid, fill, surface, solid, balls, "
-            "stream, info, "
-            "report (see "
-            "rbpa "
-            "--help)");
+            "stream, info, report (see rbpa --help)");
     for (const std::string before : {"", "--alpha 1 "})  // with and without required options
       refuses(folder, "mesh p.xy " + before + "-o m.off --alhpa 2", 2,
               "found '--alhpa', expected an option of rbpa mesh (is it --alpha? see rbpa mesh --help)");
     refuses(folder, "shape p.xy --alpha 1 --out s.wkt", 2,
             "found '--out', expected an option of rbpa shape (is it --output? see rbpa shape --help)");
-    CHECK(folder.rbpa("shap p.xy").err.find("(is it shape? see rbpa --help)") != std::string::npos);
+    CHECK(contains(folder.rbpa("shap p.xy").err, "(is it shape? see rbpa --help)"));
     for (const std::string verb : {"shape p.xy q.xy --alpha 1 -o s.wkt", "mesh p.xy q.xy --alpha 1 -o s.ply"})
       refuses(folder, verb, 2,
               "POINTS: found 2 files, the last 'q.xy', expected one, or --group-by-file (each is a group), or "
@@ -241,8 +205,7 @@ TEST_SUITE("wrong usage") {
   }
 
   TEST_CASE("an empty name is refused") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     refuses(folder, "mesh '' --alpha 1 -o m.off", 2, "POINTS: found an empty name, expected a path or -");
     refuses(folder, "mesh p.xy --alpha 1 -o ''", 2, "-o: found an empty name, expected a path or -");
     refuses(folder, "mesh p.xy --alpha 1 -o m.off --stats ''", 2,
@@ -250,8 +213,7 @@ TEST_SUITE("wrong usage") {
   }
 
   TEST_CASE("a numeric value with other characters or out of range is refused") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     const std::string far = "99999999999999999999";
     for (const std::string value : {far.c_str(), "0", "-1", "+3", "1e3", "1.5", "0x10", "2x", " 3", "3 ", "", "nan"}) {
       CAPTURE(value);
@@ -273,9 +235,7 @@ TEST_SUITE("wrong usage") {
   }
 
   TEST_CASE("--columns takes exactly two columns") {
-    const Folder folder;
-    folder.file("p.xy", corner);
-    folder.file("p.csv", "lon,lat\n0,0\n1,0\n0,1\n");
+    const Folder folder({{"p.xy", corner}, {"p.csv", "lon,lat\n0,0\n1,0\n0,1\n"}});
     const auto refuses_columns = [&](const std::string& columns, const std::string& found) {
       refuses(folder, "mesh p.csv --alpha 1 -o m.off --columns '" + columns + "'", 2,
               "--columns: found '" + found + "', the same column twice, expected two columns");
@@ -294,14 +254,12 @@ TEST_SUITE("wrong usage") {
   }
 
   TEST_CASE("a value for a switch, and an option without one, are refused") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     for (const std::string run : {"mesh p.xy --alpha 1 -o m.off --compact=7", "info p.xy --quiet=false",
                                   "alpha p.xy --json=abc", "info p.xy --format xy --format xy",
                                   "mesh p.xy --alpha 1 --alpha 1 -o m.off", "mesh p.xy -o m.off --alpha"}) {
       CAPTURE(run);
-      const Outcome outcome = folder.rbpa(run);
-      CHECK(outcome.code == 2);
+      const Outcome outcome = folder.rbpa(run, 2);
       CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
     }
     CHECK(folder.meshtopo("m.off --json=2").code == 2);
@@ -309,8 +267,7 @@ TEST_SUITE("wrong usage") {
   }
 
   TEST_CASE("a missing GDAL is named for endings that GDAL would write or read, and for these alone") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     const std::string none = rbpa::app::has_gdal() ? "" : "(this build has no GDAL: ";
     for (const auto& row : std::initializer_list<std::pair<std::string, std::string>>{
              {"shape p.xy --alpha 1 -o s.gpkg", none + "write s.geojson, then ogr2ogr s.gpkg s.geojson)\n"},
@@ -326,20 +283,15 @@ TEST_SUITE("wrong usage") {
   }
 
   TEST_CASE("an unknown ending is refused with a list of the known ones") {
-    const Folder folder;
-    folder.file("p.xy", corner);
-    folder.file("p.foo", corner);
+    const Folder folder({{"p.xy", corner}, {"p.foo", corner}});
     refuses(folder, "mesh p.xy --alpha 1 -o m.foo", 2,
             "m.foo: found the ending 'foo', expected one of off, ply, obj, npy, vtu, geojson, json, svg, png" +
                 gdal_endings() + ", or --output-format");
-    const Outcome outcome = folder.rbpa("mesh p.foo --alpha 1 -o m.off");
-    CHECK(outcome.code == 2);
-    CHECK(outcome.err.find("npy") != std::string::npos);
+    says(folder, "mesh p.foo --alpha 1 -o m.off", 2, "npy");
   }
 
   TEST_CASE("one file under two names is refused, also if it does not exist yet") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     refuses(folder, "mesh p.xy --alpha 1 -o m.off -o ./m.off", 2,
             "./m.off: found twice among the files to write, expected once");
   }
@@ -347,7 +299,7 @@ TEST_SUITE("wrong usage") {
   TEST_CASE("help and version exit with 0") {
     const Folder folder;
     CHECK(folder.rbpa("--help").code == 0);
-    CHECK(folder.rbpa("mesh --help").out.find("Examples:") != std::string::npos);
+    CHECK(contains(folder.rbpa("mesh --help").out, "Examples:"));
     CHECK(folder.rbpa("--version").out == "rbpa " RBPA_VERSION "\n");
     CHECK(folder.meshtopo("--version").out == "meshtopo " RBPA_VERSION "\n");
   }
@@ -355,15 +307,13 @@ TEST_SUITE("wrong usage") {
 
 TEST_SUITE("failure while running") {
   TEST_CASE("a full disk is reported") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     refuses(folder, "mesh p.xy --alpha 1 -o /dev/full --output-format off", 1,
             "/dev/full: cannot write: No space left on device");
   }
 
   TEST_CASE("an unwritable output is reported") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     refuses(folder, "mesh p.xy --alpha 1 -o none/m.off", 1,
             "none/m.off: found no folder 'none', expected one to write to");
   }
@@ -377,9 +327,7 @@ TEST_SUITE("failure while running") {
   }
 
   TEST_CASE("one output that fails keeps the others away and leaves what was there") {
-    const Folder folder;
-    folder.file("p.xy", corner);
-    folder.file("m.off", "old");
+    const Folder folder({{"p.xy", corner}, {"m.off", "old"}});
     CHECK(folder.rbpa("mesh p.xy --alpha 1 -o m.off -o /dev/full --output-format ply").code == 1);
     CHECK(folder.content("m.off") == "old");
     CHECK(folder.names().size() == 2);

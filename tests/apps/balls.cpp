@@ -55,10 +55,7 @@ double sum(const std::vector<Row>& rows, const std::string& column) {
 }
 
 Json json_of(const Folder& folder, const std::string& arguments) {
-  const Outcome outcome = folder.rbpa("balls " + arguments + " --json -q");
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
-  return Json::parse(outcome.out);
+  return Json::parse(folder.rbpa("balls " + arguments + " --json -q", 0).out);
 }
 
 /// Returns an atom of PDB at x in chain A.
@@ -89,8 +86,7 @@ TEST_SUITE("balls") {
                 "property float r\nend_header\n0 0 0 1.5\n0 0 2 0.5\n");
     for (const std::string file : {"b.csv --radii column:r", "b.xyz", "b.pqr", "b.ply --radii column:r"}) {
       CAPTURE(file);
-      const Outcome outcome = folder.rbpa("balls " + file + " --probe 0.5 -o atoms.csv --contacts contacts.csv -q");
-      REQUIRE(outcome.code == 0);
+      const Outcome outcome = folder.rbpa("balls " + file + " --probe 0.5 -o atoms.csv --contacts contacts.csv -q", 0);
       CHECK(outcome.out + outcome.err == "");
       const std::vector<Row> rows = rows_of(folder.content("atoms.csv"));
       REQUIRE(rows.size() == 2);
@@ -115,8 +111,7 @@ TEST_SUITE("balls") {
 
   TEST_CASE("the summary has counts, radii with their source, and sizes with and without the probe") {
     const Folder folder;
-    const Outcome outcome = folder.rbpa("balls " + lysozyme + " --probe 1.4 -o a.csv");
-    CHECK(outcome.code == 0);
+    const Outcome outcome = folder.rbpa("balls " + lysozyme + " --probe 1.4 -o a.csv", 0);
     CHECK(outcome.out == "");
     CHECK(outcome.err ==
           "rbpa: 1102 atoms, 1001 kept; left out: 101 of water (--waters keeps them)\n"
@@ -232,11 +227,10 @@ TEST_SUITE("balls") {
   }
 
   TEST_CASE("what is left out is counted by its reason") {
-    const Folder folder;
-    folder.file("m.pdb", atom(" CA ", 0) + atom(" HA ", 1) + atom(" CB ", 2, 1, "  0.40  0.00", "ALA", 'A') +
-                             atom(" CB ", 3, 1, "  0.60  0.00", "ALA", 'B') +
-                             atom(" C1 ", 9, 2, "  1.00  0.00", "LIG", ' ', "HETATM") +
-                             atom(" O  ", 19, 3, "  1.00  0.00", "HOH", ' ', "HETATM"));
+    const Folder folder("m.pdb", atom(" CA ", 0) + atom(" HA ", 1) + atom(" CB ", 2, 1, "  0.40  0.00", "ALA", 'A') +
+                                     atom(" CB ", 3, 1, "  0.60  0.00", "ALA", 'B') +
+                                     atom(" C1 ", 9, 2, "  1.00  0.00", "LIG", ' ', "HETATM") +
+                                     atom(" O  ", 19, 3, "  1.00  0.00", "HOH", ' ', "HETATM"));
     struct Choice {
       std::string options;
       std::size_t kept, where, waters, ligands, hydrogens, alternates;
@@ -260,8 +254,7 @@ TEST_SUITE("balls") {
     }
     CHECK(folder.rbpa("balls m.pdb --no-ligands --no-hydrogens")
               .err.starts_with("rbpa: 6 atoms, 2 kept; left out: 1 of water (--waters keeps them), 1 of ligands, 1 of "
-                               "hydrogen and 1 at "
-                               "alternate locations (--alternates keeps them)\n"));
+                               "hydrogen and 1 at alternate locations (--alternates keeps them)\n"));
   }
 
   TEST_CASE("a frame among others has the rows that it has alone, for any number of threads") {
@@ -295,23 +288,22 @@ TEST_SUITE("balls") {
     CHECK(folder.content("some.csv") == joined);
     const Outcome outcome = folder.rbpa("balls m.pdb --probe 0.3 --models 1-3");
     CHECK(outcome.err.starts_with("rbpa: 3 frames with 21 atoms, 21 kept\n"));
-    CHECK(outcome.err.find("\nrbpa: radii in all frames: C ") != std::string::npos);
-    CHECK(outcome.err.find(" of 21 buried in all frames; without it") != std::string::npos);
-    CHECK(outcome.err.find(": volume ") != std::string::npos);
-    CHECK(outcome.err.find(" to ") != std::string::npos);
+    CHECK(contains(outcome.err, "\nrbpa: radii in all frames: C "));
+    CHECK(contains(outcome.err, " of 21 buried in all frames; without it"));
+    CHECK(contains(outcome.err, ": volume "));
+    CHECK(contains(outcome.err, " to "));
     CHECK(json_of(folder, "m.pdb --models 39,40")["frames"][1]["frame"] == 40);
   }
 
   TEST_CASE("names with commas and quotes are quoted, and bytes that are not UTF-8 are kept") {
-    const Folder folder;
-    folder.file("q.cif",
-                "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
-                "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
-                "C \"C5'\" 'A,\"B' 0 0 0\nC 'C 6' \xe9 9 0 0\n");
+    const Folder folder("q.cif",
+                        "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
+                        "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+                        "C \"C5'\" 'A,\"B' 0 0 0\nC 'C 6' \xe9 9 0 0\n");
     REQUIRE(folder.rbpa("balls q.cif -o q.csv -q").code == 0);
     const std::string text = folder.content("q.csv");
-    CHECK(text.find("\n0,,,,,\"A,\"\"B\",C5',C,1.7,") != std::string::npos);
-    CHECK(text.find("\n1,,,,,\xe9,\"C 6\",C,1.7,") != std::string::npos);
+    CHECK(contains(text, "\n0,,,,,\"A,\"\"B\",C5',C,1.7,"));
+    CHECK(contains(text, "\n1,,,,,\xe9,\"C 6\",C,1.7,"));
   }
 
   TEST_CASE("voids and pockets have sizes, the largest ball that fits in, and the atoms around them") {
@@ -325,8 +317,7 @@ TEST_SUITE("balls") {
                   (i & 4 ? "" : "-") + size + " 1.2\n";
     }
     folder.file("c.xyz", frames);
-    const Outcome outcome = folder.rbpa("balls c.xyz --models all --probe 0.25 --voids v.csv --pockets p.csv");
-    CHECK(outcome.code == 0);
+    const Outcome outcome = folder.rbpa("balls c.xyz --models all --probe 0.25 --voids v.csv --pockets p.csv", 0);
     CHECK(outcome.err.ends_with("\nrbpa: with the probe: 1 void, 1 pocket in all frames -> v.csv, p.csv\n"));
     const std::vector<Row> voids = rows_of(folder.content("v.csv")), pockets = rows_of(folder.content("p.csv"));
     REQUIRE(voids.size() == 1);
@@ -376,7 +367,7 @@ TEST_SUITE("balls") {
     REQUIRE(folder.rbpa("balls n.csv --radii column:r -q --voids v.cxc").code == 0);
     const std::string cxc = folder.content("v.cxc");
     CHECK(cxc.starts_with("name void_1 @@serial_number=1 @@serial_number=2 @@serial_number=3 "));  // in order
-    CHECK(cxc.find("\ncolor void_1 orange\nshape sphere center ") != std::string::npos);
+    CHECK(contains(cxc, "\ncolor void_1 orange\nshape sphere center "));
     CHECK(cxc.ends_with(" color orange name void_1_ball\n"));
   }
 
@@ -439,8 +430,7 @@ TEST_SUITE("balls") {
   }
 
   TEST_CASE("interfaces have the areas that each group loses to the other, and the area of their contacts") {
-    const Folder folder;
-    folder.file("t.csv", "x,y,z,r,kind\n0,0,0,4,b\n3,0,0,2,a\n50,0,0,2,a\n90,0,0,1,c\n");
+    const Folder folder("t.csv", "x,y,z,r,kind\n0,0,0,4,b\n3,0,0,2,a\n50,0,0,2,a\n90,0,0,1,c\n");
     const Outcome outcome =
         folder.rbpa("balls t.csv --radii column:r --group column:kind --interfaces i.csv --contacts c.csv");
     CHECK(outcome.err.ends_with(" -> c.csv, i.csv\n"));
@@ -458,8 +448,7 @@ TEST_SUITE("balls") {
   }
 
   TEST_CASE("nested and equal balls, and points in a plane, have rows too") {
-    const Folder folder;
-    folder.file("n.csv", "x,y,z,r\n0,0,0,2\n0,0,0,1\n0,0,0,2\n5,0,0,1\n9,0,0,0\n");
+    const Folder folder("n.csv", "x,y,z,r\n0,0,0,2\n0,0,0,1\n0,0,0,2\n5,0,0,1\n9,0,0,0\n");
     REQUIRE(folder.rbpa("balls n.csv --radii column:r -o n.csv.csv -q").code == 0);
     const std::vector<Row> rows = rows_of(folder.content("n.csv.csv"));
     REQUIRE(rows.size() == 5);
@@ -534,8 +523,7 @@ TEST_SUITE("balls") {
     CHECK(stats["seconds"]["measure"] > 0);
     CHECK(stats["radii"][0]["source"] == "ProtOr");
     REQUIRE(folder.rbpa("balls " + lysozyme + " -o a.csv -q").code == 0);
-    const Outcome outcome = folder.rbpa("balls - --format pdb -o - --output-format csv -q < " + lysozyme);
-    CHECK(outcome.code == 0);
+    const Outcome outcome = folder.rbpa("balls - --format pdb -o - --output-format csv -q < " + lysozyme, 0);
     CHECK(outcome.out == folder.content("a.csv"));
   }
 }

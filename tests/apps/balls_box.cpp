@@ -29,15 +29,11 @@ const std::string ball = " --radii column:r --json -q";
 
 TEST_SUITE("balls in a box") {
   TEST_CASE("a box is one length, three sides, lengths and angles, or that of each frame of the file") {
-    const Folder folder;
-    folder.file("one.csv", "x,y,z,r\n0.3,7.1,-2,0.6\n");
-    folder.file("f.dump", frame(0, "1") + frame(1, "2") + frame(2, "1", "pp pp ff"));
+    const Folder folder({{"one.csv", "x,y,z,r\n0.3,7.1,-2,0.6\n"},
+                         {"f.dump", frame(0, "1") + frame(1, "2") + frame(2, "1", "pp pp ff")}});
     const double whole = 4 * pi * 0.36, cap = 2 * pi * 0.6 * 0.1;
     const auto area = [&](const std::string& arguments, std::size_t number = 0) {
-      const Outcome outcome = folder.rbpa("balls " + arguments);
-      CAPTURE(outcome.err);
-      REQUIRE(outcome.code == 0);
-      return Json::parse(outcome.out)["frames"][number]["area"].get<double>();
+      return Json::parse(folder.rbpa("balls " + arguments, 0).out)["frames"][number]["area"].get<double>();
     };
     CHECK(area("one.csv --box 1" + ball) == Approx(whole - 6 * cap));
     CHECK(area("one.csv --box 1,2,1" + ball) == Approx(whole - 4 * cap));
@@ -53,17 +49,15 @@ TEST_SUITE("balls in a box") {
   }
 
   TEST_CASE("contacts have the offset of the second ball") {
-    const Folder folder;
-    folder.file("one.csv", "x,y,z,r\n0,0,0,0.75\n");
+    const Folder folder("one.csv", "x,y,z,r\n0,0,0,0.75\n");
     REQUIRE(folder.rbpa("balls one.csv --radii column:r --box 1 --contacts c.csv -q").code == 0);
     const std::string contacts = folder.content("c.csv");
     CHECK(contacts.starts_with("point_a,point_b,area,arc,distance,offset_1,offset_2,offset_3\n0,0,"));
-    CHECK(contacts.find(",1,0,0,1\n") != std::string::npos);
+    CHECK(contains(contacts, ",1,0,0,1\n"));
   }
 
   TEST_CASE("voids of a box have the number of directions in which they percolate, frame by frame") {
-    const Folder folder;
-    folder.file("f.dump", frame(0, "1") + frame(1, "2") + frame(2, "3"));
+    const Folder folder("f.dump", frame(0, "1") + frame(1, "2") + frame(2, "3"));
     REQUIRE(
         folder.rbpa("balls f.dump --radius-default 0.4 --probe 0.35 --models all --box auto --voids v.json -q").code ==
         0);
@@ -73,27 +67,23 @@ TEST_SUITE("balls in a box") {
       CHECK(voids[i]["frame"] == i + 1);
       CHECK(voids[i]["dimension"] == (i == 0 ? 0 : 2));
     }
-    const Outcome table = folder.rbpa("balls f.dump --radius-default 0.4 --probe 0.35 --box auto --voids v.csv");
-    REQUIRE(table.code == 0);
-    CHECK(table.err.find("with the probe: 1 closed void, 0 voids that percolate") != std::string::npos);
+    says(folder, "balls f.dump --radius-default 0.4 --probe 0.35 --box auto --voids v.csv", 0,
+         "with the probe: 1 closed void, 0 voids that percolate");
     const std::string text = folder.content("v.csv");
     CHECK(text.find("number,volume_between_points,volume_outside_balls,area,x,y,z,radius_max,dimension,points\n1,1,") ==
           0);
-    CHECK(text.find(",0.5,0.5,0.5,0.11602540378443") != std::string::npos);
-    CHECK(text.find(",0,\"0\"\n") != std::string::npos);
+    CHECK(contains(text, ",0.5,0.5,0.5,0.11602540378443"));
+    CHECK(contains(text, ",0,\"0\"\n"));
 
-    const Outcome pores = folder.rbpa("balls f.dump --radius-default 0.4 --probe 0.35 --box auto --pores --json");
-    REQUIRE(pores.code == 0);
-    CHECK(pores.err.find("without the probe: a ball of radius 0.466025 fits in, one of 0.307107 passes") !=
-          std::string::npos);
+    const Outcome pores = folder.rbpa("balls f.dump --radius-default 0.4 --probe 0.35 --box auto --pores --json", 0);
+    CHECK(contains(pores.err, "without the probe: a ball of radius 0.466025 fits in, one of 0.307107 passes"));
     const Json found = Json::parse(pores.out)["frames"][0]["pores"];
     CHECK(found["radius_included"].get<double>() == Approx(std::sqrt(0.75) - 0.4));
     CHECK(found["radii_along_edges"][2].get<double>() == Approx(std::sqrt(0.5) - 0.4));
   }
 
   TEST_CASE("interfaces are those of groups with all images") {
-    const Folder folder;
-    folder.file("two.csv", "x,y,z,r,kind\n0.25,0,0,1,a\n9.75,0,0,1,b\n");
+    const Folder folder("two.csv", "x,y,z,r,kind\n0.25,0,0,1,a\n9.75,0,0,1,b\n");
     const std::string call = "balls two.csv --radii column:r --group column:kind --interfaces i.csv -q --box ";
     REQUIRE(folder.rbpa(call + "10").code == 0);
     const std::string table = folder.content("i.csv"), header = "kind_a,kind_b,area_a,area_b,contact_area\n";
@@ -127,10 +117,9 @@ TEST_SUITE("balls in a box") {
     folder.file("two.pdb", "ATOM      1  CA  ALA A   1       0.000   0.000   0.000  1.00  0.00           C\n");
     folder.file("flat.dump", frame(0, "0"));
     folder.file("flat.csv", "x,y,z,r\n0,0,0,0.4\n");
-    CHECK(folder.rbpa("balls two.csv --radii column:r --box 10")
-              .err.find("points reach over 30 x 0 x 0, more than the box, which reaches over 10 x 10 x 10") !=
-          std::string::npos);
-    CHECK(folder.rbpa("balls two.csv --radii column:r --box 40").err.find("reach over") == std::string::npos);
+    CHECK(contains(folder.rbpa("balls two.csv --radii column:r --box 10").err,
+                   "points reach over 30 x 0 x 0, more than the box, which reaches over 10 x 10 x 10"));
+    CHECK(!contains(folder.rbpa("balls two.csv --radii column:r --box 40").err, "reach over"));
     const std::pair<const char*, const char*> calls[] = {
         {"two.csv --radii column:r --box 1,2", "--box: found '1,2', expected the sides"},
         {"two.csv --radii column:r --box 0", "--box: found '0', expected the sides"},
@@ -148,7 +137,7 @@ TEST_SUITE("balls in a box") {
       CAPTURE(call);
       const Outcome outcome = folder.rbpa("balls " + call);
       CHECK(outcome.code != 0);
-      CHECK_MESSAGE(outcome.err.find(message) != std::string::npos, outcome.err);
+      CHECK_MESSAGE(contains(outcome.err, message), outcome.err);
     }
   }
 }

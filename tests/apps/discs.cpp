@@ -22,8 +22,7 @@ const std::string table = "x,y,r,name\n0,0,1,a\n1.5,0,1,b\n5,5,2,c\n5,5,1,d\n10,
 
 TEST_SUITE("discs") {
   TEST_CASE("discs with radii of a column have components as polygons, and a row each") {
-    const Folder folder;
-    folder.file("t.csv", table);
+    const Folder folder("t.csv", table);
     const Outcome outcome = folder.rbpa("discs t.csv --radius column:r --corners 8 -o o.geojson -o o.csv -o o.png");
     CHECK(outcome.err ==
           "rbpa: 5 points (1 duplicate), 2 polygons with 0 holes, area 18.3962, boundary 22.2418 -> o.geojson, o.csv, "
@@ -36,33 +35,27 @@ TEST_SUITE("discs") {
     const double half = std::acos(0.75), share = pi - half + 0.75 * std::sin(half);
     CHECK(std::stod(folder.rbpa("discs t.csv --radius column:r -o - --output-format csv -q").out.substr(39)) ==
           doctest::Approx(share));
-    CHECK(folder.content("o.csv").find("5,5,,1,0,0\n10,0,,0,0,0\n") != std::string::npos);
+    CHECK(contains(folder.content("o.csv"), "5,5,,1,0,0\n10,0,,0,0,0\n"));
     // The disc of radius 0 is drawn as a point, the disc in another is not.
     REQUIRE(folder.rbpa("discs t.csv --radius column:r -o o.svg -q").code == 0);
     const std::string picture = folder.content("o.svg"), points = picture.substr(picture.find("isolated"));
-    REQUIRE(points.find("h0") != std::string::npos);
+    REQUIRE(contains(points, "h0"));
     CHECK(points.find("h0") == points.rfind("h0"));
   }
 
   TEST_CASE("one radius for all discs leaves a hole where it is not covered") {
-    const Folder folder;
-    folder.file("ring.xy", "1 0\n0.5 0.866\n-0.5 0.866\n-1 0\n-0.5 -0.866\n0.5 -0.866\n");
-    CHECK(folder.rbpa("discs ring.xy --radius 0.6 -o r.wkt").err.find(" 1 polygon with 1 hole, ") != std::string::npos);
-    CHECK(folder.rbpa("discs ring.xy --radius 1.01 -o r.wkt").err.find(" 1 polygon with 0 holes, ") !=
-          std::string::npos);
-    CHECK(folder.rbpa("discs ring.xy --radius 0 -o r.wkt").err.find(" 0 polygons with 0 holes, area 0, ") !=
-          std::string::npos);
+    const Folder folder("ring.xy", "1 0\n0.5 0.866\n-0.5 0.866\n-1 0\n-0.5 -0.866\n0.5 -0.866\n");
+    CHECK(contains(folder.rbpa("discs ring.xy --radius 0.6 -o r.wkt").err, " 1 polygon with 1 hole, "));
+    CHECK(contains(folder.rbpa("discs ring.xy --radius 1.01 -o r.wkt").err, " 1 polygon with 0 holes, "));
+    CHECK(contains(folder.rbpa("discs ring.xy --radius 0 -o r.wkt").err, " 0 polygons with 0 holes, area 0, "));
     CHECK(folder.content("r.wkt") == "MULTIPOLYGON EMPTY\n");
     folder.file("degrees.csv", "lon,lat\n4,52\n5,52\n");
-    CHECK(folder.rbpa("discs degrees.csv --radius 1 -o r.csv").err.find("coordinates are degrees") !=
-          std::string::npos);
+    CHECK(contains(folder.rbpa("discs degrees.csv --radius 1 -o r.csv").err, "coordinates are degrees"));
   }
 
   TEST_CASE("wrong calls and radii are refused, and nothing is written") {
-    const Folder folder;
-    folder.file("t.csv", table);
-    folder.file("missing.csv", "x,y,r\n0,0,1\n1,1,\n");
-    folder.file("negative.csv", "x,y,r\n0,0,1\n1,1,-3\n");
+    const Folder folder(
+        {{"t.csv", table}, {"missing.csv", "x,y,r\n0,0,1\n1,1,\n"}, {"negative.csv", "x,y,r\n0,0,1\n1,1,-3\n"}});
     const std::pair<const char*, const char*> calls[] = {
         {"t.csv --radius -1", "--radius: found '-1', expected a number, at least 0, or column:NAME"},
         {"t.csv --radius column:", "--radius: found 'column:'"},
@@ -78,7 +71,7 @@ TEST_SUITE("discs") {
       CAPTURE(call);
       const Outcome outcome = folder.rbpa("discs " + call + " -o o.wkt");
       CHECK(outcome.code != 0);
-      CHECK(outcome.err.find(message) != std::string::npos);
+      CHECK(contains(outcome.err, message));
       CHECK(!folder.has("o.wkt"));
     }
   }

@@ -9,11 +9,8 @@ namespace {
 
 void is_empty_because(const std::string& content, const std::string& reason) {
   CAPTURE(content);
-  const Folder folder;
-  folder.file("p.xy", content);
-  const Outcome outcome = folder.rbpa("mesh p.xy --alpha 1 -o m.npy --quiet");
-  CHECK(outcome.code == 0);
-  CHECK(outcome.err == "rbpa: the complex is empty: " + reason + "\n");
+  const Folder folder("p.xy", content);
+  CHECK(folder.rbpa("mesh p.xy --alpha 1 -o m.npy --quiet", 0).err == "rbpa: the complex is empty: " + reason + "\n");
   CHECK(folder.has("m.npy"));
 }
 

@@ -59,7 +59,7 @@ TEST_SUITE("fields") {
       };
       const auto holds = [&](const std::string& file, const std::vector<std::string>& names) {
         CAPTURE(file);
-        run(folder, "solid " + file + " --alpha inf -o m.vtu --boundary m.ply");
+        folder.rbpa("solid " + file + " --alpha inf -o m.vtu --boundary m.ply", 0);
         FieldMap vtu = fields_of_vtu(folder.content("m.vtu")), ply = fields_of_ply(folder.content("m.ply"));
         for (std::size_t i = 0; i < names.size(); ++i) {
           CHECK(vtu[names[i]].type == type.vtu);
@@ -106,7 +106,7 @@ TEST_SUITE("fields") {
       // A table has these words; what shape lists is such a table again.
       folder.file("p.csv", csv);
       for (const std::string name : {"p.las", "p.csv"}) {
-        run(folder, "shape " + name + " --alpha inf -o o.csv");
+        folder.rbpa("shape " + name + " --alpha inf -o o.csv", 0);
         std::string column;
         std::istringstream lines(folder.content("o.csv"));
         for (std::string line; std::getline(lines, line);)
@@ -193,10 +193,9 @@ TEST_SUITE("fields") {
          {{"element", "Int32 0 1 1 2"}, {"charge", "Float64 0.5 -1 0 1"}}}};
     for (const Molecule& molecule : molecules) {
       CAPTURE(molecule.name);
-      const Folder folder;
-      folder.file(molecule.name, molecule.bytes);
+      const Folder folder(molecule.name, molecule.bytes);
       const auto fields = [&](const std::string& options) {
-        run(folder, "solid " + molecule.name + " --alpha inf -o m.vtu " + options);
+        folder.rbpa("solid " + molecule.name + " --alpha inf -o m.vtu " + options, 0);
         std::vector<std::pair<std::string, std::string>> found;
         for (const auto& [name, field] : fields_of_vtu(folder.content("m.vtu"))) {
           std::ostringstream text;
@@ -236,7 +235,7 @@ TEST_SUITE("fields") {
     for (const std::string choice : {"", "--waters", "--where \"serial > 40 and bfactor < 40\"",
                                      "--bounds 0,2,6,9,3,20", "--bounds 0,2,6,9 --where \"bfactor < 40\""}) {
       CAPTURE(choice);
-      run(folder, "solid m.pdb --alpha inf -o m.vtu --boundary m.ply " + choice);
+      folder.rbpa("solid m.pdb --alpha inf -o m.vtu --boundary m.ply " + choice, 0);
       FieldMap vtu = fields_of_vtu(folder.content("m.vtu")), ply = fields_of_ply(folder.content("m.ply"));
       const auto z = ply["z"].values<double>(), bfactor = ply["bfactor"].values<double>();
       const auto serial = ply["serial"].values<std::int32_t>();

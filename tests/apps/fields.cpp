@@ -19,13 +19,12 @@ using namespace apps_test;
 
 TEST_SUITE("fields") {
   TEST_CASE("columns of a table have the types of their values, exactly") {
-    const Folder folder;
-    folder.file("p.csv",
-                "x,y,count,id,ratio,label,code,\"a \"\"b\" & <c>\",größe,mixed,huge\n"
-                "0,0,1,9223372036854775807,0.5,oak,007,1,1.25,1,18446744073709551615\n"
-                "1,0,-2,-9223372036854775808,,elm,8,2,NaN,x,1\n"
-                "0,1,3,9007199254740993,1e300,oak,9,3,-0.5,2.5,2\n");
-    run(folder, "mesh p.csv --alpha inf -o m.vtu -o m.ply");
+    const Folder folder("p.csv",
+                        "x,y,count,id,ratio,label,code,\"a \"\"b\" & <c>\",größe,mixed,huge\n"
+                        "0,0,1,9223372036854775807,0.5,oak,007,1,1.25,1,18446744073709551615\n"
+                        "1,0,-2,-9223372036854775808,,elm,8,2,NaN,x,1\n"
+                        "0,1,3,9007199254740993,1e300,oak,9,3,-0.5,2.5,2\n");
+    folder.rbpa("mesh p.csv --alpha inf -o m.vtu -o m.ply", 0);
     FieldMap vtu = fields_of_vtu(folder.content("m.vtu"));
     CHECK(vtu["count"].type == "Int64");
     CHECK(vtu["count"].values<std::int64_t>() == std::vector<std::int64_t>{1, -2, 3});
@@ -57,22 +56,21 @@ TEST_SUITE("fields") {
     CHECK(ply["a_\"b\"_&_<c>"].values<std::int32_t>() == std::vector<std::int32_t>{1, 2, 3});
     CHECK(ply["ratio"].bytes == vtu["ratio"].bytes);
     CHECK(comments_of(folder.content("m.ply"), "comment ").starts_with("comment label: 0 = oak, 1 = elm\n"));
-    CHECK(run(folder, "mesh p.csv --alpha inf -o m.ply")
-              .err.find("rbpa: p.csv: field 'id' is left out of m.ply: no number of PLY holds integers beyond 2^53 "
-                        "(.vtu does)\n") != std::string::npos);
+    CHECK(contains(
+        folder.rbpa("mesh p.csv --alpha inf -o m.ply", 0).err,
+        "rbpa: p.csv: field 'id' is left out of m.ply: no number of PLY holds integers beyond 2^53 (.vtu does)\n"));
     CHECK(fields_of_ply(folder.content("m.ply")).size() == 3 + 8);
   }
 
   TEST_CASE("--fields chooses by name, and what is not there or cannot be held is refused") {
-    const Folder folder;
-    folder.file("p.csv", "x,y,a,b\n0,0,1,4\n1,0,2,5\n0,1,3,6\n");
-    run(folder, "mesh p.csv --alpha inf -o m.ply --fields B");
+    const Folder folder("p.csv", "x,y,a,b\n0,0,1,4\n1,0,2,5\n0,1,3,6\n");
+    folder.rbpa("mesh p.csv --alpha inf -o m.ply --fields B", 0);
     CHECK(fields_of_ply(folder.content("m.ply")).count("b") == 1);
     CHECK(fields_of_ply(folder.content("m.ply")).count("a") == 0);
-    run(folder, "mesh p.csv --alpha inf -o n.ply --fields none");
+    folder.rbpa("mesh p.csv --alpha inf -o n.ply --fields none", 0);
     CHECK(fields_of_ply(folder.content("n.ply")).size() == 3);
     folder.file("q.xy", corner);
-    run(folder, "mesh q.xy --alpha inf -o o.ply");  // a file without fields
+    folder.rbpa("mesh q.xy --alpha inf -o o.ply", 0);  // a file without fields
     CHECK(folder.content("o.ply") == folder.content("n.ply"));
     const auto refused = [&](const std::string& arguments) { return folder.rbpa(arguments).err; };
     CHECK(refused("mesh p.csv --alpha inf -o m.ply --fields a,c") ==
@@ -95,17 +93,15 @@ TEST_SUITE("fields") {
          {"", "--where \"n > 4500\"", "--bounds 10,10,70,60", "--bounds 10,10,70,60 --where \"n < 6000\""})
       for (const std::string compact : {"", " --compact"}) {
         CAPTURE(choice);
-        const Outcome outcome = run(folder, "mesh p.csv --alpha inf -o m.ply " + choice + compact);
-        CHECK(outcome.err.find(" on others: triangles have the fields of the first point of each place\n") !=
-              std::string::npos);
+        const Outcome outcome = folder.rbpa("mesh p.csv --alpha inf -o m.ply " + choice + compact, 0);
+        CHECK(contains(outcome.err, " on others: triangles have the fields of the first point of each place\n"));
         FieldMap fields = fields_of_ply(folder.content("m.ply"));
         const std::vector<double> x = fields["x"].values<double>(), y = fields["y"].values<double>();
         const std::vector<std::int32_t> n = fields["n"].values<std::int32_t>();
         REQUIRE(n.size() > 100);
         for (std::size_t i = 0; i < n.size(); ++i)
-          REQUIRE(text.find("\n" + std::to_string(static_cast<int>(x[i])) + "," +
-                            std::to_string(static_cast<int>(y[i])) + "," + std::to_string(n[i]) + "\n") !=
-                  std::string::npos);
+          REQUIRE(contains(text, "\n" + std::to_string(static_cast<int>(x[i])) + "," +
+                                     std::to_string(static_cast<int>(y[i])) + "," + std::to_string(n[i]) + "\n"));
       }
   }
 
@@ -143,7 +139,7 @@ TEST_SUITE("fields") {
     folder.file("p.las", bytes);
     folder.file("p.laz", laz_of(bytes, {.compressor = 3, .items = {{10, 30, 3}, {14, 16, 3}}, .chunks = {50}}));
     for (const std::string name : {"p.las", "p.laz"}) {
-      run(folder, "mesh " + name + " --alpha inf -o m.vtu");
+      folder.rbpa("mesh " + name + " --alpha inf -o m.vtu", 0);
       FieldMap vtu = fields_of_vtu(folder.content("m.vtu"));
       CHECK(vtu["intensity"].type == "UInt16");
       CHECK(vtu["classification"].type == "UInt8");
@@ -162,7 +158,7 @@ TEST_SUITE("fields") {
         CHECK(vtu["pair[0]"].values<double>()[i] == 0.5 * static_cast<double>(i) - 10);
         CHECK(vtu["pair[1]"].values<double>()[i] == 1 - 2. * static_cast<double>(i));
       }
-      run(folder, "mesh " + name + " --alpha inf -o m.ply --fields gps_time,classification");
+      folder.rbpa("mesh " + name + " --alpha inf -o m.ply --fields gps_time,classification", 0);
       FieldMap ply = fields_of_ply(folder.content("m.ply"));
       CHECK(ply["gps_time"].bytes == vtu["gps_time"].bytes);
       CHECK(ply["classification"].type == "uchar");
@@ -171,26 +167,24 @@ TEST_SUITE("fields") {
   }
 
   TEST_CASE("groups have the fields of the first point of each place, with a warning") {
-    const Folder folder;
-    folder.file("p.csv", "x,y,g,n\n0,0,a,1\n1,0,a,2\n0,1,a,3\n0,0,a,4\n0,0,b,5\n2,0,b,6\n0,2,b,7\n");
-    const Outcome outcome = run(folder, "mesh p.csv --group-by g --alpha inf -o m.ply --compact");
-    CHECK(outcome.err.find("1 point lies on others: triangles have the fields of the first point of each place\n") !=
-          std::string::npos);
+    const Folder folder("p.csv", "x,y,g,n\n0,0,a,1\n1,0,a,2\n0,1,a,3\n0,0,a,4\n0,0,b,5\n2,0,b,6\n0,2,b,7\n");
+    const Outcome outcome = folder.rbpa("mesh p.csv --group-by g --alpha inf -o m.ply --compact", 0);
+    CHECK(
+        contains(outcome.err, "1 point lies on others: triangles have the fields of the first point of each place\n"));
     CHECK(fields_of_ply(folder.content("m.ply"))["n"].values<std::int32_t>() ==
           std::vector<std::int32_t>{1, 2, 3, 5, 6, 7});
     folder.file("q.csv", "x,y,g,n\n0,0,a,1\n1,0,a,2\n0,1,a,3\n0,0,b,5\n2,0,b,6\n0,2,b,7\n");
-    CHECK(run(folder, "mesh q.csv --group-by g --alpha inf -o m.ply").err.find("lies on others") == std::string::npos);
+    CHECK(!contains(folder.rbpa("mesh q.csv --group-by g --alpha inf -o m.ply", 0).err, "lies on others"));
   }
 
   TEST_CASE("a name chooses the field with exactly this name before those that differ in case and underscores") {
-    const Folder folder;
-    folder.file("p.csv", "x,y,a_b,ab,AB\n0,0,1,4,7\n1,0,2,5,8\n0,1,3,6,9\n");
+    const Folder folder("p.csv", "x,y,a_b,ab,AB\n0,0,1,4,7\n1,0,2,5,8\n0,1,3,6,9\n");
     for (const auto& [name, sum] : {std::pair("ab", 15), {"AB", 24}, {"a_b", 6}, {"Ab", 15}, {"A_b", 6}}) {
       const auto& shown_name = name;
       CAPTURE(shown_name);
-      run(folder, std::string("shape p.csv --alpha inf -o s.geojson --summarize ") + name + ":sum");
+      folder.rbpa(std::string("shape p.csv --alpha inf -o s.geojson --summarize ") + name + ":sum", 0);
       const std::string file = folder.content("s.geojson");
-      CHECK(file.find("_sum\":" + std::to_string(sum)) != std::string::npos);
+      CHECK(contains(file, "_sum\":" + std::to_string(sum)));
     }
   }
 
@@ -207,12 +201,11 @@ TEST_SUITE("fields") {
         words += std::to_string(i) + " " + std::to_string(j) + " " + std::to_string(i % 2) + " " +
                  std::to_string(count) + "\n";
       }
-    folder.file("p.ply",
-                "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count) +
-                    "\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float "
-                    "ny\nproperty float nz\nproperty double level\nproperty ushort label\nend_header\n" +
-                    rows);
-    run(folder, "surface p.ply --radius 0.8 --fill-holes all --refine -o s.ply -o s.vtu");
+    folder.file("p.ply", "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count) +
+                             "\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\nproperty "
+                             "float ny\nproperty float nz\nproperty double level\nproperty ushort label\nend_header\n" +
+                             rows);
+    folder.rbpa("surface p.ply --radius 0.8 --fill-holes all --refine -o s.ply -o s.vtu", 0);
     FieldMap ply = fields_of_ply(folder.content("s.ply")), vtu = fields_of_vtu(folder.content("s.vtu"));
     CHECK(ply["label"].type == "ushort");
     CHECK(ply["label"].bytes == vtu["label"].bytes);
@@ -229,7 +222,7 @@ TEST_SUITE("fields") {
     folder.file("p.pcd", "VERSION 0.7\nFIELDS x y z id\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\nWIDTH " +
                              std::to_string(count) + "\nHEIGHT 1\nPOINTS " + std::to_string(count) + "\nDATA ascii\n" +
                              words);
-    run(folder, "solid p.pcd --alpha inf -o t.vtu --boundary b.ply");
+    folder.rbpa("solid p.pcd --alpha inf -o t.vtu --boundary b.ply", 0);
     FieldMap solid = fields_of_vtu(folder.content("t.vtu")), boundary = fields_of_ply(folder.content("b.ply"));
     CHECK(solid["id"].type == "UInt32");
     CHECK(solid["id"].values<std::uint32_t>().back() == static_cast<std::uint32_t>(count));
@@ -240,9 +233,8 @@ TEST_SUITE("fields") {
   }
 
   TEST_CASE("a name that a mesh uses gets a suffix, and a wrong word leaves out its column alone") {
-    const Folder folder;
-    folder.file("p.csv", "x,y,z,point,point,a\n0,0,0,1,4,7\n1,0,0,2,5,8\n0,1,0,3,6,9\n0,0,1,4,7,9\n");
-    run(folder, "surface p.csv --normals none --radius 2 -o s.ply --manifold");
+    const Folder folder("p.csv", "x,y,z,point,point,a\n0,0,0,1,4,7\n1,0,0,2,5,8\n0,1,0,3,6,9\n0,0,1,4,7,9\n");
+    folder.rbpa("surface p.csv --normals none --radius 2 -o s.ply --manifold", 0);
     const FieldMap fields = fields_of_ply(folder.content("s.ply"));
     CHECK(fields.count("point_2") == 1);
     CHECK(fields.count("point_3") == 1);
@@ -250,9 +242,8 @@ TEST_SUITE("fields") {
     folder.file("q.ply",
                 "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty int a\nproperty "
                 "uchar b\nend_header\n0 0 1 2\n1 0 x 3\n0 1 2 4\n");
-    const Outcome outcome = run(folder, "mesh q.ply --alpha inf -o m.ply");
-    CHECK(outcome.err.find("field 'a' is left out: q.ply:10: found 'x', expected a number of its type\n") !=
-          std::string::npos);
+    const Outcome outcome = folder.rbpa("mesh q.ply --alpha inf -o m.ply", 0);
+    CHECK(contains(outcome.err, "field 'a' is left out: q.ply:10: found 'x', expected a number of its type\n"));
     FieldMap left = fields_of_ply(folder.content("m.ply"));
     CHECK(left.count("a") == 0);
     CHECK(left["b"].values<std::uint8_t>() == std::vector<std::uint8_t>{2, 3, 4});

@@ -99,12 +99,12 @@ TEST_SUITE("input files") {
     Ending ending;
     const std::string shorter = message_after([](const std::string& path) { fs::resize_file(path, 4096); }, ending);
     CHECK(ending == Ending{3, 0});
-    CHECK(shorter.find("p.f64xy: found ") != std::string::npos);
-    CHECK(shorter.find(" bytes where there were 268435456" + expected) != std::string::npos);
+    CHECK(contains(shorter, "p.f64xy: found "));
+    CHECK(contains(shorter, " bytes where there were 268435456" + expected));
     const std::string longer =
         message_after([](const std::string& path) { fs::resize_file(path, std::uintmax_t{257} << 20U); }, ending);
     CHECK(ending == Ending{3, 0});
-    CHECK(longer.find("p.f64xy: found more than the 268435456 bytes there were" + expected) != std::string::npos);
+    CHECK(contains(longer, "p.f64xy: found more than the 268435456 bytes there were" + expected));
     const std::string other = message_after(
         [](const std::string& path) {
           std::fstream file(path, std::ios::in | std::ios::out);
@@ -112,16 +112,13 @@ TEST_SUITE("input files") {
         },
         ending);
     CHECK(ending == Ending{3, 0});
-    CHECK(other.find("p.f64xy: found a change while it was read" + expected) != std::string::npos);
+    CHECK(contains(other, "p.f64xy: found a change while it was read" + expected));
   }
 
   TEST_CASE("standard input that is a file is read from its current position") {
-    const Folder folder;
-    folder.file("p.xy", "not a point\n0 0\n1 0\n0 1\n");
+    const Folder folder("p.xy", "not a point\n0 0\n1 0\n0 1\n");
     const std::string run = std::string("-c '(read line; \"") + RBPA_PROGRAM + "\" info - --json) < p.xy'";
-    const Outcome outcome = folder.run("/bin/sh", run);
-    CHECK(outcome.code == 0);
-    CHECK(outcome.out.find("\"points\": 3") != std::string::npos);
+    CHECK(contains(folder.run("/bin/sh", run, 0).out, "\"points\": 3"));
   }
 
   TEST_CASE("a file without a size is read to its end") {
@@ -132,9 +129,7 @@ TEST_SUITE("input files") {
 
   TEST_CASE("a disk that fails while a file is read ends the run with a message") {
     // Reading memory at address 0 fails with the error of a bad disk.
-    const Outcome outcome = Folder().rbpa("info /proc/self/mem --format text");
-    CHECK(outcome.code == 1);
-    CHECK(outcome.err == "rbpa: /proc/self/mem: cannot read: Input/output error\n");
+    refuses(Folder(), "info /proc/self/mem --format text", 1, "/proc/self/mem: cannot read: Input/output error");
   }
 
   TEST_CASE("non-blocking standard input and output are waited for") {
@@ -172,8 +167,7 @@ TEST_SUITE("input files") {
 
 TEST_SUITE("links") {
   TEST_CASE("a file is made through dangling links, and the links stay") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     fs::create_directory(folder.path("to"));
     fs::create_symlink("to/second", folder.path("first.off"));
     fs::create_symlink("../m.off", folder.path("to/second"));
@@ -191,7 +185,7 @@ TEST_SUITE("links") {
     const Folder folder;
     fs::create_symlink("b.off", folder.path("a.off"));
     fs::create_symlink("a.off", folder.path("b.off"));
-    refuses(folder.rbpa("mesh none.xy --alpha 1 -o a.off"), 1,
+    refuses(folder, "mesh none.xy --alpha 1 -o a.off", 1,
             "a.off: found a loop or more than 40 symbolic links, expected a file to write");
     CHECK(fs::is_symlink(folder.path("a.off")));
     CHECK(folder.names().size() == 2);
@@ -200,8 +194,7 @@ TEST_SUITE("links") {
   TEST_CASE("a link into a missing folder is refused before anything is read") {
     const Folder folder;
     fs::create_symlink("none/m.off", folder.path("a.off"));
-    refuses(folder.rbpa("mesh none.xy --alpha 1 -o a.off"), 1,
-            "a.off: found no folder 'none', expected one to write to");
+    refuses(folder, "mesh none.xy --alpha 1 -o a.off", 1, "a.off: found no folder 'none', expected one to write to");
   }
 }
 
@@ -212,14 +205,12 @@ TEST_SUITE("the same file") {
     folder.file("p.off", points);
     fs::create_hard_link(folder.path("p.off"), folder.path("q.off"));
     const std::string found = ".off: found the file of points, expected another file to write to";
-    refuses(folder.rbpa("mesh - --format off --alpha 1 -o p.off <p.off"), 2, "p" + found);
-    refuses(folder.rbpa("shape - --format off --alpha 1 -o - --output-format wkt --stats q.off <p.off"), 2,
-            "q" + found);
+    refuses(folder, "mesh - --format off --alpha 1 -o p.off <p.off", 2, "p" + found);
+    refuses(folder, "shape - --format off --alpha 1 -o - --output-format wkt --stats q.off <p.off", 2, "q" + found);
     CHECK(folder.content("p.off") == points);
     folder.file("m.off", points);
-    const Outcome mesh = folder.meshtopo("- --format off --repair -o m.off <m.off");
-    CHECK(mesh.code == 2);
-    CHECK(mesh.err == "meshtopo: m.off: found the file of the mesh, expected another file to write to\n");
+    meshtopo_refuses(folder, "- --format off --repair -o m.off <m.off", 2,
+                     "m.off: found the file of the mesh, expected another file to write to");
     CHECK(folder.content("m.off") == points);
   }
 
@@ -237,21 +228,18 @@ TEST_SUITE("the same file") {
   }
 
   TEST_CASE("two links to one file that does not exist yet are refused") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     fs::create_symlink("m.off", folder.path("a.off"));
     fs::create_symlink("m.off", folder.path("b.off"));
-    refuses(folder.rbpa("mesh p.xy --alpha 1 -o a.off -o b.off"), 2,
+    refuses(folder, "mesh p.xy --alpha 1 -o a.off -o b.off", 2,
             "b.off: found twice among the files to write, expected once");
   }
 
   TEST_CASE("devices and pipes may be shared") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     CHECK(folder
               .run("/bin/sh", std::string("-c '") + RBPA_PROGRAM +
-                                  " mesh - --alpha 1 -o /dev/null -o - --output-format off -q </dev/null "
-                                  ">/dev/null'")
+                                  " mesh - --alpha 1 -o /dev/null -o - --output-format off -q </dev/null >/dev/null'")
               .err == "rbpa: standard input: found an empty file, expected points\n");
   }
 }
@@ -283,8 +271,7 @@ TEST_SUITE("what a killed run leaves") {
   }
 
   TEST_CASE("only files whose whole name matches are removed") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     const std::vector<std::string> kept = {".rbpa-.tmp",    ".rbpa-1-.tmp",    ".rbpa--1.tmp", ".rbpa-1-1.tmp.xy",
                                            ".rbpa-1-x.tmp", ".rbpa-1-1-1.tmp", "rbpa-1-1.tmp", ".rbpa-1-1tmp"};
     for (const std::string& name : kept) folder.file(name, "x");

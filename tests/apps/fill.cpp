@@ -59,17 +59,6 @@ double area_of(const Off& off) {
   return twice / 2;
 }
 
-/// Checks for this code, this line, and no output.
-void refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message) {
-  CAPTURE(arguments);
-  const auto before = folder.names();
-  const Outcome outcome = folder.rbpa("fill " + arguments);
-  CHECK(outcome.code == code);
-  CHECK(outcome.err == "rbpa: " + message + "\n");
-  CHECK(outcome.out.empty());
-  CHECK(folder.names() == before);
-}
-
 }  // namespace
 
 TEST_SUITE("fill") {
@@ -90,9 +79,7 @@ TEST_SUITE("fill") {
     CHECK(off.points[5] == std::vector<double>{2, 1, 0});
     for (const std::string name : {"p.json", "p.poly", "multi.wkt", "collection.json"}) {
       CAPTURE(name);
-      const Outcome outcome = folder.rbpa("fill " + name + " --size 0.3 -o - --output-format off -q");
-      CHECK(outcome.code == 0);
-      CHECK(outcome.out == folder.content("p.off"));
+      CHECK(folder.rbpa("fill " + name + " --size 0.3 -o - --output-format off -q", 0).out == folder.content("p.off"));
     }
     folder.run("gzip", "-k p.poly");
     CHECK(folder.rbpa("fill p.poly.gz --size 0.3 -o - --output-format off -q").out == folder.content("p.off"));
@@ -102,11 +89,9 @@ TEST_SUITE("fill") {
   }
 
   TEST_CASE("every format is written, with a summary and statistics") {
-    const Folder folder;
-    folder.file("p.wkt", plate_wkt);
+    const Folder folder("p.wkt", plate_wkt);
     const Outcome outcome = folder.rbpa(
-        "fill p.wkt --size 0.5 -o p.off -o p.ply -o p.obj -o p.vtu -o p.npy -o p.svg -o p.png --stats stats.json");
-    CHECK(outcome.code == 0);
+        "fill p.wkt --size 0.5 -o p.off -o p.ply -o p.obj -o p.vtu -o p.npy -o p.svg -o p.png --stats stats.json", 0);
     const json stats = json::parse(folder.content("stats.json"));
     const Off off = read_off(folder.content("p.off"));
     CHECK(outcome.err == "rbpa: 1 polygon with 1 hole, area 11, " + std::to_string(off.faces.size()) +
@@ -130,17 +115,15 @@ TEST_SUITE("fill") {
       CHECK(topology["defects"].empty());
       CHECK(topology["faces"] == off.faces.size());
     }
-    CHECK(folder.content("p.svg").find("<path") != std::string::npos);
+    CHECK(contains(folder.content("p.svg"), "<path"));
     CHECK(folder.content("p.png").substr(1, 3) == "PNG");
   }
 
   TEST_CASE("edges are kept, graded, and sized at points as the options say") {
-    const Folder folder;
-    folder.file("p.wkt", "POLYGON ((0 0, 1 0, 1 1, 0.02 1, 0 1))");
-    folder.file("sizes.txt", "x,y,size\n# near a corner\n1, 0; 0.02\n\n0.5 0.5\t0.6\n");
+    const Folder folder({{"p.wkt", "POLYGON ((0 0, 1 0, 1 1, 0.02 1, 0 1))"},
+                         {"sizes.txt", "x,y,size\n# near a corner\n1, 0; 0.02\n\n0.5 0.5\t0.6\n"}});
     const auto faces = [&](const std::string& options) {
-      const Outcome outcome = folder.rbpa("fill p.wkt -o - --output-format off -q " + options);
-      CHECK(outcome.code == 0);
+      const Outcome outcome = folder.rbpa("fill p.wkt -o - --output-format off -q " + options, 0);
       CHECK(outcome.err.empty());
       const Off off = read_off(outcome.out);
       CHECK(area_of(off) == doctest::Approx(1));
@@ -159,7 +142,7 @@ TEST_SUITE("fill") {
     const Folder folder;
     const std::string expected = "; expected rings that meet in single points at most";
     folder.file("bow.wkt", "POLYGON((0 0, 2 2, 2 0, 0 2, 0 0))");
-    refuses(folder, "bow.wkt --size 1 -o m.off", 3,
+    refuses(folder, "fill bow.wkt --size 1 -o m.off", 3,
             "bow.wkt: the edge from vertex 0 (0, 0) to vertex 1 (2, 2) of the shell of polygon 0 crosses the edge from "
             "vertex 2 (2, 0) to vertex 3 (0, 2) of the shell of polygon 0" +
                 expected);
@@ -167,29 +150,27 @@ TEST_SUITE("fill") {
                 R"({"type": "Polygon", "coordinates": [[[0,0],[4,0],[4,4],[0,4],[0,0]], [[0,2],[2,1],[2,3],[0,2]]]})");
     CHECK(folder.rbpa("fill touch.json --size 1 -o - --output-format off -q").code == 0);  // valid
     folder.file("outside.wkt", "POLYGON((0 0, 1 0, 0 1), (5 5, 6 5, 5 6))");
-    refuses(folder, "outside.wkt --size 1 -o m.off", 3,
+    refuses(folder, "fill outside.wkt --size 1 -o m.off", 3,
             "outside.wkt: hole 0 of polygon 0 at (5, 5): found it in no ring, expected it in the shell of its polygon");
     folder.file("points.wkt", "POLYGON((0 0, 1 0, 0 1))\nLINESTRING(0 0, 1 1)");
-    refuses(folder, "points.wkt --size 1 -o m.off", 3,
+    refuses(folder, "fill points.wkt --size 1 -o m.off", 3,
             "points.wkt:2: found LINESTRING, expected POLYGON or MULTIPOLYGON");
     folder.file("point.json", R"({"type": "Point", "coordinates": [1, 2]})");
-    refuses(folder, "point.json --size 1 -o m.off", 3, "point.json:1: found a Point, expected Polygon or MultiPolygon");
+    refuses(folder, "fill point.json --size 1 -o m.off", 3,
+            "point.json:1: found a Point, expected Polygon or MultiPolygon");
     folder.file("nan.wkt", "POLYGON((0 0, 1 nan, 0 1))");
     CHECK(folder.rbpa("fill nan.wkt --size 1 -o m.off").code == 3);
     folder.file("empty.wkt", "");
-    refuses(folder, "empty.wkt --size 1 -o m.off", 3, "empty.wkt: found an empty file, expected polygons");
-    refuses(folder, "none.wkt --size 1 -o m.off", 3, "none.wkt: found no such file, expected a file of polygons");
+    refuses(folder, "fill empty.wkt --size 1 -o m.off", 3, "empty.wkt: found an empty file, expected polygons");
+    refuses(folder, "fill none.wkt --size 1 -o m.off", 3, "none.wkt: found no such file, expected a file of polygons");
     folder.file("p.wkt", plate_wkt);
-    const Outcome many = folder.rbpa("fill p.wkt --size 1e-9 -o m.off");
-    CHECK(many.code == 3);
+    const Outcome many = folder.rbpa("fill p.wkt --size 1e-9 -o m.off", 3);
     CHECK(many.err.starts_with("rbpa: p.wkt: size: found 1e-09, at which about 254034"));  // other digits are rounded
     CHECK(many.err.ends_with(" triangles would be made, expected larger sizes: at most 5e+08 triangles\n"));
     CHECK_FALSE(folder.has("m.off"));
     // An empty input is an answer.
     folder.file("nothing.wkt", "POLYGON EMPTY");
-    const Outcome nothing = folder.rbpa("fill nothing.wkt --size 1 -o m.off");
-    CHECK(nothing.code == 0);
-    CHECK(nothing.err.find("there is no triangle, as there is no polygon to fill") != std::string::npos);
+    says(folder, "fill nothing.wkt --size 1 -o m.off", 0, "there is no triangle, as there is no polygon to fill");
   }
 
   TEST_CASE("rings of files of Triangle begin at any vertex") {
@@ -197,8 +178,7 @@ TEST_SUITE("fill") {
     for (const std::string order : {"0 4 0\n1 0 0\n2 0 4\n", "0 0 4\n1 4 0\n2 0 0\n", "0 0 0\n1 0 4\n2 4 0\n"}) {
       CAPTURE(order);
       folder.file("t.poly", "3 2\n" + order + "3\n0 0 1\n0 1 2\n0 2 0\n0\n");
-      const Outcome outcome = folder.rbpa("fill t.poly --size 9 -o t.off");
-      CHECK(outcome.code == 0);
+      const Outcome outcome = folder.rbpa("fill t.poly --size 9 -o t.off", 0);
       CHECK(outcome.err == "rbpa: 1 polygon with 0 holes, area 8, 1 triangle on 3 points -> t.off\n");
     }
   }
@@ -207,7 +187,7 @@ TEST_SUITE("fill") {
     const Folder folder;
     const auto poly = [&](const std::string& text, const std::string& message) {
       folder.file("p.poly", text);
-      refuses(folder, "p.poly --size 1 -o m.off", 3, "p.poly" + message);
+      refuses(folder, "fill p.poly --size 1 -o m.off", 3, "p.poly" + message);
     };
     const std::string vertices = "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n", ring = "3 0\n0 0 1\n1 1 2\n2 2 0\n";
     poly("0 2 0 0\n",
@@ -223,8 +203,8 @@ TEST_SUITE("fill") {
     poly(vertices + "2 0\n0 0 1\n1 1 2\n0\n",
          ": found one segment at vertex 0, expected two or none, as segments must form closed rings");
     poly(vertices + "4 0\n0 0 1\n1 1 2\n2 2 0\n3 0 1\n",
-         ":9: found a third segment at vertex 0, expected two, as segments must form closed rings (remove "
-         "segments inside of polygons)");
+         ":9: found a third segment at vertex 0, expected two, as segments must form closed rings (remove segments "
+         "inside of polygons)");
     poly(vertices + ring + "1\n0 9 9\n",
          ": hole point 0 at (9, 9): found it in no hole, expected a ring around it within another");
     const std::string square =
@@ -236,39 +216,38 @@ TEST_SUITE("fill") {
   }
 
   TEST_CASE("wrong usage is refused") {
-    const Folder folder;
-    folder.file("p.wkt", plate_wkt);
-    folder.file("s.txt", "0 0 0.1\n");
+    const Folder folder({{"p.wkt", plate_wkt}, {"s.txt", "0 0 0.1\n"}});
     const std::string formats = "geojson, json, wkt, ewkt, poly";
-    refuses(folder, "p.wkt -o m.off", 2,
+    refuses(folder, "fill p.wkt -o m.off", 2,
             "--size is required: a length in units of the polygons, or inf (see rbpa fill --help)");
-    refuses(folder, "p.wkt --size 0 -o m.off", 2,
+    refuses(folder, "fill p.wkt --size 0 -o m.off", 2,
             "--size: found '0', expected inf or a length in units of the polygons: a number above 0");
-    refuses(folder, "p.wkt --size inf --grade 1 -o m.off", 2,
+    refuses(folder, "fill p.wkt --size inf --grade 1 -o m.off", 2,
             "--size inf adds no point and cannot be combined with --grade");
-    refuses(folder, "p.wkt --size 1 --grade x -o m.off", 2,
+    refuses(folder, "fill p.wkt --size 1 --grade x -o m.off", 2,
             "--grade: found 'x', expected how much sizes grow for each unit of distance: a number above 0");
-    refuses(folder, "p.off --size 1 -o m.off", 2,
+    refuses(folder, "fill p.off --size 1 -o m.off", 2,
             "p.off: found the ending 'off', expected one of " + formats + ", or --format");
-    refuses(folder, "p.wkt --format off --size 1 -o m.off", 2, "--format: found 'off', expected one of " + formats);
-    refuses(folder, "- --size 1 -o m.off </dev/null", 3, "standard input: found an empty file, expected polygons");
-    refuses(folder, "p.wkt --size 1", 2, "-o: found no OUT, expected at least one (or --stats FILE)");
-    refuses(folder, "p.wkt --size 1 -o m.abc", 2,
+    refuses(folder, "fill p.wkt --format off --size 1 -o m.off", 2,
+            "--format: found 'off', expected one of " + formats);
+    refuses(folder, "fill - --size 1 -o m.off </dev/null", 3, "standard input: found an empty file, expected polygons");
+    refuses(folder, "fill p.wkt --size 1", 2, "-o: found no OUT, expected at least one (or --stats FILE)");
+    refuses(folder, "fill p.wkt --size 1 -o m.abc", 2,
             "m.abc: found the ending 'abc', expected one of off, ply, obj, npy, vtu, geojson, json, svg, png" +
                 gdal_endings() + ", or --output-format");
     CHECK(folder.rbpa("fill p.wkt --size 1 --size-at s.txt -o s.txt --output-format off").code == 2);
     CHECK(folder.rbpa("fill p.wkt --size 1 -o p.wkt --output-format off").code == 2);
     CHECK(folder.rbpa("fill - --format wkt --size-at - --size 1 -o m.off").code == 2);
     folder.file("bad.txt", "0 0 0.1\n1 2\n");
-    refuses(folder, "p.wkt --size 1 --size-at bad.txt -o m.off", 3,
+    refuses(folder, "fill p.wkt --size 1 --size-at bad.txt -o m.off", 3,
             "bad.txt:2: found 2 values, expected three: x, y and size");
     folder.file("bad.txt", "0 0 0.1\n1 2 -3\n");
-    refuses(folder, "p.wkt --size 1 --size-at bad.txt -o m.off", 3,
+    refuses(folder, "fill p.wkt --size 1 --size-at bad.txt -o m.off", 3,
             "bad.txt:2: found the size -3, expected a size above 0");
     folder.file("bad.txt", "0 0 0.1\n1 b 3\n");
-    refuses(folder, "p.wkt --size 1 --size-at bad.txt -o m.off", 3, "bad.txt:2: found 'b', expected a number");
+    refuses(folder, "fill p.wkt --size 1 --size-at bad.txt -o m.off", 3, "bad.txt:2: found 'b', expected a number");
     folder.file("bad.txt", "x y size\n");
-    refuses(folder, "p.wkt --size 1 --size-at bad.txt -o m.off", 3,
+    refuses(folder, "fill p.wkt --size 1 --size-at bad.txt -o m.off", 3,
             "bad.txt: found no size, expected lines of x, y and size");
   }
 

@@ -42,10 +42,8 @@ const std::string bow = feature(R"({"height": 1})", "[[10,0],[12,2],[12,0],[10,2
 
 TEST_SUITE("fill") {
   TEST_CASE("parcels that share edges become one mesh, and each triangle has the numbers of its feature") {
-    const Folder folder;
-    folder.file("p.json", collection(parcels()));
-    const Outcome outcome = folder.rbpa("fill p.json --size 1 -o p.vtu -o p.ply --stats s.json");
-    CHECK(outcome.code == 0);
+    const Folder folder("p.json", collection(parcels()));
+    const Outcome outcome = folder.rbpa("fill p.json --size 1 -o p.vtu -o p.ply --stats s.json", 0);
     CHECK(outcome.err.starts_with("rbpa: 3 polygons with 0 holes, area 48, "));
     const json stats = json::parse(folder.content("s.json"));
     CHECK(stats["features"] == 3);
@@ -70,13 +68,12 @@ TEST_SUITE("fill") {
     }
     for (const std::size_t n : count) CHECK(n > 5);
     for (const std::string name : {"name", "zone", "n", "list"}) CHECK(array_of<double>(vtu, name).empty());
-    CHECK(folder.content("p.ply").find("property list uchar int vertex_indices\nproperty uint feature\nend_header") !=
-          std::string::npos);
+    CHECK(
+        contains(folder.content("p.ply"), "property list uchar int vertex_indices\nproperty uint feature\nend_header"));
   }
 
   TEST_CASE("names of properties are XML in a .vtu: control characters are spaces, and signs are entities") {
-    const Folder folder;
-    folder.file(
+    const Folder folder(
         "p.json",
         collection({feature(R"({"a>b<c&d\"e": 1.5, "tab\tand\u0001": 2.5})", "[[0,0],[1,0],[1,1],[0,1],[0,0]]")}));
     REQUIRE(folder.rbpa("fill p.json --size 1 -o p.vtu -q").code == 0);
@@ -99,20 +96,15 @@ TEST_SUITE("fill") {
         "feature 1: the edge from vertex 0 (10, 0) to vertex 1 (12, 2) of the shell of polygon 0 crosses the edge from "
         "vertex 2 (12, 0) to vertex 3 (10, 2) of the shell of polygon 0; expected rings that meet in single points at "
         "most";
-    const Outcome refused = folder.rbpa("fill p.json --size 1 -o p.vtu");
-    CHECK(refused.code == 3);
-    CHECK(refused.err == "rbpa: p.json: " + why + " (--skip-invalid leaves it out)\n");
+    refuses(folder, "fill p.json --size 1 -o p.vtu", 3, "p.json: " + why + " (--skip-invalid leaves it out)");
     CHECK_FALSE(folder.has("p.vtu"));
-    const Outcome skipped = folder.rbpa("fill p.json --size 1 -o p.vtu --skip-invalid --stats s.json");
-    CHECK(skipped.code == 0);
+    const Outcome skipped = folder.rbpa("fill p.json --size 1 -o p.vtu --skip-invalid --stats s.json", 0);
     CHECK(skipped.err.starts_with("rbpa: p.json: 1 feature of 4 is left out: " + why +
                                   "\nrbpa: 3 polygons with 0 holes, 1 invalid feature left out, area 48, "));
     CHECK(json::parse(folder.content("s.json"))["invalid_features"] == 1);
     for (const std::uint32_t i : array_of<std::uint32_t>(folder.content("p.vtu"), "feature")) CHECK((i != 1 && i < 4));
     folder.file("bow.json", bow);
-    const Outcome none = folder.rbpa("fill bow.json --size 1 -o b.ply --skip-invalid");
-    CHECK(none.code == 0);
-    CHECK(none.err.find("there is no triangle") != std::string::npos);
+    says(folder, "fill bow.json --size 1 -o b.ply --skip-invalid", 0, "there is no triangle");
   }
 
   TEST_CASE("each geometry of a collection is checked by itself, and features may overlap") {
@@ -127,8 +119,6 @@ TEST_SUITE("fill") {
                                    static_cast<std::size_t>(std::count(features.begin(), features.end(), 1U)),
                                    static_cast<std::size_t>(std::count(features.begin(), features.end(), 2U))});
     folder.file("m.wkt", "POLYGON " + square + "\nMULTIPOLYGON (" + square + ", " + other + ")");
-    const Outcome refused = folder.rbpa("fill m.wkt --size inf -o m.vtu");
-    CHECK(refused.code == 3);
-    CHECK(refused.err.starts_with("rbpa: m.wkt: feature 1: "));
+    CHECK(folder.rbpa("fill m.wkt --size inf -o m.vtu", 3).err.starts_with("rbpa: m.wkt: feature 1: "));
   }
 }

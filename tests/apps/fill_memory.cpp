@@ -43,9 +43,9 @@ TEST_CASE(
     CAPTURE(options);
     CHECK(fill_limited(folder, options) == Ending{.code = 3});
     const std::string said = folder.content("err");
-    CHECK(said.find("square.wkt: found") != std::string::npos);
-    CHECK(said.find("triangles would be made") != std::string::npos);
-    CHECK(said.find("expected") != std::string::npos);
+    CHECK(contains(said, "square.wkt: found"));
+    CHECK(contains(said, "triangles would be made"));
+    CHECK(contains(said, "expected"));
     CHECK_FALSE(folder.has("out.off"));
   }
 }

@@ -10,6 +10,7 @@
 #include "io/failure.h"
 #include "io/text/fields.h"
 #include "support/program.h"
+#include "support/refusal_of.h"
 
 using namespace apps_test;
 using rbpa::Point;
@@ -31,12 +32,7 @@ SpacePoints space(const std::string& text, const CloudRequest& request = {}, For
 
 template <typename Read>
 std::string refusal(const Read& read) {
-  try {
-    read();
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "none";
+  return rbpa_test::refusal_of<BadInput>(read);
 }
 
 const std::string lines = "0 0 1\n1 0 2\n0 1 3\n";
@@ -129,8 +125,7 @@ TEST_SUITE("first lines") {
   }
 
   TEST_CASE("a header of --size-at has nothing that is nearly a number") {
-    const Folder folder;
-    folder.file("s.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
+    const Folder folder("s.poly", "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n");
     const auto run = [&](const std::string& text) {
       folder.file("t.size", text);
       return folder.rbpa("fill s.poly --size 1 --size-at t.size -o m.off");
@@ -238,8 +233,7 @@ TEST_SUITE("first lines") {
     CHECK(
         refusal([] { plane("# x y\n// 3 4\n"); }) ==
         "t.txt: found 2 comments and no point, expected points (quotes around the first field of a line make it one)");
-    const Folder folder;
-    folder.file("j.xy", line + "\n");
+    const Folder folder("j.xy", line + "\n");
     CHECK(folder.rbpa("info - --format xy < j.xy").code == 3);
   }
 
@@ -292,9 +286,8 @@ TEST_SUITE("first lines") {
     CHECK(plane("2\n10.5 0 1 5\n1 0 2 5\n", {}, "m.xyz").points == Points{{10.5, 0}, {1, 0}});
     // Without a sign that these are atoms, numbers of elements are not coordinates.
     const std::string bare = "6 0.5 0 1\n7 1 0 2\n8 0 1.5 3\n";
-    CHECK(refusal([&] { plane(bare, {}, "m.xyz"); }).find("--columns 2,3 reads atoms") != std::string::npos);
-    CHECK(refusal([&] { space(bare, {}, Format::text, "m.xyz"); }).find("--columns 2,3,4 reads atoms") !=
-          std::string::npos);
+    CHECK(contains(refusal([&] { plane(bare, {}, "m.xyz"); }), "--columns 2,3 reads atoms"));
+    CHECK(contains(refusal([&] { space(bare, {}, Format::text, "m.xyz"); }), "--columns 2,3,4 reads atoms"));
     CHECK(plane(bare, {}, "m.csv").points.size() == 3);
     CHECK(plane(bare, {.columns = parse_columns("2,3")}, "m.xyz").points[0] == Point{0.5, 0});
   }

@@ -1,7 +1,6 @@
 // Points and meshes mean the same in every format.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <random>
 
 #include "io/cloud/read_points.h"
@@ -69,12 +68,10 @@ TEST_SUITE("formats") {
   }
 
   TEST_CASE("columns are chosen by number and by name") {
-    const Folder folder;
-    folder.file("p.csv", "id,lat,lon\n7,0,0\n8,0,1\n9,1,0\n");
+    const Folder folder("p.csv", "id,lat,lon\n7,0,0\n8,0,1\n9,1,0\n");
     for (const char* columns : {"lon,lat", "3,2"}) {
       const Outcome outcome =
-          folder.rbpa(std::string("mesh p.csv --columns ") + columns + " --alpha inf -o - --output-format off -q");
-      CHECK(outcome.code == 0);
+          folder.rbpa(std::string("mesh p.csv --columns ") + columns + " --alpha inf -o - --output-format off -q", 0);
       CHECK(outcome.out == "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     }
   }
@@ -128,10 +125,8 @@ TEST_SUITE("formats") {
   }
 
   TEST_CASE("standard input and output are read and written") {
-    const Folder folder;
-    folder.file("p.xy", corner);
-    const Outcome outcome = folder.rbpa("mesh - --alpha 1 -o - --output-format obj -q < p.xy");
-    CHECK(outcome.code == 0);
+    const Folder folder("p.xy", corner);
+    const Outcome outcome = folder.rbpa("mesh - --alpha 1 -o - --output-format obj -q < p.xy", 0);
     CHECK(outcome.out == "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     CHECK(outcome.err.empty());
   }

@@ -185,14 +185,6 @@ std::string path_of(const std::string& svg, const std::string& id) {
   return svg.substr(begin, svg.find('"', begin) - begin);
 }
 
-void refuses(const Folder& folder, const std::string& arguments, const std::string& message) {
-  const auto before = folder.names().size();
-  const Outcome outcome = folder.rbpa(arguments);
-  CHECK(outcome.code == 2);
-  CHECK(outcome.err == "rbpa: " + message + "\n");
-  CHECK(folder.names().size() == before);
-}
-
 const std::string data = "'" RBPA_TEST_DATA "/shape_hdbscan_clusterable.xy' ";
 
 /// A triangle with a tail, an edge, a point, and its duplicate.
@@ -204,8 +196,7 @@ TEST_SUITE("full complex") {
   TEST_CASE("the files have the alpha complex, by its definition") {
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
       const std::vector<Grid> points = scattered(40, seed);
-      const Folder folder;
-      folder.file("p.xy", text_of(points));
+      const Folder folder("p.xy", text_of(points));
       for (const int alpha : {1, 20, 40, 60, 80, 100, 150, 300, 1500}) {
         CAPTURE(seed);
         CAPTURE(alpha);
@@ -272,20 +263,16 @@ TEST_SUITE("full complex") {
   }
 
   TEST_CASE("every line of a small file is written, and the summary is right") {
-    const Folder folder;
-    folder.file("p.xy", small);
+    const Folder folder("p.xy", small);
     const std::string vertices = "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 4 0 0\nv 9 9 0\nv 9 11 0\nv 20 0 0\n";
     const std::string rest = "f 1 2 3\nl 2 4\nl 5 6\np 7\n";
-    Outcome outcome = folder.rbpa("mesh p.xy --alpha 1.5 --complex full -o - --output-format obj");
-    CHECK(outcome.code == 0);
+    Outcome outcome = folder.rbpa("mesh p.xy --alpha 1.5 --complex full -o - --output-format obj", 0);
     CHECK(outcome.out == vertices + "v 20 0 0\n" + rest);
     CHECK(outcome.err ==
-          "rbpa: 8 points (1 duplicate), 1 triangle, 2 edges in no triangle, 1 point in neither -> "
-          "standard output\n");
+          "rbpa: 8 points (1 duplicate), 1 triangle, 2 edges in no triangle, 1 point in neither -> standard output\n");
     outcome = folder.rbpa("mesh p.xy --alpha 1.5 --complex full --compact -o - --output-format obj -q");
     CHECK(outcome.out == vertices + rest);
-    outcome = folder.rbpa("mesh p.xy --alpha 0.5 --complex full -o m.npy");
-    CHECK(outcome.code == 0);
+    outcome = folder.rbpa("mesh p.xy --alpha 0.5 --complex full -o m.npy", 0);
     CHECK(outcome.err ==
           "rbpa: there is no triangle: no triangle has circumradius <= 0.5\n"
           "rbpa: 8 points (1 duplicate), 0 triangles, 0 edges in no triangle, 7 points in neither -> m.npy, "
@@ -307,8 +294,7 @@ TEST_SUITE("full complex") {
   }
 
   TEST_CASE("pictures show edges as lines and points as dots") {
-    const Folder folder;
-    folder.file("p.xy", small);
+    const Folder folder("p.xy", small);
     REQUIRE(folder.rbpa("mesh p.xy --alpha 1.5 --complex full -o f.svg -o f.png -q").code == 0);
     REQUIRE(folder.rbpa("mesh p.xy --alpha 1.5 -o s.svg -o s.png -q").code == 0);
     const std::string full = folder.content("f.svg"), solid = folder.content("s.svg");
@@ -323,8 +309,8 @@ TEST_SUITE("full complex") {
     // Without a triangle the width of lines follows these edges.
     folder.file("line.xy", "0 0\n1 0\n2 0\n");
     REQUIRE(folder.rbpa("mesh line.xy --alpha 1 --complex full -o l.svg -q").code == 0);
-    CHECK(folder.content("l.svg").find("<path id=\"dangling\" fill=\"none\" stroke=\"#10335c\" stroke-width=\"2.2\"") !=
-          std::string::npos);
+    CHECK(contains(folder.content("l.svg"),
+                   "<path id=\"dangling\" fill=\"none\" stroke=\"#10335c\" stroke-width=\"2.2\""));
     // An edge too short to be visible is a dot, like a curve.
     folder.file("q.xy", "0 0\n1e-9 0\n1 1\n");
     REQUIRE(folder.rbpa("mesh q.xy --alpha 1e-9 --complex full -o q.svg -q").code == 0);
@@ -340,31 +326,31 @@ TEST_SUITE("full complex") {
   }
 
   TEST_CASE("wrong usage is refused") {
-    const Folder folder;
-    folder.file("p.xy", corner);
-    refuses(folder, "mesh p.xy --alpha 1 --complex thick -o m.obj", "--complex: found 'thick', expected solid or full");
+    const Folder folder("p.xy", corner);
+    refuses(folder, "mesh p.xy --alpha 1 --complex thick -o m.obj", 2,
+            "--complex: found 'thick', expected solid or full");
     for (const std::string file : {"m.off", "m.ply"})
-      refuses(folder, "mesh p.xy --alpha 1 --complex full -o m.obj -o " + file,
+      refuses(folder, "mesh p.xy --alpha 1 --complex full -o m.obj -o " + file, 2,
               file +
                   ": found a format of triangles alone, expected one of obj, npy, vtu, svg, png for the edges and "
                   "points of --complex full (or --complex solid)");
-    refuses(folder, "mesh p.xy --alpha 1 --complex full -o - --output-format npy",
+    refuses(folder, "mesh p.xy --alpha 1 --complex full -o - --output-format npy", 2,
             "-o -: found standard output for the three .npy files of --complex full, expected a file name");
-    refuses(folder, "mesh p.xy --alpha 1 --complex full --method hrbpa -o m.obj",
+    refuses(folder, "mesh p.xy --alpha 1 --complex full --method hrbpa -o m.obj", 2,
             "--complex full requires --method rbpa");
-    refuses(folder, "mesh p.xy --alpha 1 --complex full --search paper -o m.obj",
+    refuses(folder, "mesh p.xy --alpha 1 --complex full --search paper -o m.obj", 2,
             "--complex full requires --search near");
-    refuses(folder, "mesh p.xy --alpha 1 --complex full --levels l.csv -o m.obj", "--levels requires --method hrbpa");
-    refuses(folder, "mesh p.xy --alpha 1 --complex full -o m.npy -o m.edges.npy",
+    refuses(folder, "mesh p.xy --alpha 1 --complex full --levels l.csv -o m.obj", 2,
+            "--levels requires --method hrbpa");
+    refuses(folder, "mesh p.xy --alpha 1 --complex full -o m.npy -o m.edges.npy", 2,
             "m.edges.npy: found twice among the files to write, expected once");
     folder.file("m.points.npy", "p");
-    refuses(folder, "mesh m.points.npy --alpha 1 --complex full -o m.npy",
+    refuses(folder, "mesh m.points.npy --alpha 1 --complex full -o m.npy", 2,
             "m.points.npy: found the file of points, expected another file to write to");
   }
 
   TEST_CASE("files that accompany an array take its name without its ending") {
-    const Folder folder;
-    folder.file("p.xy", small);
+    const Folder folder("p.xy", small);
     CHECK(folder.rbpa("mesh p.xy --alpha 1.5 --complex full -o a.v1 -o b.NPY --output-format npy -q").code == 0);
     CHECK(folder.names() == std::vector<std::string>{"a.v1", "a.v1.edges.npy", "a.v1.points.npy", "b.NPY",
                                                      "b.edges.npy", "b.points.npy", "p.xy"});

@@ -10,8 +10,10 @@
 #include "io/number.h"
 #include "io/polygon/geojson.h"
 #include "support/program.h"
+#include "support/refusal_of.h"
 
 using rbpa::Point;
+using namespace apps_test;
 using namespace rbpa::app;
 
 namespace {
@@ -21,12 +23,7 @@ PointFile read(const std::string& text, bool vertices = false) {
 }
 
 std::string refusal(const std::string& text, bool vertices = true) {
-  try {
-    read(text, vertices);
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "none";
+  return rbpa_test::refusal_of<BadInput>([&] { read(text, vertices); });
 }
 
 std::string geometry(const std::string& type, const std::string& coordinates) {
@@ -97,9 +94,8 @@ TEST_SUITE("GeoJSON in") {
           features({geometry("Polygon", "[[[0,0],[1,0],[0,0]]]"), geometry("Polygon", "[[[1,1],[0,1],[1,1]]]")})}) {
       CAPTURE(text);
       CHECK(read(text, true).points == square);
-      CHECK(refusal(text, false)
-                .find(", expected Point or MultiPoint (--vertices takes the vertices of lines and polygons)") !=
-            std::string::npos);
+      CHECK(contains(refusal(text, false),
+                     ", expected Point or MultiPoint (--vertices takes the vertices of lines and polygons)"));
     }
     CHECK(read(geometry("LineString", "[[0,0],[1,0],[0,0]]"), true).points.size() == 3);
     CHECK(read(geometry("Polygon", "[[[0,0],[0,0]],[[1,1]]]"), true).points == std::vector<Point>{{0, 0}, {1, 1}});
@@ -205,8 +201,7 @@ TEST_SUITE("GeoJSON in") {
       const apps_test::Outcome outcome = folder.rbpa("info " + name);
       CHECK(outcome.out.starts_with(
           "points      3\ndistinct    3\nduplicates  0\ncrs         EPSG:4326\nbox         x 5 .. 5.5\n"));
-      CHECK(outcome.err.find("a degree of longitude is as long as 0.61 to 0.62 degrees of latitude there") !=
-            std::string::npos);
+      CHECK(contains(outcome.err, "a degree of longitude is as long as 0.61 to 0.62 degrees of latitude there"));
     }
     CHECK(folder.rbpa("info p.geojson --crs EPSG:28992").err ==
           "rbpa: p.geojson: GeoJSON without a crs member means EPSG:4326, but --crs EPSG:28992 overrides it\n");
@@ -248,7 +243,7 @@ TEST_SUITE("GeoJSON in") {
          {"--group-by t", "--group-by t --where \"r > 50\"", "--group-by t --alpha column:r"}) {
       CAPTURE(options);
       const auto groups = [&](const std::string& name) {
-        const std::string alpha = options.find("column") == std::string::npos ? " --alpha 3" : "";
+        const std::string alpha = !contains(options, "column") ? " --alpha 3" : "";
         REQUIRE(folder.rbpa("shape " + name + " -q -o g.csv --summarize n:max,r:mean " + options + alpha).code == 0);
         return folder.content("g.csv");
       };

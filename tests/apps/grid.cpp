@@ -31,15 +31,14 @@ std::string plane_of(int n, const std::string& header = "x,y,z,d\n") {
 
 TEST_SUITE("grid") {
   TEST_CASE("the raster of a plane is the plane, as an ESRI grid and as an array, top row first") {
-    const Folder folder;
-    folder.file("p.csv", plane_of(3));
+    const Folder folder("p.csv", plane_of(3));
     const Outcome outcome = folder.rbpa("grid p.csv --cell 2 -o g.asc -o g.npy");
     CHECK(outcome.err == "rbpa: 9 points, 2 x 2 cells, 4 with a value -> g.asc, g.npy\n");
     CHECK(folder.content("g.asc") ==
           "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 2\nNODATA_value -9999\n0 6\n2 8\n");
     const std::string array = folder.content("g.npy");
     REQUIRE(array.size() == 128 + 4 * sizeof(double));
-    CHECK(array.find("'descr': '<f8', 'fortran_order': False, 'shape': (2, 2)") != std::string::npos);
+    CHECK(contains(array, "'descr': '<f8', 'fortran_order': False, 'shape': (2, 2)"));
     double cells[4];
     std::memcpy(cells, array.data() + 128, sizeof cells);
     for (int i = 0; i < 4; ++i) CHECK(cells[i] == 2 * (i / 2) + 6 * (i % 2));
@@ -53,36 +52,30 @@ TEST_SUITE("grid") {
   }
 
   TEST_CASE("gaps stay open with --alpha, and a value as low as -9999 gets another NODATA_value") {
-    const Folder folder;
-    folder.file("gap.csv", "x,y,z\n0,0,1\n0,2,1\n2,0,1\n2,2,1\n8,0,-9999\n8,2,-9999\n10,0,-9999\n10,2,-9999\n");
+    const Folder folder("gap.csv", "x,y,z\n0,0,1\n0,2,1\n2,0,1\n2,2,1\n8,0,-9999\n8,2,-9999\n10,0,-9999\n10,2,-9999\n");
     const std::string call = "grid gap.csv --cell 2 -q -o - --output-format asc";
     CHECK(folder.rbpa(call + " --alpha 1.5").out.ends_with("NODATA_value -1e+300\n1 -1e+300 -1e+300 -1e+300 -9999\n"));
-    CHECK(folder.rbpa(call).out.find("-1e+300\n1 ") != std::string::npos);
+    CHECK(contains(folder.rbpa(call).out, "-1e+300\n1 "));
     CHECK(folder.rbpa(call).out.find(" -1e+300") == folder.rbpa(call).out.rfind(" -1e+300"));  // in the header alone
-    CHECK(folder.rbpa("grid gap.csv --cell 2 --alpha plateau -o g.asc").err.find(", alpha plateau = ") !=
-          std::string::npos);
+    CHECK(contains(folder.rbpa("grid gap.csv --cell 2 --alpha plateau -o g.asc").err, ", alpha plateau = "));
   }
 
   TEST_CASE("a raster as text, which cannot name the system of --crs, comes with a warning") {
-    const Folder folder;
-    folder.file("p.csv", plane_of(3));
+    const Folder folder("p.csv", plane_of(3));
     const std::string call = "grid p.csv --cell 1 -o g.asc -o g.npy";
-    CHECK(folder.rbpa(call + " --crs EPSG:28992")
-              .err.find("rbpa: g.asc does not name EPSG:28992 (gdal_translate -a_srs "
-                        "EPSG:28992 does)\n") != std::string::npos);
-    CHECK(folder.rbpa(call).err.find("does not name") == std::string::npos);
+    CHECK(contains(folder.rbpa(call + " --crs EPSG:28992").err,
+                   "rbpa: g.asc does not name EPSG:28992 (gdal_translate -a_srs EPSG:28992 does)\n"));
+    CHECK(!contains(folder.rbpa(call).err, "does not name"));
   }
 
   TEST_CASE("contour lines are LineStrings with their heights, one MULTILINESTRING Z, or a picture") {
-    const Folder folder;
-    folder.file("p.csv", plane_of(3));
+    const Folder folder("p.csv", plane_of(3));
     CHECK(folder.rbpa("grid p.csv --contours 9,3,9 --crs EPSG:28992 -o l.geojson -o l.wkt -o l.svg -o l.png")
               .err.ends_with(
                   "\nrbpa: 9 points, 2 contour lines at 2 heights -> l.geojson, l.wkt, l.svg, l.png, l.pgw\n"));
     CHECK(folder.content("l.wkt") ==
           "MULTILINESTRING Z ((2.3333333333333335 4 3,2.25 3.75 3,2 3 3,1.75 2.25 3,1.6666666666666667 2 3,1.25 0.75 "
-          "3,1 0 3),"
-          "(4 3 9,3.75 2.25 9,3.666666666666667 2 9,3.25 0.75 9,3 0 9))\n");
+          "3,1 0 3),(4 3 9,3.75 2.25 9,3.666666666666667 2 9,3.25 0.75 9,3 0 9))\n");
     const Json json = Json::parse(folder.content("l.geojson"));
     CHECK(json["crs"]["properties"]["name"] == "urn:ogc:def:crs:EPSG::28992");
     REQUIRE(json["features"].size() == 2);
@@ -92,7 +85,7 @@ TEST_SUITE("grid") {
       for (const Json& at : line["geometry"]["coordinates"])
         CHECK(3 * at[0].get<double>() - at[1].get<double>() == doctest::Approx(line["properties"]["height"]));
     }
-    CHECK(folder.content("l.svg").find("<path id=\"dangling\"") != std::string::npos);
+    CHECK(contains(folder.content("l.svg"), "<path id=\"dangling\""));
     folder.file("peak.csv", "x,y,z\n0,0,0\n4,0,0\n4,4,0\n0,4,0\n2,2,10\n");
     const Json ring = Json::parse(folder.rbpa("grid peak.csv --contours every:5 -o - --output-format geojson -q").out);
     REQUIRE(ring["features"].size() == 1);  // at 5; at 10 the line is a point
@@ -127,9 +120,7 @@ TEST_SUITE("grid") {
   }
 
   TEST_CASE("points without a triangle have a raster without values, and no lines") {
-    const Folder folder;
-    folder.file("line.xyz", "0.5 0.5 1\n1.5 1.5 2\n2.5 2.5 3\n");
-    folder.file("one.xyz", "0.5 0.5 1\n");
+    const Folder folder({{"line.xyz", "0.5 0.5 1\n1.5 1.5 2\n2.5 2.5 3\n"}, {"one.xyz", "0.5 0.5 1\n"}});
     CHECK(folder.rbpa("grid line.xyz --cell 1.5 -o - --output-format asc -q")
               .out.ends_with("\n-9999 -9999\n-9999 -9999\n"));
     CHECK(folder.rbpa("grid one.xyz --cell 1 -o - --output-format asc -q").out.ends_with("\n-9999\n"));
@@ -138,10 +129,9 @@ TEST_SUITE("grid") {
   }
 
   TEST_CASE("wrong calls and values are refused, and nothing is written") {
-    const Folder folder;
-    folder.file("p.csv", plane_of(3));
-    folder.file("missing.csv", "x,y,z,d\n0,0,1,2\n1,1,,3\n1,0,4,nan\n");
-    folder.file("flat.csv", "x,y,name\n0,0,a\n1,1,b\n0,1,c\n");
+    const Folder folder({{"p.csv", plane_of(3)},
+                         {"missing.csv", "x,y,z,d\n0,0,1,2\n1,1,,3\n1,0,4,nan\n"},
+                         {"flat.csv", "x,y,name\n0,0,a\n1,1,b\n0,1,c\n"}});
     const std::pair<const char*, const char*> calls[] = {
         {"p.csv -o o.asc", "o.asc requires --cell"},
         {"p.csv --cell 1 -o o.asc -o o.wkt", "o.wkt requires --contours"},
@@ -176,7 +166,7 @@ TEST_SUITE("grid") {
       const Outcome outcome = folder.rbpa("grid " + call);
       CAPTURE(outcome.err);
       CHECK(outcome.code != 0);
-      CHECK(outcome.err.find(message) != std::string::npos);
+      CHECK(contains(outcome.err, message));
       for (const char* file : {"o.asc", "o.wkt", "o.npy"}) CHECK(!folder.has(file));
     }
     CHECK(folder.names().size() == 3);

@@ -9,6 +9,7 @@
 #include "io/failure.h"
 #include "support/image_files.h"
 #include "support/program.h"
+#include "support/refusal_of.h"
 
 using namespace apps_test;
 using rbpa::Point;
@@ -53,12 +54,7 @@ std::vector<Point> centers(const Picture& picture, std::uint8_t grey) {
 
 template <typename Read>
 std::string refusal(Read&& read) {
-  try {
-    read();
-  } catch (const BadInput& e) {
-    return e.what();
-  }
-  return "accepted";
+  return rbpa_test::refusal_of<BadInput>(read);
 }
 
 std::string refusal_of_pgm(const std::string& bytes) {
@@ -176,8 +172,7 @@ TEST_SUITE("images") {
     const Picture picture = dotted(8, 7);
     folder.file("i.png", png(picture, PngKind::grey, 1));
     folder.file("i.PGM", pgm(picture, false));
-    const Outcome of_png = folder.rbpa("mesh i.png --alpha 1 -o - --output-format off -q");
-    CHECK(of_png.code == 0);
+    const Outcome of_png = folder.rbpa("mesh i.png --alpha 1 -o - --output-format off -q", 0);
     CHECK(of_png.out.substr(0, 3) == "OFF");
     CHECK(folder.rbpa("mesh i.PGM --alpha 1 -o - --output-format off -q").out == of_png.out);
     CHECK(folder.rbpa("mesh - --format png --alpha 1 -o - --output-format off -q < i.png").out == of_png.out);
@@ -207,7 +202,7 @@ TEST_SUITE("bad images") {
       for (std::size_t i = 0; i < 8 * whole.size(); ++i) {
         std::string broken = whole;
         broken[i / 8] = static_cast<char>(broken[i / 8] ^ (1 << i % 8));
-        if (refusal([&] { points_of_png(broken); }) != "accepted") ++refused;
+        if (refusal([&] { points_of_png(broken); }) != "") ++refused;
       }
       CHECK(refused > 7 * whole.size());  // checksums find nearly all
     }
@@ -233,11 +228,10 @@ TEST_SUITE("bad images") {
     folder.file("j.png", "not a PNG file");
     for (const std::string verb : {"mesh i.png --alpha 1 -o m.off", "shape i.png --alpha 1 -o m.wkt", "info i.png",
                                    "alpha i.png", "info - --format png < i.png"}) {
-      const Outcome outcome = folder.rbpa(verb);
-      CHECK(outcome.code == 3);
+      const Outcome outcome = folder.rbpa(verb, 3);
       CHECK(outcome.out.empty());
       CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-      CHECK(outcome.err.find(", expected a whole PNG image\n") != std::string::npos);
+      CHECK(contains(outcome.err, ", expected a whole PNG image\n"));
     }
     CHECK(folder.rbpa("info j.png").err ==
           "rbpa: j.png: found 'not a PN', expected a PNG image, which begins with '\\x89PNG'\n");
@@ -251,9 +245,7 @@ TEST_SUITE("bad images") {
     const std::size_t behind_header = 33;
     bytes.insert(behind_header, std::string("\0\0\0\4gAMA\0\0\0\0????", 16));  // no gamma, no checksum
     folder.file("i.png", bytes);
-    const Outcome outcome = folder.rbpa("info i.png");
-    CHECK(outcome.code == 0);
-    CHECK(outcome.err.empty());
+    CHECK(folder.rbpa("info i.png", 0).err.empty());
     CHECK(points_of_png(bytes) == centers(picture, 0));
   }
 
@@ -288,13 +280,9 @@ TEST_SUITE("bad images") {
   }
 
   TEST_CASE("wrong usage of the options for images is refused") {
-    const Folder folder;
-    folder.file("i.pgm", pgm(dotted(5, 5), true));
-    folder.file("p.xy", corner);
+    const Folder folder({{"i.pgm", pgm(dotted(5, 5), true)}, {"p.xy", corner}});
     const auto says = [&](const std::string& arguments, const std::string& message) {
-      const Outcome outcome = folder.rbpa(arguments);
-      CHECK(outcome.code == 2);
-      CHECK(outcome.err == "rbpa: " + message + "\n");
+      refuses(folder, arguments, 2, message);
     };
     says("info i.pgm --foreground black", "--foreground: found 'black', expected dark or light");
     for (const std::string value : {"0", "1.5", "nan", "x"})

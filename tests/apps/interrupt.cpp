@@ -22,6 +22,7 @@
 #include "support/las_file.h"
 #include "support/laz_file.h"
 #include "support/program.h"
+#include "support/spiral.h"
 
 using namespace apps_test;
 
@@ -78,7 +79,7 @@ std::optional<double> seconds_of(pid_t id) {
   std::string skipped;
   for (int i = 0; i < 11; ++i) fields >> skipped;
   double user = 0, system = 0;
-  if (!(fields >> user >> system) || stat.find(") Z ") != std::string::npos) return std::nullopt;
+  if (!(fields >> user >> system) || contains(stat, ") Z ")) return std::nullopt;
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
@@ -106,11 +107,7 @@ std::optional<double> seconds_after_signal(const std::vector<std::string>& comma
 /// Returns points of a unit sphere along a spiral, as lines.
 std::string sphere(int count) {
   std::string text;
-  for (int i = 0; i < count; ++i) {
-    const double z = 1 - (2.0 * i + 1) / count, turn = 2.399963229728653 * i, r = std::sqrt(1 - z * z);
-    text +=
-        std::to_string(r * std::cos(turn)) + " " + std::to_string(r * std::sin(turn)) + " " + std::to_string(z) + "\n";
-  }
+  for (const rbpa::Point3& p : rbpa_test::spiral(count)) text += rbpa_test::text_of(p) + "\n";
   return text;
 }
 

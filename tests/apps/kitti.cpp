@@ -83,13 +83,11 @@ TEST_SUITE("kitti") {
   }
 
   TEST_CASE("a scan is decompressed if its name ends in .gz, whatever its first bytes are") {
-    const Folder folder;
-    folder.file("p.bin", four);
-    folder.file("p.bin.gz", compressed(four));
+    const Folder folder({{"p.bin", four}, {"p.bin.gz", compressed(four)}});
     CHECK(read_space_points(folder.path("p.bin.gz"), Format::kitti).points == all);
     const std::string odd = std::string("\x1F\x8B\x08\x00", 4) + four.substr(4);
     CHECK(read_space_points(folder.file("odd.bin", odd), Format::kitti).points.size() == 4);
-    CHECK(folder.rbpa("solid p.bin --alpha inf --json -q").out.find("\"points\": 4,") != std::string::npos);
+    CHECK(contains(folder.rbpa("solid p.bin --alpha inf --json -q").out, "\"points\": 4,"));
     CHECK(folder.rbpa("solid p.bin.gz --where \"reflectance < 2\" --alpha inf --json -q").code == 0);
     CHECK(folder.rbpa("shape p.bin --alpha inf -o s.wkt -q").code == 0);
   }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "support/data_folder.h"
 #include "support/las_file.h"
 #include "support/program.h"
+#include "support/refusal_of.h"
 
 using namespace apps_test;
 using rbpa::Point;
@@ -29,21 +29,11 @@ PointFile read(const std::string& bytes, const std::string& where = "") {
 }
 
 std::string refusal(const std::string& bytes, const std::string& where = "") {
-  try {
-    read(bytes, where);
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "none";
+  return rbpa_test::refusal_of<BadInput>([&] { read(bytes, where); });
 }
 
 std::string refused_condition(const std::string& text) {
-  try {
-    const Condition condition(text, names_of_las_fields());
-  } catch (const WrongUsage& error) {
-    return error.what();
-  }
-  return "none";
+  return rbpa_test::refusal_of<WrongUsage>([&] { const Condition condition(text, names_of_las_fields()); });
 }
 
 /// Returns the point formats of a version.
@@ -156,7 +146,7 @@ TEST_SUITE("las") {
           CHECK(read(bytes_of(file), field.condition).points == std::vector<Point>{{-10, 21474836.47}});
           CHECK(read(bytes_of(file), "not (" + field.condition + ")").points == std::vector<Point>{{0.01, 0.02}});
         } else {
-          CHECK(refusal(bytes_of(file), field.condition).find("expected one with ") != std::string::npos);
+          CHECK(contains(refusal(bytes_of(file), field.condition), "expected one with "));
         }
       }
     });
@@ -201,8 +191,8 @@ TEST_SUITE("las") {
 
   TEST_CASE("the coordinate reference system is that of the text, else of the keys, if these have one") {
     const LasRecord text{"LASF_Projection", 2112,
-                         "PROJCS[\"Amersfoort / RD New\",GEOGCS[\"Amersfoort\",AUTHORITY[\"EPSG\",\"4289\"]],"
-                         "AUTHORITY[\"EPSG\",\"28992\"]]" +
+                         "PROJCS[\"Amersfoort / RD "
+                         "New\",GEOGCS[\"Amersfoort\",AUTHORITY[\"EPSG\",\"4289\"]],AUTHORITY[\"EPSG\",\"28992\"]]" +
                              std::string(1, '\0')};
     const LasRecord newer{
         "LASF_Projection", 2112,
@@ -259,26 +249,24 @@ TEST_SUITE("las") {
     CHECK(refusal(with(25, little(5, 1))) == name + "LAS version 1.5, expected 1.0 to 1.4");
     CHECK(refusal(with(94, little(100, 2))) ==
           name + "a header size of 100, expected from 227 to the size of the file, 465");
-    CHECK(refusal(with(94, little(466, 2))).find("a header size of 466") != std::string::npos);
+    CHECK(contains(refusal(with(94, little(466, 2))), "a header size of 466"));
     CHECK(refusal(with(96, little(374, 4))) ==
           name + "an offset to point data of 374, expected one after the header, from 375 to 465");
-    CHECK(refusal(with(96, little(466, 4))).find("an offset to point data of 466") != std::string::npos);
+    CHECK(contains(refusal(with(96, little(466, 4))), "an offset to point data of 466"));
     CHECK(refusal(with(104, little(6 | 0x80, 1))) ==
           "p.las: the record of LASzip: found 0 bytes, expected 34, and 6 for each item of a point");
     CHECK(refusal(with(104, little(11, 1))) == name + "point format 11, expected a format from 0 to 10");
     CHECK(refusal(with(105, little(29, 2))) ==
           name + "point records of 29 bytes, expected at least 30 of point format 6");
-    CHECK(refusal(with(105, little(0, 2))).find("point records of 0 bytes") != std::string::npos);
+    CHECK(contains(refusal(with(105, little(0, 2))), "point records of 0 bytes"));
     CHECK(refusal(good.substr(0, 464)) ==
           name +
               "2 whole records of 30 bytes, expected 3 as the header says (--skip-invalid reads those that are whole)");
-    CHECK(refusal(with(247, little(~std::uint64_t{0}, 8))).find("expected 18446744073709551615 as the header") !=
-          std::string::npos);
+    CHECK(contains(refusal(with(247, little(~std::uint64_t{0}, 8))), "expected 18446744073709551615 as the header"));
     CHECK(refusal(with(131, little(0.0))) == name + "a scale of '0' for x, expected a finite number other than 0");
-    CHECK(refusal(with(139, little(std::nan("")))).find("a scale of 'nan'") != std::string::npos);
+    CHECK(contains(refusal(with(139, little(std::nan("")))), "a scale of 'nan'"));
     CHECK(refusal(with(155, little(HUGE_VAL))) == name + "an offset of 'inf' for x, expected a finite number");
-    CHECK(refusal(with(131, little(1e300))).find("expected coordinates within the range of a double") !=
-          std::string::npos);
+    CHECK(contains(refusal(with(131, little(1e300))), "expected coordinates within the range of a double"));
   }
 
   TEST_CASE("a count in the header that is too low or too high is refused, or read as far as both go") {
@@ -295,9 +283,7 @@ TEST_SUITE("las") {
           "p.las: found 20 whole records of 30 bytes, expected 7 as the header says (--skip-invalid reads as many as "
           "it counts)");
 
-    const Folder folder;
-    folder.file("low.las", file(7));
-    folder.file("high.las", file(20).substr(0, 375 + 30 * 11 + 13));
+    const Folder folder({{"low.las", file(7)}, {"high.las", file(20).substr(0, 375 + 30 * 11 + 13)}});
     for (const std::string name : {"low.las", "high.las", "low.las.gz", "high.las.gz"}) {
       CAPTURE(name);
       if (name.ends_with(".gz")) REQUIRE(folder.run("/bin/gzip", "-kf " + name.substr(0, name.size() - 3)).code == 0);
@@ -308,14 +294,10 @@ TEST_SUITE("las") {
                "mesh " + name + " --alpha inf -o m.off", "surface " + name + " --radius 9 -o s.off",
                "stream " + name + " --alpha 9 --tile-size 1000 -o s.wkt"}) {
         CAPTURE(verb);
-        const Outcome refused = folder.rbpa(verb);
-        CHECK(refused.code == 3);
-        CHECK(refused.err.find(low ? "expected 7 as the header says" : "expected 20 as the header says") !=
-              std::string::npos);
-        const Outcome taken = folder.rbpa(verb + " --skip-invalid");
-        CHECK(taken.code == 0);
-        CHECK(taken.err.find(warning) != std::string::npos);
-        CHECK(taken.err.find(low ? "rbpa: 7 points" : "rbpa: 11 points") != std::string::npos);
+        says(folder, verb, 3, low ? "expected 7 as the header says" : "expected 20 as the header says");
+        const Outcome taken = folder.rbpa(verb + " --skip-invalid", 0);
+        CHECK(contains(taken.err, warning));
+        CHECK(contains(taken.err, low ? "rbpa: 7 points" : "rbpa: 11 points"));
       }
     }
   }
@@ -349,11 +331,10 @@ TEST_SUITE("las") {
                    "stream " + name + " --alpha 9 --tile-size 1000 -o s.wkt"}) {
             CAPTURE(verb);
             CHECK(folder.rbpa(verb).code == 3);
-            const Outcome taken = folder.rbpa(verb + " --skip-invalid");
-            CHECK(taken.code == 0);
-            CHECK(taken.err.find("the header counts no points, and all " + points +
-                                 " whole records after it are read") != std::string::npos);
-            CHECK(taken.err.find("rbpa: " + points + " points") != std::string::npos);
+            const Outcome taken = folder.rbpa(verb + " --skip-invalid", 0);
+            CHECK(contains(taken.err,
+                           "the header counts no points, and all " + points + " whole records after it are read"));
+            CHECK(contains(taken.err, "rbpa: " + points + " points"));
           }
         }
     // A file without points.
@@ -411,22 +392,21 @@ TEST_SUITE("las") {
     CHECK(refused_condition("red not 2") == "--where: found '2', expected 'in' and a list");
     CHECK(refused_condition("red == -blue") == "--where: found 'blue', expected a number");
     const auto nested = [](std::size_t depth) { return std::string(depth, '(') + "red = 2" + std::string(depth, ')'); };
-    CHECK(refused_condition(nested(101)).find("at most 100 nested brackets") != std::string::npos);
-    CHECK(refused_condition(nested(100) + " blue").find("found 'blue'") != std::string::npos);
+    CHECK(contains(refused_condition(nested(101)), "at most 100 nested brackets"));
+    CHECK(contains(refused_condition(nested(100) + " blue"), "found 'blue'"));
   }
 
   TEST_CASE("class is the classification, in conditions and for groups") {
-    const Folder folder;
-    folder.file("p.las", bytes_of(LasFile{.points = {{.classification = 6},
-                                                     {.x = 100, .classification = 6},
-                                                     {.y = 100, .z = 900, .classification = 6},
-                                                     {.x = 900, .classification = 2}}}));
+    const Folder folder("p.las", bytes_of(LasFile{.points = {{.classification = 6},
+                                                             {.x = 100, .classification = 6},
+                                                             {.y = 100, .z = 900, .classification = 6},
+                                                             {.x = 900, .classification = 2}}}));
     for (const std::string name : {"class", "Class", "classification", "Classification"}) {
       CAPTURE(name);
       CHECK(folder.rbpa("info p.las --where \"" + name + " == 6\"").out.starts_with("points      3\n"));
       CHECK(folder.rbpa("info p.las --where \"" + name + " == 6 and z > 3\"").out.starts_with("points      1\n"));
       CHECK(folder.rbpa("shape p.las --group-by " + name + " --alpha 9 -q -o g.csv").code == 0);
-      CHECK(folder.content("g.csv").find("\n6,3,") != std::string::npos);
+      CHECK(contains(folder.content("g.csv"), "\n6,3,"));
     }
   }
 
@@ -469,16 +449,15 @@ TEST_SUITE("las") {
     file.records = {keys({{1024, 0, 1, 1}, {3072, 0, 1, 2903}, {3076, 0, 1, 9003}})};
     file.points = {{.x = 0, .y = 0}, {.x = 125, .y = 0}, {.x = 125, .y = 50}, {.x = 0, .y = 50}};
     folder.file("p.las", bytes_of(file));
-    const Outcome outcome = folder.rbpa("shape p.las --alpha inf -o s.geojson -o s.ewkt");
-    CHECK(outcome.code == 0);
+    const Outcome outcome = folder.rbpa("shape p.las --alpha inf -o s.geojson -o s.ewkt", 0);
     CHECK(outcome.err.starts_with("rbpa: s.geojson: written in EPSG:2903, "));
     const std::string content = folder.content("s.geojson");
     CHECK(content.starts_with(
         R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2903"}},)"));
-    CHECK(content.find("[[[1500000,612345],[1500001.25,612345],[1500001.25,612345.5],[1500000,612345.5],"
-                       "[1500000,612345]]]") != std::string::npos);
+    CHECK(contains(
+        content, "[[[1500000,612345],[1500001.25,612345],[1500001.25,612345.5],[1500000,612345.5],[1500000,612345]]]"));
     CHECK(folder.content("s.ewkt").starts_with("SRID=2903;"));
-    CHECK(folder.rbpa("info s.geojson --vertices").out.find("crs         EPSG:2903\n") != std::string::npos);
+    CHECK(contains(folder.rbpa("info s.geojson --vertices").out, "crs         EPSG:2903\n"));
     CHECK(folder.rbpa("shape s.geojson --vertices --alpha inf -o - --output-format json -q").out == content);
   }
 
@@ -491,14 +470,13 @@ TEST_SUITE("las") {
     folder.file("p.las", bytes_of(file));
     REQUIRE(folder.run("/bin/gzip", "-k p.las").code == 0);
     for (const std::string name : {"p.las", "p.las.gz"}) {
-      const Outcome outcome = folder.rbpa("mesh " + name + " --where classification==2 --alpha inf -o m.off");
-      CHECK(outcome.code == 0);
+      const Outcome outcome = folder.rbpa("mesh " + name + " --where classification==2 --alpha inf -o m.off", 0);
       CHECK(outcome.err ==
             "rbpa: " + name + ": --where selects 6 of 9 points\nrbpa: 6 points, 4 triangles, 0 isolated -> m.off\n");
       CHECK(folder.content("m.off").starts_with("OFF\n6 4 0\n1e+05 0 0\n100000.01 0 0\n100000.02 0 0\n1e+05 0.01 0\n"));
-      CHECK(folder.rbpa("info " + name).out.find("crs         EPSG:28992\n") != std::string::npos);
+      CHECK(contains(folder.rbpa("info " + name).out, "crs         EPSG:28992\n"));
     }
-    CHECK(folder.rbpa("info p.las --crs EPSG:7415").out.find("crs         EPSG:7415\n") != std::string::npos);
+    CHECK(contains(folder.rbpa("info p.las --crs EPSG:7415").out, "crs         EPSG:7415\n"));
     CHECK(folder.rbpa("info p.las --where 'clas==2'").code == 3);
     CHECK(folder.rbpa("info p.las --where red==2").code == 3);
     CHECK(folder.rbpa("info p.npy --where x==2").err ==

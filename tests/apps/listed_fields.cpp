@@ -86,23 +86,6 @@ std::string las_with(const std::vector<Extra>& extras) {
   return bytes;
 }
 
-Outcome run(const Folder& folder, const std::string& arguments) {
-  const Outcome outcome = folder.rbpa(arguments);
-  CAPTURE(arguments);
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
-  return outcome;
-}
-
-/// Expects a refusal with an exit code, and a message that begins and contains so.
-void refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message) {
-  const Outcome outcome = folder.rbpa(arguments);
-  CAPTURE(arguments);
-  CHECK(outcome.code == code);
-  CHECK(outcome.err.find(message) != std::string::npos);
-  if (outcome.err.find(message) == std::string::npos) CHECK(outcome.err == message);
-}
-
 }  // namespace
 
 TEST_SUITE("listed_fields") {
@@ -113,12 +96,12 @@ TEST_SUITE("listed_fields") {
     std::string chosen;
     for (const Extra& one : extras)
       if (one.name.find(',') == std::string::npos) chosen += (chosen.empty() ? "" : ",") + one.name;
-    run(folder, "shape p.las --alpha inf -o all.csv -o s.geojson");
-    CHECK(folder.content("all.csv").find(",\"a \"\"b\"\", ü\",x_2,scaled\n") != std::string::npos);
+    folder.rbpa("shape p.las --alpha inf -o all.csv -o s.geojson", 0);
+    CHECK(contains(folder.content("all.csv"), ",\"a \"\"b\"\", ü\",x_2,scaled\n"));
     CHECK(folder.content("all.csv").starts_with("x,y,polygon,intensity,"));
-    run(folder, "shape p.las --alpha inf -o p.csv --isolated i.csv --fields " + chosen);
-    run(folder, "shape p.las --alpha 0.1 --isolated j.csv --fields " + chosen);
-    run(folder, "shape p.las --alpha 0.1 --isolated j.geojson --fields " + chosen);
+    folder.rbpa("shape p.las --alpha inf -o p.csv --isolated i.csv --fields " + chosen, 0);
+    folder.rbpa("shape p.las --alpha 0.1 --isolated j.csv --fields " + chosen, 0);
+    folder.rbpa("shape p.las --alpha 0.1 --isolated j.geojson --fields " + chosen, 0);
     const auto json = nlohmann::json::parse(folder.content("j.geojson"))["features"];
     std::string header, rows[3];
     for (const Extra& one : extras) {
@@ -127,8 +110,8 @@ TEST_SUITE("listed_fields") {
       for (std::size_t i = 0; i < 3; ++i) {
         rows[i] += "," + one.texts[i];
         CAPTURE(one.name);
-        CHECK(folder.content("j.geojson")
-                  .find("\"" + one.name + "\":" + (one.texts[i].empty() ? "null" : one.texts[i])) != std::string::npos);
+        CHECK(contains(folder.content("j.geojson"),
+                       "\"" + one.name + "\":" + (one.texts[i].empty() ? "null" : one.texts[i])));
         if (!one.texts[i].empty()) CHECK(json[i]["properties"][one.name].dump().starts_with(one.texts[i].substr(0, 9)));
       }
     }
@@ -139,15 +122,14 @@ TEST_SUITE("listed_fields") {
     CHECK(folder.content("p.csv") == of_points);
     CHECK(folder.content("i.csv") == "x,y,index" + header + "\n");
     CHECK(folder.content("j.csv") == isolated);
-    run(folder, "shape p.las --alpha inf -o n.csv --fields none");
+    folder.rbpa("shape p.las --alpha inf -o n.csv --fields none", 0);
     CHECK(folder.content("n.csv") == "x,y,polygon\n0,0,1\n1,0,1\n0,1,1\n");
   }
 
   TEST_CASE("texts, duplicate names, empty columns and thousands of columns are listed") {
-    const Folder folder;
-    folder.file("p.csv",
-                "x,y,kind,kind,none,id\n0,0,\"a, \"\"b\"\"\",ß,,9223372036854775807\n1,0,,ü,,1\n0,1,c,c,,-2\n");
-    run(folder, "shape p.csv --alpha inf -o s.csv");
+    const Folder folder("p.csv",
+                        "x,y,kind,kind,none,id\n0,0,\"a, \"\"b\"\"\",ß,,9223372036854775807\n1,0,,ü,,1\n0,1,c,c,,-2\n");
+    folder.rbpa("shape p.csv --alpha inf -o s.csv", 0);
     CHECK(
         folder.content("s.csv") ==
         "x,y,polygon,kind,kind_2,none,id\n0,0,1,\"a, \"\"b\"\"\",ß,,9223372036854775807\n1,0,1,,ü,,1\n0,1,1,c,c,,-2\n");
@@ -157,7 +139,7 @@ TEST_SUITE("listed_fields") {
       for (std::string& row : rows) row += "," + std::to_string(k);
     }
     folder.file("w.csv", header + "\n" + rows[0] + "\n" + rows[1] + "\n" + rows[2] + "\n");
-    run(folder, "shape w.csv --alpha inf -o t.csv");
+    folder.rbpa("shape w.csv --alpha inf -o t.csv", 0);
     CHECK(folder.content("t.csv").starts_with("x,y,polygon" + header.substr(3) + "\n0,0,1" + rows[0].substr(3) + "\n"));
   }
 
@@ -176,75 +158,69 @@ TEST_SUITE("listed_fields") {
                                      {"x,y,h\n0,0,1.5D3\n1,0,\n0,1,NA\n", "1500"}};
     for (const Case& one : cases) {
       folder.file("t.csv", one.table);
-      run(folder, "shape t.csv --alpha 3 --summarize h:mean -o g.geojson");
-      CHECK(folder.content("g.geojson").find("\"h_mean\":" + one.mean + "}") != std::string::npos);
+      folder.rbpa("shape t.csv --alpha 3 --summarize h:mean -o g.geojson", 0);
+      CHECK(contains(folder.content("g.geojson"), "\"h_mean\":" + one.mean + "}"));
     }
     // Points with decimal points: 1,2 is a text. 1D2 is a label wherever it is.
     folder.file("t.csv", "x;y;h;l\n0.5;0;1,2;1D2\n1.5;0;3,4;2D2\n0.5;1;5,6;3D2\n");
     for (const std::string field : {"h", "l"})
-      refuses(folder, "shape t.csv --alpha 3 --summarize " + field + ":mean -o g.geojson", 3,
-              "found texts in field '" + field + "'");
+      says(folder, "shape t.csv --alpha 3 --summarize " + field + ":mean -o g.geojson", 3,
+           "found texts in field '" + field + "'");
     // The coordinate 2D3 may be a number or an angle.
     folder.file("t.csv", "x,y\n1.5D3,0\n2D3,0\n1.0D3,1.0D3\n");
-    refuses(folder, "shape t.csv --alpha inf -o g.geojson", 3,
-            "t.csv:3: found '2D3', expected a number such as 2.0D3, or an angle such as 2d 3'");
+    says(folder, "shape t.csv --alpha inf -o g.geojson", 3,
+         "t.csv:3: found '2D3', expected a number such as 2.0D3, or an angle such as 2d 3'");
   }
 
   TEST_CASE("radii of groups are read as other fields; one group without a radius is a group with a problem") {
     const Folder folder;
     for (const std::string radius : {"3,5", "3.5", "0,35D1", "3500e-3"}) {
       folder.file("t.csv", "x;y;h;g\n0;0;" + radius + ";1\n1;0;" + radius + ";1\n0;1;" + radius + ";1\n9;9;1;2\n");
-      const Outcome outcome = run(folder, "shape t.csv --alpha column:h --group-by g -o g.csv");
-      CHECK(folder.content("g.csv").find("\n1,3,3.5,0.5,") != std::string::npos);
+      const Outcome outcome = folder.rbpa("shape t.csv --alpha column:h --group-by g -o g.csv", 0);
+      CHECK(contains(folder.content("g.csv"), "\n1,3,3.5,0.5,"));
     }
     for (const std::string radius : {"-1", "0", "", "nan", "x"}) {
       folder.file("t.csv", "x,y,h,g\n0,0," + radius + ",a\n1,0," + radius + ",a\n0,1," + radius + ",a\n");
-      const Outcome outcome = run(folder, "shape t.csv --alpha column:h --group-by g -o g.csv");
-      CHECK(outcome.err.find("1 group without a polygon: 'a', column 'h' has no radius above 0 for point 0") !=
-            std::string::npos);
+      const Outcome outcome = folder.rbpa("shape t.csv --alpha column:h --group-by g -o g.csv", 0);
+      CHECK(contains(outcome.err, "1 group without a polygon: 'a', column 'h' has no radius above 0 for point 0"));
     }
   }
 
   TEST_CASE("a field without a value in one of several files, and one of two names in different case, are kept") {
-    const Folder folder;
-    folder.file("a.csv", "x,y,s\n0,0,\n1,0,\n0,1,\n");
-    folder.file("b.csv", "x,y,s\n5,0,oak\n6,0,elm\n5,1,oak\n");
+    const Folder folder({{"a.csv", "x,y,s\n0,0,\n1,0,\n0,1,\n"}, {"b.csv", "x,y,s\n5,0,oak\n6,0,elm\n5,1,oak\n"}});
     for (const std::string files : {"a.csv b.csv", "b.csv a.csv"}) {
-      run(folder, "shape " + files + " --group-by-file --alpha 2 --summarize s:majority -o g.geojson");
-      CHECK(folder.content("g.geojson").find("\"s_majority\":\"oak\"}") != std::string::npos);
+      folder.rbpa("shape " + files + " --group-by-file --alpha 2 --summarize s:majority -o g.geojson", 0);
+      CHECK(contains(folder.content("g.geojson"), "\"s_majority\":\"oak\"}"));
     }
     folder.file("c.csv", "x,y,a,A\n0,0,1,2\n1,0,1,2\n0,1,1,2\n");
     for (const auto& [choice, header] : {std::pair("a", "a"), {"A", "A"}, {"a,A", "a,A_2"}}) {
-      run(folder, std::string("shape c.csv --alpha 3 -o p.csv --fields ") + choice);
+      folder.rbpa(std::string("shape c.csv --alpha 3 -o p.csv --fields ") + choice, 0);
       CHECK(folder.content("p.csv").starts_with(std::string("x,y,polygon,") + header + "\n"));
     }
   }
 
   TEST_CASE("names that are not UTF-8 give files that are; a backslash is none of them") {
-    const Folder folder;
-    folder.file("t.csv", "x,y,h\xE4he,g\n0,0,1,K\xF6ln\n1,0,2,K\xF6ln\n0,1,3,K\xF6ln\n");
+    const Folder folder("t.csv", "x,y,h\xE4he,g\n0,0,1,K\xF6ln\n1,0,2,K\xF6ln\n0,1,3,K\xF6ln\n");
     const std::string instead = "\xEF\xBF\xBD";
-    run(folder, "mesh t.csv --alpha 3 -o t.vtu");
-    CHECK(folder.content("t.vtu").find("Name=\"h" + instead + "he\"") != std::string::npos);
-    const Outcome outcome = run(folder, "shape t.csv --group-by g --alpha 3 -o g.svg");
-    CHECK(outcome.err.find("K\\xf6ln', is not in UTF-8") != std::string::npos);
-    CHECK(folder.content("g.svg").find("K" + instead + "ln") != std::string::npos);
+    folder.rbpa("mesh t.csv --alpha 3 -o t.vtu", 0);
+    CHECK(contains(folder.content("t.vtu"), "Name=\"h" + instead + "he\""));
+    CHECK(contains(folder.rbpa("shape t.csv --group-by g --alpha 3 -o g.svg", 0).err, "K\\xf6ln', is not in UTF-8"));
+    CHECK(contains(folder.content("g.svg"), "K" + instead + "ln"));
     folder.file("t.csv", "x,y,g\n0,0,C:\\xampp\n1,0,C:\\xampp\n0,1,C:\\xampp\n");
-    CHECK(run(folder, "shape t.csv --group-by g --alpha 3 -o g.csv").err.find("UTF-8") == std::string::npos);
+    CHECK(!contains(folder.rbpa("shape t.csv --group-by g --alpha 3 -o g.csv", 0).err, "UTF-8"));
   }
 
   TEST_CASE("--fields of shape needs a list of points, and fields that are there") {
-    const Folder folder;
-    folder.file("p.csv", "x,y,a\n0,0,1\n1,0,2\n0,1,3\n");
-    refuses(folder, "shape p.csv --alpha 1 -o s.geojson --fields a", 2,
-            "--fields requires a list of points in csv or gpkg, or --isolated, which hold fields\n");
-    refuses(folder, "shape p.csv --alpha 1 --isolated s.wkt --fields a", 2, "--fields requires a list of points");
-    refuses(folder, "shape p.csv --alpha 1 -o s.csv --fields b", 3,
-            "p.csv: found no field 'b' beside the coordinates, expected one, as --fields requires\n");
-    refuses(folder, "shape p.csv --alpha 1 -o s.csv --group-by a --fields a", 2, "--fields");
+    const Folder folder("p.csv", "x,y,a\n0,0,1\n1,0,2\n0,1,3\n");
+    says(folder, "shape p.csv --alpha 1 -o s.geojson --fields a", 2,
+         "--fields requires a list of points in csv or gpkg, or --isolated, which hold fields\n");
+    says(folder, "shape p.csv --alpha 1 --isolated s.wkt --fields a", 2, "--fields requires a list of points");
+    says(folder, "shape p.csv --alpha 1 -o s.csv --fields b", 3,
+         "p.csv: found no field 'b' beside the coordinates, expected one, as --fields requires\n");
+    says(folder, "shape p.csv --alpha 1 -o s.csv --group-by a --fields a", 2, "--fields");
     CHECK(!folder.has("s.csv"));
-    run(folder, "shape p.csv --alpha 1 -o s.geojson --fields none");
-    run(folder, "shape p.csv --alpha 1 -o s.csv --group-by a --fields none");
+    folder.rbpa("shape p.csv --alpha 1 -o s.geojson --fields none", 0);
+    folder.rbpa("shape p.csv --alpha 1 -o s.csv --group-by a --fields none", 0);
   }
 
   TEST_CASE("conditions and groups read extra bytes of every type, with scale and offset") {
@@ -252,7 +228,7 @@ TEST_SUITE("listed_fields") {
     const std::vector<Extra> extras = all_types();
     folder.file("p.las", las_with(extras));
     const auto selected = [&](const std::string& where) {
-      const Outcome outcome = run(folder, "info p.las --where '" + where + "'");
+      const Outcome outcome = folder.rbpa("info p.las --where '" + where + "'", 0);
       return outcome.out.substr(0, outcome.out.find('\n'));
     };
     for (const Extra& one : extras) {
@@ -267,38 +243,34 @@ TEST_SUITE("listed_fields") {
     CHECK(selected("F32 < 0 or u8 == 255") == "points      2");
     CHECK(selected("-10 < scaled < 0 and class == 6") == "points      1");
     CHECK(selected("x == 0") == "points      2");  // the coordinate
-    refuses(folder, "info p.las --where 'i64 > 0'", 3,
-            "p.las: point 0: found -9223372036854775808, expected an integer up to 2^53");
-    refuses(folder, "info p.las --where 'u64 > 0'", 3,
-            "p.las: point 1: found 18446744073709551615, expected an integer");
-    CHECK(run(folder, "info p.las --where 'u8 < 9 and u64 >= 0'").err.find("--where selects 2 of 3") !=
-          std::string::npos);
-    refuses(folder, "info p.las --where 'nothing == 1'", 3,
-            "p.las: found point format 0 of LAS 1.4 with x, y, z, intensity,");
-    refuses(folder, "info p.las --where 'nothing == 1'", 3, ", scaled, expected one with nothing, as --where requires");
-    run(folder, "shape p.las --group-by i16 --alpha 1 -q -o g.csv");
-    CHECK(folder.content("g.csv").find("\n32767,1,") != std::string::npos);
-    CHECK(folder.content("g.csv").find("\n-32768,1,") != std::string::npos);
-    refuses(folder, "shape p.las --group-by nothing --alpha 1 -q -o h.csv", 3, "as --group-by requires");
+    says(folder, "info p.las --where 'i64 > 0'", 3,
+         "p.las: point 0: found -9223372036854775808, expected an integer up to 2^53");
+    says(folder, "info p.las --where 'u64 > 0'", 3, "p.las: point 1: found 18446744073709551615, expected an integer");
+    CHECK(contains(folder.rbpa("info p.las --where 'u8 < 9 and u64 >= 0'", 0).err, "--where selects 2 of 3"));
+    says(folder, "info p.las --where 'nothing == 1'", 3,
+         "p.las: found point format 0 of LAS 1.4 with x, y, z, intensity,");
+    says(folder, "info p.las --where 'nothing == 1'", 3, ", scaled, expected one with nothing, as --where requires");
+    folder.rbpa("shape p.las --group-by i16 --alpha 1 -q -o g.csv", 0);
+    CHECK(contains(folder.content("g.csv"), "\n32767,1,"));
+    CHECK(contains(folder.content("g.csv"), "\n-32768,1,"));
+    says(folder, "shape p.las --group-by nothing --alpha 1 -q -o h.csv", 3, "as --group-by requires");
   }
 
   TEST_CASE("meshes of groups keep fields, of one file and of several") {
-    const Folder folder;
-    folder.file("a.csv", "x,y,g,n,t,m,only\n0,0,1,5,oak,1,7\n1,0,1,6,elm,2,7\n0,1,1,7,oak,3,7\n");
-    folder.file("b.csv", "x,y,g,n,t,m\n5,0,2,8,elm,a\n6,0,2,0.5,ash,b\n5,1,2,9,oak,c\n");
-    run(folder, "mesh a.csv --group-by g --alpha inf -o none.ply --fields none");
-    CHECK(folder.content("none.ply").find("property int") == std::string::npos);
-    run(folder, "mesh a.csv --group-by g --alpha inf -o m.ply");
+    const Folder folder({{"a.csv", "x,y,g,n,t,m,only\n0,0,1,5,oak,1,7\n1,0,1,6,elm,2,7\n0,1,1,7,oak,3,7\n"},
+                         {"b.csv", "x,y,g,n,t,m\n5,0,2,8,elm,a\n6,0,2,0.5,ash,b\n5,1,2,9,oak,c\n"}});
+    folder.rbpa("mesh a.csv --group-by g --alpha inf -o none.ply --fields none", 0);
+    CHECK(!contains(folder.content("none.ply"), "property int"));
+    folder.rbpa("mesh a.csv --group-by g --alpha inf -o m.ply", 0);
     for (const std::string property : {"int g", "int n", "int t", "int m", "int only"})
-      CHECK(folder.content("m.ply").find("property " + property + "\n") != std::string::npos);
-    CHECK(folder.content("m.ply").find("comment t: 0 = oak, 1 = elm\n") != std::string::npos);
-    const Outcome both = run(folder, "mesh a.csv b.csv --group-by-file --alpha inf -o m.ply --compact");
+      CHECK(contains(folder.content("m.ply"), "property " + property + "\n"));
+    CHECK(contains(folder.content("m.ply"), "comment t: 0 = oak, 1 = elm\n"));
+    const Outcome both = folder.rbpa("mesh a.csv b.csv --group-by-file --alpha inf -o m.ply --compact", 0);
     const std::string ply = folder.content("m.ply");
-    CHECK(ply.find("property int g\nproperty double n\nproperty int t\nproperty int m\nelement face") !=
-          std::string::npos);
-    CHECK(ply.find("comment m: 0 = 1, 1 = 2, 2 = 3, 3 = a, 4 = b, 5 = c\n") != std::string::npos);
-    CHECK(ply.find("comment t: 0 = oak, 1 = elm, 2 = ash\n") != std::string::npos);
-    CHECK(both.err.find("field 'only' is left out: not all files have it\n") != std::string::npos);
+    CHECK(contains(ply, "property int g\nproperty double n\nproperty int t\nproperty int m\nelement face"));
+    CHECK(contains(ply, "comment m: 0 = 1, 1 = 2, 2 = 3, 3 = a, 4 = b, 5 = c\n"));
+    CHECK(contains(ply, "comment t: 0 = oak, 1 = elm, 2 = ash\n"));
+    CHECK(contains(both.err, "field 'only' is left out: not all files have it\n"));
     const std::size_t data = ply.find("end_header\n") + 11, row = 3 * 8 + 4 + 8 + 4 + 4;
     const std::vector<double> n = {5, 6, 7, 8, 0.5, 9};
     const std::vector<std::int32_t> g = {1, 1, 1, 2, 2, 2}, t = {0, 1, 0, 1, 2, 0};
@@ -307,8 +279,8 @@ TEST_SUITE("listed_fields") {
       CHECK(ply.substr(data + row * i + 28, 8) == bytes_of_number(n[i]));
       CHECK(ply.substr(data + row * i + 36, 4) == bytes_of_number(t[i]));
     }
-    refuses(folder, "mesh a.csv b.csv --group-by-file --alpha inf -o k.ply --fields only", 3,
-            "b.csv: found no field 'only'");
+    says(folder, "mesh a.csv b.csv --group-by-file --alpha inf -o k.ply --fields only", 3,
+         "b.csv: found no field 'only'");
   }
 
   TEST_CASE("summaries of polygons and groups equal those by brute force, whatever the order of points") {
@@ -334,11 +306,11 @@ TEST_SUITE("listed_fields") {
       std::shuffle(rows.begin(), rows.end(), random);
       folder.file("p.csv", text);
       const std::string summaries = " --summarize v:mean,v:min,v:max,v:sum,kind:majority,big:max,Part:majority,v:sum";
-      run(folder, "shape p.csv --columns x,y --alpha 2 -o s.geojson -q" + summaries);
-      run(folder, "shape p.csv --columns x,y --alpha 2 --group-by part -o g.geojson -o g.csv -q" + summaries);
-      CHECK(folder.content("g.csv").starts_with(
-          "group,points,alpha,area,perimeter,polygons,problem,geometry,v_mean,v_min,v_max,v_sum,kind_majority,big_max,"
-          "Part_majority\n"));
+      folder.rbpa("shape p.csv --columns x,y --alpha 2 -o s.geojson -q" + summaries, 0);
+      folder.rbpa("shape p.csv --columns x,y --alpha 2 --group-by part -o g.geojson -o g.csv -q" + summaries, 0);
+      CHECK(
+          folder.content("g.csv").starts_with("group,points,alpha,area,perimeter,polygons,problem,geometry,v_mean,v_"
+                                              "min,v_max,v_sum,kind_majority,big_max,Part_majority\n"));
       for (const std::string file : {"s.geojson", "g.geojson"}) {
         const auto features = nlohmann::json::parse(folder.content(file))["features"];
         REQUIRE(features.size() == 4);
@@ -363,29 +335,26 @@ TEST_SUITE("listed_fields") {
   }
 
   TEST_CASE("summaries refuse what they cannot compute, and miss what is not there") {
-    const Folder folder;
-    folder.file("p.csv", "x,y,g,kind,v\n0,0,1,a,\n1,0,1,b,\n0,1,1,b,\n9,9,2,c,1\n");
-    refuses(folder, "shape p.csv --alpha 1 -o s.csv --summarize v:mean", 2,
-            "--summarize requires -o in a format with attributes: one of geojson, json");
-    refuses(folder, "shape p.csv --alpha 1 -o s.wkt --summarize v:mean", 2,
-            "--summarize requires -o in a format with attributes");
+    const Folder folder("p.csv", "x,y,g,kind,v\n0,0,1,a,\n1,0,1,b,\n0,1,1,b,\n9,9,2,c,1\n");
+    says(folder, "shape p.csv --alpha 1 -o s.csv --summarize v:mean", 2,
+         "--summarize requires -o in a format with attributes: one of geojson, json");
+    says(folder, "shape p.csv --alpha 1 -o s.wkt --summarize v:mean", 2,
+         "--summarize requires -o in a format with attributes");
     for (const std::string wrong : {"v", "v:", ":mean", "v:median", "v:mean,,v:max", "''"})
-      refuses(folder, "shape p.csv --alpha 1 -o s.geojson --summarize " + wrong, 2,
-              "expected FIELD:STATISTIC, several with commas between them; a statistic is min, max, mean, sum or "
-              "majority\n");
-    refuses(folder, "shape p.csv --alpha 1 -o s.geojson --summarize w:mean", 3, "p.csv: found no field 'w'");
-    refuses(
-        folder, "shape p.csv --alpha 1 -o s.geojson --isolated i.csv --summarize w:mean", 3,
-        "p.csv: found no field 'w' beside the coordinates, expected some of 'g', 'kind' and 'v' (--summarize chooses "
-        "them)\n");
-    refuses(folder, "shape p.csv --alpha 1 -o s.geojson --summarize kind:mean", 3,
-            "p.csv: found texts in field 'kind', expected numbers, as --summarize kind:mean requires (majority takes "
-            "texts)\n");
+      says(folder, "shape p.csv --alpha 1 -o s.geojson --summarize " + wrong, 2,
+           "expected FIELD:STATISTIC, several with commas between them; a statistic is min, max, mean, sum or "
+           "majority\n");
+    says(folder, "shape p.csv --alpha 1 -o s.geojson --summarize w:mean", 3, "p.csv: found no field 'w'");
+    says(folder, "shape p.csv --alpha 1 -o s.geojson --isolated i.csv --summarize w:mean", 3,
+         "p.csv: found no field 'w' beside the coordinates, expected some of 'g', 'kind' and 'v' (--summarize chooses "
+         "them)\n");
+    says(folder, "shape p.csv --alpha 1 -o s.geojson --summarize kind:mean", 3,
+         "p.csv: found texts in field 'kind', expected numbers, as --summarize kind:mean requires (majority takes "
+         "texts)\n");
     CHECK(!folder.has("s.geojson"));
-    run(folder,
-        "shape p.csv --alpha 1 -o s.geojson --summarize v:mean,v:min,kind:majority --isolated i.csv --fields kind");
-    CHECK(folder.content("s.geojson").find("\"v_mean\":null,\"v_min\":null,\"kind_majority\":\"b\"}") !=
-          std::string::npos);
+    folder.rbpa(
+        "shape p.csv --alpha 1 -o s.geojson --summarize v:mean,v:min,kind:majority --isolated i.csv --fields kind", 0);
+    CHECK(contains(folder.content("s.geojson"), "\"v_mean\":null,\"v_min\":null,\"kind_majority\":\"b\"}"));
     CHECK(folder.content("i.csv") == "x,y,index,kind\n9,9,3,c\n");
   }
 }

@@ -61,7 +61,7 @@ TEST_SUITE("manual") {
       for (const std::string& option : options) {
         CAPTURE(option);
         const std::string in_roff = std::regex_replace(option, std::regex("-"), "\\-");
-        CHECK(page.find("\\fB" + in_roff + "\\fR") != std::string::npos);
+        CHECK(contains(page, "\\fB" + in_roff + "\\fR"));
         CHECK(std::regex_search(bash, std::regex("[' ]" + option + "[' ]")));
         CHECK(std::regex_search(zsh, std::regex("'\\*" + option + "=?\\[")));
       }
@@ -75,9 +75,9 @@ TEST_SUITE("manual") {
       const Outcome shown = folder.run("groff", "-man -Tascii -P-c -P-b -P-u -ww page");
       if (shown.code == 127) continue;  // no groff on this machine
       CHECK(shown.err.empty());
-      CHECK(shown.out.find("EXIT STATUS") != std::string::npos);
-      CHECK(shown.out.find(program == "rbpa" ? "rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png"
-                                             : "meshtopo part.stl --json -o report.json") != std::string::npos);
+      CHECK(contains(shown.out, "EXIT STATUS"));
+      CHECK(contains(shown.out, program == "rbpa" ? "rbpa mesh points.xy --alpha 0.3 -o mesh.ply -o picture.png"
+                                                  : "meshtopo part.stl --json -o report.json"));
     }
   }
 
@@ -87,7 +87,7 @@ TEST_SUITE("manual") {
     CHECK(completed(folder, "rbpa", "rbpa m") == "mesh ");
     CHECK(completed(folder, "rbpa", "rbpa --v") == "--version ");
     CHECK(completed(folder, "rbpa", "rbpa mesh points.xy --alpha-i") == "--alpha-inverse ");
-    CHECK(completed(folder, "rbpa", "rbpa info --lev").find("--levels") == std::string::npos);
+    CHECK(!contains(completed(folder, "rbpa", "rbpa info --lev"), "--levels"));
     CHECK(completed(folder, "rbpa", "rbpa mesh --lev") == "--levels ");
     folder.file("script", folder.meshtopo("--completion bash").out);
     CHECK(completed(folder, "meshtopo", "meshtopo --rep") == "--repair ");
@@ -97,14 +97,13 @@ TEST_SUITE("manual") {
     const Folder folder;
     const std::string help = folder.rbpa("help").out, title = help.substr(0, help.find('\n'));
     CHECK(title == "Outlines and triangles of points in the plane, surfaces and solids of points in space");
-    CHECK(folder.rbpa("--man").out.find(".SH NAME\nrbpa \\- " + title + "\n") != std::string::npos);
-    CHECK(
-        help.find("  shape                       Make polygons with holes of the alpha solid, valid under OGC Simple\n"
-                  "                              Features\n"
-                  "  discs  ") != std::string::npos);
-    CHECK(folder.rbpa("--completion zsh")
-              .out.find("'shape:Make polygons with holes of the alpha solid, valid under "
-                        "OGC Simple Features'") != std::string::npos);
+    CHECK(contains(folder.rbpa("--man").out, ".SH NAME\nrbpa \\- " + title + "\n"));
+    CHECK(contains(help,
+                   "  shape                       Make polygons with holes of the alpha solid, valid under OGC Simple\n"
+                   "                              Features\n"
+                   "  discs  "));
+    CHECK(contains(folder.rbpa("--completion zsh").out,
+                   "'shape:Make polygons with holes of the alpha solid, valid under OGC Simple Features'"));
   }
 
   TEST_CASE(
@@ -122,12 +121,11 @@ TEST_SUITE("manual") {
     CHECK(at("--alpha plateau -o") < at("--alpha auto --cover 0.99 "));
     CHECK(help.find("rbpa shape") == at("rbpa shape [OPTIONS]"));
     CHECK(help.find("  rbpa shape") == at("  rbpa shape points.xy --alpha plateau"));
-    CHECK(folder.rbpa("--man").out.find("Which alpha to choose: plateau first.") != std::string::npos);
+    CHECK(contains(folder.rbpa("--man").out, "Which alpha to choose: plateau first."));
   }
 
   TEST_CASE("the help of --where has a condition on texts, that of surface --columns the names of colors; both hold") {
-    const Folder folder;
-    folder.file("p.csv", "x,y,z,r,g,b,group\n0,0,0,9,8,7,A\n1,0,0,9,8,7,B\n0,1,0,9,8,7,A\n5,5,5,9,8,7,C\n");
+    const Folder folder("p.csv", "x,y,z,r,g,b,group\n0,0,0,9,8,7,A\n1,0,0,9,8,7,B\n0,1,0,9,8,7,A\n5,5,5,9,8,7,C\n");
     const auto words = [](std::string text) {  // on one line, blanks once
       text = std::regex_replace(text, std::regex("\\s+"), " ");
       return text;
@@ -135,23 +133,21 @@ TEST_SUITE("manual") {
     const std::string condition = "group in ('A', 'B')", colors = "that the header calls red, green and blue, or r, g";
     for (const std::string verb : {"info", "mesh", "shape", "alpha", "stream", "surface"}) {
       CAPTURE(verb);
-      CHECK(words(folder.rbpa("help " + verb).out).find("or for texts \"" + condition + "\"") != std::string::npos);
+      CHECK(contains(words(folder.rbpa("help " + verb).out), "or for texts \"" + condition + "\""));
     }
-    CHECK(words(folder.rbpa("help surface").out).find(colors) != std::string::npos);
+    CHECK(contains(words(folder.rbpa("help surface").out), colors));
     CHECK(folder.rbpa("info p.csv --where \"" + condition + "\"").out.starts_with("points      3\n"));
     REQUIRE(folder.rbpa("surface p.csv --columns x,y,z --radius 5 --where \"" + condition + "\" -o s.ply -q").code ==
             0);
-    CHECK(folder.content("s.ply").find("property uchar red") != std::string::npos);
+    CHECK(contains(folder.content("s.ply"), "property uchar red"));
   }
 
   TEST_CASE("help VERB is the same as VERB --help") {
     const Folder folder;
     CHECK(folder.rbpa("help").out == folder.rbpa("--help").out);
     CHECK(folder.rbpa("help shape").out == folder.rbpa("shape --help").out);
-    CHECK(folder.rbpa("help shape").out.find("--min-hole-area") != std::string::npos);
-    const Outcome wrong = folder.rbpa("help mehs");
-    CHECK(wrong.code == 2);
-    CHECK(wrong.err.find("found 'mehs'") != std::string::npos);
+    CHECK(contains(folder.rbpa("help shape").out, "--min-hole-area"));
+    says(folder, "help mehs", 2, "found 'mehs'");
   }
 
   TEST_CASE("an unknown shell is refused by name") {
@@ -159,7 +155,7 @@ TEST_SUITE("manual") {
     for (const std::string& program : programs) {
       const Outcome fish = ask(folder, program, "--completion fish");
       CHECK(fish.code == 2);
-      CHECK(fish.err.find("--completion: found 'fish', expected bash or zsh") != std::string::npos);
+      CHECK(contains(fish.err, "--completion: found 'fish', expected bash or zsh"));
     }
   }
 }

@@ -92,13 +92,13 @@ TEST_SUITE("mesh formats") {
              "element face 5\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
              "0.5 0.5 1\n4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n",
              Format::ply));
-    is_pyramid(read(
-        "ply\nformat ascii 1.0\nelement material 1\nproperty float shine\nelement face 5\n"
-        "property list uint uint neighbors\nproperty uchar red\nproperty list ushort short vertex_index\n"
-        "element vertex 5\nproperty double z\nproperty list uchar int near\nproperty double x\nproperty double "
-        "y\nelement edge 1\nproperty int a\nend_header\n7\n2 8 9 255 4 3 2 1 0\n0 1 3 0 1 4\n0 1 3 1 2 4\n0 1 3 2 3 "
-        "4\n0 1 3 3 0 4\n0 0 0 0\n0 1 5 1 0\n0 2 5 6 1 1\n0 0 0 1\n1 0 0.5 0.5\n3\n",
-        Format::ply));
+    is_pyramid(
+        read("ply\nformat ascii 1.0\nelement material 1\nproperty float shine\nelement face 5\n"
+             "property list uint uint neighbors\nproperty uchar red\nproperty list ushort short vertex_index\n"
+             "element vertex 5\nproperty double z\nproperty list uchar int near\nproperty double x\nproperty double "
+             "y\nelement edge 1\nproperty int a\nend_header\n7\n2 8 9 255 4 3 2 1 0\n0 1 3 0 1 4\n0 1 3 1 2 4\n0 1 3 2 "
+             "3 4\n0 1 3 3 0 4\n0 0 0 0\n0 1 5 1 0\n0 2 5 6 1 1\n0 0 0 1\n1 0 0.5 0.5\n3\n",
+             Format::ply));
     CHECK(read("ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\nend_header\n1 "
                "2 3\n",
                Format::ply)

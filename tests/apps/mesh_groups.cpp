@@ -1,7 +1,6 @@
 // `rbpa mesh --group-by`: the triangles of each group of the points.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -20,12 +19,8 @@ using nlohmann::json;
 namespace {
 
 void refuses(const std::string& arguments, const std::string& message) {
-  const Folder folder;
-  folder.file("p.csv", "x,y,g\n0,0,1\n1,0,1\n0,1,1\n");
-  const Outcome outcome = folder.rbpa("mesh p.csv --columns x,y --group-by g --alpha inf " + arguments);
-  CHECK(outcome.code == 2);
-  CHECK(outcome.err == "rbpa: " + message + "\n");
-  CHECK(folder.names() == std::vector<std::string>{"p.csv"});
+  const Folder folder("p.csv", "x,y,g\n0,0,1\n1,0,1\n0,1,1\n");
+  refuses(folder, "mesh p.csv --columns x,y --group-by g --alpha inf " + arguments, 2, message);
 }
 
 }  // namespace
@@ -46,8 +41,7 @@ TEST_SUITE("mesh groups") {
     }
     folder.file("all.csv", all);
     const std::string run = "mesh all.csv --columns x,y --group-by group --alpha 4 ";
-    const Outcome outcome = folder.rbpa(run + "--fields none -o m.vtu -o m.ply -o m.npy -o m.off --stats s.json");
-    REQUIRE(outcome.code == 0);
+    const Outcome outcome = folder.rbpa(run + "--fields none -o m.vtu -o m.ply -o m.npy -o m.off --stats s.json", 0);
     const auto triangles = npy_rows<std::array<std::uint32_t, 3>>(folder.content("m.npy"));
     CHECK(outcome.err == "rbpa: 600 points, 12 groups, " + std::to_string(triangles.size()) +
                              " triangles -> m.vtu, m.ply, m.npy, m.off\n");
@@ -75,7 +69,7 @@ TEST_SUITE("mesh groups") {
       }
     }
     CHECK(at == triangles.size());
-    CHECK(folder.content("m.ply").find("property uint group\n") != std::string::npos);
+    CHECK(contains(folder.content("m.ply"), "property uint group\n"));
     const json stats = json::parse(folder.content("s.json"));
     CHECK(stats["groups"] == 12);
     CHECK(stats["triangles"] == triangles.size());
@@ -86,10 +80,8 @@ TEST_SUITE("mesh groups") {
   }
 
   TEST_CASE("groups with text names have only their number in the file, and a group without triangles is named") {
-    const Folder folder;
-    folder.file("p.csv", "x,y,tree\n0,0,oak\n1,0,oak\n0,1,oak\n5,5,elm\n7,7,fir\n8,7,fir\n7,8,fir\n");
-    const Outcome outcome = folder.rbpa("mesh p.csv --group-by tree --alpha auto -o m.vtu");
-    CHECK(outcome.code == 0);
+    const Folder folder("p.csv", "x,y,tree\n0,0,oak\n1,0,oak\n0,1,oak\n5,5,elm\n7,7,fir\n8,7,fir\n7,8,fir\n");
+    const Outcome outcome = folder.rbpa("mesh p.csv --group-by tree --alpha auto -o m.vtu", 0);
     CHECK(outcome.err ==
           "rbpa: p.csv: 1 group without a polygon: 'elm', fewer than three distinct points (1)\n"
           "rbpa: 7 points, 3 groups, 2 triangles -> m.vtu\n");

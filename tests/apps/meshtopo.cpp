@@ -19,15 +19,13 @@ namespace {
 
 json report_of(const Folder& folder, const std::string& arguments) {
   CAPTURE(arguments);
-  const Outcome outcome = folder.meshtopo(arguments + " --json");
-  REQUIRE(outcome.code == 0);
+  const Outcome outcome = folder.meshtopo(arguments + " --json", 0);
   CHECK(outcome.err.empty());
   return json::parse(outcome.out);
 }
 
 json report_of_text(const std::string& content, const std::string& options = "") {
-  const Folder folder;
-  folder.file("m.off", content);
+  const Folder folder("m.off", content);
   return report_of(folder, "m.off " + options);
 }
 
@@ -92,8 +90,7 @@ TEST_SUITE("meshtopo") {
   }
 
   TEST_CASE("the JSON report has these keys in this order and no others") {
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
+    const Folder folder("m.off", pyramid_off);
     const auto r = nlohmann::ordered_json::parse(folder.meshtopo("m.off --json").out);
     std::vector<std::string> keys;
     for (const auto& [key, value] : r.items()) keys.push_back(key);
@@ -106,15 +103,15 @@ TEST_SUITE("meshtopo") {
   }
 
   TEST_CASE("the report has the area, the volume of closed oriented pieces, and the box of all vertices") {
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
+    const Folder folder("m.off", pyramid_off);
     const auto r = nlohmann::json::parse(folder.meshtopo("m.off --json").out);
     CHECK(r["volume"] == doctest::Approx(1.0 / 3).epsilon(1e-15));
     CHECK(r["area"] == doctest::Approx(1 + std::sqrt(5.0)).epsilon(1e-15));
     CHECK(r["box"] == nlohmann::json::parse("[[0, 0, 0], [1, 1, 1]]"));
-    CHECK(folder.meshtopo("m.off").out.find("area               3.23606798\nvolume             0.333333333\n"
-                                            "box                x 0 .. 1\n                   y 0 .. 1\n"
-                                            "                   z 0 .. 1\n") != std::string::npos);
+    CHECK(contains(folder.meshtopo("m.off").out,
+                   "area               3.23606798\nvolume             0.333333333\n"
+                   "box                x 0 .. 1\n                   y 0 .. 1\n"
+                   "                   z 0 .. 1\n"));
     std::string turned = pyramid_off;
     turned.replace(turned.find("3 0 1 4"), 7, "3 4 1 0");
     folder.file("turned.off", turned);
@@ -125,21 +122,19 @@ TEST_SUITE("meshtopo") {
     CHECK(open["area"] == 2);
     CHECK(open["box"] == nlohmann::json::parse("[[0, 0, 0], [7, 8, 9]]"));
     // Far from the origin the volume is as exact as the coordinates.
-    folder.file(
-        "far.obj",
-        "v 500000 4649000 0\nv 500001 4649000 0\nv 500000 4649001 0\nv 500000 4649000 1\nf 1 3 2\nf 1 2 4\nf 1 4 "
-        "3\nf 2 3 4\n");
+    folder.file("far.obj",
+                "v 500000 4649000 0\nv 500001 4649000 0\nv 500000 4649001 0\nv 500000 4649000 1\nf 1 3 2\nf 1 2 4\nf 1 "
+                "4 3\nf 2 3 4\n");
     CHECK(nlohmann::json::parse(folder.meshtopo("far.obj --json").out)["volume"] ==
           doctest::Approx(1.0 / 6).epsilon(1e-15));
   }
 
   TEST_CASE("every format gives the same report, from a file and from standard input") {
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
-    folder.file("m.obj", pyramid_obj);
-    folder.file("m.ply", pyramid_ply);
-    folder.file("little.ply", ply_binary(std::endian::little));
-    folder.file("big.PLY", ply_binary(std::endian::big));
+    const Folder folder({{"m.off", pyramid_off},
+                         {"m.obj", pyramid_obj},
+                         {"m.ply", pyramid_ply},
+                         {"little.ply", ply_binary(std::endian::little)},
+                         {"big.PLY", ply_binary(std::endian::big)}});
     const std::string expected = folder.meshtopo("m.off").out;
     CHECK(expected.find("vertices") == 0);
     for (const char* name : {"m.obj", "m.ply", "little.ply", "big.PLY"}) CHECK(folder.meshtopo(name).out == expected);
@@ -176,8 +171,7 @@ TEST_SUITE("meshtopo") {
   }
 
   TEST_CASE("binary files name elements and no lines") {
-    const Folder folder;
-    folder.file("m.stl", stl_binary({{0, 1, 4}, {0, 1, 4}}));
+    const Folder folder("m.stl", stl_binary({{0, 1, 4}, {0, 1, 4}}));
     const json r = report_of(folder, "m.stl");
     REQUIRE(r["defects"].size() == 1);
     CHECK(r["defects"][0] ==
@@ -210,7 +204,7 @@ TEST_SUITE("meshtopo") {
     // In the table of pieces one has a genus, and the other has none.
     const std::string table = folder.meshtopo("pieces.off").out;
     CHECK(table.find("not orientable\n") != table.rfind("not orientable\n"));
-    CHECK(table.find(" 1               0\n") != std::string::npos);
+    CHECK(contains(table, " 1               0\n"));
   }
 
   TEST_CASE("faces without area are found exactly") {
@@ -291,15 +285,14 @@ TEST_SUITE("meshtopo") {
       std::size_t count = 0;
       for (auto at = text.find(": vertices 0 1 2"); at != std::string::npos; at = text.find(": vertices", at + 1))
         ++count;
-      CHECK((text.find(std::to_string(29 - count) + " more\n") != std::string::npos) == (count < 29));
+      CHECK(contains(text, std::to_string(29 - count) + " more\n") == (count < 29));
       return count;
     };
     CHECK(named("") == 20);
     CHECK(named("--max-defects 3") == 3);
     CHECK(named("--max-defects 0") == 0);
     CHECK(named("--max-defects 100") == 29);
-    CHECK(folder.meshtopo("m.off --max-defects 1").out.find(": vertices 0 1 2, faces 0 1, lines 6 7\n") !=
-          std::string::npos);
+    CHECK(contains(folder.meshtopo("m.off --max-defects 1").out, ": vertices 0 1 2, faces 0 1, lines 6 7\n"));
     CHECK(report_of(folder, "m.off --max-defects 1")["defects"].size() == 29);
   }
 
@@ -307,16 +300,15 @@ TEST_SUITE("meshtopo") {
     std::string content = "OFF\n22 20 0\n0 0 0\n1 0 0\n";
     for (int i = 2; i < 22; ++i) content += "0 1 " + std::to_string(i) + "\n";
     for (int i = 2; i < 22; ++i) content += "3 0 1 " + std::to_string(i) + "\n";
-    const Folder folder;
-    folder.file("m.off", content);
-    CHECK(folder.meshtopo("m.off").out.find("non-manifold edge: vertices 0 1, faces 0 1 2 3 4 5 6 7 ... (20), "
-                                            "lines 25 26 27 28 29 30 31 32 ... (20)\n") != std::string::npos);
+    const Folder folder("m.off", content);
+    CHECK(contains(
+        folder.meshtopo("m.off").out,
+        "non-manifold edge: vertices 0 1, faces 0 1 2 3 4 5 6 7 ... (20), lines 25 26 27 28 29 30 31 32 ... (20)\n"));
     CHECK(report_of(folder, "m.off")["defects"][0]["where"]["faces"].size() == 20);
   }
 
   TEST_CASE("the report goes where it is sent, and nowhere when quiet") {
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
+    const Folder folder("m.off", pyramid_off);
     const std::string text = folder.meshtopo("m.off").out, report = folder.meshtopo("m.off --json").out;
     CHECK(folder.meshtopo("m.off -o r.txt").out.empty());
     CHECK(folder.content("r.txt") == text);
@@ -338,8 +330,7 @@ TEST_SUITE("meshtopo") {
 
 TEST_SUITE("meshtopo --repair") {
   TEST_CASE("--repair OUT names its file as --generators OUT does, and all spellings write the same") {
-    const Folder folder;
-    folder.file("m.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 2\n3 0 1 3\n");
+    const Folder folder("m.off", "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 2\n3 0 1 3\n");
     REQUIRE(folder.meshtopo("m.off --repair a.off --generators l.obj -o r.json").code == 0);
     CHECK(json::parse(folder.content("r.json"))["repair"].size() > 0);
     REQUIRE(folder.meshtopo("m.off --repair=b.off -q").code == 0);
@@ -358,8 +349,7 @@ TEST_SUITE("meshtopo --repair") {
     for (const std::string& content : {broken, moebius})
       for (const std::string ending : {"off", "ply", "obj"}) {
         CAPTURE(ending);
-        const Folder folder;
-        folder.file("m.off", content);
+        const Folder folder("m.off", content);
         const json before = report_of(folder, "m.off --repair -o r." + ending);
         CHECK_FALSE(before["defects"].empty());
         CHECK_FALSE(before["repair"].empty());
@@ -384,8 +374,7 @@ TEST_SUITE("meshtopo --repair") {
   }
 
   TEST_CASE("the format is that of the ending of OUT, or of --output-format") {
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
+    const Folder folder("m.off", pyramid_off);
     REQUIRE(folder.meshtopo("m.off --repair -o a.obj --output-format off -q").code == 0);
     REQUIRE(folder.meshtopo("m.off --repair -o b --output-format off -q").code == 0);
     CHECK(folder.content("a.obj") == pyramid_obj);
@@ -393,10 +382,8 @@ TEST_SUITE("meshtopo --repair") {
   }
 
   TEST_CASE("new points are where the old ones were") {
-    const Folder folder;
-    folder.file("m.off", broken);
-    const Outcome outcome = folder.meshtopo("m.off --repair -o - --output-format off -q");
-    REQUIRE(outcome.code == 0);
+    const Folder folder("m.off", broken);
+    const Outcome outcome = folder.meshtopo("m.off --repair -o - --output-format off -q", 0);
     folder.file("r.off", outcome.out);
     const auto given = rbpa::app::read_mesh({folder.path("m.off"), rbpa::app::Format::off});
     const auto written = rbpa::app::read_mesh({folder.path("r.off"), rbpa::app::Format::off});
@@ -453,13 +440,10 @@ TEST_SUITE("meshtopo --generators") {
   }
 
   TEST_CASE("a mesh that is not a surface is refused, and its repair is taken instead") {
-    const Folder folder;
-    folder.file("m.off", broken);
-    const Outcome outcome = folder.meshtopo("m.off --generators l.obj");
-    CHECK(outcome.code == 3);
-    CHECK(outcome.err ==
-          "meshtopo: m.off: found degenerate face (vertices 7 7 6, face 4, line 17), expected a surface, as "
-          "--generators requires (--repair makes one, or rbpa surface --manifold)\n");
+    const Folder folder("m.off", broken);
+    meshtopo_refuses(folder, "m.off --generators l.obj", 3,
+                     "m.off: found degenerate face (vertices 7 7 6, face 4, line 17), expected a surface, as "
+                     "--generators requires (--repair makes one, or rbpa surface --manifold)");
     CHECK(folder.names().size() == 1);
     CHECK(folder.meshtopo("m.off --repair -o r.off --generators l.obj -q").code == 0);
     CHECK(folder.has("l.obj"));
@@ -476,8 +460,7 @@ TEST_SUITE("meshtopo --generators") {
   }
 
   TEST_CASE("no loop is an answer") {
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
+    const Folder folder("m.off", pyramid_off);
     CHECK(folder.meshtopo("m.off --generators l.json -q").code == 0);
     CHECK(json::parse(folder.content("l.json")) == json::array());
   }

@@ -1,7 +1,6 @@
 // All kinds of bad meshes and command lines of meshtopo: the exit code, the whole message, and no output.
 #include <doctest/doctest.h>
 
-#include <bit>
 #include <cstring>
 #include <limits>
 
@@ -12,21 +11,10 @@ using namespace apps_test;
 
 namespace {
 
-void refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message) {
-  CAPTURE(arguments);
-  const auto before = folder.names().size();
-  const Outcome outcome = folder.meshtopo(arguments);
-  CHECK(outcome.code == code);
-  CHECK(outcome.err == "meshtopo: " + message + "\n");
-  CHECK(outcome.out.empty());
-  CHECK(folder.names().size() == before);
-}
-
 void refuses_mesh(const std::string& name, const std::string& content, const std::string& message) {
   CAPTURE(content);
-  const Folder folder;
-  folder.file(name, content);
-  refuses(folder, name + " --repair -o out.off --generators loops.obj", 3, message);
+  const Folder folder(name, content);
+  meshtopo_refuses(folder, name + " --repair -o out.off --generators loops.obj", 3, message);
 }
 
 const std::string ply_head =
@@ -51,8 +39,8 @@ std::string float_bytes(float value) {
 TEST_SUITE("meshtopo: bad input") {
   TEST_CASE("a missing file, a folder and an empty file are refused") {
     const Folder folder;
-    refuses(folder, "none.off", 3, "none.off: found no such file, expected a mesh file");
-    refuses(folder, ". --format off", 3, ".: found a folder, expected a mesh file");
+    meshtopo_refuses(folder, "none.off", 3, "none.off: found no such file, expected a mesh file");
+    meshtopo_refuses(folder, ". --format off", 3, ".: found a folder, expected a mesh file");
     refuses_mesh("m.off", "", "m.off: found an empty file, expected a mesh");
   }
 
@@ -76,8 +64,7 @@ TEST_SUITE("meshtopo: bad input") {
                  "m.off:8: found '3 2 1 0', expected the end of the file after 1 face line as line 2 says");
     refuses_mesh("m.off", "OFF\n2 2 0\n0 0 0\n0 0 0\n2 0 1 255 255 255\n",
                  "m.off:5: found '255 255 255' in a face line, and 0 lines after it, expected 1 line after it, one for "
-                 "each element "
-                 "in the header, or in the line words of these elements only");
+                 "each element in the header, or in the line words of these elements only");
     refuses_mesh("m.off", "OFF\n3 0 0\n0 0 0\n0 0 0 # long enough\n",
                  "m.off: found 2 vertex lines, expected 3 vertex lines as line 2 says");
   }
@@ -178,105 +165,105 @@ TEST_SUITE("meshtopo: a corner out of range") {
       folder.file("m.ply", ply_head + "element face 1\nproperty list uchar uint vertex_indices\nend_header\n" +
                                three_points + "3 0 1 4294967295\n");
       folder.file("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 9\n");
-      refuses(folder, "m.off " + command, 3, "m.off:7: found '3', expected a vertex number from 0 to 2");
-      refuses(folder, "m.ply " + command, 3, "m.ply:13: found '4294967295', expected a vertex number from 0 to 2");
-      refuses(folder, "m.obj " + command, 3, "m.obj:5: found '9', expected a vertex number from 1 to 3");
-      refuses(folder, "- --format off " + command + " <m.off", 3,
-              "standard input:7: found '3', expected a vertex number from 0 to 2");
+      meshtopo_refuses(folder, "m.off " + command, 3, "m.off:7: found '3', expected a vertex number from 0 to 2");
+      meshtopo_refuses(folder, "m.ply " + command, 3,
+                       "m.ply:13: found '4294967295', expected a vertex number from 0 to 2");
+      meshtopo_refuses(folder, "m.obj " + command, 3, "m.obj:5: found '9', expected a vertex number from 1 to 3");
+      meshtopo_refuses(folder, "- --format off " + command + " <m.off", 3,
+                       "standard input:7: found '3', expected a vertex number from 0 to 2");
     }
   }
 }
 
 TEST_SUITE("meshtopo: wrong usage") {
   TEST_CASE("unknown formats are refused") {
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
-    folder.file("m", pyramid_off);
-    refuses(folder, "m.foo", 2, "m.foo: found the ending 'foo', expected one of off, ply, obj, stl, or --format");
-    refuses(folder, "m", 2, "m: found the ending '', expected one of off, ply, obj, stl, or --format");
-    refuses(folder, "m --format xyz", 2, "--format: found 'xyz', expected one of off, ply, obj, stl");
-    refuses(folder, "- </dev/null", 3, "standard input: found an empty file, expected a mesh");
-    refuses(folder, "m.off --repair -o out.vtu", 2,
-            "out.vtu: found the ending 'vtu', expected one of off, ply, obj, stl, or --output-format");
-    refuses(folder, "m.off --repair -o - -q", 2, "-o - requires --output-format: one of off, ply, obj, stl");
-    refuses(folder, "m.off --repair -o out --output-format vtu", 2,
-            "--output-format: found 'vtu', expected one of off, ply, obj, stl");
-    refuses(folder, "m.off --generators loops.off", 2,
-            "--generators: found the ending 'off', expected one of obj, json");
+    const Folder folder({{"m.off", pyramid_off}, {"m", pyramid_off}});
+    meshtopo_refuses(folder, "m.foo", 2,
+                     "m.foo: found the ending 'foo', expected one of off, ply, obj, stl, or --format");
+    meshtopo_refuses(folder, "m", 2, "m: found the ending '', expected one of off, ply, obj, stl, or --format");
+    meshtopo_refuses(folder, "m --format xyz", 2, "--format: found 'xyz', expected one of off, ply, obj, stl");
+    meshtopo_refuses(folder, "- </dev/null", 3, "standard input: found an empty file, expected a mesh");
+    meshtopo_refuses(folder, "m.off --repair -o out.vtu", 2,
+                     "out.vtu: found the ending 'vtu', expected one of off, ply, obj, stl, or --output-format");
+    meshtopo_refuses(folder, "m.off --repair -o - -q", 2, "-o - requires --output-format: one of off, ply, obj, stl");
+    meshtopo_refuses(folder, "m.off --repair -o out --output-format vtu", 2,
+                     "--output-format: found 'vtu', expected one of off, ply, obj, stl");
+    meshtopo_refuses(folder, "m.off --generators loops.off", 2,
+                     "--generators: found the ending 'off', expected one of obj, json");
   }
 
   TEST_CASE("a report with another ending is refused") {
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
+    const Folder folder("m.off", pyramid_off);
     for (const std::string ending : {"ply", "off", "OBJ", "stl"})
       for (const std::string json : {"", " --json"})
-        refuses(
-            folder, "m.off -o x." + ending + json, 2,
-            "x." + ending + ": found the ending '" + ending +
-                "' of a mesh, expected json or txt for a report, or --repair OUT to write a mesh (to convert: --weld "
-                "0 -o x." +
-                ending + ")");
-    refuses(folder, "m.off -o x.csv", 2, "x.csv: found the ending 'csv', expected one of json, txt, or --json");
-    refuses(folder, "m.off -o x.txt --json", 2, "x.txt: found the ending 'txt' with --json, expected json");
+        meshtopo_refuses(folder, "m.off -o x." + ending + json, 2,
+                         "x." + ending + ": found the ending '" + ending +
+                             "' of a mesh, expected json or txt for a report, or --repair OUT to write a mesh (to "
+                             "convert: --weld 0 -o x." +
+                             ending + ")");
+    meshtopo_refuses(folder, "m.off -o x.csv", 2,
+                     "x.csv: found the ending 'csv', expected one of json, txt, or --json");
+    meshtopo_refuses(folder, "m.off -o x.txt --json", 2, "x.txt: found the ending 'txt' with --json, expected json");
   }
 
   TEST_CASE("contradicting arguments are refused") {
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
-    refuses(folder, "m.off --repair", 2, "--repair requires a file for the repaired mesh (--repair OUT or -o OUT)");
-    refuses(
-        folder, "m.off --repair r.off -o s.off", 2,
-        "s.off: found the ending 'off' of a mesh, expected json or txt for a report, or --repair OUT to write a mesh "
-        "(to convert: --weld 0 -o s.off)");
-    refuses(folder, "m.off --repair - --output-format off", 2,
-            "--repair -: the mesh and the report cannot both go to standard output (name a file for the mesh, or leave "
-            "out the report with --quiet)");
-    refuses(folder, "m.off --repair m.off", 2, "m.off: found the file of the mesh, expected another file to write to");
-    refuses(folder, "m.off --repair a.obj --generators a.obj", 2,
-            "a.obj: found twice among the files to write, expected once");
-    refuses(folder, "m.off --output-format off", 2,
-            "--output-format requires a mesh to write (-o OUT or --repair OUT)");
-    refuses(folder, "m.off -q -o r.txt", 2,
-            "-o cannot write a text report with --quiet, which leaves the report out (add --json)");
-    refuses(folder, "m.off --repair -o - --output-format off", 2,
-            "-o -: the mesh and the report cannot both go to standard output (name a file for the mesh, or leave out "
-            "the report with --quiet)");
-    refuses(folder, "m.off --repair -o m.off", 2,
-            "m.off: found the file of the mesh, expected another file to write to");
-    refuses(folder, "m.off --repair -o a.obj --generators ./a.obj", 2,
-            "./a.obj: found twice among the files to write, expected once");
+    const Folder folder("m.off", pyramid_off);
+    meshtopo_refuses(folder, "m.off --repair", 2,
+                     "--repair requires a file for the repaired mesh (--repair OUT or -o OUT)");
+    meshtopo_refuses(folder, "m.off --repair r.off -o s.off", 2,
+                     "s.off: found the ending 'off' of a mesh, expected json or txt for a report, or --repair OUT to "
+                     "write a mesh (to convert: --weld 0 -o s.off)");
+    meshtopo_refuses(folder, "m.off --repair - --output-format off", 2,
+                     "--repair -: the mesh and the report cannot both go to standard output (name a file for the mesh, "
+                     "or leave out the report with --quiet)");
+    meshtopo_refuses(folder, "m.off --repair m.off", 2,
+                     "m.off: found the file of the mesh, expected another file to write to");
+    meshtopo_refuses(folder, "m.off --repair a.obj --generators a.obj", 2,
+                     "a.obj: found twice among the files to write, expected once");
+    meshtopo_refuses(folder, "m.off --output-format off", 2,
+                     "--output-format requires a mesh to write (-o OUT or --repair OUT)");
+    meshtopo_refuses(folder, "m.off -q -o r.txt", 2,
+                     "-o cannot write a text report with --quiet, which leaves the report out (add --json)");
+    meshtopo_refuses(folder, "m.off --repair -o - --output-format off", 2,
+                     "-o -: the mesh and the report cannot both go to standard output (name a file for the mesh, or "
+                     "leave out the report with --quiet)");
+    meshtopo_refuses(folder, "m.off --repair -o m.off", 2,
+                     "m.off: found the file of the mesh, expected another file to write to");
+    meshtopo_refuses(folder, "m.off --repair -o a.obj --generators ./a.obj", 2,
+                     "./a.obj: found twice among the files to write, expected once");
     CHECK(folder.content("m.off") == pyramid_off);
   }
 
   TEST_CASE("a missing mesh, an unknown option and a wrong number are refused") {
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
+    const Folder folder("m.off", pyramid_off);
     CHECK(folder.meshtopo("").code == 2);
     CHECK(folder.meshtopo("m.off --jsno").code == 2);
-    refuses(folder, "m.off --genus", 2,
-            "found '--genus', expected an option of meshtopo (is it --generators? see meshtopo --help)");
-    refuses(folder, "m.off --max-defects many", 2, "--max-defects: found 'many', expected a whole number from 0");
-    refuses(folder, "m.off --max-defects -1", 2, "--max-defects: found '-1', expected a whole number from 0");
+    meshtopo_refuses(folder, "m.off --genus", 2,
+                     "found '--genus', expected an option of meshtopo (is it --generators? see meshtopo --help)");
+    meshtopo_refuses(folder, "m.off --max-defects many", 2,
+                     "--max-defects: found 'many', expected a whole number from 0");
+    meshtopo_refuses(folder, "m.off --max-defects -1", 2, "--max-defects: found '-1', expected a whole number from 0");
   }
 
   TEST_CASE("help and version exit with 0") {
     const Folder folder;
     CHECK(folder.meshtopo("--help").code == 0);
-    CHECK(folder.meshtopo("--help").out.find("Examples:") != std::string::npos);
+    CHECK(contains(folder.meshtopo("--help").out, "Examples:"));
     CHECK(folder.meshtopo("--version").out.find("meshtopo 0.") == 0);
   }
 }
 
 TEST_SUITE("meshtopo: failure while running") {
   TEST_CASE("a full or unwritable output is reported, and nothing is left behind") {
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
-    refuses(folder, "m.off -o /dev/full", 1, "/dev/full: cannot write: No space left on device");
-    refuses(folder, "m.off --json -o none/r.json", 1, "none/r.json: found no folder 'none', expected one to write to");
-    refuses(folder, "m.off --repair -o none/m.off", 1, "none/m.off: found no folder 'none', expected one to write to");
-    refuses(folder, "m.off --repair -o out.off --generators none/l.obj", 1,
-            "none/l.obj: found no folder 'none', expected one to write to");
-    refuses(folder, "m.off -o /dev/full --generators loops.json", 1,
-            "/dev/full: cannot write: No space left on device");
+    const Folder folder("m.off", pyramid_off);
+    meshtopo_refuses(folder, "m.off -o /dev/full", 1, "/dev/full: cannot write: No space left on device");
+    meshtopo_refuses(folder, "m.off --json -o none/r.json", 1,
+                     "none/r.json: found no folder 'none', expected one to write to");
+    meshtopo_refuses(folder, "m.off --repair -o none/m.off", 1,
+                     "none/m.off: found no folder 'none', expected one to write to");
+    meshtopo_refuses(folder, "m.off --repair -o out.off --generators none/l.obj", 1,
+                     "none/l.obj: found no folder 'none', expected one to write to");
+    meshtopo_refuses(folder, "m.off -o /dev/full --generators loops.json", 1,
+                     "/dev/full: cannot write: No space left on device");
   }
 }

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "meshtopo/exact.h"
 #include "meshtopo/weld.h"
 #include "support/changed_mesh.h"
 #include "support/data_folder.h"
 #include "support/mesh_files.h"
+#include "support/spiral.h"
 
 using namespace apps_test;
 using nlohmann::json;
@@ -121,17 +121,17 @@ TEST_SUITE("meshtopo --weld") {
   }
 
   TEST_CASE("faces and corners that coincide are dropped and counted") {
-    const Folder folder;
-    folder.file("m.off",
-                "OFF\n8 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 -0\n0 0.001 0\n5 5 5\n1 0 0\n"
-                "3 0 1 2\n3 4 2 7\n3 0 5 2\n4 0 1 2 5\n3 0 4 6\n");
+    const Folder folder("m.off",
+                        "OFF\n8 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 -0\n0 0.001 0\n5 5 5\n1 0 0\n"
+                        "3 0 1 2\n3 4 2 7\n3 0 5 2\n4 0 1 2 5\n3 0 4 6\n");
     const json r = changed(folder, "m.off --weld 0.001 -o w.off");
     CHECK(r["changes"]["weld"] == json::parse(R"({"distance": 0.001, "vertices_merged": 3, "corners_dropped": 0,
           "degenerate_faces_dropped": 2, "duplicate_faces_dropped": 2})"));
     CHECK(folder.content("w.off") == "OFF\n5 1 0\n0 0 -0\n1 0 0\n1 1 0\n0 1 0\n5 5 5\n3 0 1 2\n");
     const std::string text = folder.meshtopo("m.off --weld 0.001 -o w.off").out;
-    CHECK(text.find("\nchanges\n  weld 0.001: 3 vertices merged, 2 degenerate faces and 2 duplicate faces dropped\n"
-                    "\nresult\n  vertices               5\n") != std::string::npos);
+    CHECK(contains(text,
+                   "\nchanges\n  weld 0.001: 3 vertices merged, 2 degenerate faces and 2 duplicate faces dropped\n"
+                   "\nresult\n  vertices               5\n"));
     const json exact = changed(folder, "m.off --weld 0 -o e.off");
     CHECK(exact["changes"]["weld"]["vertices_merged"] == 2);
     folder.file("q.off", "OFF\n5 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 1 0\n5 0 1 2 3 4\n");
@@ -170,8 +170,8 @@ TEST_SUITE("meshtopo --keep-largest and --drop-small") {
       CHECK(kept("--drop-small 2 --keep-largest 1") == std::pair(6, 8));
       mesh.shuffle(random);
     }
-    CHECK(folder.meshtopo("m.off --keep-largest 1 -o k.off")
-              .out.find("\nchanges\n  drop: 2 components, 12 faces, 17 vertices\n\nresult\n") != std::string::npos);
+    CHECK(contains(folder.meshtopo("m.off --keep-largest 1 -o k.off").out,
+                   "\nchanges\n  drop: 2 components, 12 faces, 17 vertices\n\nresult\n"));
   }
 
   TEST_CASE(
@@ -187,11 +187,9 @@ TEST_SUITE("meshtopo --keep-largest and --drop-small") {
   }
 
   TEST_CASE("the options take the same words as those of rbpa surface") {
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
+    const Folder folder("m.off", pyramid_off);
     const auto refused = [&](const std::string& arguments) {
-      const Outcome outcome = folder.meshtopo("m.off -o k.off " + arguments);
-      CHECK(outcome.code == 2);
+      const Outcome outcome = folder.meshtopo("m.off -o k.off " + arguments, 2);
       CHECK_FALSE(folder.has("k.off"));
       return outcome.err;
     };
@@ -216,8 +214,7 @@ TEST_SUITE("meshtopo --orient") {
     mesh.add_box({2, 2, 2}, {4, 4, 4});
     mesh.add_box({-9, 0, 0}, {-8, 1, 1});
     for (std::size_t f = 6; f < 12; ++f) std::reverse(mesh.faces[f].begin(), mesh.faces[f].end());
-    const Folder folder;
-    folder.file("whole.off", mesh.off());
+    const Folder folder("whole.off", mesh.off());
     const auto expected = places_of(folder, "whole.off");
     CHECK(six_volumes(folder, "whole.off") == 6 * (512 - 8 + 1));
     for (int i = 0; i < 8; ++i) {
@@ -238,11 +235,10 @@ TEST_SUITE("meshtopo --orient") {
                                            {"not_orientable", json::array()}});
       CHECK(places_of(folder, "o.off") == expected);
     }
-    CHECK(
-        folder.meshtopo("whole.off --orient -o o.off")
-            .out.find("  orient: 0 faces reversed, 2 closed components face outward\n"
-                      "  orient: 1 closed component lies inside others; 1 of them inside an odd number of others, the "
-                      "wall of a cavity, faces inward\n") != std::string::npos);
+    CHECK(contains(folder.meshtopo("whole.off --orient -o o.off").out,
+                   "  orient: 0 faces reversed, 2 closed components face outward\n"
+                   "  orient: 1 closed component lies inside others; 1 of them inside an odd number of others, the "
+                   "wall of a cavity, faces inward\n"));
   }
 
   TEST_CASE("the depth of closed surfaces in others is right for boxes, also for those that touch") {
@@ -282,8 +278,7 @@ TEST_SUITE("meshtopo --orient") {
         volume += box.depth % 2 == 0 ? own : -own;
       }
       mesh.shuffle(random);
-      const Folder folder;
-      folder.file("m.off", mesh.off());
+      const Folder folder("m.off", mesh.off());
       const json r = changed(folder, "m.off --orient -o o.off");
       CHECK(six_volumes(folder, "o.off") == 6 * volume);
       CHECK(r["result"]["volume"] == doctest::Approx(volume).epsilon(1e-14));
@@ -299,8 +294,7 @@ TEST_SUITE("meshtopo --orient") {
     mesh.add_box({1, 0, 0}, {2, 1, 1});
     mesh.add_box({2, 1, 0}, {3, 2, 1});
     mesh.add_box({3, 2, 1}, {4, 3, 2});
-    const Folder folder;
-    folder.file("m.off", mesh.off());
+    const Folder folder("m.off", mesh.off());
     const json r = changed(folder, "m.off --orient -o o.off");
     CHECK(r["changes"]["orient"]["nested"] == 0);
     CHECK(r["changes"]["orient"]["faces_reversed"] == 0);
@@ -311,12 +305,8 @@ TEST_SUITE("meshtopo --orient") {
     CHECK(of_other["result"]["volume"] == 7);
     // The shell of a sphere's points has a void. The program writes the wall of the void unchanged.
     std::string points;
-    for (int i = 0; i < 400; ++i) {
-      const double h = 1 - (2.0 * i + 1) / 400, s = std::sqrt(1 - h * h), a = 2.39996322972865332 * i;
-      for (const double size : {1.0, 1.2})
-        points += std::to_string(size * s * std::cos(a)) + " " + std::to_string(size * s * std::sin(a)) + " " +
-                  std::to_string(size * h) + "\n";
-    }
+    for (const rbpa::Point3& p : rbpa_test::spiral(400))
+      for (const double size : {1.0, 1.2}) points += rbpa_test::text_of({size * p.x, size * p.y, size * p.z}) + "\n";
     folder.file("p.xyz", points);
     REQUIRE(folder.rbpa("solid p.xyz --alpha 0.3 --boundary b.off -q").code == 0);
     const json solid = changed(folder, "b.off --orient -o o.off");
@@ -326,19 +316,18 @@ TEST_SUITE("meshtopo --orient") {
   }
 
   TEST_CASE("a non-orientable component is reported by its first face and stays unchanged; open ones are oriented") {
-    const Folder folder;
-    folder.file("m.off",
-                "OFF\n9 8 0\n0 0 0\n1 0 0\n2 0 1\n3 1 0\n4 0 0\n8 0 0\n9 0 0\n9 1 0\n8 1 0\n3 5 6 7\n3 5 7 8\n3 6 5 5\n"
-                "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n");
+    const Folder folder(
+        "m.off",
+        "OFF\n9 8 0\n0 0 0\n1 0 0\n2 0 1\n3 1 0\n4 0 0\n8 0 0\n9 0 0\n9 1 0\n8 1 0\n3 5 6 7\n3 5 7 8\n3 6 5 5\n"
+        "3 0 1 2\n3 1 2 3\n3 2 3 4\n3 3 4 0\n3 4 0 1\n");
     const json r = changed(folder, "m.off --orient -o o.off");
     CHECK(r["changes"]["orient"] ==
           json::parse(
               R"({"faces_reversed": 0, "facing_outward": 0, "facing_inward": 0, "nested": 0, "not_orientable": [3]})"));
     CHECK(folder.content("o.off") == folder.content("m.off"));
-    CHECK(folder.meshtopo("m.off --orient -o o.off")
-              .out.find("  orient: 0 faces reversed, 0 closed components face outward\n"
-                        "  orient: the component of face 3 is not orientable: its faces stay unchanged\n") !=
-          std::string::npos);
+    CHECK(contains(folder.meshtopo("m.off --orient -o o.off").out,
+                   "  orient: 0 faces reversed, 0 closed components face outward\n"
+                   "  orient: the component of face 3 is not orientable: its faces stay unchanged\n"));
     // The number of the first face is that of the file, also if faces before it are dropped.
     CHECK(changed(folder, "m.off --weld 0 --orient -o o.off")["changes"]["orient"]["not_orientable"] ==
           json::array({3}));
@@ -399,8 +388,8 @@ TEST_SUITE("meshtopo: changes together") {
                 "1 0 0\n0 1 0\n0 0 1\n7 7 7\n8 7 7\n7 8 7\n"
                 "3 15 16 17\n3 0 1 2\n3 3 4 5\n3 6 7 8\n3 9 10 11\n3 12 13 14\n");
     const json r = changed(folder,
-                           "m.off --weld 0 --drop-small 2 --orient --repair r.off --generators l.json "
-                           "--check closed,manifold,oriented,components=1,genus=0");
+                           "m.off --weld 0 --drop-small 2 --orient --repair r.off --generators l.json --check "
+                           "closed,manifold,oriented,components=1,genus=0");
     CHECK(r["changes"]["weld"]["duplicate_faces_dropped"] == 1);
     CHECK(r["changes"]["drop"]["components"] == 1);
     CHECK(r["changes"]["orient"]["faces_reversed"] == 1);
@@ -417,12 +406,10 @@ TEST_SUITE("meshtopo: changes together") {
     folder.file("t.off",
                 "OFF\n9 4 0\n5 5 5\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n1 0 0\n0 0 1\n0 -1 0\n8 8 8\n3 0 0 1\n3 1 2 3\n3 5 4 "
                 "6\n3 1 2 7\n");
-    const Outcome refused = folder.meshtopo("t.off --weld 0 --generators g.json -q");
-    CHECK(refused.code == 3);
-    CHECK(
-        refused.err ==
-        "meshtopo: t.off: found non-manifold edge (vertices 1 2, faces 1 2 3, lines 13 14 15), expected a surface, as "
-        "--generators requires (--repair makes one, or rbpa surface --manifold)\n");
+    const Outcome refused = folder.meshtopo("t.off --weld 0 --generators g.json -q", 3);
+    CHECK(refused.err ==
+          "meshtopo: t.off: found non-manifold edge (vertices 1 2, faces 1 2 3, lines 13 14 15), expected a surface, "
+          "as --generators requires (--repair makes one, or rbpa surface --manifold)\n");
     CHECK_FALSE(folder.has("g.json"));
   }
 
@@ -452,23 +439,20 @@ TEST_SUITE("meshtopo: changes together") {
       const std::string name = row[0], content = row[1], lost = row[2];
       CAPTURE(content);
       folder.file(name, content);
-      const Outcome written = folder.meshtopo(name + " --weld 0 -o x.stl -q");
-      CHECK(written.code == 0);
-      CHECK(written.err == (lost.empty() ? ""
-                                         : "meshtopo: " + name + ": the mesh is written without " + lost +
-                                               " (rbpa surface, which makes new triangles of the vertices, keeps those "
-                                               "of vertices)\n"));
+      const Outcome written = folder.meshtopo(name + " --weld 0 -o x.stl -q", 0);
+      CHECK(written.err ==
+            (lost.empty()
+                 ? ""
+                 : "meshtopo: " + name + ": the mesh is written without " + lost +
+                       " (rbpa surface, which makes new triangles of the vertices, keeps those of vertices)\n"));
       CHECK(folder.meshtopo(name + " -q").err.empty());
     }
   }
 
   TEST_CASE("-o names the mesh if it ends like one, in every format, and nothing else is written") {
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
+    const Folder folder("m.off", pyramid_off);
     for (const std::string name : {"w.off", "w.ply", "w.obj", "w.stl"}) {
-      const Outcome outcome = folder.meshtopo("m.off --orient -o " + name);
-      CHECK(outcome.code == 0);
-      CHECK(outcome.out.find("\nresult\n") != std::string::npos);
+      CHECK(contains(folder.meshtopo("m.off --orient -o " + name, 0).out, "\nresult\n"));
       const std::string faces = name == "w.stl" ? "6" : "5";  // STL has triangles
       CHECK(folder.meshtopo(name + " -q --check closed,oriented,genus=0,vertices=5,faces=" + faces).code == 0);
     }
@@ -480,10 +464,9 @@ TEST_SUITE("meshtopo: changes together") {
     CHECK(folder.content("r.off") == pyramid_off);
     for (const std::string option :
          {"--weld 0", "--keep-largest 1", "--drop-small 1", "--orient", "--fill-holes all"}) {
-      const Outcome outcome = folder.meshtopo("m.off " + option);
-      CHECK(outcome.code == 2);
-      CHECK(outcome.err == "meshtopo: " + option.substr(0, option.find(' ')) +
-                               " changes the mesh, and requires a file for it (-o OUT or --repair OUT), or --check\n");
+      meshtopo_refuses(folder, "m.off " + option, 2,
+                       option.substr(0, option.find(' ')) +
+                           " changes the mesh, and requires a file for it (-o OUT or --repair OUT), or --check");
     }
     folder.file("far.off", "OFF\n3 1 0\n0 0 0\n1e39 0 0\n0 1 0\n3 0 1 2\n");
     CHECK(folder.meshtopo("far.off --orient -o far.stl").err ==
@@ -496,9 +479,7 @@ TEST_SUITE("meshtopo: changes together") {
   }
 
   TEST_CASE("each of several meshes is changed for its check") {
-    const Folder folder;
-    folder.file("a.off", pyramid_off);
-    folder.file("a.stl", stl_text(pyramid_triangles));
+    const Folder folder({{"a.off", pyramid_off}, {"a.stl", stl_text(pyramid_triangles)}});
     CHECK(folder.meshtopo("a.off a.stl -q --weld 0 --keep-largest 1 --check closed,components=1").code == 0);
     CHECK(folder.meshtopo("a.off a.stl -q --drop-small 5 --check closed,components=1").code == 0);
     CHECK(folder.meshtopo("a.off a.stl -q --drop-small 7 --check closed").code == 4);

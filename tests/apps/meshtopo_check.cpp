@@ -51,8 +51,8 @@ TEST_SUITE("meshtopo --check") {
     const Meshes folder;
     CHECK(folder
               .failures("whole.off",
-                        "closed,manifold,oriented,orientable,vertices=5,edges=8,faces=5,euler=2,components=1,"
-                        "boundary_curves=0,genus=0,pinches=0,isolated=0,defects=0,geometric_defects=0")
+                        "closed,manifold,oriented,orientable,vertices=5,edges=8,faces=5,euler=2,components=1,boundary_"
+                        "curves=0,genus=0,pinches=0,isolated=0,defects=0,geometric_defects=0")
               .empty());
     CHECK(folder.failures("open.off", "manifold,oriented,boundary_curves=1,genus=0,euler=1").empty());
     CHECK(folder.failures("points.off", "manifold,oriented,components=2,isolated=2").empty());
@@ -90,12 +90,10 @@ TEST_SUITE("meshtopo --check") {
 
   TEST_CASE("the report is written also if a check fails, and has the checks") {
     const Meshes folder;
-    const Outcome text = folder.meshtopo("open.off --check closed,genus=0");
-    CHECK(text.code == 4);
+    const Outcome text = folder.meshtopo("open.off --check closed,genus=0", 4);
     CHECK(text.out == folder.meshtopo("open.off").out +
                           "\nchecks\n  closed: does not hold, found 1 boundary curve\n  genus=0: holds\n");
-    const Outcome outcome = folder.meshtopo("band.off --json --check oriented,genus=0,euler=0 -o r.json");
-    CHECK(outcome.code == 4);
+    folder.meshtopo("band.off --json --check oriented,genus=0,euler=0 -o r.json", 4);
     CHECK(json::parse(folder.content("r.json"))["checks"] ==
           json::parse(R"([{"check": "oriented", "expected": true, "found": false, "holds": false},
                           {"check": "genus", "expected": 0, "found": null, "holds": false},
@@ -106,8 +104,7 @@ TEST_SUITE("meshtopo --check") {
   TEST_CASE("with --repair the written mesh is checked, and it is written") {
     const Meshes folder;
     CHECK(folder.meshtopo("bad.off -q --check manifold,oriented").code == 4);
-    const Outcome outcome = folder.meshtopo("bad.off --json --repair good.off --check manifold,oriented,defects=0");
-    CHECK(outcome.code == 0);
+    const Outcome outcome = folder.meshtopo("bad.off --json --repair good.off --check manifold,oriented,defects=0", 0);
     CHECK(outcome.err.empty());
     const json r = json::parse(outcome.out);
     CHECK(r["defects"].size() == 3);
@@ -124,8 +121,7 @@ TEST_SUITE("meshtopo --check") {
         "closed, manifold, oriented, orientable, vertices=N, edges=N, faces=N, euler=N, components=N, "
         "boundary_curves=N, genus=N, pinches=N, isolated=N, defects=N, geometric_defects=N\n";
     for (const std::string name : {"open", "Closed", "genus 0", "boundary-curves=0", "", "=0"}) {
-      const Outcome outcome = folder.meshtopo("whole.off --check '" + name + "'");
-      CHECK(outcome.code == 2);
+      const Outcome outcome = folder.meshtopo("whole.off --check '" + name + "'", 2);
       CHECK(outcome.err == "meshtopo: --check: found '" + name + "', expected one of " + known);
       CHECK(outcome.out.empty());
     }
@@ -144,8 +140,7 @@ TEST_SUITE("meshtopo --check") {
 TEST_SUITE("meshtopo, several meshes") {
   TEST_CASE("several meshes have a report each, under its name, in the order given") {
     const Meshes folder;
-    const Outcome outcome = folder.meshtopo("whole.off open.off");
-    CHECK(outcome.code == 0);
+    const Outcome outcome = folder.meshtopo("whole.off open.off", 0);
     CHECK(outcome.err.empty());
     CHECK(outcome.out ==
           "whole.off:\n" + folder.meshtopo("whole.off").out + "\nopen.off:\n" + folder.meshtopo("open.off").out);
@@ -180,8 +175,7 @@ TEST_SUITE("meshtopo, several meshes") {
     CHECK(code("cut.off open.off --check closed") == 3);
     CHECK(code("open.off cut.off --check closed") == 3);
     CHECK(code("none.off whole.off") == 3);
-    const Outcome outcome = folder.meshtopo("open.off cut.off none.off bad.off --json --check closed");
-    CHECK(outcome.code == 3);
+    const Outcome outcome = folder.meshtopo("open.off cut.off none.off bad.off --json --check closed", 3);
     const std::string cut = folder.meshtopo("cut.off").err;
     CHECK(outcome.err == "meshtopo: open.off: closed: found 1 boundary curve, expected none\n" + cut +
                              "meshtopo: none.off: found no such file, expected a mesh file\n"
@@ -197,8 +191,7 @@ TEST_SUITE("meshtopo, several meshes") {
   TEST_CASE("options that write one file are refused for several meshes, before anything is read") {
     const Meshes folder;
     const auto refused = [&](const std::string& arguments) {
-      const Outcome outcome = folder.meshtopo(arguments);
-      CHECK(outcome.code == 2);
+      const Outcome outcome = folder.meshtopo(arguments, 2);
       CHECK(outcome.out.empty());
       return outcome.err;
     };
@@ -208,9 +201,8 @@ TEST_SUITE("meshtopo, several meshes") {
     CHECK(refused("whole.off open.off --weld 0 -o w.off") == "meshtopo: -o: found 2 meshes, expected one\n");
     CHECK(refused("- - --format off") == "meshtopo: MESH: found -, standard input, twice, expected once\n");
     CHECK(refused("whole.off open.foo").starts_with("meshtopo: open.foo: found the ending 'foo', expected one of"));
-    CHECK(
-        refused("whole.off open.off -o ./open.off --json") ==
-        "meshtopo: ./open.off: found the ending 'off' of a mesh, expected json or txt for a report, or --repair OUT to "
-        "write a mesh (to convert: --weld 0 -o ./open.off)\n");
+    CHECK(refused("whole.off open.off -o ./open.off --json") ==
+          "meshtopo: ./open.off: found the ending 'off' of a mesh, expected json or txt for a report, or --repair OUT "
+          "to write a mesh (to convert: --weld 0 -o ./open.off)\n");
   }
 }

@@ -7,6 +7,7 @@
 
 #include "support/changed_mesh.h"
 #include "support/mesh_files.h"
+#include "support/spiral.h"
 
 using namespace apps_test;
 using nlohmann::json;
@@ -26,13 +27,9 @@ void check_same_topology(const json& report) {
 /// Lines of points of a sphere, each with its normal, which points outward or inward.
 std::string ball(int count, double radius = 1, double outward = 1) {
   std::string text;
-  for (int i = 0; i < count; ++i) {
-    const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, r = std::sqrt(1 - z * z);
-    for (const double scale : {radius, outward})
-      text += std::to_string(scale * r * std::cos(around)) + " " + std::to_string(scale * r * std::sin(around)) + " " +
-              std::to_string(scale * z) + " ";
-    text.back() = '\n';
-  }
+  for (const rbpa::Point3& p : rbpa_test::spiral(count))
+    text += rbpa_test::text_of({radius * p.x, radius * p.y, radius * p.z}) + " " +
+            rbpa_test::text_of({outward * p.x, outward * p.y, outward * p.z}) + "\n";
   return text;
 }
 
@@ -92,17 +89,16 @@ TEST_SUITE("meshtopo --decimate") {
     folder.file("one.off", mesh.off());
     CHECK(changed(folder, "one.off --decimate 1000000 -o o.off")["changes"]["decimate"]["collapses"] == 0);
     CHECK(folder.content("o.off") == folder.content("one.off"));
-    const Outcome least = folder.meshtopo(data + "/m3_spot.off --decimate 1 -o o.off");
-    CHECK(least.code == 0);
-    CHECK(least.out.find("\n  decimated from 1654 to 4 triangles, at most ") != std::string::npos);
-    CHECK(least.out.find(" from those before, no further: every collapse left would change the topology or turn a "
-                         "triangle over\n") != std::string::npos);
+    const Outcome least = folder.meshtopo(data + "/m3_spot.off --decimate 1 -o o.off", 0);
+    CHECK(contains(least.out, "\n  decimated from 1654 to 4 triangles, at most "));
+    CHECK(contains(
+        least.out,
+        " from those before, no further: every collapse left would change the topology or turn a triangle over\n"));
     CHECK(changed(folder, data + "/m3_spot.off --decimate 0.01% -o o.off")["result"]["faces"] == 4);
   }
 
   TEST_CASE("fans that meet in a point get vertices of their own, and isolated points stay") {
-    const Folder folder;
-    folder.file("m.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n7 7 7\n3 0 1 2\n3 0 3 4\n");
+    const Folder folder("m.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n7 7 7\n3 0 1 2\n3 0 3 4\n");
     const json report = changed(folder, "m.off --decimate 1 -o o.off");
     CHECK(report["pinches"] == 1);
     CHECK(report["result"]["pinches"] == 0);
@@ -127,8 +123,9 @@ TEST_SUITE("meshtopo --decimate") {
     }
     CHECK(before < 300);
     const Outcome outcome = folder.meshtopo(data + "/m3_torus.off --decimate error=0.01 -o part.ply");
-    CHECK(outcome.out.find(" from those before, no further: every collapse left would change the topology, turn a "
-                           "triangle over or be too far\n") != std::string::npos);
+    CHECK(contains(outcome.out,
+                   " from those before, no further: every collapse left would change the topology, turn a triangle "
+                   "over or be too far\n"));
   }
 
   TEST_CASE("--no-crossings lets no faces cross, and is refused without --decimate") {
@@ -136,8 +133,7 @@ TEST_SUITE("meshtopo --decimate") {
     Outcome outcome = folder.meshtopo(data + "/m3_spot.off --decimate 4 --no-crossings -o o.off --json");
     CHECK(json::parse(outcome.out)["changes"]["decimate"]["refused"].contains("crossing_triangles"));
     CHECK(folder.meshtopo("o.off -q --check closed,genus=0").code == 0);
-    outcome = folder.meshtopo(data + "/m3_spot.off --no-crossings -o o.txt");
-    CHECK(outcome.code == 2);
+    outcome = folder.meshtopo(data + "/m3_spot.off --no-crossings -o o.txt", 2);
     CHECK(outcome.err == "meshtopo: --no-crossings requires --decimate\n");
   }
 
@@ -146,9 +142,8 @@ TEST_SUITE("meshtopo --decimate") {
     for (const std::string name : {"m3_spot.off", "m3_plate_holes.off"}) {
       CAPTURE(name);
       const std::string given = data + "/" + name;
-      const Outcome made = folder.meshtopo(given + " --decimate 130 --progressive m.pm -o coarse.off --json");
-      CHECK(made.code == 0);
-      CHECK(json::parse(made.out) == changed(folder, given + " --decimate 130 -o alone.off"));
+      CHECK(json::parse(folder.meshtopo(given + " --decimate 130 --progressive m.pm -o coarse.off --json", 0).out) ==
+            changed(folder, given + " --decimate 130 -o alone.off"));
       CHECK(folder.content("coarse.off") == folder.content("alone.off"));
       const auto at = [&](const std::string& faces) {
         return folder.meshtopo("m.pm --at-faces " + faces + " -q -o at.off").code == 0 ? folder.content("at.off") : "";
@@ -175,15 +170,13 @@ TEST_SUITE("meshtopo --decimate") {
     const Folder folder;
     const std::string spot = data + "/m3_spot.off";
     const auto refused = [&](const std::string& arguments, int code, const std::string& why) {
-      const Outcome outcome = folder.meshtopo(arguments);
-      CHECK(outcome.code == code);
+      const Outcome outcome = folder.meshtopo(arguments, code);
       CHECK(outcome.err == "meshtopo: " + why + "\n");
       CHECK(outcome.out == "");
     };
     refused(spot + " --progressive m.pm", 2, "--progressive requires --decimate");
     refused(spot + " --decimate 9 --progressive -", 2,
-            "--progressive: found -, expected a file (standard output is "
-            "that of the report)");
+            "--progressive: found -, expected a file (standard output is that of the report)");
     refused(spot + " " + spot + " --decimate 9 --progressive m.pm", 2, "--progressive: found 2 meshes, expected one");
     for (const std::string name : {"m.off", "m.PLY", "m.off.gz"})
       refused(
@@ -208,11 +201,9 @@ TEST_SUITE("meshtopo --decimate") {
     const std::size_t corners = 32U + 28U * static_cast<unsigned char>(whole[16]) + 4U;  // of the first coarse triangle
     wrong.replace(corners, 4, wrong, corners + 4, 4);
     folder.file("wrong.pm", wrong);
-    const Outcome twice = folder.meshtopo("wrong.pm --at-faces 9");
-    CHECK(twice.code == 3);
-    CHECK(
-        twice.err.starts_with("meshtopo: wrong.pm: progressive mesh: the coarse mesh has a defect, expected none: "
-                              "degenerate face"));
+    const Outcome twice = folder.meshtopo("wrong.pm --at-faces 9", 3);
+    CHECK(twice.err.starts_with(
+        "meshtopo: wrong.pm: progressive mesh: the coarse mesh has a defect, expected none: degenerate face"));
     refused("m.pm --at-faces 9 --decimate 4 --progressive m.pm", 2,
             "m.pm: found the file of the mesh, expected another file to write to");
     CHECK(folder.content("m.pm") == whole);
@@ -230,31 +221,23 @@ TEST_SUITE("meshtopo --decimate") {
   }
 
   TEST_CASE("wrong numbers, polygons, meshes with defects and a missing file to write are refused, nothing written") {
-    const Folder folder;
-    folder.file("p.off", pyramid_off);
+    const Folder folder("p.off", pyramid_off);
     for (const std::string wrong : {"0", "-5", "x", "10 %", "0%", "101%", "%", "nan%", "1e3", "5.5",
-                                    "error=", "error=-1", "error=nan", "error=inf", "error=1%"}) {
-      CAPTURE(wrong);
-      const Outcome outcome = folder.meshtopo("p.off --decimate='" + wrong + "' -o o.off");
-      CHECK(outcome.code == 2);
-      CHECK(outcome.err ==
-            "meshtopo: --decimate: found '" + wrong +
-                "', expected a number of triangles, such as 10000, a share, such as 10%, or a distance, such as "
-                "error=0.5\n");
-    }
-    Outcome outcome = folder.meshtopo("p.off --decimate 4 -o o.off");
-    CHECK(outcome.code == 3);
+                                    "error=", "error=-1", "error=nan", "error=inf", "error=1%"})
+      meshtopo_refuses(folder, "p.off --decimate='" + wrong + "' -o o.off", 2,
+                       "--decimate: found '" + wrong +
+                           "', expected a number of triangles, such as 10000, a share, such as 10%, or a distance, "
+                           "such as error=0.5");
+    Outcome outcome = folder.meshtopo("p.off --decimate 4 -o o.off", 3);
     CHECK(outcome.err ==
-          "meshtopo: p.off: found 1 face that is no triangle, expected triangles, as --decimate requires "
-          "(--repair OUT.stl writes triangles)\n");
+          "meshtopo: p.off: found 1 face that is no triangle, expected triangles, as --decimate requires (--repair "
+          "OUT.stl writes triangles)\n");
     CHECK(folder.meshtopo("p.off --repair t.stl -q").code == 0);
     CHECK(changed(folder, "t.stl --decimate 4 -o t.off")["result"]["faces"] == 4);
     folder.file("d.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n");
-    outcome = folder.meshtopo("d.off --decimate 1 -o o.off");
-    CHECK(outcome.code == 3);
-    CHECK(outcome.err.find(
-              "expected a surface, as --decimate requires (--repair makes one, or rbpa surface --manifold)") !=
-          std::string::npos);
+    outcome = folder.meshtopo("d.off --decimate 1 -o o.off", 3);
+    CHECK(contains(outcome.err,
+                   "expected a surface, as --decimate requires (--repair makes one, or rbpa surface --manifold)"));
     CHECK(folder.meshtopo("d.off --repair --decimate 1 -o o2.off -q").code == 0);
     CHECK(folder.meshtopo("p.off --decimate 4").err ==
           "meshtopo: --decimate changes the mesh, and requires a file for it (-o OUT or --repair OUT), or --check\n");
@@ -264,18 +247,16 @@ TEST_SUITE("meshtopo --decimate") {
 
 TEST_SUITE("surface") {
   TEST_CASE("--faces decimates a surface between its points, closed stays closed, and the summary has the counts") {
-    const Folder folder;
-    folder.file("s.xyz", ball(900));
-    const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.2 --watertight --faces 300 -o m.ply --json");
-    CHECK(outcome.code == 0);
+    const Folder folder("s.xyz", ball(900));
+    const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.2 --watertight --faces 300 -o m.ply --json", 0);
     const json report = json::parse(outcome.out);
     CHECK(report["triangles"] == 300);
     CHECK(report["decimated"]["triangles_before"] == 1796);
     CHECK(report["decimated"]["triangles"] == 300);
     CHECK(report["watertight"] == true);
     CHECK(report["component_list"][0]["triangles"] == 300);
-    CHECK(outcome.err.find("\nrbpa: decimated from 1796 to 300 triangles, at most ") != std::string::npos);
-    CHECK(outcome.err.find(": 300 triangles, 1 component, 0 boundary curves, genus 0 -> m.ply\n") != std::string::npos);
+    CHECK(contains(outcome.err, "\nrbpa: decimated from 1796 to 300 triangles, at most "));
+    CHECK(contains(outcome.err, ": 300 triangles, 1 component, 0 boundary curves, genus 0 -> m.ply\n"));
     CHECK(folder.meshtopo("m.ply -q --check closed,oriented,faces=300,vertices=152").code == 0);
 
     // Without --manifold, too, vertices that no triangle uses are left out; .npy keeps input indices.
@@ -285,8 +266,7 @@ TEST_SUITE("surface") {
   }
 
   TEST_CASE("--faces takes a share or an error, and with --watertight no triangles cross") {
-    const Folder folder;
-    folder.file("s.xyz", ball(900) + ball(900, 0.98, -1));
+    const Folder folder("s.xyz", ball(900) + ball(900, 0.98, -1));
     const std::string surface = "surface s.xyz --radius 0.2 --watertight -o m.ply --json -q ";
     json report = json::parse(folder.rbpa(surface + "--faces 10%").out);
     CHECK(report["watertight"] == true);
@@ -305,15 +285,12 @@ TEST_SUITE("surface") {
   }
 
   TEST_CASE("a wrong number of --faces is refused") {
-    const Folder folder;
-    folder.file("s.xyz", ball(50));
+    const Folder folder("s.xyz", ball(50));
     for (const std::string wrong : {"0", "-5", "x", "101%", "nan", "error=-1"}) {
-      const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.9 --faces='" + wrong + "' -o o.off");
-      CHECK(outcome.code == 2);
-      CHECK(outcome.err ==
-            "rbpa: --faces: found '" + wrong +
-                "', expected a number of triangles, such as 10000, a share, such as 10%, or a distance, such as "
-                "error=0.5\n");
+      refuses(folder, "surface s.xyz --radius 0.9 --faces='" + wrong + "' -o o.off", 2,
+              "--faces: found '" + wrong +
+                  "', expected a number of triangles, such as 10000, a share, such as 10%, or a distance, such as "
+                  "error=0.5");
     }
     CHECK(folder.rbpa("surface s.xyz --radius 0.9 --no-crossings -o o.off").err ==
           "rbpa: --no-crossings requires --faces\n");

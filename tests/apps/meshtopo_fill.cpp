@@ -70,8 +70,7 @@ TEST_SUITE("meshtopo --fill-holes") {
 
   TEST_CASE(
       "a hole of a sheet is filled and its rim is not, unless rims are chosen; holes are chosen as in rbpa surface") {
-    const Folder folder;
-    folder.file("m.off", sheet(5).off());
+    const Folder folder("m.off", sheet(5).off());
     const auto fill = [&](const std::string& choice) {
       const json r = changed(folder, "m.off -o w.off --fill-holes " + choice);
       const json& f = r["changes"]["fill"];
@@ -88,15 +87,13 @@ TEST_SUITE("meshtopo --fill-holes") {
     CHECK(fill("length=4")["holes"] == 1);
     CHECK(fill("length=3.99")["not_chosen"]["hole"] == 1);
     CHECK(fill("rims")["left"]["crosses"] == 1);  // whatever spans the rim of a plane lies in the plane
-    CHECK(folder.meshtopo("m.off --fill-holes rims --check closed")
-              .out.find("\nchanges\n  fill: 1 hole filled by 2 triangles of area 1\n"
-                        "  fill: 1 hole not filled: 1 where any filling crosses the surface\n\nresult\n") !=
-          std::string::npos);
-    CHECK(folder.meshtopo("m.off --fill-holes 3 -o w.off")
-              .out.find("\nchanges\n  fill: 0 holes filled by 0 triangles of area 0\n  fill: 1 hole left open, larger "
-                        "than --fill-holes allows\n"
-                        "  fill: 1 rim of a sheet left open (--fill-holes rims fills them)\n\nresult\n") !=
-          std::string::npos);
+    CHECK(contains(folder.meshtopo("m.off --fill-holes rims --check closed").out,
+                   "\nchanges\n  fill: 1 hole filled by 2 triangles of area 1\n"
+                   "  fill: 1 hole not filled: 1 where any filling crosses the surface\n\nresult\n"));
+    CHECK(contains(folder.meshtopo("m.off --fill-holes 3 -o w.off").out,
+                   "\nchanges\n  fill: 0 holes filled by 0 triangles of area 0\n  fill: 1 hole left open, larger than "
+                   "--fill-holes allows\n"
+                   "  fill: 1 rim of a sheet left open (--fill-holes rims fills them)\n\nresult\n"));
     for (const std::string wrong : {"2", "0", "-1", "x", "length=0", "length="})
       CHECK(folder.meshtopo("m.off -o w.off '--fill-holes=" + wrong + "'").err ==
             "meshtopo: --fill-holes: found '" + wrong +
@@ -104,8 +101,7 @@ TEST_SUITE("meshtopo --fill-holes") {
   }
 
   TEST_CASE("a bowl is a rim, and is closed when rims are chosen") {
-    const Folder folder;
-    folder.file("m.off", "OFF\n4 3 0\n0 0 0\n3 0 1\n0 3 1\n-3 -3 1\n3 0 1 2\n3 0 2 3\n3 0 3 1\n");
+    const Folder folder("m.off", "OFF\n4 3 0\n0 0 0\n3 0 1\n0 3 1\n-3 -3 1\n3 0 1 2\n3 0 2 3\n3 0 3 1\n");
     CHECK(changed(folder, "m.off -o w.off --fill-holes all")["result"]["boundary_curves"] == 1);
     CHECK(changed(folder, "m.off -o w.off --fill-holes rims --check closed,genus=0")["result"]["faces"] == 4);
   }
@@ -113,8 +109,7 @@ TEST_SUITE("meshtopo --fill-holes") {
   TEST_CASE("an obstacle in a hole keeps it open, also a face of many corners") {
     Mesh mesh = open_box({1});
     mesh.add_box({0.25, 0.25, 2}, {0.75, 0.75, 4});  // through the middle of the open top
-    const Folder folder;
-    folder.file("m.off", mesh.off());
+    const Folder folder("m.off", mesh.off());
     const json r = changed(folder, "m.off -o w.off --fill-holes all");
     CHECK(r["changes"]["fill"]["left"]["crosses"] == 1);
     CHECK(folder.content("w.off") == folder.content("m.off"));
@@ -168,13 +163,11 @@ TEST_SUITE("meshtopo --fill-holes") {
 
   TEST_CASE(
       "filling requires a surface, which a repair makes, and works with several meshes, loops and other changes") {
-    const Folder folder;
-    folder.file("t.off", "OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 0 1 4\n");
-    const Outcome refused = folder.meshtopo("t.off -q --fill-holes rims -o w.off");
-    CHECK(refused.code == 3);
-    CHECK(refused.err ==
-          "meshtopo: t.off: found non-manifold edge (vertices 0 1, faces 0 1 3, lines 8 9 11), expected a surface, as "
-          "--fill-holes requires (--repair makes one, or rbpa surface --manifold)\n");
+    const Folder folder("t.off",
+                        "OFF\n5 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 0 1 4\n");
+    meshtopo_refuses(folder, "t.off -q --fill-holes rims -o w.off", 3,
+                     "t.off: found non-manifold edge (vertices 0 1, faces 0 1 3, lines 8 9 11), expected a surface, as "
+                     "--fill-holes requires (--repair makes one, or rbpa surface --manifold)");
     CHECK_FALSE(folder.has("w.off"));
     const json r = changed(folder, "t.off --drop-small 2 --repair w.off --fill-holes rims --check closed,genus=0");
     CHECK(r["changes"]["drop"]["components"] == 1);

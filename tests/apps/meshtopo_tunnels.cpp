@@ -86,8 +86,8 @@ TEST_SUITE("meshtopo --close-tunnels-below") {
       CHECK(r["result"]["faces"].get<int>() ==
             r["faces"].get<int>() - t["faces_removed"].get<int>() + t["faces_added"].get<int>());
     }
-    CHECK(folder.meshtopo("m.off --close-tunnels-below 4.001 -o w.off").out.find("\nchanges\n  tunnels: 16 closed, ") !=
-          std::string::npos);
+    CHECK(contains(folder.meshtopo("m.off --close-tunnels-below 4.001 -o w.off").out,
+                   "\nchanges\n  tunnels: 16 closed, "));
   }
 
   TEST_CASE("a thin handle is cut, one that is thicker stays") {
@@ -99,8 +99,7 @@ TEST_SUITE("meshtopo --close-tunnels-below") {
     for (const Cell& cell :
          {Cell{0, 1, 3}, {0, 1, 4}, {0, 1, 5}, {1, 1, 5}, {2, 1, 5}, {3, 1, 5}, {4, 1, 5}, {4, 1, 4}, {4, 1, 3}})
       cells.insert(cell);
-    const Folder folder;
-    folder.file("m.off", surface_of(cells).off());
+    const Folder folder("m.off", surface_of(cells).off());
     CHECK(changed(folder, "m.off --close-tunnels-below 3.9 -o w.off")["result"]["genus"] == 1);
     CHECK(changed(folder,
                   "m.off --close-tunnels-below 4.1 -o w.off --check closed,manifold,components=1")["result"]["genus"] ==
@@ -142,12 +141,10 @@ TEST_SUITE("meshtopo --close-tunnels-below") {
   }
 
   TEST_CASE("closing tunnels requires a length and a surface") {
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
+    const Folder folder("m.off", pyramid_off);
     for (const std::string wrong : {"0", "-1", "x", "nan", "inf", "1e999"}) {
-      const Outcome outcome = folder.meshtopo("m.off -o w.off --close-tunnels-below=" + wrong);
-      CHECK(outcome.code == 2);
-      CHECK(outcome.err == "meshtopo: --close-tunnels-below: found '" + wrong + "', expected a length, such as 2.5\n");
+      meshtopo_refuses(folder, "m.off -o w.off --close-tunnels-below=" + wrong, 2,
+                       "--close-tunnels-below: found '" + wrong + "', expected a length, such as 2.5");
     }
     CHECK(folder.meshtopo("m.off --close-tunnels-below 1").err ==
           "meshtopo: --close-tunnels-below changes the mesh, and requires a file for it (-o OUT or --repair OUT), or "
@@ -162,8 +159,7 @@ TEST_SUITE("meshtopo --close-tunnels-below") {
 
 TEST_SUITE("meshtopo --generators --shortest") {
   TEST_CASE("shortest loops are as many, of no greater total length, the shortest first") {
-    const Folder folder;
-    folder.file("m.off", grating(3).off());
+    const Folder folder("m.off", grating(3).off());
     REQUIRE(folder.meshtopo("m.off -q --generators l.json").code == 0);
     REQUIRE(folder.meshtopo("m.off -q --generators s.json --shortest").code == 0);
     const json some = json::parse(folder.content("l.json")), shortest = json::parse(folder.content("s.json"));

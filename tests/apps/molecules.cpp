@@ -10,6 +10,7 @@
 #include "io/failure.h"
 #include "io/text/condition.h"
 #include "support/program.h"
+#include "support/refusal_of.h"
 
 using namespace apps_test;
 using rbpa::Point3;
@@ -26,12 +27,7 @@ SpacePoints read(const std::string& text, Format format, const std::string& wher
 }
 
 std::string refusal(const std::string& text, Format format) {
-  try {
-    read(text, format);
-  } catch (const rbpa::app::BadInput& e) {
-    return e.what();
-  }
-  return "";
+  return rbpa_test::refusal_of<rbpa::app::BadInput>([&] { read(text, format); });
 }
 
 const std::string pdb =
@@ -69,10 +65,9 @@ TEST_SUITE("molecules") {
           std::vector<Point3>{{3.246, 10.041, 10.379}, {-132.386, -100.407, -109.247}, {2.5, 10.5, 9.25}, {1, 2, 3}});
     CHECK(atoms.normals.empty());
     CHECK(atoms.colors.empty());
-    CHECK(atoms.warnings ==
-          std::vector<std::string>{"the atoms are those of the first of 2 models",
-                                   "1 atom has alternate locations, each a point of its own (where \"altloc in "
-                                   "('', 'A')\" takes one of each)"});
+    CHECK(atoms.warnings == std::vector<std::string>{"the atoms are those of the first of 2 models",
+                                                     "1 atom has alternate locations, each a point of its own (where "
+                                                     "\"altloc in ('', 'A')\" takes one of each)"});
     CHECK(read(cif, Format::cif).points ==
           std::vector<Point3>{{3.246, 10.041, 10.379}, {-132.386, -100.407, -109.247}, {1, 2, 3}});
     CHECK(read(cif, Format::cif).warnings == std::vector<std::string>{atoms.warnings[0]});
@@ -131,16 +126,14 @@ TEST_SUITE("molecules") {
     wrong.replace(wrong.find(" 7.90 1\n"), 8, " 7.90\n");
     CHECK(refusal(wrong, Format::cif) ==
           "m:20: found 9 values ('ATOM   2 C  \"C5'\" A -132.386 -100.407 -109.247 7.90'), expected 10, one for each "
-          "name "
-          "of _atom_site");
+          "name of _atom_site");
     wrong = cif;
     wrong.insert(wrong.find("HETATM"), "HETATM\n");
     CHECK(refusal(wrong, Format::cif) ==
           "m:21: found 1 value ('HETATM'), expected 10, one for each name of _atom_site");
-    CHECK(
-        refusal(cif.substr(0, cif.find(" 7.90 1")), Format::cif) ==
-        "m:20: found 8 values ('ATOM   2 C  \"C5'\" A -132.386 -100.407 -109.247'), expected 10, one for each name of "
-        "_atom_site");
+    CHECK(refusal(cif.substr(0, cif.find(" 7.90 1")), Format::cif) ==
+          "m:20: found 8 values ('ATOM   2 C  \"C5'\" A -132.386 -100.407 -109.247'), expected 10, one for each name "
+          "of _atom_site");
     CHECK(refusal("data_x\nloop_\n_atom_site.id\n'1\n", Format::cif) ==
           "m:4: found ''1', expected a value whose quotes end in its line");
     CHECK(refusal("data_x\n_struct.title\n;1\n", Format::cif) ==
@@ -150,8 +143,8 @@ TEST_SUITE("molecules") {
     std::string without = cif;
     without.replace(without.find("Cartn_z"), 7, "Cartn_w");
     CHECK(refusal(without, Format::cif) ==
-          "m:19: found atoms without _atom_site.Cartn_z, expected the "
-          "Cartesian coordinates Cartn_x, Cartn_y and Cartn_z");
+          "m:19: found atoms without _atom_site.Cartn_z, expected the Cartesian coordinates Cartn_x, Cartn_y and "
+          "Cartn_z");
   }
 
   TEST_CASE("serials and residues beyond their columns are read in each way that programs write them") {
@@ -202,14 +195,13 @@ TEST_SUITE("molecules") {
     const std::vector<Point3> expected = {{0, 0.5, 1}, {2, 3, 4}};
     for (const std::string text :
          {"DATA_x LOOP_ _ATOM_SITE.id _Atom_Site.CARTN_X _atom_site.cartn_y _atom_site.cartn_z "
-          "_atom_site.label_atom_id "
-          "1 0 .5 1 CA 2 2 3 4 CA",
+          "_atom_site.label_atom_id 1 0 .5 1 CA 2 2 3 4 CA",
           "data_x\nloop_\n_atom_site.id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
           "_atom_site.label_atom_id\n1 0\n.5 1\n;C\nA\n;\n2 # two\n2\n3 4 'C A'\n#\n",
           "data_x\r\nloop_\r\n_atom_site.id _atom_site.Cartn_x _atom_site.Cartn_y\r\n_atom_site.Cartn_z "
           "_atom_site.label_atom_id\r\n1 0 5.0e-1 1 \r\n;data_y\r\nloop_\r\n;\r\n2 2 3 4 \"C'A\"\r\n",
-          "data_x\rloop_\r_atom_site.id\r_atom_site.Cartn_x\r_atom_site.Cartn_y\r_atom_site.Cartn_z\r"
-          "_atom_site.label_atom_id\r1 0 0.5(3) 1 'a # b'\r2 2 3 4 'O5''\r",
+          "data_x\rloop_\r_atom_site.id\r_atom_site.Cartn_x\r_atom_site.Cartn_y\r_atom_site.Cartn_z\r_atom_site.label_"
+          "atom_id\r1 0 0.5(3) 1 'a # b'\r2 2 3 4 'O5''\r",
           "data_x loop_ _atom_site_label _atom_site_Cartn_x _atom_site_Cartn_y _atom_site_Cartn_z _atom_site_occupancy "
           "C1 0 0.5 1 1 C2 2 3 4 1 loop_ _atom_site_aniso_label C1 C2 _end 1"}) {
       CAPTURE(text);
@@ -236,9 +228,8 @@ TEST_SUITE("molecules") {
     CHECK(refusal("data_x\nloop_\n_atom_site.id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n",
                   Format::cif) == no_category);
     CHECK(refusal("data_x\nloop_\n_atom_site_label\n_atom_site_fract_x\nC1 0.5\n", Format::cif) ==
-          "m:5: found atoms in fractions of the cell (_atom_site.fract_x), expected "
-          "the Cartesian coordinates Cartn_x, Cartn_y and Cartn_z (Python: atoms = ase.io.read(FILE); "
-          "rbpa.balls(atoms, box=atoms.cell[:]))");
+          "m:5: found atoms in fractions of the cell (_atom_site.fract_x), expected the Cartesian coordinates Cartn_x, "
+          "Cartn_y and Cartn_z (Python: atoms = ase.io.read(FILE); rbpa.balls(atoms, box=atoms.cell[:]))");
     for (const Format format : {Format::pdb, Format::cif})
       CHECK(refusal(std::string("\xFF\xFE"
                                 "A\0T\0",
@@ -371,28 +362,23 @@ TEST_SUITE("molecules") {
   }
 
   TEST_CASE("the program reads molecules by their endings, compressed or not") {
-    const Folder folder;
-    folder.file("m.pdb", pdb);
-    folder.file("m.ent", pdb);
-    folder.file("m.cif", cif);
+    const Folder folder({{"m.pdb", pdb}, {"m.ent", pdb}, {"m.cif", cif}});
     CHECK(folder.rbpa("solid m.pdb --alpha inf -o t.npy")
               .err.find("rbpa: m.pdb: the atoms are those of the first of 2 models\n") == 0);
     CHECK(folder.rbpa("solid m.ent --alpha inf -o u.npy -q").code == 0);
     CHECK(folder.content("t.npy") == folder.content("u.npy"));
     const std::string water = "HETATM    6  O   HOH B 202       1.000   2.500   3.000  1.00 20.00           O\n";
     folder.file("wet.pdb", pdb.substr(0, pdb.find("ENDMDL")) + water);
-    CHECK(folder.rbpa("solid wet.pdb --alpha inf -o t.npy")
-              .err.find("wet.pdb: 1 atom of water is left out (--waters keeps them)\n") != std::string::npos);
-    CHECK(folder.rbpa("solid wet.pdb --alpha inf --waters --json -q").out.find("\"points\": 5,") != std::string::npos);
-    CHECK(folder.rbpa("alpha wet.pdb --dimension 3 --waters --json -q").out.find("\"points\": 5,") !=
-          std::string::npos);
-    CHECK(folder.rbpa("solid wet.pdb --alpha inf --where \"resname == 'HOH'\" --json -q").out.find("\"points\": 1,") !=
-          std::string::npos);
+    CHECK(contains(folder.rbpa("solid wet.pdb --alpha inf -o t.npy").err,
+                   "wet.pdb: 1 atom of water is left out (--waters keeps them)\n"));
+    CHECK(contains(folder.rbpa("solid wet.pdb --alpha inf --waters --json -q").out, "\"points\": 5,"));
+    CHECK(contains(folder.rbpa("alpha wet.pdb --dimension 3 --waters --json -q").out, "\"points\": 5,"));
+    CHECK(contains(folder.rbpa("solid wet.pdb --alpha inf --where \"resname == 'HOH'\" --json -q").out,
+                   "\"points\": 1,"));
     folder.file("t.xyz", "0 0 0\n");
     CHECK(folder.rbpa("solid t.xyz --alpha inf --waters --json").err ==
           "rbpa: --waters: found a format without atoms, expected cif, dump, gro, pdb or pqr\n");
-    CHECK(folder.rbpa("solid m.cif --alpha inf --json -q").out.find("\"points\": 3,") != std::string::npos);
-    CHECK(folder.rbpa("solid m.cif --where \"element == 'N'\" --alpha inf --json -q").out.find("\"points\": 1,") !=
-          std::string::npos);
+    CHECK(contains(folder.rbpa("solid m.cif --alpha inf --json -q").out, "\"points\": 3,"));
+    CHECK(contains(folder.rbpa("solid m.cif --where \"element == 'N'\" --alpha inf --json -q").out, "\"points\": 1,"));
   }
 }

@@ -17,13 +17,12 @@ const std::string points = "'" RBPA_TEST_DATA "/shape_hdbscan_clusterable.xy' ";
 
 TEST_SUITE("outputs") {
   TEST_CASE("peak_bytes are those of the program, whatever started it") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     // The parent has used 400 MB, and is replaced by the program.
-    const Outcome outcome =
-        folder.run("/usr/bin/python3", "-c 'import os; b = bytearray(b\"x\" * 400000000); os.execv(\"" RBPA_PROGRAM
-                                       "\", [\"rbpa\", \"info\", \"p.xy\", \"--stats\", \"s.json\"])'");
-    REQUIRE(outcome.code == 0);
+    folder.run("/usr/bin/python3",
+               "-c 'import os; b = bytearray(b\"x\" * 400000000); os.execv(\"" RBPA_PROGRAM
+               "\", [\"rbpa\", \"info\", \"p.xy\", \"--stats\", \"s.json\"])'",
+               0);
     const double peak = nlohmann::json::parse(folder.content("s.json")).at("peak_bytes").get<double>();
     CHECK(peak > 1e6);
     CHECK(peak < 2e8);
@@ -91,16 +90,14 @@ TEST_SUITE("outputs") {
     const Folder folder;
     for (const std::string verb : {"mesh --alpha 0.02 -o a.off ", "shape --alpha 0.02 -o a.wkt ", "alpha ", "info "}) {
       CAPTURE(verb);
-      const Outcome quiet = folder.rbpa(verb + points + "-q");
-      CHECK(quiet.code == 0);
+      const Outcome quiet = folder.rbpa(verb + points + "-q", 0);
       CHECK(quiet.err.empty());
       CHECK(quiet.out == folder.rbpa(verb + points).out);
     }
   }
 
   TEST_CASE("compact leaves out vertices without triangles and nothing else") {
-    const Folder folder;
-    folder.file("p.xy", "50 50\n0 0\n1 0\n0 1\n");
+    const Folder folder("p.xy", "50 50\n0 0\n1 0\n0 1\n");
     CHECK(folder.rbpa("mesh p.xy --alpha 1 -o - --output-format off -q").out ==
           "OFF\n4 1 0\n50 50 0\n0 0 0\n1 0 0\n0 1 0\n3 1 2 3\n");
     CHECK(folder.rbpa("mesh p.xy --alpha 1 -o - --output-format off -q --compact").out ==
@@ -108,8 +105,7 @@ TEST_SUITE("outputs") {
   }
 
   TEST_CASE("info prints the number of points and duplicates, the box and the spacing") {
-    const Folder folder;
-    folder.file("p.xy", "0 0\n4 0\n0 1\n4 1\n0 0\n");
+    const Folder folder("p.xy", "0 0\n4 0\n0 1\n4 1\n0 0\n");
     const auto info = nlohmann::json::parse(folder.rbpa("info p.xy --json").out);
     CHECK(info["points"] == 5);
     CHECK(info["distinct"] == 4);
@@ -120,19 +116,17 @@ TEST_SUITE("outputs") {
   }
 
   TEST_CASE("a summary is printed on standard error unless quiet") {
-    const Folder folder;
-    folder.file("p.xy", "0 0\n1 0\n0 1\n0 1\n9 9\n");
+    const Folder folder("p.xy", "0 0\n1 0\n0 1\n0 1\n9 9\n");
     CHECK(folder.rbpa("mesh p.xy --alpha 1 -o m.off").err ==
           "rbpa: 5 points (1 duplicate), 1 triangle, 1 isolated -> m.off\n");
     CHECK(folder.rbpa("mesh p.xy --alpha 1 -o m.off --quiet").err.empty());
   }
 
   TEST_CASE("coordinates at the ends of double have pictures") {
-    const Folder folder;
-    folder.file("p.xy", "-1.7e308 -1.7e308\n1.7e308 -1.7e308\n0 1.7e308\n5e-324 0\n");
+    const Folder folder("p.xy", "-1.7e308 -1.7e308\n1.7e308 -1.7e308\n0 1.7e308\n5e-324 0\n");
     CHECK(folder.rbpa("mesh p.xy --alpha inf -o m.svg -o m.png -q").code == 0);
-    CHECK(folder.content("m.svg").find("nan") == std::string::npos);
-    CHECK(folder.content("m.svg").find("inf") == std::string::npos);
+    CHECK(!contains(folder.content("m.svg"), "nan"));
+    CHECK(!contains(folder.content("m.svg"), "inf"));
     CHECK(folder.content("m.png").substr(1, 3) == "PNG");
   }
 }

@@ -58,8 +58,7 @@ Outcome run(const Folder& folder, const Reader& reader, const std::string& name,
 /// Runs each reader on its file, and calls check(folder, reader, output).
 template <typename Check>
 void for_each_reader(const Check& check) {
-  const Folder folder;
-  folder.file("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
+  const Folder folder("square.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\n");
   for (const Reader& reader : readers()) {
     CAPTURE(reader.file.name);
     folder.file(reader.file.name, reader.file.content);
@@ -84,7 +83,7 @@ TEST_SUITE("readers") {
       folder.file(latin, "");
       const Outcome empty = run(folder, reader, "\"" + latin + "\"");
       CHECK(empty.code == 3);
-      CHECK(empty.err.find(": " + shown + ": found ") != std::string::npos);
+      CHECK(contains(empty.err, ": " + shown + ": found "));
     });
   }
 

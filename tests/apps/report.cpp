@@ -27,8 +27,7 @@ const std::string points = "'" RBPA_TEST_DATA "/shape_hdbscan_clusterable.xy' ";
 const char* const two_triangles = "0 0\n6 0\n0 8\n100 0\n112 0\n100 16\n0 0\n";
 
 std::string page_of(const Folder& folder, const std::string& arguments) {
-  const Outcome outcome = folder.rbpa("report " + arguments + " -o page.html -q");
-  CHECK(outcome.code == 0);
+  folder.rbpa("report " + arguments + " -o page.html -q", 0);
   return folder.content("page.html");
 }
 
@@ -175,8 +174,7 @@ TEST_SUITE("report") {
   }
 
   TEST_CASE("points are the doubles of the input, each once, in lexicographic order") {
-    const Folder folder;
-    folder.file("p.xy", "0.1 -0\n-1e-310 1.7976931348623157e308\n0.1 0\n0.30000000000000004 2\n-1e-310 -7\n");
+    const Folder folder("p.xy", "0.1 -0\n-1e-310 1.7976931348623157e308\n0.1 0\n0.30000000000000004 2\n-1e-310 -7\n");
     const auto found = doubles_of(bytes_of(page_of(folder, "p.xy"), "points"));
     const std::vector<double> expected{-1e-310, -7, -1e-310, 1.7976931348623157e308, 0.1, -0.0, 0.30000000000000004, 2};
     REQUIRE(found.size() == expected.size());
@@ -205,9 +203,7 @@ TEST_SUITE("report") {
   }
 
   TEST_CASE("the unit is that of the coordinate system, or degrees by the names of columns, or unknown") {
-    const Folder folder;
-    folder.file("p.xy", two_triangles);
-    folder.file("p.csv", "lon,lat\n0,0\n6,0\n0,8\n");
+    const Folder folder({{"p.xy", two_triangles}, {"p.csv", "lon,lat\n0,0\n6,0\n0,8\n"}});
     const auto unit = [&](const std::string& arguments) {
       return Json::parse(element(page_of(folder, arguments), "facts"))["unit"];
     };
@@ -230,18 +226,17 @@ TEST_SUITE("report") {
   }
 
   TEST_CASE("the page has everything in it, and makes no request") {
-    const Folder folder;
-    folder.file("p.xy", two_triangles);
+    const Folder folder("p.xy", two_triangles);
     const std::string page = page_of(folder, "p.xy");
     CHECK(page.starts_with("<!DOCTYPE html>\n"));
     CHECK(page.ends_with("</html>\n"));
-    CHECK(page.find("content=\"default-src 'none';") != std::string::npos);
+    CHECK(contains(page, "content=\"default-src 'none';"));
     // A name space is not a request.
     const std::string without = std::regex_replace(page, std::regex("http://www\\.w3\\.org/2000/svg"), "");
     for (const char* reference :
          {"http:", "https:", "src=", "@import", "url(", "fetch(", "XMLHttpRequest", "<link", "import("})
-      CHECK(without.find(reference) == std::string::npos);
-    for (const char* mark : {"@TITLE@", "@STYLE@", "@DATA@", "@SCRIPT@"}) CHECK(page.find(mark) == std::string::npos);
+      CHECK(!contains(without, reference));
+    for (const char* mark : {"@TITLE@", "@STYLE@", "@DATA@", "@SCRIPT@"}) CHECK(!contains(page, mark));
   }
 
   TEST_CASE("a name is shown as text, whatever is in it") {
@@ -256,8 +251,8 @@ TEST_SUITE("report") {
       const std::string page = page_of(folder, "'" + quoted + "'");
       const std::string source = Json::parse(element(page, "facts"))["source"];
       CHECK(source.find('\n') == std::string::npos);
-      CHECK(page.find("<script>alert") == std::string::npos);
-      CHECK(page.find("--><!--") == std::string::npos);
+      CHECK(!contains(page, "<script>alert"));
+      CHECK(!contains(page, "--><!--"));
       CHECK(element(page, "facts").find('<') == std::string::npos);
       const std::size_t begin = page.find("<title>") + 7;
       const std::string title = page.substr(begin, page.find("</title>") - begin);
@@ -269,10 +264,8 @@ TEST_SUITE("report") {
   }
 
   TEST_CASE("points without a triangle make a page, with a message") {
-    const Folder folder;
-    folder.file("line.xy", "0 0\n1 1\n3 3\n");
-    const Outcome line = folder.rbpa("report line.xy -o line.html");
-    CHECK(line.code == 0);
+    const Folder folder("line.xy", "0 0\n1 1\n3 3\n");
+    const Outcome line = folder.rbpa("report line.xy -o line.html", 0);
     CHECK(line.err ==
           "rbpa: the complex is empty at every alpha: all points are collinear\n"
           "rbpa: 3 points, 0 critical radii -> line.html\n");
@@ -283,16 +276,13 @@ TEST_SUITE("report") {
   }
 
   TEST_CASE("all files of a run appear, or none does") {
-    const Folder folder;
-    folder.file("p.xy", corner);
-    folder.file("p.html", "before");
+    const Folder folder({{"p.xy", corner}, {"p.html", "before"}});
     CHECK(folder.rbpa("report p.xy -o no_folder/p.html --stats s.json").code == 1);
     CHECK(folder.rbpa("report p.xy -o p.html --stats no_folder/s.json").code == 1);
     CHECK(folder.rbpa("report p.xy -o p.html --stats /dev/full").code == 1);
     CHECK(folder.content("p.html") == "before");
     CHECK(folder.names() == std::vector<std::string>{"p.html", "p.xy"});
-    const Outcome outcome = folder.rbpa("report p.xy -o p.html --stats s.json");
-    CHECK(outcome.code == 0);
+    const Outcome outcome = folder.rbpa("report p.xy -o p.html --stats s.json", 0);
     CHECK(outcome.err == "rbpa: 3 points, 1 critical radius -> p.html\n");
     CHECK(folder.content("p.html") != "before");
     CHECK(Json::parse(folder.content("s.json"))["distinct"] == 3);
@@ -311,10 +301,9 @@ TEST_SUITE("report") {
           {"", "--output is required"}}) {
       const std::string& arguments = wrong;
       CAPTURE(arguments);
-      const Outcome outcome = folder.rbpa("report no_such_file.xy " + wrong);
-      CHECK(outcome.code == 2);
+      const Outcome outcome = folder.rbpa("report no_such_file.xy " + wrong, 2);
       CHECK(outcome.out.empty());
-      CHECK(outcome.err.find(said) != std::string::npos);
+      CHECK(contains(outcome.err, said));
       CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
     }
     CHECK(folder.rbpa("report no_such_file.xy -o p.html").code == 3);
@@ -324,8 +313,7 @@ TEST_SUITE("report") {
   }
 
   TEST_CASE("a page of points in space has its data, and makes no request") {
-    const Folder folder;
-    folder.file("octahedron.xyz", "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n");
+    const Folder folder("octahedron.xyz", "1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 0 1\n0 0 -1\n");
     const std::string page = page_of(folder, "octahedron.xyz --dimension 3");
     const Json facts = Json::parse(element(page, "facts"));
     CHECK(facts["points"] == 6);
@@ -346,18 +334,13 @@ TEST_SUITE("report") {
     }
     CHECK(has_void);
     for (const char* request : {"src=", "href=\"http", "import(", "fetch("})
-      CHECK(page.substr(0, page.find("<script>")).find(request) == std::string::npos);
-    const auto refuses = [&](const std::string& options, int code, const std::string& message) {
-      CAPTURE(options);
-      const Outcome outcome = folder.rbpa("report " + options);
-      CHECK(outcome.code == code);
-      CHECK(outcome.err.find(message) != std::string::npos);
-    };
+      CHECK(!contains(page.substr(0, page.find("<script>")), request));
     folder.file("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
-    refuses("octahedron.xyz --dimension 4 -o x.html", 2, "--dimension: found '4', expected 2 or 3");
-    refuses("octahedron.xyz --dimension 3 --components 2 -o x.html", 2, "--components applies only to --dimension 2");
-    refuses("octahedron.xyz --dimension 3 -o x.png", 2, "x.png: found the ending 'png', expected html");
+    says(folder, "report octahedron.xyz --dimension 4 -o x.html", 2, "--dimension: found '4', expected 2 or 3");
+    says(folder, "report octahedron.xyz --dimension 3 --components 2 -o x.html", 2,
+         "--components applies only to --dimension 2");
+    says(folder, "report octahedron.xyz --dimension 3 -o x.png", 2, "x.png: found the ending 'png', expected html");
     REQUIRE(folder.rbpa("report flat.xyz --dimension 3 -o flat.html -q").code == 0);
-    CHECK(folder.content("flat.html").find("0.7071067811865476") != std::string::npos);
+    CHECK(contains(folder.content("flat.html"), "0.7071067811865476"));
   }
 }

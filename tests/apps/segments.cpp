@@ -35,15 +35,13 @@ std::pair<std::vector<std::string>, std::size_t> faces_of(const std::string& obj
 
 TEST_SUITE("segments") {
   TEST_CASE("a breakline becomes edges, its vertices are points with their heights, and heights break along it") {
-    const Folder folder;
-    folder.file("roof.csv", roof);
-    folder.file("ridge.geojson", ridge);
+    const Folder folder({{"roof.csv", roof}, {"ridge.geojson", ridge}});
     const Outcome outcome = folder.rbpa("mesh roof.csv --alpha inf --segments ridge.geojson -o tin.obj");
     CHECK(outcome.err == "rbpa: 8 points, 6 triangles, 0 isolated, 1 edge on segments -> tin.obj\n");
     const auto [faces, vertices] = faces_of(folder.content("tin.obj"));
     CHECK(faces.size() == 6);
     CHECK(vertices == 8);
-    CHECK(folder.content("tin.obj").find("v 8 2 4\n") != std::string::npos);
+    CHECK(contains(folder.content("tin.obj"), "v 8 2 4\n"));
     // Without the line, the triangles join the eaves; with it the ridge is a ridge.
     CHECK(folder.rbpa("grid roof.csv --cell 2 -o - --output-format asc -q").out.ends_with("\n0 0 0 0\n0 0 0 0\n"));
     CHECK(folder.rbpa("grid roof.csv --segments ridge.geojson --cell 2 -o - --output-format asc -q")
@@ -70,9 +68,8 @@ TEST_SUITE("segments") {
   }
 
   TEST_CASE("--inside keeps the triangles in closed lines, by the even-odd rule, and what is outside is isolated") {
-    const Folder folder;
-    folder.file("p.xy", "-1 -1\n9 9\n4 4\n1 1\n");
-    folder.file("rings.wkt", "POLYGON ((0 0, 8 0, 8 8, 0 8, 0 0), (3 3, 5 3, 5 5, 3 5, 3 3))\n");
+    const Folder folder({{"p.xy", "-1 -1\n9 9\n4 4\n1 1\n"},
+                         {"rings.wkt", "POLYGON ((0 0, 8 0, 8 8, 0 8, 0 0), (3 3, 5 3, 5 5, 3 5, 3 3))\n"}});
     CHECK(folder.rbpa("mesh p.xy --alpha inf --segments rings.wkt --inside -o m.geojson").err ==
           "rbpa: 12 points, 10 triangles, 3 isolated, 8 edges on segments -> m.geojson\n");
     double area = 0;
@@ -86,36 +83,31 @@ TEST_SUITE("segments") {
   }
 
   TEST_CASE("lines that cross are refused with both places, or split, with the mean of both heights") {
-    const Folder folder;
-    folder.file("p.csv", "x,y,z\n0,0,0\n4,0,0\n4,4,0\n0,4,0\n");
-    folder.file("x.wkt", "MULTILINESTRING Z ((0 0 0, 4 4 8), (0 4 2, 4 0 2))\n");
-    const Outcome refused = folder.rbpa("mesh p.csv --alpha inf --segments x.wkt -o m.obj");
-    CHECK(refused.code == 3);
-    CHECK(
-        refused.err ==
-        "rbpa: x.wkt: segment 0 from (0, 0) to (4, 4) and segment 1 from (0, 4) to (4, 0): found a crossing, expected "
-        "segments that meet in points (--split-crossings splits them)\n");
+    const Folder folder({{"p.csv", "x,y,z\n0,0,0\n4,0,0\n4,4,0\n0,4,0\n"},
+                         {"x.wkt", "MULTILINESTRING Z ((0 0 0, 4 4 8), (0 4 2, 4 0 2))\n"}});
+    const Outcome refused = folder.rbpa("mesh p.csv --alpha inf --segments x.wkt -o m.obj", 3);
+    CHECK(refused.err ==
+          "rbpa: x.wkt: segment 0 from (0, 0) to (4, 4) and segment 1 from (0, 4) to (4, 0): found a crossing, "
+          "expected segments that meet in points (--split-crossings splits them)\n");
     CHECK(!folder.has("m.obj"));
     CHECK(folder.rbpa("mesh p.csv --alpha inf --segments x.wkt --split-crossings -o m.obj").err ==
           "rbpa: 9 points (4 duplicates), 4 triangles, 0 isolated, 4 edges on segments, 1 crossing split -> m.obj\n");
-    CHECK(folder.content("m.obj").find("v 2 2 3\n") != std::string::npos);
+    CHECK(contains(folder.content("m.obj"), "v 2 2 3\n"));
   }
 
   TEST_CASE("a vertex without a height is put on the triangles of the points") {
-    const Folder folder;
-    folder.file("p.csv", "x,y,z\n0,0,0\n4,0,4\n4,4,8\n0,4,4\n");
-    folder.file("flat.wkt", "LINESTRING (1 1, 3 2)\n");
+    const Folder folder({{"p.csv", "x,y,z\n0,0,0\n4,0,4\n4,4,8\n0,4,4\n"}, {"flat.wkt", "LINESTRING (1 1, 3 2)\n"}});
     folder.rbpa("mesh p.csv --alpha inf --segments flat.wkt -q -o m.obj");
-    CHECK(folder.content("m.obj").find("v 1 1 2\nv 3 2 5\n") != std::string::npos);
+    CHECK(contains(folder.content("m.obj"), "v 1 1 2\nv 3 2 5\n"));
     // Outside of the triangles: (9, 9) is nearest to the corner (4, 4), and (2, -3) to the side at y = 0.
     folder.file("far.wkt", "LINESTRING (9 9, 1 1, 2 -3)\n");
     const Outcome far = folder.rbpa("mesh p.csv --alpha inf --segments far.wkt -o m.obj");
     CHECK(far.err == "rbpa: 7 points, 7 triangles, 0 isolated, 3 edges on segments -> m.obj\n");
-    CHECK(folder.content("m.obj").find("v 9 9 8\nv 1 1 2\nv 2 -3 2\n") != std::string::npos);
+    CHECK(contains(folder.content("m.obj"), "v 9 9 8\nv 1 1 2\nv 2 -3 2\n"));
     // Heights near the greatest double, at a crossing.
     folder.file("huge.wkt", "MULTILINESTRING Z ((0 0 1e308, 4 4 1e308), (0 4 1e308, 4 0 1e308))\n");
     folder.rbpa("mesh p.csv --alpha inf --segments huge.wkt --split-crossings -q -o m.obj");
-    CHECK(folder.content("m.obj").find("v 2 2 1e+308\n") != std::string::npos);
+    CHECK(contains(folder.content("m.obj"), "v 2 2 1e+308\n"));
   }
 
   TEST_CASE("lines are shifted like the points, and have the system that --crs says") {
@@ -123,7 +115,7 @@ TEST_SUITE("segments") {
     folder.file("p.csv", "lon,lat\n179,0\n-179,0\n-179,2\n179,2\n");
     folder.file("l.geojson", R"({"type":"LineString","coordinates":[[179.5,0.5],[180,1],[-179.5,1.5]]})");
     folder.rbpa("mesh p.csv --shift-longitude --alpha inf --segments l.geojson -q -o m.obj");
-    CHECK(folder.content("m.obj").find("v 180.5 1.5 0\n") != std::string::npos);
+    CHECK(contains(folder.content("m.obj"), "v 180.5 1.5 0\n"));
     folder.file("q.wkt", "SRID=28992;MULTIPOINT (0 0, 4 0, 4 4, 0 4)\n");
     folder.file("k.geojson", R"({"type":"LineString","coordinates":[[1,1],[3,2]]})");
     CHECK(folder.rbpa("mesh q.wkt --alpha inf --segments k.geojson -o m.obj")
@@ -133,21 +125,18 @@ TEST_SUITE("segments") {
   }
 
   TEST_CASE("input indices count points that are left out before the vertices of lines") {
-    const Folder folder;
-    folder.file("p.csv", "x,y,class\n9,9,1\n0,0,2\n4,0,2\n4,4,2\n0,4,2\n");
-    folder.file("line.wkt", "LINESTRING (0 0, 4 4)\n");
+    const Folder folder(
+        {{"p.csv", "x,y,class\n9,9,1\n0,0,2\n4,0,2\n4,4,2\n0,4,2\n"}, {"line.wkt", "LINESTRING (0 0, 4 4)\n"}});
     folder.rbpa("mesh p.csv --where \"class == 2\" --alpha inf --segments line.wkt -q -o m.npy");
     const std::string array = folder.content("m.npy");
-    CHECK(array.find("'shape': (2, 3)") != std::string::npos);
+    CHECK(contains(array, "'shape': (2, 3)"));
     CHECK(folder.rbpa("mesh p.csv --alpha inf --segments line.wkt --stats s.json -q -o m.npy").code == 0);
     CHECK(Json::parse(folder.content("s.json"))["points"] == 7);
   }
 
   TEST_CASE("wrong calls are refused, and files without lines") {
-    const Folder folder;
-    folder.file("p.csv", roof);
-    folder.file("line.wkt", "LINESTRING Z (0 2 4, 8 2 4)\n");
-    folder.file("points.wkt", "MULTIPOINT (0 2, 8 2)\n");
+    const Folder folder(
+        {{"p.csv", roof}, {"line.wkt", "LINESTRING Z (0 2 4, 8 2 4)\n"}, {"points.wkt", "MULTIPOINT (0 2, 8 2)\n"}});
     const std::pair<const char*, const char*> calls[] = {
         {"mesh p.csv --alpha 3 --segments line.wkt -o m.obj", "--segments requires --alpha inf"},
         {"mesh p.csv --alpha inf --split-crossings -o m.obj", "--split-crossings requires --segments"},
@@ -170,11 +159,10 @@ TEST_SUITE("segments") {
       const Outcome outcome = folder.rbpa(each.first);
       INFO(each.first);
       CHECK(outcome.code == 2);
-      CHECK_MESSAGE(outcome.err.find(each.second) != std::string::npos, outcome.err);
+      CHECK_MESSAGE(contains(outcome.err, each.second), outcome.err);
     }
-    const Outcome none = folder.rbpa("mesh p.csv --alpha inf --segments points.wkt -o m.obj");
-    CHECK(none.code == 3);
-    CHECK(none.err == "rbpa: points.wkt: found no line, expected lines or polygons\n");
+    refuses(folder, "mesh p.csv --alpha inf --segments points.wkt -o m.obj", 3,
+            "points.wkt: found no line, expected lines or polygons");
     CHECK(folder.rbpa("mesh p.csv --alpha inf --segments missing.wkt -o m.obj").code == 3);
   }
 }

@@ -1,11 +1,9 @@
 // Text files with several elements a line: read word by word, or refused; rows of faces are never read as points.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "support/data_folder.h"
 #include "support/program.h"
@@ -43,24 +41,17 @@ std::string pcd(std::size_t a_line) {
 
 /// Returns the volume of the hull of the points.
 double volume_of_points(const Folder& folder, const std::string& name) {
-  const Outcome outcome = folder.rbpa("solid " + name + " --alpha inf -o o.npy --json -q");
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
-  return nlohmann::json::parse(outcome.out)["volume"];
+  return nlohmann::json::parse(folder.rbpa("solid " + name + " --alpha inf -o o.npy --json -q", 0).out)["volume"];
 }
 
 nlohmann::json mesh_report(const Folder& folder, const std::string& name) {
-  const Outcome outcome = folder.meshtopo(name + " --json");
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
-  return nlohmann::json::parse(outcome.out);
+  return nlohmann::json::parse(folder.meshtopo(name + " --json", 0).out);
 }
 
 std::string finding(const std::string& name) { return (rbpa_test::bundled_data() / "findings" / name).string(); }
 
 std::string refusal(const Folder& folder, const std::string& name) {
-  const Outcome points = folder.rbpa("solid " + name + " --alpha inf -o refused.npy -q");
-  CHECK(points.code == 3);
+  const Outcome points = folder.rbpa("solid " + name + " --alpha inf -o refused.npy -q", 3);
   CHECK_FALSE(folder.has("refused.npy"));
   return points.err;
 }
@@ -86,8 +77,7 @@ TEST_SUITE("several elements a line") {
           CHECK(report["volume"] == doctest::Approx(1.0 / 6).epsilon(1e-15));
         }
       }
-      const Folder folder;
-      folder.file("m.pcd", pcd(vertices));
+      const Folder folder("m.pcd", pcd(vertices));
       CHECK(volume_of_points(folder, "m.pcd") == doctest::Approx(1.0 / 6).epsilon(1e-15));
     }
   }
@@ -95,12 +85,11 @@ TEST_SUITE("several elements a line") {
   TEST_CASE("normals, lists and other properties are words of their own") {
     const Folder folder;
     folder.file("n.off", "NOFF\n4 4 6\n0 0 0 0 0 1  1 0 0 0 0 1\n0 1 0 0 0 1  0 0 1 0 0 1\n" + rows(faces, 2));
-    folder.file(
-        "l.ply",
-        "ply\nformat ascii 1.0\nelement vertex 4\nproperty list uchar int near\nproperty float x\nproperty float "
-        "y\nproperty float z\nproperty uchar tag\nelement face 4\nproperty list uchar int vertex_indices\nproperty "
-        "int group\nend_header\n0 0 0 0 9  2 5 5 1 0 0 9\n1 7 0 1 0 9  0 0 0 1 9\n"
-        "3 0 2 1 8 3 0 1 3 8\n3 0 3 2 8 3 1 2 3 8\n");
+    folder.file("l.ply",
+                "ply\nformat ascii 1.0\nelement vertex 4\nproperty list uchar int near\nproperty float x\nproperty "
+                "float y\nproperty float z\nproperty uchar tag\nelement face 4\nproperty list uchar int "
+                "vertex_indices\nproperty int group\nend_header\n0 0 0 0 9  2 5 5 1 0 0 9\n1 7 0 1 0 9  0 0 0 1 9\n"
+                "3 0 2 1 8 3 0 1 3 8\n3 0 3 2 8 3 1 2 3 8\n");
     for (const std::string name : {"n.off", "l.ply"}) {
       CAPTURE(name);
       CHECK(volume_of_points(folder, name) == doctest::Approx(1.0 / 6).epsilon(1e-15));
@@ -109,8 +98,7 @@ TEST_SUITE("several elements a line") {
   }
 
   TEST_CASE("words after an element on a line of its own are skipped, as colors are") {
-    const Folder folder;
-    folder.file(
+    const Folder folder(
         "c.off",
         "OFF\n4 4 6\n0 0 0 255 0 0\n1 0 0 255 0 0\n0 1 0\n0 0 1 7\n3 0 2 1 255 0 0\n3 0 1 3\n3 0 3 2\n3 1 2 3 9\n");
     CHECK(volume_of_points(folder, "c.off") == doctest::Approx(1.0 / 6).epsilon(1e-15));
@@ -127,12 +115,11 @@ TEST_SUITE("several elements a line") {
     folder.file("d.pcd", pcd(2) + "5 5\n");
     for (const std::string name : {"a.off", "b.off", "c.ply", "d.pcd"}) {
       CAPTURE(name);
-      CHECK(refusal(folder, name).find(name + ":") != std::string::npos);
+      CHECK(contains(refusal(folder, name), name + ":"));
     }
     CHECK(refusal(folder, "a.off") ==
           "rbpa: a.off:3: found '255 0 0' in a vertex line, and 4 lines after it, expected 7 lines after it, one for "
-          "each element in "
-          "the header, or in the line words of these elements only\n");
+          "each element in the header, or in the line words of these elements only\n");
     folder.file("v.obj", "v 0 0 0 v 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
     folder.file("w.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 f 3 2 1\n");
     folder.file("x.obj", "v 0 0 0 1 0 0 0 1 0 0 0 1\n");
@@ -171,9 +158,7 @@ TEST_SUITE("several elements a line") {
       std::memcpy(bytes, &x, sizeof x);
       binary.append(bytes, sizeof x);
     }
-    const Folder folder;
-    folder.file("a.pcd", head + "DATA ascii\n" + rows(words, 1));
-    folder.file("b.pcd", binary);
+    const Folder folder({{"a.pcd", head + "DATA ascii\n" + rows(words, 1)}, {"b.pcd", binary}});
     for (const std::string name : {"a.pcd", "b.pcd"}) CHECK(volume_of_points(folder, name) == doctest::Approx(1.0 / 6));
     std::string without = head + "DATA ascii\n" + rows(words, 1);
     without.replace(without.find("1 0 1 1"), 7, "1 1 1 0");
@@ -191,8 +176,7 @@ TEST_SUITE("several elements a line") {
       CHECK(mesh_report(folder, "m.off")["volume"] == doctest::Approx(1.0 / 6));
       CHECK(volume_of_points(folder, "m.off") == doctest::Approx(1.0 / 6));
     }
-    const Folder folder;
-    folder.file("m.off", "OFFx 4 6\n");
+    const Folder folder("m.off", "OFFx 4 6\n");
     CHECK(refusal(folder, "m.off") == "rbpa: m.off:1: found 'OFFx', expected OFF, COFF, NOFF or CNOFF\n");
   }
 }

@@ -34,30 +34,18 @@ std::string island() {
   return text;
 }
 
-void refuses(const Folder& folder, const std::string& arguments, const std::string& message) {
-  const auto before = folder.names().size();
-  const Outcome outcome = folder.rbpa(arguments);
-  CHECK(outcome.code == 2);
-  CHECK(outcome.err == "rbpa: " + message + "\n");
-  CHECK(outcome.out.empty());
-  CHECK(folder.names().size() == before);
-}
-
 }  // namespace
 
 TEST_SUITE("shape") {
   TEST_CASE("WKT is one multipolygon with closed rings and counter-clockwise shells") {
-    const Folder folder;
-    folder.file("p.xy", bow_tie);
-    const Outcome outcome = folder.rbpa("shape p.xy --alpha 1.25 -o - --output-format wkt -q");
-    CHECK(outcome.code == 0);
+    const Folder folder("p.xy", bow_tie);
+    const Outcome outcome = folder.rbpa("shape p.xy --alpha 1.25 -o - --output-format wkt -q", 0);
     CHECK(outcome.out == "MULTIPOLYGON (((-2 -1, 0 0, -2 1, -2 -1)), ((0 0, 2 -1, 2 1, 0 0)))\n");
     CHECK(outcome.err.empty());
   }
 
   TEST_CASE("GeoJSON has a feature for each polygon, with its area, perimeter and number of holes") {
-    const Folder folder;
-    folder.file("p.xy", bow_tie);
+    const Folder folder("p.xy", bow_tie);
     REQUIRE(folder.rbpa("shape p.xy --alpha 1.25 -o s.geojson -o s.json -q").code == 0);
     CHECK(folder.content("s.geojson") == folder.content("s.json"));
     const json all = json::parse(folder.content("s.geojson"));
@@ -72,8 +60,7 @@ TEST_SUITE("shape") {
   }
 
   TEST_CASE("holes run clockwise, and follow their shell") {
-    const Folder folder;
-    folder.file("p.xy", island());
+    const Folder folder("p.xy", island());
     REQUIRE(folder.rbpa("shape p.xy --alpha 1 -o s.json -q").code == 0);
     const json features = json::parse(folder.content("s.json"))["features"];
     REQUIRE(features.size() == 2);
@@ -94,11 +81,9 @@ TEST_SUITE("shape") {
   }
 
   TEST_CASE("filters fill holes with the islands in them, and drop parts") {
-    const Folder folder;
-    folder.file("p.xy", island());
+    const Folder folder("p.xy", island());
     const auto areas = [&](const std::string& filter) {
-      const Outcome outcome = folder.rbpa("shape p.xy --alpha 1 -o - --output-format json -q " + filter);
-      CHECK(outcome.code == 0);
+      const Outcome outcome = folder.rbpa("shape p.xy --alpha 1 -o - --output-format json -q " + filter, 0);
       std::vector<double> result;
       const json all = json::parse(outcome.out);
       for (const json& feature : all["features"]) result.push_back(feature["properties"]["area"]);
@@ -132,35 +117,31 @@ TEST_SUITE("shape") {
   }
 
   TEST_CASE("pictures show the solid and its boundary, without inner edges") {
-    const Folder folder;
-    folder.file("p.xy", island());
+    const Folder folder("p.xy", island());
     REQUIRE(folder.rbpa("shape p.xy --alpha 1 -o s.svg -o s.png --width 200 -q").code == 0);
     REQUIRE(folder.rbpa("mesh p.xy --alpha 1 -o m.svg --width 200 -q").code == 0);
     const std::string svg = folder.content("s.svg");
-    CHECK(svg.find("width=\"200\"") != std::string::npos);
-    CHECK(svg.find("id=\"solid\"") != std::string::npos);
+    CHECK(contains(svg, "width=\"200\""));
+    CHECK(contains(svg, "id=\"solid\""));
     CHECK(svg.size() < folder.content("m.svg").size());
     CHECK(folder.content("s.png").substr(1, 3) == "PNG");
   }
 
   TEST_CASE("the order of the points changes no bytes") {
-    const Folder folder;
-    folder.file("p.xy", "0 0\n4 0\n4 4\n0 4\n9 9\n9 8\n8 8\n");
-    folder.file("q.xy", "8 8\n4 4\n9 8\n0 4\n9 9\n4 0\n0 0\n");
+    const Folder folder(
+        {{"p.xy", "0 0\n4 0\n4 4\n0 4\n9 9\n9 8\n8 8\n"}, {"q.xy", "8 8\n4 4\n9 8\n0 4\n9 9\n4 0\n0 0\n"}});
     for (const char* name : {"p", "q"})
-      REQUIRE(folder.rbpa("shape " + std::string(name) + ".xy --alpha 3 -q -o " + name + ".json -o " + name + ".wkt")
-                  .code == 0);
+      folder.rbpa("shape " + std::string(name) + ".xy --alpha 3 -q -o " + name + ".json -o " + name + ".wkt", 0);
     CHECK(folder.content("p.json") == folder.content("q.json"));
     CHECK(folder.content("p.wkt") == folder.content("q.wkt"));
   }
 
   TEST_CASE("coordinates are those of the input, to the last bit; areas beyond double are null") {
-    const Folder folder;
-    folder.file("p.xy", "0.1 1e-310\n1e300 -1e300\n-0.30000000000000004 1.7976931348623157e308\n");
+    const Folder folder("p.xy", "0.1 1e-310\n1e300 -1e300\n-0.30000000000000004 1.7976931348623157e308\n");
     REQUIRE(folder.rbpa("shape p.xy --alpha inf -o s.wkt -o s.json -q").code == 0);
     const std::string wkt = folder.content("s.wkt");
     for (const char* number : {"0.1 1e-310", "1e+300 -1e+300", "-0.30000000000000004 1.7976931348623157e+308"})
-      CHECK(wkt.find(number) != std::string::npos);
+      CHECK(contains(wkt, number));
     CHECK(json::parse(folder.content("s.json"))["features"][0]["properties"]["area"].is_null());
   }
 
@@ -169,8 +150,7 @@ TEST_SUITE("shape") {
     const auto is_empty_because = [&](const std::string& points, const std::string& options,
                                       const std::string& reason) {
       folder.file("p.xy", points);
-      const Outcome outcome = folder.rbpa("shape p.xy -o s.wkt -o s.json -o s.svg -o s.png -q " + options);
-      CHECK(outcome.code == 0);
+      const Outcome outcome = folder.rbpa("shape p.xy -o s.wkt -o s.json -o s.svg -o s.png -q " + options, 0);
       CHECK(outcome.err == "rbpa: the shape is empty: " + reason + "\n");
       CHECK(folder.content("s.wkt") == "MULTIPOLYGON EMPTY\n");
       CHECK(json::parse(folder.content("s.json")) == json::parse(R"({"type": "FeatureCollection", "features": []})"));
@@ -184,39 +164,35 @@ TEST_SUITE("shape") {
   }
 
   TEST_CASE("wrong usage is refused with option, value and what is expected, without a file") {
-    const Folder folder;
-    folder.file("p.xy", corner);
-    refuses(folder, "shape p.xy --alpha 0 -o s.wkt",
+    const Folder folder("p.xy", corner);
+    refuses(folder, "shape p.xy --alpha 0 -o s.wkt", 2,
             "--alpha: found '0', expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K");
-    refuses(folder, "shape p.xy --alpha 1 -o s.wkt --min-hole-area=-1",
+    refuses(folder, "shape p.xy --alpha 1 -o s.wkt --min-hole-area=-1", 2,
             "--min-hole-area: found '-1', expected an area: a number >= 0, or inf");
-    refuses(folder, "shape p.xy --alpha 1 -o s.wkt --min-part-area nan",
+    refuses(folder, "shape p.xy --alpha 1 -o s.wkt --min-part-area nan", 2,
             "--min-part-area: found 'nan', expected an area: a number >= 0, or inf");
-    refuses(folder, "shape p.xy --alpha 1 -o s.off",
+    refuses(folder, "shape p.xy --alpha 1 -o s.off", 2,
             "s.off: found the ending 'off', expected one of geojson, json, wkt, ewkt, csv, svg, png" + gdal_endings() +
                 ", or --output-format");
-    refuses(folder, "shape p.xy --alpha 1 -o s --output-format ply",
+    refuses(folder, "shape p.xy --alpha 1 -o s --output-format ply", 2,
             "--output-format: found 'ply', expected one of geojson, json, wkt, ewkt, csv, svg, png" + gdal_endings());
-    refuses(folder, "shape p.xy --alpha 1 -o -",
+    refuses(folder, "shape p.xy --alpha 1 -o -", 2,
             "-o - requires --output-format: one of geojson, json, wkt, ewkt, csv, svg, png" + gdal_endings());
-    refuses(folder, "shape p.xy --alpha 1", "-o: found no OUT, expected at least one (or --stats FILE)");
-    refuses(folder, "shape p.xy --alpha 1 -o s.png --width 1",
+    refuses(folder, "shape p.xy --alpha 1", 2, "-o: found no OUT, expected at least one (or --stats FILE)");
+    refuses(folder, "shape p.xy --alpha 1 -o s.png --width 1", 2,
             "--width: found '1', expected a whole number of pixels from 64 to 8192");
     CHECK(folder.rbpa("shape p.xy -o s.wkt").code == 2);
   }
 
   TEST_CASE("bad input leaves no file") {
-    const Folder folder;
-    folder.file("p.xy", "0 0\n1 x\n");
-    const Outcome outcome = folder.rbpa("shape p.xy --alpha 1 -o s.wkt --stats s.json");
-    CHECK(outcome.code == 3);
-    CHECK(outcome.err == "rbpa: p.xy:2: found 'x', expected a number" + skipping_hint + "\n");
+    const Folder folder("p.xy", "0 0\n1 x\n");
+    refuses(folder, "shape p.xy --alpha 1 -o s.wkt --stats s.json", 3,
+            "p.xy:2: found 'x', expected a number" + skipping_hint);
     CHECK(folder.names().size() == 1);
   }
 
   TEST_CASE("a summary is printed on standard error unless quiet") {
-    const Folder folder;
-    folder.file("p.xy", bow_tie);
+    const Folder folder("p.xy", bow_tie);
     CHECK(folder.rbpa("shape p.xy --alpha 1.25 -o s.wkt").err ==
           "rbpa: 6 points, 2 polygons with 0 holes, area 4 -> s.wkt\n");
   }

@@ -34,8 +34,7 @@ const std::string to_degrees =
 
 TEST_SUITE("shape files") {
   TEST_CASE("GeoJSON numbers the polygons and counts their points") {
-    const Folder folder;
-    folder.file("p.xy", squares);
+    const Folder folder("p.xy", squares);
     REQUIRE(folder.rbpa("shape p.xy --alpha 1 -o s.geojson --isolated i.geojson --crs OGC:CRS84 -q").code == 0);
     CHECK(folder.content("s.geojson") ==
           "{\"type\":\"FeatureCollection\",\"features\":[\n"
@@ -53,8 +52,7 @@ TEST_SUITE("shape files") {
   }
 
   TEST_CASE("CSV has every point with its polygon, and isolated points have their index") {
-    const Folder folder;
-    folder.file("p.xy", squares);
+    const Folder folder("p.xy", squares);
     REQUIRE(folder.rbpa("shape p.xy --alpha 1 -o s.csv --isolated i.csv -q").code == 0);
     CHECK(folder.content("s.csv") ==
           "x,y,polygon\n0,0,1\n1,0,1\n1,1,1\n0,1,1\n3,3,\n10,0,2\n11,0,2\n11,1,2\n10,1,2\n11,1,2\n90,90,\n");
@@ -107,8 +105,7 @@ TEST_SUITE("shape files") {
   }
 
   TEST_CASE("a coordinate system is carried from file to file; another than WGS 84 is warned of once") {
-    const Folder folder;
-    folder.file("p.wkt", "SRID=28992;MULTIPOINT (0 0, 1 0, 1 1, 0 1)");
+    const Folder folder("p.wkt", "SRID=28992;MULTIPOINT (0 0, 1 0, 1 1, 0 1)");
     const Outcome first = folder.rbpa("shape p.wkt --alpha 1 -o a.geojson -o b.geojson --isolated i.geojson");
     CHECK(first.err == "rbpa: a.geojson: written in EPSG:28992" + to_degrees +
                            "rbpa: 4 points, 1 polygon with 0 holes, area 1 -> a.geojson, b.geojson\n");
@@ -117,7 +114,7 @@ TEST_SUITE("shape files") {
         "28992\"}},";
     for (const std::string name : {"a.geojson", "b.geojson", "i.geojson"})
       CHECK(folder.content(name).starts_with(member));
-    CHECK(folder.rbpa("info a.geojson --vertices").out.find("crs         EPSG:28992\n") != std::string::npos);
+    CHECK(contains(folder.rbpa("info a.geojson --vertices").out, "crs         EPSG:28992\n"));
     const Outcome again = folder.rbpa("shape a.geojson --vertices --alpha 1 -o - --output-format json -q");
     CHECK(again.out == folder.content("a.geojson"));
     CHECK(again.err == "rbpa: standard output: written in EPSG:28992" + to_degrees);  // in spite of -q
@@ -126,18 +123,17 @@ TEST_SUITE("shape files") {
     CHECK(folder.rbpa("shape p.wkt --crs EPSG:4258 --alpha 1 -o a.geojson -q").err ==
           "rbpa: a.geojson: written in EPSG:4258" + to_degrees);
     CHECK(folder.rbpa("shape p.wkt --crs EPSG:4326 --alpha 1 -o a.geojson -q").err.empty());
-    CHECK(folder.content("a.geojson").find("crs") == std::string::npos);
+    CHECK(!contains(folder.content("a.geojson"), "crs"));
   }
 
   TEST_CASE("EWKT contains the system, and requires a known one") {
-    const Folder folder;
-    folder.file("p.xy", "0 0\n1 0\n1 1\n0 1\n9 9\n");
+    const Folder folder("p.xy", "0 0\n1 0\n1 1\n0 1\n9 9\n");
     REQUIRE(folder.rbpa("shape p.xy --crs EPSG:28992 --alpha 1 -o s.ewkt -o s.wkt --isolated i.ewkt -q").code == 0);
     CHECK(folder.content("s.wkt").starts_with("MULTIPOLYGON (((0 0"));
     CHECK(folder.content("s.ewkt") == "SRID=28992;" + folder.content("s.wkt"));
     CHECK(folder.content("i.ewkt") == "SRID=28992;MULTIPOINT ((9 9))\n");
     // The file is read again with its system, which is carried on.
-    CHECK(folder.rbpa("info s.ewkt --vertices").out.find("crs         EPSG:28992\n") != std::string::npos);
+    CHECK(contains(folder.rbpa("info s.ewkt --vertices").out, "crs         EPSG:28992\n"));
     CHECK(folder.rbpa("shape s.ewkt --vertices --alpha 1 -o - --output-format ewkt -q").out ==
           folder.content("s.ewkt"));
     CHECK(
@@ -146,8 +142,7 @@ TEST_SUITE("shape files") {
           "SRID=4258;MULTIPOLYGON EMPTY\n");
     const std::string expected =
         ", expected one with an EPSG code, which EWKT contains (--crs EPSG:28992, or the ending wkt)\n";
-    const Outcome unknown = folder.rbpa("shape p.xy --alpha 1 -o n.ewkt -o n.wkt -q");
-    CHECK(unknown.code == 2);
+    const Outcome unknown = folder.rbpa("shape p.xy --alpha 1 -o n.ewkt -o n.wkt -q", 2);
     CHECK(unknown.err == "rbpa: n.ewkt: found points in an unknown coordinate system" + expected);
     CHECK(!folder.has("n.wkt"));
     CHECK(folder.rbpa("shape p.xy --crs ESRI:102100 --alpha 1 --isolated n.ewkt -o n.wkt -q").err ==
@@ -171,14 +166,13 @@ TEST_SUITE("shape files") {
                 "{\"type\":\"MultiPoint\",\"coordinates\":[[155000,463000],[155001,463000],[155000,463001]]}");
     const Outcome metres = folder.rbpa("shape p.geojson --alpha inf -o s.geojson");
     CHECK(metres.err ==
-          "rbpa: p.geojson: expected longitudes and latitudes, found numbers up to 155001 and 463001: are "
-          "they degrees?\nrbpa: s.geojson: coordinates go up to 155001 and 463001" +
+          "rbpa: p.geojson: expected longitudes and latitudes, found numbers up to 155001 and 463001: are they "
+          "degrees?\nrbpa: s.geojson: coordinates go up to 155001 and 463001" +
               but + "rbpa: 3 points, 1 polygon with 0 holes, area 0.5 -> s.geojson\n");
   }
 
   TEST_CASE("--isolated accepts known endings, and a file of its own") {
-    const Folder folder;
-    folder.file("p.xy", squares);
+    const Folder folder("p.xy", squares);
     CHECK(folder.rbpa("shape p.xy --alpha 1 --isolated i.svg").err ==
           "rbpa: --isolated: found the ending 'svg', expected one of geojson, json, wkt, ewkt, csv" +
               std::string(rbpa::app::has_gdal() ? ", gpkg, fgb" : "") + "\n");

@@ -35,48 +35,37 @@ json properties(const std::string& geojson) {
   return found;
 }
 
-void refuses(const Folder& folder, const std::string& arguments, const std::string& message, int code) {
-  const Outcome outcome = folder.rbpa("shape " + arguments);
-  CHECK(outcome.code == code);
-  CHECK(outcome.err == "rbpa: " + message + "\n");
-}
-
 }  // namespace
 
 TEST_SUITE("shape groups") {
   TEST_CASE("GeoJSON has a feature for each group, and CSV a line; a group without a polygon has the reason") {
-    const Folder folder;
-    folder.file("p.csv", fixes);
-    const Outcome outcome = folder.rbpa("shape p.csv --group-by animal --alpha auto -o s.geojson -o s.csv -o s.svg");
-    CHECK(outcome.code == 0);
+    const Folder folder("p.csv", fixes);
+    const Outcome outcome = folder.rbpa("shape p.csv --group-by animal --alpha auto -o s.geojson -o s.csv -o s.svg", 0);
     CHECK(outcome.err ==
           "rbpa: p.csv: 1 point without a group\n"
           "rbpa: p.csv: 1 group without a polygon: 'bear', fewer than three distinct points (1)\n"
           "rbpa: 8 points, 3 groups, 2 polygons, area 1.5 -> s.geojson, s.csv, s.svg\n");
-    CHECK(
-        folder.content("s.geojson") ==
-        "{\"type\":\"FeatureCollection\",\"features\":[\n"
-        "{\"type\":\"Feature\",\"properties\":{\"group\":\"bear\",\"points\":1,\"alpha\":null,\"area\":0,\"perimeter\":"
-        "0,"
-        "\"polygons\":0,\"problem\":\"fewer than three distinct points (1)\"},"
-        "\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[]}},\n"
-        "{\"type\":\"Feature\",\"properties\":{\"group\":\"lynx\",\"points\":3,\"alpha\":1.118033988749895,\"area\":1,"
-        "\"perimeter\":5.23606797749979,\"polygons\":1},"
-        "\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[[[[5,5],[6,5],[5,7],[5,5]]]]}},\n"
-        "{\"type\":\"Feature\",\"properties\":{\"group\":\"wolf, grey\",\"points\":3,\"alpha\":0.7071067811865476,"
-        "\"area\":0.5,\"perimeter\":3.414213562373095,\"polygons\":1},"
-        "\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[[[[0,0],[1,0],[0,1],[0,0]]]]}}\n]}\n");
+    CHECK(folder.content("s.geojson") ==
+          "{\"type\":\"FeatureCollection\",\"features\":[\n"
+          "{\"type\":\"Feature\",\"properties\":{\"group\":\"bear\",\"points\":1,\"alpha\":null,\"area\":0,"
+          "\"perimeter\":0,\"polygons\":0,\"problem\":\"fewer than three distinct points "
+          "(1)\"},\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[]}},\n"
+          "{\"type\":\"Feature\",\"properties\":{\"group\":\"lynx\",\"points\":3,\"alpha\":1.118033988749895,\"area\":"
+          "1,\"perimeter\":5.23606797749979,\"polygons\":1},\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[[["
+          "[5,5],[6,5],[5,7],[5,5]]]]}},\n"
+          "{\"type\":\"Feature\",\"properties\":{\"group\":\"wolf, "
+          "grey\",\"points\":3,\"alpha\":0.7071067811865476,\"area\":0.5,\"perimeter\":3.414213562373095,\"polygons\":"
+          "1},\"geometry\":{\"type\":\"MultiPolygon\",\"coordinates\":[[[[0,0],[1,0],[0,1],[0,0]]]]}}\n]}\n");
     CHECK(folder.content("s.csv") ==
           "group,points,alpha,area,perimeter,polygons,problem,geometry\n"
           "bear,1,,0,0,0,\"fewer than three distinct points (1)\",MULTIPOLYGON EMPTY\n"
           "lynx,3,1.118033988749895,1,5.23606797749979,1,,\"MULTIPOLYGON (((5 5, 6 5, 5 7, 5 5)))\"\n"
           "\"wolf, grey\",3,0.7071067811865476,0.5,3.414213562373095,1,,\"MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)))\"\n");
-    CHECK(folder.content("s.svg").find("<svg") != std::string::npos);
+    CHECK(contains(folder.content("s.svg"), "<svg"));
   }
 
   TEST_CASE("groups of numbers are in numerical order, also with a condition on the same column") {
-    const Folder folder;
-    folder.file("p.csv", fixes);
+    const Folder folder("p.csv", fixes);
     REQUIRE(folder.rbpa("shape p.csv --group-by id --alpha inf -o s.geojson -q").code == 0);
     json found = properties(folder.content("s.geojson"));
     REQUIRE(found.size() == 3);
@@ -129,48 +118,44 @@ TEST_SUITE("shape groups") {
   }
 
   TEST_CASE("fields of other formats are numbers") {
-    const Folder folder;
-    folder.file("p.ply",
-                "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
-                "property float class\nend_header\n0 0 0 2.5\n1 0 0 2.5\n0 1 0 2.5\n7 7 0 -1\n8 7 0 -1\n7 8 0 -1\n");
+    const Folder folder(
+        "p.ply",
+        "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+        "property float class\nend_header\n0 0 0 2.5\n1 0 0 2.5\n0 1 0 2.5\n7 7 0 -1\n8 7 0 -1\n7 8 0 -1\n");
     REQUIRE(folder.rbpa("shape p.ply --group-by class --alpha 1 -o s.geojson -q").code == 0);
     const json found = properties(folder.content("s.geojson"));
     REQUIRE(found.size() == 2);
     CHECK(found[0]["group"] == -1);
     CHECK(found[1]["group"] == 2.5);
     CHECK(found[1]["area"] == 0.5);
-    refuses(folder, "p.ply --group-by kind --alpha 1 -o s.geojson",
-            "p.ply: found no field 'kind' of numbers, expected one, as --group-by requires", 3);
+    refuses(folder, "shape p.ply --group-by kind --alpha 1 -o s.geojson", 3,
+            "p.ply: found no field 'kind' of numbers, expected one, as --group-by requires");
   }
 
   TEST_CASE("formats that cannot be grouped are refused before anything is written") {
-    const Folder folder;
-    folder.file("p.csv", fixes);
-    folder.file("p.xy", "0 0\n1 0\n0 1\n");
-    refuses(folder, "p.csv --group-by herd --alpha 1 -o s.csv",
-            "p.csv:1: found 'x,y,animal,id', expected a header with a column 'herd'", 3);
-    refuses(folder, "p.xy --group-by a --alpha 1 -o s.csv",
-            "p.xy: found no header line, expected one with the names that --group-by requires", 3);
-    refuses(folder, "p.csv --group-by animal --alpha 1 -o s.wkt",
+    const Folder folder({{"p.csv", fixes}, {"p.xy", "0 0\n1 0\n0 1\n"}});
+    refuses(folder, "shape p.csv --group-by herd --alpha 1 -o s.csv", 3,
+            "p.csv:1: found 'x,y,animal,id', expected a header with a column 'herd'");
+    refuses(folder, "shape p.xy --group-by a --alpha 1 -o s.csv", 3,
+            "p.xy: found no header line, expected one with the names that --group-by requires");
+    refuses(folder, "shape p.csv --group-by animal --alpha 1 -o s.wkt", 2,
             "--group-by: found s.wkt, whose format has no groups, expected one of geojson, json, csv, svg, png" +
-                gdal_endings(),
-            2);
-    refuses(folder, "p.csv --group-by animal --alpha 1 -o s.csv --isolated i.csv",
-            "--isolated cannot be combined with --group-by or --group-by-file", 2);
-    refuses(folder, "p.npy --group-by animal --alpha 1 -o s.csv",
-            "--group-by: found a format without fields, expected " + rbpa::app::with_fields(rbpa::app::Use::points), 2);
+                gdal_endings());
+    refuses(folder, "shape p.csv --group-by animal --alpha 1 -o s.csv --isolated i.csv", 2,
+            "--isolated cannot be combined with --group-by or --group-by-file");
+    refuses(folder, "shape p.npy --group-by animal --alpha 1 -o s.csv", 2,
+            "--group-by: found a format without fields, expected " + rbpa::app::with_fields(rbpa::app::Use::points));
     CHECK(folder.names() == std::vector<std::string>{"p.csv", "p.xy"});
   }
 
   TEST_CASE("a table without points has no groups, and texts of any bytes are names") {
-    const Folder folder;
-    folder.file("p.csv", "# x,y,g\n");
+    const Folder folder("p.csv", "# x,y,g\n");
     CHECK(folder.rbpa("shape p.csv --group-by g --alpha 1 -o s.csv -q").code == 0);
     CHECK(folder.content("s.csv") == "group,points,alpha,area,perimeter,polygons,problem,geometry\n");
     folder.file("l.csv", "x,y,g\n0,0,K\xf6ln\n1,0,K\xf6ln\n0,1,K\xf6ln\n3,3,\"a \"\"b\"\"\"\n");
     REQUIRE(folder.rbpa("shape l.csv --group-by g --alpha 1 -o s.geojson -o s.csv -q").code == 0);
     CHECK(properties(folder.content("s.geojson"))[0]["group"] == "K\xef\xbf\xbdln");
-    CHECK(folder.content("s.csv").find("\nK\xf6ln,3,1,") != std::string::npos);
+    CHECK(contains(folder.content("s.csv"), "\nK\xf6ln,3,1,"));
   }
 
   TEST_CASE(
@@ -189,9 +174,7 @@ TEST_SUITE("shape groups") {
                                  feature(R"({"k":true})", "[[9,8]]") +
                                  ",{\"type\":\"Feature\",\"geometry\":{\"type\":\"Point\",\"coordinates\":[7,7]},"
                                  "\"properties\":{\"k\":5}}]}");
-    const Outcome outcome = folder.rbpa("shape p.geojson --group-by k --alpha inf -o s.geojson");
-    CHECK(outcome.code == 0);
-    CHECK(outcome.err.find("3 points without a group") != std::string::npos);
+    says(folder, "shape p.geojson --group-by k --alpha inf -o s.geojson", 0, "3 points without a group");
     const json found = properties(folder.content("s.geojson"));
     REQUIRE(found.size() == 3);
     CHECK(found[0]["group"] == "5");  // there are texts: no number
@@ -213,13 +196,13 @@ TEST_SUITE("shape groups") {
                                  "," + feature(R"({"k":9})", "[[1,1]]") + "]}");
     REQUIRE(folder.rbpa("shape n.geojson --group-by k --alpha 1 -o n.out.geojson -q").code == 0);
     CHECK(properties(folder.content("n.out.geojson"))[0]["group"] == 9);
-    refuses(folder, "n.geojson --group-by kind --alpha 1 -o s.csv",
-            "n.geojson: found no Feature with a property 'kind', expected at least one, as --group-by requires", 3);
-    CHECK(folder.rbpa("shape n.geojson --group-by k --where \"k > 9\" --alpha 1 -o s.csv")
-              .err.find("selects 1 of 2 features") != std::string::npos);
+    refuses(folder, "shape n.geojson --group-by kind --alpha 1 -o s.csv", 3,
+            "n.geojson: found no Feature with a property 'kind', expected at least one, as --group-by requires");
+    CHECK(contains(folder.rbpa("shape n.geojson --group-by k --where \"k > 9\" --alpha 1 -o s.csv").err,
+                   "selects 1 of 2 features"));
     folder.file("l.geojson", feature(R"({"k":[1]})", "[[0,0]]"));
-    refuses(folder, "l.geojson --group-by k --alpha 1 -o s.csv",
-            "l.geojson:1: found a list as property 'k', expected a text or a number, as --group-by requires", 3);
+    refuses(folder, "shape l.geojson --group-by k --alpha 1 -o s.csv", 3,
+            "l.geojson:1: found a list as property 'k', expected a text or a number, as --group-by requires");
   }
 
   TEST_CASE("names are numbers only if JSON reads each of them as itself") {
@@ -243,37 +226,31 @@ TEST_SUITE("shape groups") {
   }
 
   TEST_CASE("each of several files is a group, or has points of the groups of a column") {
-    const Folder folder;
-    folder.file("b.csv", "x,y,animal\n0,0,ox\n1,0,ox\n");
-    folder.file("a.csv", "x,y,animal\n0,1,ox\n5,5,elk\n6,5,elk\n5,6,elk\n");
-    folder.file("empty.csv", "# x,y,animal\n");
+    const Folder folder({{"b.csv", "x,y,animal\n0,0,ox\n1,0,ox\n"},
+                         {"a.csv", "x,y,animal\n0,1,ox\n5,5,elk\n6,5,elk\n5,6,elk\n"},
+                         {"empty.csv", "# x,y,animal\n"}});
     Outcome outcome = folder.rbpa("shape b.csv a.csv empty.csv --group-by-file --alpha inf -o s.csv");
     CHECK(outcome.err ==
           "rbpa: 3 files: 2 groups without a polygon: the first is 'b.csv', fewer than three distinct points (2)\n"
           "rbpa: 6 points, 3 groups, 1 polygon, area 5 -> s.csv\n");
-    CHECK(folder.content("s.csv").find("\nempty.csv,0,inf,0,0,0,\"no points\",MULTIPOLYGON EMPTY\n") !=
-          std::string::npos);
+    CHECK(contains(folder.content("s.csv"), "\nempty.csv,0,inf,0,0,0,\"no points\",MULTIPOLYGON EMPTY\n"));
     REQUIRE(folder.rbpa("shape b.csv a.csv --group-by animal --alpha inf -o g.csv -q").code == 0);
     CHECK(folder.content("g.csv") ==
           "group,points,alpha,area,perimeter,polygons,problem,geometry\n"
           "elk,3,inf,0.5,3.414213562373095,1,,\"MULTIPOLYGON (((5 5, 6 5, 5 6, 5 5)))\"\n"
           "ox,3,inf,0.5,3.414213562373095,1,,\"MULTIPOLYGON (((0 0, 1 0, 0 1, 0 0)))\"\n");
-    refuses(
-        folder, "b.csv a.csv --alpha 1 -o s.csv",
-        "POINTS: found 2 files, the last 'a.csv', expected one, or --group-by-file (each is a group), or --group-by "
-        "COLUMN (-o OUT names a file to write; a list such as X,Y has no blanks)",
-        2);
-    refuses(folder, "b.csv a.csv --group-by-file --group-by animal --alpha 1 -o s.csv",
-            "--group-by-file cannot be combined with --group-by", 2);
-    refuses(folder, "b.csv a.csv --group-by-file --alpha 1 -o a.csv",
-            "a.csv: found the file of points, expected another file to write to", 2);
+    refuses(folder, "shape b.csv a.csv --alpha 1 -o s.csv", 2,
+            "POINTS: found 2 files, the last 'a.csv', expected one, or --group-by-file (each is a group), or "
+            "--group-by COLUMN (-o OUT names a file to write; a list such as X,Y has no blanks)");
+    refuses(folder, "shape b.csv a.csv --group-by-file --group-by animal --alpha 1 -o s.csv", 2,
+            "--group-by-file cannot be combined with --group-by");
+    refuses(folder, "shape b.csv a.csv --group-by-file --alpha 1 -o a.csv", 2,
+            "a.csv: found the file of points, expected another file to write to");
     folder.file("c.geojson", "{\"type\":\"Point\",\"coordinates\":[1,1]}");
-    outcome = folder.rbpa("shape a.csv c.geojson --group-by-file --alpha 1 -o s.csv -q");
-    CHECK(outcome.code == 3);
+    outcome = folder.rbpa("shape a.csv c.geojson --group-by-file --alpha 1 -o s.csv -q", 3);
     CHECK(outcome.err ==
           "rbpa: c.geojson: found points in EPSG:4326, which GeoJSON without a crs member means, expected no system, "
-          "as in "
-          "a.csv (--crs EPSG:4326 applies to all)\n");
+          "as in a.csv (--crs EPSG:4326 applies to all)\n");
   }
 
   TEST_CASE("groups by several columns are those by one column of all values, in the order of the columns") {
@@ -290,11 +267,8 @@ TEST_SUITE("shape groups") {
     }
     folder.file("p.csv", points);
     const auto made = [&](const std::string& by) {
-      const Outcome outcome =
-          folder.rbpa("shape p.csv --group-by '" + by + "' --alpha auto -o - --output-format geojson");
-      CAPTURE(outcome.err);
-      CHECK(outcome.code == 0);
-      return json::parse(outcome.out)["features"];
+      return json::parse(folder.rbpa("shape p.csv --group-by '" + by + "' --alpha auto -o - --output-format geojson", 0)
+                             .out)["features"];
     };
     const json by_one = made("both"), by_two = made("kind,\"age, years\""), exchanged = made("\"age, years\",kind");
     REQUIRE(by_two.size() == 36);
@@ -346,26 +320,26 @@ TEST_SUITE("shape groups") {
     folder.file("p.csv", "x,y,points,b\n0,0,1,2\n0,1,1,2\n1,0,1,2\n");
     REQUIRE(folder.rbpa("shape p.csv --group-by points,b --alpha 1 -o s.geojson -q").code == 0);
     CHECK(properties(folder.content("s.geojson"))[0]["points_2"] == 1);
-    refuses(folder, "p.csv --group-by b,points,b --alpha 1 -o s.csv", "--group-by: found 'b' twice, expected once", 2);
-    refuses(folder, "p.csv --group-by b,,points --alpha 1 -o s.csv",
+    refuses(folder, "shape p.csv --group-by b,points,b --alpha 1 -o s.csv", 2,
+            "--group-by: found 'b' twice, expected once");
+    refuses(folder, "shape p.csv --group-by b,,points --alpha 1 -o s.csv", 2,
             "--group-by: found '', expected the name of a column (in double quotes unless it is a word other than and, "
-            "or, not, in)",
-            2);
+            "or, not, in)");
     // Quotes are as in CSV.
     folder.file("q.csv", "x,y,\"a,\"\"b\"\"\",c\n0,0,1,2\n0,1,1,2\n1,0,1,2\n");
     REQUIRE(folder.rbpa("shape q.csv --group-by '\"a,\"\"b\"\"\",c' --alpha 1 -o s.geojson -q").code == 0);
     CHECK(properties(folder.content("s.geojson"))[0]["a,\"b\""] == 1);
     for (const std::string list : {"\"a,c", "\"a\"b,c", "a\"b,c\"", "\"a\"b\",c", "\"\",c"})
       CHECK(folder.rbpa("shape q.csv --group-by '" + list + "' --alpha 1 -o s.csv").code == 2);
-    refuses(folder, "p.csv --group-by b,c --alpha 1 -o s.csv",
-            "p.csv:1: found 'x,y,points,b', expected a header with a column 'c'", 3);
+    refuses(folder, "shape p.csv --group-by b,c --alpha 1 -o s.csv", 3,
+            "p.csv:1: found 'x,y,points,b', expected a header with a column 'c'");
   }
 
   TEST_CASE("a column of radii gives one for each group, or a problem of the group; --stats counts groups") {
-    const Folder folder;
-    folder.file("p.csv",
-                "x,y,g,r\n0,0,a,1\n1,0,a,1.0\n0,1,a,1\n5,5,b,1\n6,5,b,2\n5,6,b,1\n0,0,c,0.5\n1,0,c,.5\n0,1,c,0.5\n"
-                "0,0,d,\n1,0,d,\n0,0,e,inf\n1,0,e,inf\n0,9,e,inf\n0,0,f,-1\n,,,\n");
+    const Folder folder(
+        "p.csv",
+        "x,y,g,r\n0,0,a,1\n1,0,a,1.0\n0,1,a,1\n5,5,b,1\n6,5,b,2\n5,6,b,1\n0,0,c,0.5\n1,0,c,.5\n0,1,c,0.5\n"
+        "0,0,d,\n1,0,d,\n0,0,e,inf\n1,0,e,inf\n0,9,e,inf\n0,0,f,-1\n,,,\n");
     REQUIRE(folder.rbpa("shape p.csv --skip-invalid --group-by g --alpha column:r -o s.csv --stats t.json -q").code ==
             0);
     CHECK(folder.content("s.csv") ==
@@ -387,21 +361,18 @@ TEST_SUITE("shape groups") {
     CHECK(stats["alpha_rule"] == "column:r");
     CHECK(stats["seconds"]["build"] > 0);
     const std::string rules = "a radius (a number > 0, or inf), auto, min, plateau or plateau:K";
-    refuses(folder, "p.csv --alpha column:r -o x.csv",
+    refuses(folder, "shape p.csv --alpha column:r -o x.csv", 2,
             "--alpha: found 'column:r', expected " + rules +
-                " (column:NAME applies only to groups, as in rbpa shape --group-by)",
-            2);
-    refuses(folder, "p.csv --group-by g --alpha column: -o x.csv",
+                " (column:NAME applies only to groups, as in rbpa shape --group-by)");
+    refuses(folder, "shape p.csv --group-by g --alpha column: -o x.csv", 2,
             "--alpha column: found '', expected the name of a column (in double quotes unless it is a word other than "
-            "and, or, not, in)",
-            2);
-    refuses(folder, "p.csv --group-by g --alpha column:q -o x.csv",
-            "p.csv:1: found 'x,y,g,r', expected a header with a column 'q'", 3);
+            "and, or, not, in)");
+    refuses(folder, "shape p.csv --group-by g --alpha column:q -o x.csv", 3,
+            "p.csv:1: found 'x,y,g,r', expected a header with a column 'q'");
   }
 
   TEST_CASE("info and alpha of groups are those of their points alone") {
-    const Folder folder;
-    folder.file("p.csv", fixes);
+    const Folder folder("p.csv", fixes);
     const auto last = [&](const std::string& arguments) { return folder.rbpa(arguments).out; };
     const json infos = json::parse(last("info p.csv --group-by animal --json -q"));
     REQUIRE(infos.size() == 3);
@@ -411,7 +382,7 @@ TEST_SUITE("shape groups") {
       alone["group"] = name;
       CHECK(group == alone);
     }
-    CHECK(last("info p.csv --group-by animal -q").find("        3         3     0.5774  0 .. 1 ") != std::string::npos);
+    CHECK(contains(last("info p.csv --group-by animal -q"), "        3         3     0.5774  0 .. 1 "));
     const json radii = json::parse(last("alpha p.csv --group-by animal --json -q"));
     REQUIRE(radii.size() == 3);
     for (const json& group : radii) {
@@ -426,7 +397,7 @@ TEST_SUITE("shape groups") {
     CHECK(last("alpha p.csv --group-by animal --csv -q")
               .starts_with("group,points,distinct,min,auto,plateau,recommended,problem\n"
                            "bear,1,1,,,,,\"fewer than three distinct points\"\nlynx,3,3,1.118033988749895,"));
-    CHECK(last("alpha p.csv --group-by animal -q").find("  wolf, grey\n") != std::string::npos);
+    CHECK(contains(last("alpha p.csv --group-by animal -q"), "  wolf, grey\n"));
     CHECK(folder.rbpa("alpha p.csv --group-by animal --persistence").code == 2);
   }
 
@@ -474,9 +445,8 @@ TEST_SUITE("shape groups") {
   }
 
   TEST_CASE("a key with the name of a summary gets another name") {
-    const Folder folder;
-    folder.file("p.csv", "x,y,n,n_mean,m\n0,0,1,3,4\n4,0,1,3,4\n0,4,1,3,4\n");
+    const Folder folder("p.csv", "x,y,n,n_mean,m\n0,0,1,3,4\n4,0,1,3,4\n0,4,1,3,4\n");
     REQUIRE(folder.rbpa("shape p.csv --group-by n_mean,m --summarize n:mean --alpha inf -q -o g.csv").code == 0);
-    CHECK(folder.content("g.csv").find(",n_mean_2,m,n_mean") != std::string::npos);
+    CHECK(contains(folder.content("g.csv"), ",n_mean_2,m,n_mean"));
   }
 }

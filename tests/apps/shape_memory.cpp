@@ -1,7 +1,6 @@
 // `rbpa shape` needs little memory for a point, and warns at the beginning if there is less.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -55,7 +54,7 @@ TEST_SUITE("shape") {
     const std::string said = "p.f64xy: 400000 points take about 40 MB of memory here, more than the ";
     const Outcome with_plenty = limited(8192, "");
     CHECK(with_plenty.code == 0);
-    CHECK(with_plenty.err.find("rbpa stream") == std::string::npos);
+    CHECK(!contains(with_plenty.err, "rbpa stream"));
     bool is_said = false;
     for (std::size_t mebibytes = 256; mebibytes > 16 && !is_said; mebibytes = mebibytes * 3 / 4) {
       const Outcome outcome = limited(mebibytes, "");
@@ -63,8 +62,7 @@ TEST_SUITE("shape") {
       // Without the warning the memory suffices.
       if (!is_said) REQUIRE(outcome.code == 0);
       if (!is_said) continue;
-      CHECK(outcome.err.find(" MB available (rbpa stream makes the same within the limit of its --memory)\n") !=
-            std::string::npos);
+      CHECK(contains(outcome.err, " MB available (rbpa stream makes the same within the limit of its --memory)\n"));
       CHECK((outcome.code == 0 || outcome.code == 1));
     }
     CHECK(is_said);

@@ -25,16 +25,6 @@ std::string hollow_cube() {
   return text;
 }
 
-void refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message) {
-  CAPTURE(arguments);
-  const auto before = folder.names();
-  const Outcome outcome = folder.rbpa("solid " + arguments);
-  CHECK(outcome.code == code);
-  CHECK(outcome.err == "rbpa: " + message + "\n");
-  CHECK(outcome.out.empty());
-  CHECK(folder.names() == before);
-}
-
 using Row = std::array<std::uint32_t, 4>;
 
 /// Reads rows of numbers after a line; takes four of each from `at`, less 1.
@@ -56,12 +46,11 @@ std::vector<Row> rows_behind(const std::string& text, const std::string& line, s
 
 TEST_SUITE("solid") {
   TEST_CASE("every format has the same tetrahedra, and statistics are those of the cube and its void") {
-    const Folder folder;
-    folder.file("c.xyz", hollow_cube());
+    const Folder folder("c.xyz", hollow_cube());
     const Outcome outcome = folder.rbpa(
         "solid c.xyz --alpha 0.9 -o t.npy -o t.vtu -o t.mesh -o t.msh -o t.png --width 200 --boundary b.ply --stats "
-        "s.json");
-    CHECK(outcome.code == 0);
+        "s.json",
+        0);
     CHECK(outcome.out.empty());
     const json stats = json::parse(folder.content("s.json"));
     CHECK(stats["points"] == 124);
@@ -79,14 +68,13 @@ TEST_SUITE("solid") {
     CHECK(std::is_sorted(rows.begin(), rows.end()));
     CHECK(rows_behind(folder.content("t.mesh"), "\nTetrahedra\n", 5, 0) == rows);
     CHECK(rows_behind(folder.content("t.msh"), "$Elements\n", 9, 5) == rows);
-    CHECK(folder.content("t.mesh").find("\nVertices\n124\n0 0 0 0\n1 0 0 0\n") != std::string::npos);
-    CHECK(folder.content("t.msh").find("$Nodes\n124\n1 0 0 0\n2 1 0 0\n") != std::string::npos);
+    CHECK(contains(folder.content("t.mesh"), "\nVertices\n124\n0 0 0 0\n1 0 0 0\n"));
+    CHECK(contains(folder.content("t.msh"), "$Nodes\n124\n1 0 0 0\n2 1 0 0\n"));
     const std::string vtu = folder.content("t.vtu");
-    CHECK(vtu.find("NumberOfCells=\"" + std::to_string(rows.size()) + "\"") != std::string::npos);
-    CHECK(vtu.find(std::string(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Row))) !=
-          std::string::npos);
+    CHECK(contains(vtu, "NumberOfCells=\"" + std::to_string(rows.size()) + "\""));
+    CHECK(contains(vtu, std::string(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Row))));
     CHECK(folder.content("t.png").starts_with("\x89PNG"));
-    CHECK(outcome.err.find("1 solid component, 0 tunnels, 1 void, volume ") != std::string::npos);
+    CHECK(contains(outcome.err, "1 solid component, 0 tunnels, 1 void, volume "));
     CHECK(outcome.err.ends_with(" -> t.npy, t.vtu, t.mesh, t.msh, t.png, b.ply\n"));
   }
 
@@ -106,14 +94,12 @@ TEST_SUITE("solid") {
     CHECK(stats["edges"] == 17);
     CHECK(folder.meshtopo("b.ply --check closed,manifold,components=3,genus=0").code == 0);
     REQUIRE(folder.rbpa("solid c.xyz --alpha 1.5 --boundary b.npy -q").code == 0);
-    CHECK(folder.content("b.npy").find("'shape': (12, 3)") != std::string::npos);
+    CHECK(contains(folder.content("b.npy"), "'shape': (12, 3)"));
   }
 
   TEST_CASE("JSON has each component and each void") {
-    const Folder folder;
-    folder.file("c.xyz", hollow_cube());
-    const Outcome outcome = folder.rbpa("solid c.xyz --alpha 0.9 --json -q");
-    CHECK(outcome.code == 0);
+    const Folder folder("c.xyz", hollow_cube());
+    const Outcome outcome = folder.rbpa("solid c.xyz --alpha 0.9 --json -q", 0);
     CHECK(outcome.err.empty());
     const json report = json::parse(outcome.out);
     REQUIRE(report["void_list"].size() == 1);
@@ -153,8 +139,7 @@ TEST_SUITE("solid") {
     folder.file("c.xyz", points);
     std::vector<double> chosen;
     for (const std::string rule : {"min", "auto"}) {
-      const Outcome outcome = folder.rbpa("solid c.xyz --alpha " + rule + " -o a.npy --stats s.json");
-      REQUIRE(outcome.code == 0);
+      const Outcome outcome = folder.rbpa("solid c.xyz --alpha " + rule + " -o a.npy --stats s.json", 0);
       const json stats = json::parse(folder.content("s.json"));
       CHECK(stats["alpha_rule"] == rule);
       CHECK(stats["isolated"] == 0);
@@ -171,24 +156,21 @@ TEST_SUITE("solid") {
   }
 
   TEST_CASE("balls around the points have a volume and an area, in a plane as well") {
-    const Folder folder;
-    folder.file("two.xyz", "0 0 0\n1 0 0\n");
-    const Outcome outcome = folder.rbpa("solid two.xyz --alpha 1 --balls --json");
-    REQUIRE(outcome.code == 0);
+    const Folder folder("two.xyz", "0 0 0\n1 0 0\n");
+    const Outcome outcome = folder.rbpa("solid two.xyz --alpha 1 --balls --json", 0);
     const json report = json::parse(outcome.out);
     CHECK(report["balls"]["volume"] == doctest::Approx(7.0685834705770345));
     CHECK(report["balls"]["area"] == doctest::Approx(18.849555921538759));
-    CHECK(outcome.err.find("; union of balls: volume 7.06858, area 18.8496") != std::string::npos);
+    CHECK(contains(outcome.err, "; union of balls: volume 7.06858, area 18.8496"));
     CHECK_FALSE(json::parse(folder.rbpa("solid two.xyz --alpha 1 --json -q").out).contains("balls"));
-    refuses(folder, "two.xyz --alpha inf --balls --json", 2, "--balls requires a finite --alpha");
+    refuses(folder, "solid two.xyz --alpha inf --balls --json", 2, "--balls requires a finite --alpha");
   }
 
   TEST_CASE("the reason for an empty solid is printed") {
     const Folder folder;
     const auto says = [&](const std::string& points, const std::string& alpha, const std::string& why) {
       folder.file("p.xyz", points);
-      const Outcome outcome = folder.rbpa("solid p.xyz --alpha " + alpha + " -o t.npy --boundary b.stl");
-      CHECK(outcome.code == 0);
+      const Outcome outcome = folder.rbpa("solid p.xyz --alpha " + alpha + " -o t.npy --boundary b.stl", 0);
       CHECK(outcome.err.starts_with("rbpa: there is no tetrahedron: " + why + "\n"));
       CHECK(npy_rows<Row>(folder.content("t.npy")).empty());
     };
@@ -201,25 +183,24 @@ TEST_SUITE("solid") {
   }
 
   TEST_CASE("wrong usage and bad input are refused in a line, and nothing is written") {
-    const Folder folder;
-    folder.file("c.xyz", hollow_cube());
-    folder.file("bad.xyz", "0 0 0\n1 0 zero\n");
+    const Folder folder({{"c.xyz", hollow_cube()}, {"bad.xyz", "0 0 0\n1 0 zero\n"}});
     const std::string radius = "expected a radius (a number > 0, or inf), auto, min, plateau or plateau:K";
-    refuses(folder, "c.xyz --alpha 0 -o t.npy", 2, "--alpha: found '0', " + radius);
-    refuses(folder, "c.xyz --alpha=-1 -o t.npy", 2, "--alpha: found '-1', " + radius);
-    refuses(folder, "c.xyz --alpha=-inf -o t.npy", 2, "--alpha: found '-inf', " + radius);
-    refuses(folder, "c.xyz --alpha nan -o t.npy", 2, "--alpha: found 'nan', " + radius);
-    refuses(folder, "c.xyz --alpha convex -o t.npy", 2, "--alpha: found 'convex', " + radius);
-    refuses(folder, "c.xyz --alpha plateau:0 -o t.npy", 2, "--alpha: found 'plateau:0', " + radius);
-    refuses(folder, "c.xyz --alpha plateau:99 -o t.npy", 2,
+    refuses(folder, "solid c.xyz --alpha 0 -o t.npy", 2, "--alpha: found '0', " + radius);
+    refuses(folder, "solid c.xyz --alpha=-1 -o t.npy", 2, "--alpha: found '-1', " + radius);
+    refuses(folder, "solid c.xyz --alpha=-inf -o t.npy", 2, "--alpha: found '-inf', " + radius);
+    refuses(folder, "solid c.xyz --alpha nan -o t.npy", 2, "--alpha: found 'nan', " + radius);
+    refuses(folder, "solid c.xyz --alpha convex -o t.npy", 2, "--alpha: found 'convex', " + radius);
+    refuses(folder, "solid c.xyz --alpha plateau:0 -o t.npy", 2, "--alpha: found 'plateau:0', " + radius);
+    refuses(folder, "solid c.xyz --alpha plateau:99 -o t.npy", 2,
             "--alpha plateau:99: there is only 1 plateau (rbpa alpha POINTS --dimension 3 lists them)");
-    refuses(folder, "c.xyz --alpha plateau --box 9 -o t.npy", 2,
+    refuses(folder, "solid c.xyz --alpha plateau --box 9 -o t.npy", 2,
             "--alpha plateau cannot be combined with --box (give a radius, auto or min)");
-    refuses(folder, "c.xyz --alpha 1 -o t.ply", 2,
+    refuses(folder, "solid c.xyz --alpha 1 -o t.ply", 2,
             "t.ply: found the ending 'ply', expected one of npy, vtu, msh, mesh, png, or --output-format");
-    refuses(folder, "c.xyz --alpha 1 --boundary t.png", 2,
+    refuses(folder, "solid c.xyz --alpha 1 --boundary t.png", 2,
             "--boundary: found the ending 'png', expected one of off, ply, obj, stl, npy, glb, vtu");
-    refuses(folder, "c.xyz --alpha 1", 2, "-o: found no OUT, expected at least one (or --stats FILE)");
-    refuses(folder, "bad.xyz --alpha 1 -o t.npy", 3, "bad.xyz:2: found 'zero', expected a number" + skipping_hint);
+    refuses(folder, "solid c.xyz --alpha 1", 2, "-o: found no OUT, expected at least one (or --stats FILE)");
+    refuses(folder, "solid bad.xyz --alpha 1 -o t.npy", 3,
+            "bad.xyz:2: found 'zero', expected a number" + skipping_hint);
   }
 }

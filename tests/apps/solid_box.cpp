@@ -46,16 +46,13 @@ std::size_t lines(const std::string& text) {
 
 TEST_SUITE("solid box") {
   TEST_CASE("a channel is a void of dimension 1, in every report") {
-    const Folder folder;
-    folder.file("c.xyz", with_a_channel());
+    const Folder folder("c.xyz", with_a_channel());
     const Outcome outcome = folder.rbpa(
         "solid c.xyz --alpha 1.2 --box 10,10,10 --voids v.csv -o t.vtu -o t.npy -o t.png --boundary b.ply --json "
-        "--stats "
-        "s.json");
-    REQUIRE(outcome.code == 0);
-    CHECK(outcome.err.find("1 solid component, 0 closed voids, 1 void that percolates in 1 direction, volume ") !=
-          std::string::npos);
-    CHECK(outcome.err.find("(voids of the full complex) -> t.vtu, t.npy, t.png, b.ply, v.csv\n") != std::string::npos);
+        "--stats s.json",
+        0);
+    CHECK(contains(outcome.err, "1 solid component, 0 closed voids, 1 void that percolates in 1 direction, volume "));
+    CHECK(contains(outcome.err, "(voids of the full complex) -> t.vtu, t.npy, t.png, b.ply, v.csv\n"));
     const json report = json::parse(outcome.out), stats = json::parse(folder.content("s.json"));
     CHECK(report["box"] == json({10.0, 10.0, 10.0}));
     CHECK(report["betti"] == json({1, 3, 2, 0}));
@@ -78,8 +75,7 @@ TEST_SUITE("solid box") {
   }
 
   TEST_CASE("points moved by the sides of the box give the same tetrahedra, and inf gives all") {
-    const Folder folder;
-    folder.file("near.xyz", cube_of(4));
+    const Folder folder("near.xyz", cube_of(4));
     std::string far;
     std::istringstream in(cube_of(4));
     for (double x, y, z; in >> x >> y >> z;) {
@@ -91,12 +87,8 @@ TEST_SUITE("solid box") {
     for (const char* alpha : {"inf", "min", "auto", "1.5"}) {
       CAPTURE(alpha);
       for (const char* name : {"near", "far"}) {
-        const Outcome outcome =
-            folder.rbpa(std::string("solid ") + name + ".xyz --box 4 --alpha " + alpha + " -o " + name + ".npy");
-        REQUIRE(outcome.code == 0);
-        CHECK(outcome.err.find(
-                  "384 tetrahedra, 1 solid component, 0 closed voids, 0 voids that percolate, volume 64, area 0") !=
-              std::string::npos);
+        says(folder, std::string("solid ") + name + ".xyz --box 4 --alpha " + alpha + " -o " + name + ".npy", 0,
+             "384 tetrahedra, 1 solid component, 0 closed voids, 0 voids that percolate, volume 64, area 0");
       }
       CHECK(folder.content("near.npy") == folder.content("far.npy"));
     }
@@ -118,11 +110,10 @@ TEST_SUITE("solid box") {
     CHECK(voids("5") == std::vector<int>(8, 0));
     CHECK(voids("6.1") == std::vector<int>(8, 0));
     CHECK(voids("6.1 --complex solid") == std::vector<int>{3});
-    CHECK(folder.rbpa("solid " + oxygens + "--alpha 5 --json").err.find("8 closed voids, 0 voids that percolate") !=
-          std::string::npos);
-    CHECK(folder.rbpa("solid " + oxygens + "--alpha 5 --json --complex solid")
-              .err.find("0 closed voids, 1 void that percolates in 3 directions, volume 4070.27, area 2872.6 (voids of "
-                        "the solid)\n") != std::string::npos);
+    CHECK(contains(folder.rbpa("solid " + oxygens + "--alpha 5 --json").err, "8 closed voids, 0 voids that percolate"));
+    CHECK(contains(
+        folder.rbpa("solid " + oxygens + "--alpha 5 --json --complex solid").err,
+        "0 closed voids, 1 void that percolates in 3 directions, volume 4070.27, area 2872.6 (voids of the solid)\n"));
   }
 
   TEST_CASE("a glass percolates up to the radius that a grid of distances shows, not up to that of its tetrahedra") {
@@ -140,8 +131,7 @@ TEST_SUITE("solid box") {
   }
 
   TEST_CASE("a wrong box is refused, or warned of") {
-    const Folder folder;
-    folder.file("c.xyz", cube_of(4));
+    const Folder folder("c.xyz", cube_of(4));
     const auto atom = [](int number, double x, const char* name) {
       char line[81];
       std::snprintf(line, sizeof line, "ATOM  %5d  CA  %s A %3d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", number,
@@ -149,37 +139,29 @@ TEST_SUITE("solid box") {
       return std::string(line);
     };
     folder.file("a.pdb", atom(1, 0, "ALA") + atom(2, 12.25, "GLY"));
-    Outcome outcome = folder.rbpa("solid c.xyz --alpha 1 --box 2,4,4 --json");
-    CHECK(outcome.code == 0);
-    CHECK(outcome.err.find("c.xyz: points reach over 3 x 3 x 3, more than the box, which reaches over 2 x 4 x 4") !=
-          std::string::npos);
-    CHECK(folder.rbpa("solid c.xyz --alpha 1 --box 3 --json").err.find("reach") == std::string::npos);
+    Outcome outcome = folder.rbpa("solid c.xyz --alpha 1 --box 2,4,4 --json", 0);
+    CHECK(contains(outcome.err, "c.xyz: points reach over 3 x 3 x 3, more than the box, which reaches over 2 x 4 x 4"));
+    CHECK(!contains(folder.rbpa("solid c.xyz --alpha 1 --box 3 --json").err, "reach"));
     CHECK(folder.rbpa("solid c.xyz --alpha 1 --box 2,4,4 --json -q").err.empty());
-    outcome = folder.rbpa("solid a.pdb --alpha 1.5 --box 10 -o t.npy");
-    CHECK(outcome.code == 3);
-    CHECK(
-        outcome.err.find("a.pdb: atoms reach over 12.2 x 0 x 0, more than the box, which reaches over 10 x 10 x 10") !=
-        std::string::npos);
-    CHECK(outcome.err.find("alpha is inf") == std::string::npos);
-    CHECK(outcome.err.find("a ball with a radius of half of the box's least side, 10, has no point inside: expected "
-                           "more points in the "
-                           "box; voids and counts at --alpha 1.5 need all tetrahedra") != std::string::npos);
-    outcome = folder.rbpa("solid a.pdb --alpha 3 --box 10 --where \"resname == 'DPP'\" --voids v.json");
-    CHECK(outcome.code == 3);
+    outcome = folder.rbpa("solid a.pdb --alpha 1.5 --box 10 -o t.npy", 3);
+    CHECK(contains(outcome.err,
+                   "a.pdb: atoms reach over 12.2 x 0 x 0, more than the box, which reaches over 10 x 10 x 10"));
+    CHECK(!contains(outcome.err, "alpha is inf"));
+    CHECK(contains(outcome.err,
+                   "a ball with a radius of half of the box's least side, 10, has no point inside: expected more "
+                   "points in the box; voids and counts at --alpha 1.5 need all tetrahedra"));
+    outcome = folder.rbpa("solid a.pdb --alpha 3 --box 10 --where \"resname == 'DPP'\" --voids v.json", 3);
     CHECK(outcome.err.ends_with(
         "rbpa: a.pdb: found 0 atoms, expected at least one for --box (see --where and --waters)\n"));
-    outcome = folder.rbpa("solid c.xyz --alpha 9 --box 4 --voids v.json");
-    CHECK(outcome.code == 0);
+    outcome = folder.rbpa("solid c.xyz --alpha 9 --box 4 --voids v.json", 0);
   }
 
   TEST_CASE("a sparse box has tetrahedra, but no counts") {
-    const Folder folder;
-    folder.file("c.xyz", cube_of(4));
-    const Outcome counted = folder.rbpa("solid c.xyz --box 40 --alpha 1 -o t.mesh");
-    CHECK(counted.code == 3);
-    CHECK(counted.err.find(
-              "voids and counts at --alpha 1 need all tetrahedra (--quiet writes those within --alpha without them)") !=
-          std::string::npos);
+    const Folder folder("c.xyz", cube_of(4));
+    const Outcome counted = folder.rbpa("solid c.xyz --box 40 --alpha 1 -o t.mesh", 3);
+    CHECK(contains(
+        counted.err,
+        "voids and counts at --alpha 1 need all tetrahedra (--quiet writes those within --alpha without them)"));
     CHECK(!folder.has("t.mesh"));
     CHECK(folder.rbpa("solid c.xyz --box 40 --alpha 1 -o t.mesh -q").code == 0);
     CHECK(folder.has("t.mesh"));
@@ -216,21 +198,16 @@ TEST_SUITE("solid box") {
     CHECK(oblique.err ==
           "rbpa: oblique.pdb: found CRYST1 with angles of 90, 90 and 60 degrees, expected CRYST1 or _cell with right "
           "angles for --box auto (--box LX,LY,LZ gives the sides)\n");
-    CHECK(run("none.pdb --box auto -o t.npy").err.find("none.pdb: found no cell, expected CRYST1") !=
-          std::string::npos);
+    CHECK(contains(run("none.pdb --box auto -o t.npy").err, "none.pdb: found no cell, expected CRYST1"));
     folder.file("t.xyz", "0 0 0\n");
     CHECK(run("t.xyz --box auto -o t.npy").err ==
           "rbpa: --box auto: found a format without a cell, expected cif, dump, gro, pdb or pqr\n");
   }
 
   TEST_CASE("options that cannot be combined with --box are refused") {
-    const Folder folder;
-    folder.file("c.xyz", cube_of(4));
+    const Folder folder("c.xyz", cube_of(4));
     const auto refuses = [&](const std::string& options, const std::string& message) {
-      CAPTURE(options);
-      const Outcome outcome = folder.rbpa("solid c.xyz --alpha 1 " + options);
-      CHECK(outcome.code == 2);
-      CHECK(outcome.err.find(message) != std::string::npos);
+      says(folder, "solid c.xyz --alpha 1 " + options, 2, message);
     };
     for (const char* box : {"4,4", "4,4,4,4", "0", "-1,4,4", "4,,4", "inf", "4,4,x", ","})
       refuses(std::string("--json --box=") + box,

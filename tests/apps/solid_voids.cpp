@@ -83,15 +83,13 @@ Obj read_obj(const std::string& text) {
 
 TEST_SUITE("solid voids") {
   TEST_CASE("each void is a closed surface with its volume, in every format, the largest first") {
-    const Folder folder;
-    folder.file("c.xyz", hollow_cube());
+    const Folder folder("c.xyz", hollow_cube());
     std::vector<Position> points;
     std::istringstream in(hollow_cube());
     for (Position p{}; in >> p[0] >> p[1] >> p[2];) points.push_back(p);
     const Outcome outcome =
-        folder.rbpa("solid c.xyz --alpha 0.9 --voids v.obj --json --boundary b.ply -o t.npy --stats s.json");
-    REQUIRE(outcome.code == 0);
-    CHECK(outcome.err.find("-> t.npy, b.ply, v.obj\n") != std::string::npos);
+        folder.rbpa("solid c.xyz --alpha 0.9 --voids v.obj --json --boundary b.ply -o t.npy --stats s.json", 0);
+    CHECK(contains(outcome.err, "-> t.npy, b.ply, v.obj\n"));
     for (const char* name : {"v.json", "v.csv"})
       REQUIRE(folder.rbpa(std::string("solid c.xyz --alpha 0.9 -q --voids ") + name).code == 0);
     const json expected = json::parse(outcome.out)["void_list"], found = json::parse(folder.content("v.json"));
@@ -132,11 +130,10 @@ TEST_SUITE("solid voids") {
     // A tetrahedron with edges of √8: its triangles come at 1.633, and itself at 1.732. Around it a larger one, and a
     // point.
     folder.file("c.xyz", "1 1 1\n1 -1 -1\n-1 1 -1\n-1 -1 1\n40 40 40\n40 42 40\n");
-    Outcome outcome = folder.rbpa("solid c.xyz --alpha 1.7 --complex full --json --voids v.obj --stats s.json");
-    REQUIRE(outcome.code == 0);
-    CHECK(outcome.err.find("0 tetrahedra, ") != std::string::npos);
-    CHECK(outcome.err.find("there is no tetrahedron") == std::string::npos);
-    CHECK(outcome.err.find("; full complex: 2 components, 0 tunnels, 1 void -> v.obj\n") != std::string::npos);
+    Outcome outcome = folder.rbpa("solid c.xyz --alpha 1.7 --complex full --json --voids v.obj --stats s.json", 0);
+    CHECK(contains(outcome.err, "0 tetrahedra, "));
+    CHECK(!contains(outcome.err, "there is no tetrahedron"));
+    CHECK(contains(outcome.err, "; full complex: 2 components, 0 tunnels, 1 void -> v.obj\n"));
     const json report = json::parse(outcome.out);
     CHECK(report["betti"] == json{0, 0, 0});
     CHECK(report["full"] == json{{"points", 6}, {"edges", 7}, {"triangles", 4}, {"betti", {2, 0, 1}}});
@@ -155,8 +152,7 @@ TEST_SUITE("solid voids") {
 
     // An island: a point's neighborhood within a hollow cube of two walls.
     folder.file("cube.xyz", hollow_cube());
-    outcome = folder.rbpa("solid cube.xyz --alpha 0.9 --complex full --json -q --voids v.json");
-    REQUIRE(outcome.code == 0);
+    outcome = folder.rbpa("solid cube.xyz --alpha 0.9 --complex full --json -q --voids v.json", 0);
     const json full = json::parse(outcome.out),
                solid = json::parse(folder.rbpa("solid cube.xyz --alpha 0.9 --json -q").out);
     CHECK(full["void_list"].size() >= solid["void_list"].size());
@@ -166,13 +162,11 @@ TEST_SUITE("solid voids") {
       CHECK(file[i]["volume_between_points"] == full["void_list"][i]["volume_between_points"]);
 
     folder.file("flat.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n");
-    outcome = folder.rbpa("solid flat.xyz --alpha 1 --complex full --json");
-    CHECK(outcome.code == 0);
+    outcome = folder.rbpa("solid flat.xyz --alpha 1 --complex full --json", 0);
     CHECK(json::parse(outcome.out)["full"]["betti"] == json({1, 0, 0}));
     CHECK(json::parse(folder.rbpa("solid flat.xyz --alpha 0.6 --complex full --json -q").out)["full"]["betti"] ==
           json({1, 1, 0}));
-    outcome = folder.rbpa("solid c.xyz --alpha 1 --complex most");
-    CHECK(outcome.code == 2);
+    outcome = folder.rbpa("solid c.xyz --alpha 1 --complex most", 2);
     CHECK(outcome.err == "rbpa: --complex: found 'most', expected solid or full\n");
   }
 
@@ -219,12 +213,12 @@ TEST_SUITE("solid voids") {
 
     const std::string lysozyme = "solid '" RBPA_TEST_DATA "/mol3_2lyz.pdb' --where \"resname != 'HOH'\" --alpha 3.1 ";
     const Outcome outcome = folder.rbpa(lysozyme + "--voids v.csv");
-    CHECK(outcome.err.find("; full complex: 1 component, 0 tunnels, 9 voids -> v.csv\n") != std::string::npos);
+    CHECK(contains(outcome.err, "; full complex: 1 component, 0 tunnels, 9 voids -> v.csv\n"));
     const std::string csv = folder.content("v.csv");
     CHECK(std::count(csv.begin(), csv.end(), '\n') == 10);
-    CHECK(csv.find("\n3,65.8055") != std::string::npos);
-    CHECK(csv.find("\n4,36.1008") != std::string::npos);
-    CHECK(folder.rbpa(lysozyme + "--voids v.csv --complex solid").err.find("5 voids, ") != std::string::npos);
+    CHECK(contains(csv, "\n3,65.8055"));
+    CHECK(contains(csv, "\n4,36.1008"));
+    CHECK(contains(folder.rbpa(lysozyme + "--voids v.csv --complex solid").err, "5 voids, "));
     CHECK(folder.content("v.csv").starts_with("number,volume_between_points,area,"));
 
     // Points in a plane have no voids.
@@ -236,8 +230,7 @@ TEST_SUITE("solid voids") {
   }
 
   TEST_CASE("without voids there is an empty list, a table without lines, and no group") {
-    const Folder folder;
-    folder.file("c.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+    const Folder folder("c.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
     for (const char* name : {"v.json", "v.csv", "v.obj"})
       REQUIRE(folder.rbpa(std::string("solid c.xyz --alpha inf -q --voids ") + name).code == 0);
     CHECK(folder.content("v.json") == "[]\n");
@@ -248,8 +241,7 @@ TEST_SUITE("solid voids") {
   }
 
   TEST_CASE("voids have the radii at which they close and are filled, and pockets have mouths") {
-    const Folder folder;
-    folder.file("c.xyz", hollow_cube());
+    const Folder folder("c.xyz", hollow_cube());
     for (const char* complex : {"solid", "full"}) {
       CAPTURE(complex);
       const std::string options = std::string("solid c.xyz --alpha 0.9 -q --complex ") + complex;
@@ -266,7 +258,7 @@ TEST_SUITE("solid voids") {
         CHECK(pocket["closes"] < pocket["filled"]);
         CHECK(pocket["mouth"].size() == 3);
       }
-      CHECK(folder.content("v.csv").find(",high_z,closes,filled,depth\n") != std::string::npos);
+      CHECK(contains(folder.content("v.csv"), ",high_z,closes,filled,depth\n"));
       const std::string table = folder.content("p.csv");
       CHECK(static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n')) == pockets.size() + 1);
       // The largest, and those above a volume.
@@ -279,10 +271,7 @@ TEST_SUITE("solid voids") {
     REQUIRE(folder.rbpa("solid c.xyz --alpha inf -q --voids none.csv --void-radii").code == 0);
     CHECK(folder.content("none.csv").ends_with(",filled,depth\n"));
     const auto refuses = [&](const std::string& options, const std::string& message) {
-      CAPTURE(options);
-      const Outcome outcome = folder.rbpa("solid c.xyz --alpha 0.9 " + options);
-      CHECK(outcome.code == 2);
-      CHECK(outcome.err.find(message) != std::string::npos);
+      says(folder, "solid c.xyz --alpha 0.9 " + options, 2, message);
     };
     refuses("--pockets p.obj", "--pockets: found the ending 'obj', expected one of json, csv");
     refuses("--void-radii", "--void-radii requires --voids FILE with one of the endings json, csv");
@@ -294,13 +283,10 @@ TEST_SUITE("solid voids") {
   }
 
   TEST_CASE("unknown endings and the names of other outputs are refused") {
-    const Folder folder;
-    folder.file("c.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
-    Outcome outcome = folder.rbpa("solid c.xyz --alpha inf --voids v.ply");
-    CHECK(outcome.code == 2);
+    const Folder folder("c.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+    Outcome outcome = folder.rbpa("solid c.xyz --alpha inf --voids v.ply", 2);
     CHECK(outcome.err == "rbpa: --voids: found the ending 'ply', expected one of obj, json, csv\n");
-    outcome = folder.rbpa("solid c.xyz --alpha inf --voids v.obj --boundary v.obj");
-    CHECK(outcome.code == 2);
+    outcome = folder.rbpa("solid c.xyz --alpha inf --voids v.obj --boundary v.obj", 2);
     CHECK(folder.names() == std::vector<std::string>{"c.xyz"});
   }
 }

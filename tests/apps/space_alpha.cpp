@@ -30,15 +30,12 @@ std::string sphere(int count) {
 
 TEST_SUITE("space alpha") {
   TEST_CASE("a sphere has one lasting void, in text, JSON and CSV") {
-    const Folder folder;
-    folder.file("s.xyz", sphere(500));
-    const Outcome text = folder.rbpa("alpha s.xyz --dimension 3 -q");
-    REQUIRE(text.code == 0);
+    const Folder folder("s.xyz", sphere(500));
+    const Outcome text = folder.rbpa("alpha s.xyz --dimension 3 -q", 0);
     CHECK(text.out.starts_with("500 points\nmin "));
-    CHECK(text.out.find("; those that last longest, death - birth:\n") != std::string::npos);
-    const Outcome outcome = folder.rbpa("alpha s.xyz --dimension 3 --json --persistence --stats t.json -q");
-    REQUIRE(outcome.code == 0);
-    const json report = json::parse(outcome.out);
+    CHECK(contains(text.out, "; those that last longest, death - birth:\n"));
+    const json report =
+        json::parse(folder.rbpa("alpha s.xyz --dimension 3 --json --persistence --stats t.json -q", 0).out);
     CHECK(report["points"] == 500);
     CHECK(report["components"] == 500);
     double longest = 0;
@@ -60,18 +57,17 @@ TEST_SUITE("space alpha") {
     const json plateau = json::parse(folder.rbpa("solid s.xyz --alpha plateau --json -q").out);
     CHECK(plateau["alpha"] == report["plateaus"][0]["alpha"]);
     CHECK(plateau["tetrahedra"] == report["plateaus"][0]["tetrahedra"]);
-    CHECK(text.out.find("\nplateau ") != std::string::npos);
+    CHECK(contains(text.out, "\nplateau "));
     const json share = json::parse(folder.rbpa("alpha s.xyz --dimension 3 --cover 0.9 --json -q").out);
     CHECK(share["auto"] < report["auto"]);
     CHECK(json::parse(folder.rbpa("solid s.xyz --alpha auto --cover 0.9 --json -q").out)["alpha"] == share["auto"]);
     CHECK(json::parse(folder.rbpa("solid s.xyz --alpha min --cover 0.9 --json -q").out)["alpha"] == share["min"]);
-    CHECK(folder.rbpa("solid s.xyz --alpha 1 --cover 0.9").err.find("--cover applies only to --alpha auto or min") !=
-          std::string::npos);
+    CHECK(
+        contains(folder.rbpa("solid s.xyz --alpha 1 --cover 0.9").err, "--cover applies only to --alpha auto or min"));
   }
 
   TEST_CASE("representatives are files of lines and triangles, and the diagram is a picture") {
-    const Folder folder;
-    folder.file("s.xyz", sphere(300));
+    const Folder folder("s.xyz", sphere(300));
     REQUIRE(folder.rbpa("alpha s.xyz --dimension 3 --representatives r.json --top 4 -o plot.svg -q").code == 0);
     const json all = json::parse(folder.content("r.json"));
     REQUIRE(all.size() == 9);  // there is one void
@@ -88,14 +84,13 @@ TEST_SUITE("space alpha") {
       return one["dimension"] == 2 && one["volume"].get<double>() > 3.9 && one["volume"].get<double>() < 4.19;
     }));
     const std::string plot = folder.content("plot.svg");
-    for (const char* name : {"components", "tunnels", "voids", "min = ", "auto = "})
-      CHECK(plot.find(name) != std::string::npos);
+    for (const char* name : {"components", "tunnels", "voids", "min = ", "auto = "}) CHECK(contains(plot, name));
     REQUIRE(folder.rbpa("alpha s.xyz --dimension 3 --representatives r.obj --top 4 -q").code == 0);
     const std::string obj = folder.content("r.obj");
     for (const char* name : {"g component_3\n", "g tunnel_4\n", "g void_1\n", "\nl 1 2\n", "\nf "})
-      CHECK(obj.find(name) != std::string::npos);
+      CHECK(contains(obj, name));
     REQUIRE(folder.rbpa("alpha s.xyz --dimension 3 --representatives r.vtu --min-persistence 0.1 -q").code == 0);
-    CHECK(folder.content("r.vtu").find("Name=\"death\"") != std::string::npos);
+    CHECK(contains(folder.content("r.vtu"), "Name=\"death\""));
     REQUIRE(folder.rbpa("alpha s.xyz --dimension 3 --representatives none.json --min-persistence 5 -q").code == 0);
     CHECK(json::parse(folder.content("none.json")).size() == 1);  // the component that never ends
   }
@@ -115,9 +110,7 @@ TEST_SUITE("space alpha") {
     folder.file("level.xyz", level);
     const auto pairs_of = [&](const std::string& command) {
       std::vector<std::array<double, 3>> pairs;
-      const Outcome outcome = folder.rbpa("alpha " + command + " --json --persistence -q");
-      REQUIRE(outcome.code == 0);
-      const json report = json::parse(outcome.out);
+      const json report = json::parse(folder.rbpa("alpha " + command + " --json --persistence -q", 0).out);
       for (const json& pair : report["pairs"])
         pairs.push_back({pair["dimension"].get<double>(), pair["birth"].get<double>(),
                          pair["death"].is_null() ? -1 : pair["death"].get<double>()});
@@ -132,10 +125,8 @@ TEST_SUITE("space alpha") {
     CHECK(pairs_of("one.xyz --dimension 3") == Pairs{{0, 0, -1}});
     CHECK(pairs_of("level.xyz --dimension 3") == pairs_of("plane.xy --complex full"));
     const Outcome text = folder.rbpa("alpha coplanar.xyz --dimension 3 -q");
-    CHECK(text.out.find("min inf, auto inf: there is no tetrahedron, as all points are in a plane\n1 tunnel;") !=
-          std::string::npos);
-    CHECK(folder.rbpa("alpha two.xyz --dimension 3 -q").out.find("as there are fewer than four distinct points") !=
-          std::string::npos);
+    CHECK(contains(text.out, "min inf, auto inf: there is no tetrahedron, as all points are in a plane\n1 tunnel;"));
+    CHECK(contains(folder.rbpa("alpha two.xyz --dimension 3 -q").out, "as there are fewer than four distinct points"));
     REQUIRE(folder.rbpa("alpha coplanar.xyz --dimension 3 --representatives r.json -o p.svg -q").code == 0);
     const json all = json::parse(folder.content("r.json"));
     REQUIRE(all.size() == 5);
@@ -178,13 +169,9 @@ TEST_SUITE("space alpha") {
   }
 
   TEST_CASE("options without meaning in space are refused") {
-    const Folder folder;
-    folder.file("s.xyz", sphere(20));
+    const Folder folder("s.xyz", sphere(20));
     const auto refuses = [&](const std::string& options, int code, const std::string& message) {
-      CAPTURE(options);
-      const Outcome outcome = folder.rbpa("alpha " + options);
-      CHECK(outcome.code == code);
-      CHECK(outcome.err.find(message) != std::string::npos);
+      says(folder, "alpha " + options, code, message);
     };
     refuses("s.xyz --dimension 4", 2, "--dimension: found '4', expected 2 or 3");
     refuses("s.xyz --dimension 3 -o plot.png", 2, "plot.png: found the ending 'png', expected svg");

@@ -9,6 +9,7 @@
 #include "support/las_file.h"
 #include "support/npy_file.h"
 #include "support/program.h"
+#include "support/refusal_of.h"
 
 using namespace apps_test;
 using namespace rbpa::app;
@@ -16,16 +17,11 @@ using namespace rbpa::app;
 namespace {
 
 std::string refusal(const std::string& bytes, Format format, const std::string& columns = "") {
-  try {
+  return rbpa_test::refusal_of<BadInput, WrongUsage>([&] {
     CloudRequest choice;
     if (!columns.empty()) choice.columns = parse_space_columns(columns);
     space_points_in(bytes, "p", format, choice);
-  } catch (const BadInput& error) {
-    return error.what();
-  } catch (const WrongUsage& error) {
-    return error.what();
-  }
-  return "none";
+  });
 }
 
 std::string table(const std::string& text, const std::string& columns = "") {
@@ -207,7 +203,7 @@ TEST_SUITE("bad points of space") {
     }
     CHECK(refusal("FIELDS x y z" + names + "\nSIZE 4 4 4" + sizes + "\nTYPE F F F" + types + "\nCOUNT 1 1 1" + counts +
                       "\nPOINTS 0\nDATA ascii\n",
-                  Format::pcd) == "none");
+                  Format::pcd) == "");
     std::string las = bytes_of({.points = {{.x = 1}, {.x = 2}}});
     las.resize(las.size() - 1);
     CHECK(refusal(las, Format::las) ==
@@ -254,7 +250,7 @@ TEST_SUITE("bad points of space") {
     CHECK(obj(v + "f -2//1\n") == "p:3: found '-2//1', expected a vertex number from 1, or from -1 to -1");
     CHECK(obj(v + "f 1//x\n") == "p:3: found '1//x', expected a normal number from 1, or from -1 to -1");
     CHECK(obj(v + "f //1\n") == "p:3: found '//1' in a face, expected numbers of vertices, and one face a line");
-    CHECK(obj("f 1//1\nv 0 0 0\n") == "none");  // no normals at all: nothing to be wrong about
+    CHECK(obj("f 1//1\nv 0 0 0\n") == "");  // no normals at all: nothing to be wrong about
   }
 
   TEST_CASE("scales and offsets of LAS that give no finite heights are refused") {

@@ -110,8 +110,8 @@ TEST_SUITE("points of space") {
     CHECK(endings(Use::voids) == "obj, json, csv");
     CHECK(is_for(Use::full, Format::npy));
     CHECK_FALSE(is_for(Use::full, Format::off));
-    CHECK(with_fields(Use::points).find("pcd") == std::string::npos);  // verbs of the plane do not read it
-    CHECK(with_fields(Use::space).find("pcd, pdb, ply, pqr or text") != std::string::npos);
+    CHECK(!contains(with_fields(Use::points), "pcd"));  // verbs of the plane do not read it
+    CHECK(contains(with_fields(Use::space), "pcd, pdb, ply, pqr or text"));
   }
 
   TEST_CASE("tables have 3 or 6 columns, with every separator, comments, quotes and a header") {
@@ -130,8 +130,8 @@ TEST_SUITE("points of space") {
     is(file, normals);
     REQUIRE(file.warnings.size() == 1);
     CHECK(file.warnings[0] ==
-          "the columns 'X', 'Y', 'Z', 'normal_x', 'normal_y', 'Normal_Z' are read, as the header says "
-          "(--columns chooses others)");
+          "the columns 'X', 'Y', 'Z', 'normal_x', 'normal_y', 'Normal_Z' are read, as the header says (--columns "
+          "chooses others)");
     is(table("x,y,z,a,b,c\n0.5,-1,2,0,0,0\n3,4e-3,1e6,1,2,3\n"));  // six, and no normals
     is(table("easting,northing,height\n0.5,-1,2\n3,4e-3,1e6\n"));
   }
@@ -399,14 +399,13 @@ TEST_SUITE("points of space") {
     const SpacePoints file = skipping("0.5 -1 2 0 0 2\n7 7 7 0 -0 0\n7 7 7 0 0 nan\n3 4e-3 1e6 -1 .25 0\n");
     is(file, normals);
     CHECK(file.warnings ==
-          std::vector<std::string>{"columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colors)",
-                                   "2 lines are left out: the first is p:2: found a normal of length 0, "
-                                   "expected one of another length"});
+          std::vector<std::string>{
+              "columns 4 to 6 are read as normals (a header 'x y z r g b' makes them colors)",
+              "2 lines are left out: the first is p:2: found a normal of length 0, expected one of another length"});
     CHECK(skipping("1 2 3\n").warnings.empty());
-    CHECK_THROWS_WITH_AS(skipping("x,y,z\n1,2,NA\n"),
-                         "p: found 1 line and no point, expected at least one point (p:2: found 'NA', expected a "
-                         "number)",
-                         BadInput);
+    CHECK_THROWS_WITH_AS(
+        skipping("x,y,z\n1,2,NA\n"),
+        "p: found 1 line and no point, expected at least one point (p:2: found 'NA', expected a number)", BadInput);
   }
 
   TEST_CASE("--where takes lines of a table by columns that its header names") {

@@ -1,11 +1,7 @@
 // STL: attributes of facets, and that promises about a mesh hold for the file in single precision.
 #include <doctest/doctest.h>
 
-#include <array>
-#include <cmath>
 #include <cstring>
-#include <fstream>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -14,6 +10,7 @@
 #include "support/data_folder.h"
 #include "support/mesh_files.h"
 #include "support/program.h"
+#include "support/spiral.h"
 
 using namespace apps_test;
 using nlohmann::json;
@@ -25,22 +22,16 @@ std::string finding(const std::string& name) { return (rbpa_test::bundled_data()
 /// Points of a sphere of radius 1 around a place, with their normals.
 std::string sphere(int points, double x, double y, double z) {
   std::string text;
-  for (int i = 0; i < points; ++i) {
-    const double h = 1 - (2.0 * i + 1) / points, r = std::sqrt(1 - h * h), a = 2.39996322972865332 * i;
-    const std::array<double, 3> n = {r * std::cos(a), r * std::sin(a), h};
+  for (const rbpa::Point3& n : rbpa_test::spiral(points)) {
     char line[200];
-    std::snprintf(line, sizeof line, "%.17g %.17g %.17g %.17g %.17g %.17g\n", x + n[0], y + n[1], z + n[2], n[0], n[1],
-                  n[2]);
+    std::snprintf(line, sizeof line, "%.17g %.17g %.17g %.17g %.17g %.17g\n", x + n.x, y + n.y, z + n.z, n.x, n.y, n.z);
     text += line;
   }
   return text;
 }
 
 void holds(const Folder& folder, const std::string& name, const std::string& checks) {
-  const Outcome outcome = folder.meshtopo(name + " -q --check " + checks);
-  CAPTURE(name);
-  CAPTURE(outcome.err);
-  CHECK(outcome.code == 0);
+  folder.meshtopo(name + " -q --check " + checks, 0);
 }
 
 /// Writes two cubes with a common edge, cut apart.
@@ -63,8 +54,7 @@ TEST_SUITE("STL: after the last facet") {
         std::string content = cube + tail;
         content.replace(0, head.size(), head);
         folder.file("m.stl", content);
-        const Outcome outcome = folder.meshtopo("m.stl --check closed,genus=0,vertices=5,faces=6");
-        CHECK(outcome.code == 0);
+        const Outcome outcome = folder.meshtopo("m.stl --check closed,genus=0,vertices=5,faces=6", 0);
         CHECK(outcome.err == "meshtopo: m.stl: " + said + " left out\n");
       }
     }
@@ -79,10 +69,8 @@ TEST_SUITE("STL: after the last facet") {
       content += '\0';
       content += std::string(f, 'a');
     }
-    const Folder folder;
-    folder.file("m.stl", content);
-    const Outcome outcome = folder.meshtopo("m.stl --check closed,vertices=5,faces=6");
-    CHECK(outcome.code == 0);
+    const Folder folder("m.stl", content);
+    const Outcome outcome = folder.meshtopo("m.stl --check closed,vertices=5,faces=6", 0);
     CHECK(outcome.err == "meshtopo: m.stl: 15 bytes of attributes are left out\n");
     // A color in the attributes is not a length.
     std::string colored = plain;
@@ -125,8 +113,7 @@ TEST_SUITE("single precision") {
     using rbpa::app::parse_shift;
     CHECK_FALSE(parse_shift("--shift", "auto").by);
     CHECK(*parse_shift("--shift", "1,-2.5,1e3").by == rbpa::app::Position{1, -2.5, 1000});
-    const Folder folder;
-    folder.file("m.off", pyramid_off);
+    const Folder folder("m.off", pyramid_off);
     for (const std::string bad : {"1,2", "1,2,3,4", "", "a,b,c", "1,2,nan", "inf,0,0", "1;2;3", "AUTO"}) {
       CAPTURE(bad);
       CHECK(folder.meshtopo("m.off --repair o.stl --shift '" + bad + "'").code == 2);
@@ -140,19 +127,16 @@ TEST_SUITE("single precision") {
   TEST_CASE("meshtopo refuses to lose faces by rounding, and a shift keeps them") {
     const Folder folder;
     const std::string utm = finding("case_stl_single_precision/utm.off");
-    const Outcome refused = folder.meshtopo(utm + " --repair o.stl --check closed,manifold -q");
-    CHECK(refused.code == 4);
-    CHECK(refused.err.find("o.stl: single precision leaves ") != std::string::npos);
-    CHECK(refused.err.find("(not with --shift auto, nor as .ply, .obj or .off); it is not written") !=
-          std::string::npos);
-    CHECK(refused.err.find("meshtopo: " + utm + ": closed: found ") != std::string::npos);
+    const Outcome refused = folder.meshtopo(utm + " --repair o.stl --check closed,manifold -q", 4);
+    CHECK(contains(refused.err, "o.stl: single precision leaves "));
+    CHECK(contains(refused.err, "(not with --shift auto, nor as .ply, .obj or .off); it is not written"));
+    CHECK(contains(refused.err, "meshtopo: " + utm + ": closed: found "));
     CHECK_FALSE(folder.has("o.stl"));
     CHECK(folder.meshtopo(utm + " --orient -o o.stl -q").code == 4);
     CHECK(folder.meshtopo(utm + " --repair o.ply --check closed,manifold -q").code == 0);
     holds(folder, "o.ply", "closed,manifold");
     const Outcome shifted =
-        folder.meshtopo(utm + " --repair o.stl --shift auto --check closed,manifold,components=1 -q");
-    CHECK(shifted.code == 0);
+        folder.meshtopo(utm + " --repair o.stl --shift auto --check closed,manifold,components=1 -q", 0);
     const std::string by = shifted.err.substr(17, shifted.err.find(" is subtracted") - 17);
     CHECK(shifted.err == "meshtopo: o.stl: " + by + " is subtracted from all coordinates\n");
     CHECK(folder.content("o.stl").substr(0, 6 + by.size()) == "shift " + by);
@@ -164,12 +148,10 @@ TEST_SUITE("single precision") {
   TEST_CASE("--check examines the file: STL joins vertices that a repair has cut") {
     const Folder folder;
     const std::string cubes = finding(two_cubes);
-    const Outcome outcome = folder.meshtopo(cubes + " --repair o.stl --check closed,manifold,components=2 -q");
-    CHECK(outcome.code == 4);
-    CHECK(
-        outcome.err.find("meshtopo: o.stl: STL joins points at equal positions, so 1 edge that was cut is non-manifold "
-                         "again (.ply, .obj and .off keep it cut)\n") == 0);
-    CHECK(outcome.err.find("manifold: found 1 non-manifold edge, expected none") != std::string::npos);
+    const Outcome outcome = folder.meshtopo(cubes + " --repair o.stl --check closed,manifold,components=2 -q", 4);
+    CHECK(outcome.err.find("meshtopo: o.stl: STL joins points at equal positions, so 1 edge that was cut is "
+                           "non-manifold again (.ply, .obj and .off keep it cut)\n") == 0);
+    CHECK(contains(outcome.err, "manifold: found 1 non-manifold edge, expected none"));
     CHECK(folder.meshtopo("o.stl --check closed,manifold,components=2 -q").code == 4);
     CHECK(folder.meshtopo(cubes + " --repair o.stl -q").code == 0);
     for (const std::string ending : {"ply", "obj", "off"}) {
@@ -181,9 +163,8 @@ TEST_SUITE("single precision") {
         "p.off",
         "OFF\n7 8 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n-1 0 0\n0 -1 0\n0 0 -1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n3 0 4 5\n"
         "3 0 6 4\n3 0 5 6\n3 4 6 5\n");
-    const Outcome pinch = folder.meshtopo("p.off --repair o.stl --check manifold -q");
-    CHECK(pinch.code == 4);
-    CHECK(pinch.err.find("STL cannot keep apart the vertices of 1 place at which surfaces touch") != std::string::npos);
+    meshtopo_says(folder, "p.off --repair o.stl --check manifold -q", 4,
+                  "STL cannot keep apart the vertices of 1 place at which surfaces touch");
     CHECK(json::parse(folder.meshtopo("p.off --repair o.stl --check pinches=1 --json").out)["result"]["pinches"] == 1);
   }
 
@@ -205,10 +186,8 @@ TEST_SUITE("single precision") {
         if (plain.code == 0)
           holds(folder, "o.stl", "closed,manifold,oriented,genus=0,geometric_defects=0");
         else
-          CHECK(plain.err.find("nothing is written") != std::string::npos);
-        const Outcome shifted = folder.rbpa(command + to + " --shift auto");
-        CAPTURE(shifted.err);
-        CHECK(shifted.code == 0);
+          CHECK(contains(plain.err, "nothing is written"));
+        folder.rbpa(command + to + " --shift auto", 0);
         holds(folder, "o.stl", "closed,manifold,oriented,genus=0,geometric_defects=0");
         std::filesystem::remove(folder.path("o.stl"));
       }
@@ -221,10 +200,7 @@ TEST_SUITE("single precision") {
     const Folder folder;
     const std::string in =
         "surface " + finding("scan_stl_float/cube_ulp.xyz") + " --radius auto --keep-largest 1 --watertight -q -o ";
-    const Outcome refused = folder.rbpa(in + "o.stl");
-    CHECK(refused.code == 1);
-    CHECK(refused.err.find("--watertight: o.stl: single precision leaves 2 of 304 triangles without area") !=
-          std::string::npos);
+    says(folder, in + "o.stl", 1, "--watertight: o.stl: single precision leaves 2 of 304 triangles without area");
     CHECK_FALSE(folder.has("o.stl"));
     CHECK(folder.rbpa(in + "o.stl --shift auto").code == 0);
     holds(folder, "o.stl", "closed,manifold,geometric_defects=0");
@@ -232,16 +208,14 @@ TEST_SUITE("single precision") {
     CHECK(folder.rbpa(in + "o.ply").code == 0);
     holds(folder, "o.ply", "closed,manifold");
     folder.file("t.off", "OFF\n4 4 0\n0 0 0\n1 1 0\n1 1.000000000001 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
-    const Outcome outcome = folder.meshtopo("t.off --orient -o t.stl -q");
-    CHECK(outcome.code == 4);
-    CHECK(
-        outcome.err ==
-        "meshtopo: t.stl: single precision leaves 2 of 4 triangles without area and moves 1 of 4 vertices onto others "
-        "(not as .ply, .obj or .off, in double precision); it is not written\n");
+    const Outcome outcome = folder.meshtopo("t.off --orient -o t.stl -q", 4);
+    CHECK(outcome.err ==
+          "meshtopo: t.stl: single precision leaves 2 of 4 triangles without area and moves 1 of 4 vertices onto "
+          "others (not as .ply, .obj or .off, in double precision); it is not written\n");
     CHECK(folder.meshtopo("t.off --orient -o t.stl -q --shift auto").code == 4);
     CHECK_FALSE(folder.has("t.stl"));
     folder.file("p.xyz", "0 0 0\n2 1 1\n0 1 0\n0 0 1\n.1 .2 .3\n.2 .2 .2\n2.000000001 1 1\n");
-    CHECK(folder.rbpa("solid p.xyz --alpha inf -q --boundary t.stl").err.find("moves 1 of 5 vertices onto others") !=
-          std::string::npos);
+    CHECK(
+        contains(folder.rbpa("solid p.xyz --alpha inf -q --boundary t.stl").err, "moves 1 of 5 vertices onto others"));
   }
 }

@@ -39,14 +39,13 @@ TEST_SUITE("standard output") {
     const Folder folder;
     for (const std::string what : {"--help", "--version", "mesh --help", "info --help"}) {
       CAPTURE(what);
-      const Outcome outcome = folder.run("/bin/sh", std::string("-c '") + RBPA_PROGRAM + " " + what + " >/dev/full'");
-      CHECK(outcome.code == 1);
+      const Outcome outcome =
+          folder.run("/bin/sh", std::string("-c '") + RBPA_PROGRAM + " " + what + " >/dev/full'", 1);
       CHECK(outcome.err == "rbpa: " + full_message);
     }
     for (const std::string what : {"--help", "--version"}) {
       const Outcome outcome =
-          folder.run("/bin/sh", std::string("-c '") + MESHTOPO_PROGRAM + " " + what + " >/dev/full'");
-      CHECK(outcome.code == 1);
+          folder.run("/bin/sh", std::string("-c '") + MESHTOPO_PROGRAM + " " + what + " >/dev/full'", 1);
       CHECK(outcome.err == "meshtopo: " + full_message);
     }
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "support/program.h"
+#include "support/spiral.h"
 
 using namespace apps_test;
 using nlohmann::json;
@@ -20,13 +21,9 @@ namespace {
 /// and far from it a triangle; each point with its normal.
 std::vector<std::string> lines(double top) {
   std::vector<std::string> lines{"3 0 0 0 0 1", "3.1 0 0 0 0 1", "3 0.1 0 0 0 1"};
-  const int count = 600;
-  for (int i = 0; i < count; ++i) {
-    const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, r = std::sqrt(1 - z * z);
-    const double x = r * std::cos(around), y = r * std::sin(around);
-    if (z > top || std::hypot(x - 1, y, z) < 0.3) continue;
-    const std::string p = std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z);
-    lines.push_back(p + " " + p);
+  for (const rbpa::Point3& at : rbpa_test::spiral(600)) {
+    const std::string p = rbpa_test::text_of(at);
+    if (at.z <= top && std::hypot(at.x - 1, at.y, at.z) >= 0.3) lines.push_back(p + " " + p);
   }
   return lines;
 }
@@ -43,15 +40,13 @@ constexpr const char* ball = "surface s.xyz --radius 0.2 --json ";
 
 TEST_SUITE("surface") {
   TEST_CASE("holes are filled, rims and islands stay, and curves that stay keep their causes") {
-    const Folder folder;
-    folder.file("s.xyz", joined(lines(0.9)));
+    const Folder folder("s.xyz", joined(lines(0.9)));
     const json open = json::parse(folder.rbpa(std::string(ball) + "-o open.off").out);
     REQUIRE(open["curves"] == json::parse(R"({"rim": 0, "hole": 2, "island": 1})"));
     CHECK(open["filled"]["holes"] == 0);
     CHECK(open["watertight"].is_null());
 
-    const Outcome outcome = folder.rbpa(std::string(ball) + "--fill-holes all -o m.off --holes h.obj");
-    CHECK(outcome.code == 0);
+    const Outcome outcome = folder.rbpa(std::string(ball) + "--fill-holes all -o m.off --holes h.obj", 0);
     const json report = json::parse(outcome.out);
     CHECK(report["filled"]["holes"] == 2);
     CHECK(report["filled"]["left"] ==
@@ -65,19 +60,17 @@ TEST_SUITE("surface") {
     CHECK(report["area"].get<double>() ==
           doctest::Approx(open["area"].get<double>() + report["filled"]["area"].get<double>()));
     CHECK(report["component_list"][0]["volume"].get<double>() == doctest::Approx(4.0).epsilon(0.05));
-    CHECK(outcome.err.find("\nrbpa: 2 holes filled by " + std::to_string(edges - 4) + " triangles of area ") !=
-          std::string::npos);
+    CHECK(contains(outcome.err, "\nrbpa: 2 holes filled by " + std::to_string(edges - 4) + " triangles of area "));
     REQUIRE(report["holes"].size() == 1);
     CHECK(report["holes"][0]["edges"] == open["holes"][0]["edges"]);
-    CHECK(folder.content("h.obj").find("g hole") == std::string::npos);
+    CHECK(!contains(folder.content("h.obj"), "g hole"));
     const json topology = json::parse(folder.meshtopo("m.off --json").out);
     CHECK(topology["defects"].empty());
     CHECK(topology["boundary_curves"] == 1);
   }
 
   TEST_CASE("holes are chosen by edges and by length") {
-    const Folder folder;
-    folder.file("s.xyz", joined(lines(0.9)));
+    const Folder folder("s.xyz", joined(lines(0.9)));
     const json open = json::parse(folder.rbpa(std::string(ball) + "-o open.npy").out);
     std::vector<json> holes;
     for (const json& hole : open["holes"])
@@ -87,9 +80,8 @@ TEST_SUITE("surface") {
       return [key](const json& a, const json& b) { return a[key].get<double>() < b[key].get<double>(); };
     };
     const auto filled = [&](const std::string& choice) {
-      const Outcome outcome = folder.rbpa(std::string(ball) + "-o m.npy --fill-holes " + choice);
-      CHECK(outcome.code == 0);
-      return json::parse(outcome.out)["filled"]["holes"].get<int>();
+      return json::parse(folder.rbpa(std::string(ball) + "-o m.npy --fill-holes " + choice, 0).out)["filled"]["holes"]
+          .get<int>();
     };
     std::sort(holes.begin(), holes.end(), by("points"));
     const int fewest = holes[0]["points"].get<int>(), most = holes[1]["points"].get<int>();
@@ -112,17 +104,15 @@ TEST_SUITE("surface") {
       CAPTURE(top);
       std::vector<std::string> points = lines(top);
       folder.file("s.xyz", joined(points));
-      const Outcome outcome = folder.rbpa(std::string(ball) + "--watertight -o m.off -o m.stl -o m.npy --threads 1");
-      CHECK(outcome.code == 0);
+      const Outcome outcome = folder.rbpa(std::string(ball) + "--watertight -o m.off -o m.stl -o m.npy --threads 1", 0);
       const json report = json::parse(outcome.out);
       CHECK(report["watertight"] == true);
       CHECK(report["manifold"] == true);
       CHECK(report["boundary_curves"] == 0);
       CHECK(report["components"] == 1);
       CHECK(report["dropped"]["triangles"] == 1);
-      CHECK(outcome.err.find("\nrbpa: watertight: every edge has two triangles, and no two triangles cross\n") !=
-            std::string::npos);
-      CHECK(outcome.err.find("--flip") == std::string::npos);
+      CHECK(contains(outcome.err, "\nrbpa: watertight: every edge has two triangles, and no two triangles cross\n"));
+      CHECK(!contains(outcome.err, "--flip"));
       const std::string check = " --check closed,manifold,genus=0,components=1 -q";
       CHECK(folder.meshtopo("m.off" + check).code == 0);
       CHECK(folder.meshtopo("m.stl" + check).code == 0);
@@ -136,8 +126,7 @@ TEST_SUITE("surface") {
         CAPTURE(key);
         CHECK(shuffled[key] == report[key]);
       }
-      const Outcome turned = folder.rbpa(std::string(ball) + "--watertight --flip -o turned.off");
-      CHECK(turned.code == 0);
+      const Outcome turned = folder.rbpa(std::string(ball) + "--watertight --flip -o turned.off", 0);
       CHECK(turned.err.ends_with("\nrbpa: the largest component faces inward (--flip turns it around)\n"));
     }
   }
@@ -158,13 +147,11 @@ TEST_SUITE("surface") {
     const json open = json::parse(folder.rbpa(run + "--fill-holes all -o open.off").out);
     CHECK(open["filled"]["left"]["crosses"].get<int>() > 0);
     CHECK(open["filled"]["given_up"] == 0);
-    const Outcome outcome = folder.rbpa(run + "--watertight -o m.off");
-    REQUIRE(outcome.code == 0);
+    const Outcome outcome = folder.rbpa(run + "--watertight -o m.off", 0);
     const json report = json::parse(outcome.out);
     const auto given_up = report["filled"]["given_up"].get<int>();
     CHECK(given_up > 0);
-    CHECK(outcome.err.find("\nrbpa: " + std::to_string(given_up) + " triangles around holes removed, so that") !=
-          std::string::npos);
+    CHECK(contains(outcome.err, "\nrbpa: " + std::to_string(given_up) + " triangles around holes removed, so that"));
     CHECK(report["filled"]["left"] ==
           json::parse(R"({"crosses": 0, "edge_taken": 0, "no_area": 0, "too_much_work": 0})"));
     CHECK(folder.meshtopo("m.off -q --check closed,manifold,components=1").code == 0);
@@ -178,45 +165,33 @@ TEST_SUITE("surface") {
       CHECK(shuffled[key] == report[key]);
     }
     // Most of the surface is never removed: here it would be two thirds.
-    const Outcome plate = folder.rbpa("surface " RBPA_TEST_DATA
-                                      "/m3_plate_holes.off --radius auto --keep-largest 1 --watertight -o p.off");
-    CHECK(plate.code == 1);
-    CHECK(plate.err.find("given up") == std::string::npos);
+    const Outcome plate = folder.rbpa(
+        "surface " RBPA_TEST_DATA "/m3_plate_holes.off --radius auto --keep-largest 1 --watertight -o p.off", 1);
+    CHECK(!contains(plate.err, "given up"));
   }
 
   TEST_CASE("a surface that cannot be closed is named, nothing is written, and the exit code is 1") {
-    const Folder folder;
-    folder.file("t.xyz", "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n");
-    const Outcome flat = folder.rbpa("surface t.xyz --radius 1 --watertight --json -q -o m.ply");
-    CHECK(flat.code == 1);
-    CHECK(flat.out.empty());
-    CHECK(flat.err ==
-          "rbpa: --watertight: 1 boundary curve left, 1 hole not filled: 1 where any filling crosses the surface, the "
-          "longest of length 3.41421 with 3 edges at 0, 0, 0; nothing is written (--fill-holes all in its place fills "
-          "what "
-          "can be filled; --holes FILE shows the rest)\n");
+    const Folder folder("t.xyz", "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n");
+    refuses(folder, "surface t.xyz --radius 1 --watertight --json -q -o m.ply", 1,
+            "--watertight: 1 boundary curve left, 1 hole not filled: 1 where any filling crosses the surface, the "
+            "longest of length 3.41421 with 3 edges at 0, 0, 0; nothing is written (--fill-holes all in its place "
+            "fills what can be filled; --holes FILE shows the rest)");
     CHECK(!folder.has("m.ply"));
-    const Outcome none = folder.rbpa("surface t.xyz --radius 0.1 --watertight -o m.ply");
-    CHECK(none.code == 1);
+    const Outcome none = folder.rbpa("surface t.xyz --radius 0.1 --watertight -o m.ply", 1);
     CHECK(none.err.ends_with("\nrbpa: --watertight: there is no triangle; nothing is written\n"));
     // Both sides of a sheet are closed, and coincide.
-    const Outcome sides = folder.rbpa("surface t.xyz --radius 1 --normals none --watertight -o m.ply");
-    CHECK(sides.code == 1);
-    CHECK(sides.err.find("1 pair of triangles cross, the first of points (0 1 2) and (0 2 1) at 0, 0, 0; nothing") !=
-          std::string::npos);
+    const Outcome sides = folder.rbpa("surface t.xyz --radius 1 --normals none --watertight -o m.ply", 1);
+    CHECK(
+        contains(sides.err, "1 pair of triangles cross, the first of points (0 1 2) and (0 2 1) at 0, 0, 0; nothing"));
     CHECK(!folder.has("m.ply"));
   }
 
   TEST_CASE("wrong choices of holes are refused before anything is read") {
     const Folder folder;
-    for (const std::string text : {"2", "0", "3.5", "-1", "some", "length=", "length=0", "length=nan", "length=2x"}) {
-      CAPTURE(text);
-      const Outcome outcome = folder.rbpa("surface p.xyz --radius 1 -o m.off --fill-holes=" + text);
-      CHECK(outcome.code == 2);
-      CHECK(outcome.err ==
-            "rbpa: --fill-holes: found '" + text +
-                "', expected all, rims, a number of edges from 3, such as 30, or a length, such as length=2.5\n");
-    }
+    for (const std::string text : {"2", "0", "3.5", "-1", "some", "length=", "length=0", "length=nan", "length=2x"})
+      refuses(folder, "surface p.xyz --radius 1 -o m.off --fill-holes=" + text, 2,
+              "--fill-holes: found '" + text +
+                  "', expected all, rims, a number of edges from 3, such as 30, or a length, such as length=2.5");
     CHECK(folder.rbpa("surface p.xyz --radius 1 -o m.off --fill-holes all --watertight").err ==
           "rbpa: --fill-holes cannot be combined with --watertight, which fills all holes\n");
     CHECK(folder.rbpa("surface p.xyz --radius 1 -o m.off --fill-holes all --normals none").err ==

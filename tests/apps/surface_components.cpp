@@ -1,7 +1,6 @@
 // Components of `rbpa surface`: islands, shells, dropped components; and files that are manifold for readers.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "support/program.h"
+#include "support/spiral.h"
 
 using namespace apps_test;
 using nlohmann::json;
@@ -19,13 +19,9 @@ namespace {
 /// its normal.
 std::string sphere_and_island() {
   std::string text = "3 0 0 0 0 1\n3.1 0 0 0 0 1\n3 0.1 0 0 0 1\n";
-  const int count = 600;
-  for (int i = 0; i < count; ++i) {
-    const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, r = std::sqrt(1 - z * z);
-    if (z > 0.7) continue;
-    const std::string p =
-        std::to_string(r * std::cos(around)) + " " + std::to_string(r * std::sin(around)) + " " + std::to_string(z);
-    text += p + " " + p + "\n";
+  for (const rbpa::Point3& at : rbpa_test::spiral(600)) {
+    const std::string p = rbpa_test::text_of(at);
+    if (at.z <= 0.7) text += p + " " + p + "\n";
   }
   return text;
 }
@@ -34,9 +30,7 @@ std::string sphere_and_island() {
 const std::string touching = "0 0 0\n0 0 1\n1 0.4 0.5\n1 -0.4 0.5\n-1 0.4 0.5\n-1 -0.4 0.5\n";
 
 void refuses(const Folder& folder, const std::string& options, const std::string& message) {
-  const Outcome outcome = folder.rbpa("surface p.xyz --radius 1 -o m.off " + options);
-  CHECK(outcome.code == 2);
-  CHECK(outcome.err == "rbpa: " + message + "\n");
+  refuses(folder, "surface p.xyz --radius 1 -o m.off " + options, 2, message);
   CHECK(!folder.has("m.off"));
 }
 
@@ -44,14 +38,12 @@ void refuses(const Folder& folder, const std::string& options, const std::string
 
 TEST_SUITE("surface") {
   TEST_CASE("the rim of a stray triangle is that of an island, not a hole, in text, JSON and the file of curves") {
-    const Folder folder;
-    folder.file("s.xyz", sphere_and_island());
-    const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.3 --holes h.obj --json -o m.npy");
-    CHECK(outcome.code == 0);
-    CHECK(outcome.err.find("997 triangles") == std::string::npos);
-    CHECK(outcome.err.find("\nrbpa: hole of length ") != std::string::npos);
-    CHECK(outcome.err.find("\nrbpa: 1 rim of an island of length 0.341421: 3 edges, 3 with nothing within reach\n") !=
-          std::string::npos);
+    const Folder folder("s.xyz", sphere_and_island());
+    const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.3 --holes h.obj --json -o m.npy", 0);
+    CHECK(!contains(outcome.err, "997 triangles"));
+    CHECK(contains(outcome.err, "\nrbpa: hole of length "));
+    CHECK(
+        contains(outcome.err, "\nrbpa: 1 rim of an island of length 0.341421: 3 edges, 3 with nothing within reach\n"));
     const json report = json::parse(outcome.out);
     CHECK(report["curves"] == json::parse(R"({"rim": 0, "hole": 1, "island": 1})"));
     REQUIRE(report["component_list"].size() == 2);
@@ -62,24 +54,22 @@ TEST_SUITE("surface") {
     CHECK(island["volume"].is_null());
     CHECK(island["box"] == json::parse("[[3, 0, 0], [3.1, 0.1, 0]]"));
     const std::string curves = folder.content("h.obj");
-    CHECK(curves.find("\ng hole\nl ") != std::string::npos);
+    CHECK(contains(curves, "\ng hole\nl "));
     CHECK(curves.ends_with("\ng island\nl 1 3 2 1\n"));
   }
 
   TEST_CASE("components that are small or not among the largest are dropped everywhere, and their points are counted") {
-    const Folder folder;
-    folder.file("s.xyz", sphere_and_island());
+    const Folder folder("s.xyz", sphere_and_island());
     const std::string run = "surface s.xyz --radius 0.3 --holes h.obj --json ";
     const json whole = json::parse(folder.rbpa(run + "-o whole.npy").out);
     for (const std::string option : {"--keep-largest 1", "--drop-small 2", "--drop-small area=0.006"}) {
       CAPTURE(option);
-      const Outcome outcome = folder.rbpa(run + option + " -o m.npy -o m.off --compact");
-      CHECK(outcome.code == 0);
-      CHECK(outcome.err.find("\nrbpa: 1 of 2 components dropped: 1 of ") != std::string::npos);
-      CHECK(outcome.err.find(" %) of area 0.005 (") != std::string::npos);
-      CHECK(outcome.err.find(" %), of genus 0, and 3 points left without a triangle\n") != std::string::npos);
-      CHECK(outcome.err.find(", genus 0, after 1 component was dropped (") != std::string::npos);
-      CHECK(outcome.err.find("island") == std::string::npos);
+      const Outcome outcome = folder.rbpa(run + option + " -o m.npy -o m.off --compact", 0);
+      CHECK(contains(outcome.err, "\nrbpa: 1 of 2 components dropped: 1 of "));
+      CHECK(contains(outcome.err, " %) of area 0.005 ("));
+      CHECK(contains(outcome.err, " %), of genus 0, and 3 points left without a triangle\n"));
+      CHECK(contains(outcome.err, ", genus 0, after 1 component was dropped ("));
+      CHECK(!contains(outcome.err, "island"));
       const json report = json::parse(outcome.out);
       CHECK(report["components"] == 1);
       CHECK(report["curves"] == json::parse(R"({"rim": 0, "hole": 1, "island": 0})"));
@@ -90,7 +80,7 @@ TEST_SUITE("surface") {
       CHECK(report["triangles"].get<int>() == whole["triangles"].get<int>() - 1);
       REQUIRE(report["holes"].size() == 1);
       CHECK(report["holes"][0] == whole["holes"][1]);
-      CHECK(folder.content("h.obj").find("g island") == std::string::npos);
+      CHECK(!contains(folder.content("h.obj"), "g island"));
       CHECK(folder.content("m.npy").size() + 12 == folder.content("whole.npy").size());
       const json topology = json::parse(folder.meshtopo("m.off --json").out);
       CHECK(topology["vertices"] == report["vertices"]);
@@ -99,8 +89,7 @@ TEST_SUITE("surface") {
     const Outcome kept = folder.rbpa(run + "--keep-largest 2 --drop-small 1 -o m.npy");
     CHECK(json::parse(kept.out) == whole);
     CHECK(folder.content("m.npy") == folder.content("whole.npy"));
-    const Outcome none = folder.rbpa("surface s.xyz --radius 0.3 --drop-small 5000 -o n.npy -q");
-    CHECK(none.code == 0);
+    const Outcome none = folder.rbpa("surface s.xyz --radius 0.3 --drop-small 5000 -o n.npy -q", 0);
     CHECK(none.err == "rbpa: there is no triangle: 2 components dropped, and none kept\n");
   }
 
@@ -108,11 +97,8 @@ TEST_SUITE("surface") {
     const Folder folder;
     std::string points;
     for (const auto& [radius, count] : {std::pair{1.0, 800}, std::pair{0.3, 100}})
-      for (int i = 0; i < count; ++i) {
-        const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, r = std::sqrt(1 - z * z);
-        points += std::to_string(radius * r * std::cos(around)) + " " + std::to_string(radius * r * std::sin(around)) +
-                  " " + std::to_string(radius * z) + "\n";
-      }
+      for (const rbpa::Point3& p : rbpa_test::spiral(count))
+        points += rbpa_test::text_of({radius * p.x, radius * p.y, radius * p.z}) + "\n";
     folder.file("b.xyz", points);
     const std::string run = "surface b.xyz --radius 0.2 --normals none --json ";
     const json all = json::parse(folder.rbpa(run + "-o all.ply").out);
@@ -133,18 +119,16 @@ TEST_SUITE("surface") {
   }
 
   TEST_CASE("bodies that touch are a manifold file with --manifold, and without it the summary gives a warning") {
-    const Folder folder;
-    folder.file("t.xyz", touching);
+    const Folder folder("t.xyz", touching);
     const std::string run = "surface t.xyz --radius 0.7 --normals none --json ";
     const Outcome plain = folder.rbpa(run + "-o plain.ply");
-    CHECK(plain.err.find("\nrbpa: 1 non-manifold edge, with more than two triangles (--manifold splits their "
-                         "vertices)\n") != std::string::npos);
+    CHECK(contains(plain.err,
+                   "\nrbpa: 1 non-manifold edge, with more than two triangles (--manifold splits their vertices)\n"));
     CHECK(json::parse(plain.out)["non_manifold_edges"] == 1);
     CHECK(!json::parse(folder.meshtopo("plain.ply --json").out)["defects"].empty());
 
-    const Outcome split = folder.rbpa(run + "--manifold -o m.ply -o m.off -o m.obj -o m.npy");
-    CHECK(split.code == 0);
-    CHECK(split.err.find("more than two") == std::string::npos);
+    const Outcome split = folder.rbpa(run + "--manifold -o m.ply -o m.off -o m.obj -o m.npy", 0);
+    CHECK(!contains(split.err, "more than two"));
     const json report = json::parse(split.out);
     CHECK(report["non_manifold_edges"] == 0);
     CHECK(report["components"] == 2);
@@ -161,8 +145,8 @@ TEST_SUITE("surface") {
     }
     // Each vertex has the index of its point.
     const std::string ply = folder.content("m.ply");
-    CHECK(ply.find("element vertex 8\n") != std::string::npos);
-    CHECK(ply.find("property uint point\n") != std::string::npos);
+    CHECK(contains(ply, "element vertex 8\n"));
+    CHECK(contains(ply, "property uint point\n"));
     const std::size_t data = ply.find("end_header\n") + 11, row = 3 * 8 + 4;
     std::vector<std::uint32_t> point(8);
     for (std::size_t v = 0; v < point.size(); ++v) std::memcpy(&point[v], &ply[data + v * row + 24], 4);
@@ -182,10 +166,8 @@ TEST_SUITE("surface") {
     refuses(folder, "--keep-largest 0", "--keep-largest: found '0', expected a whole number of components from 1");
     refuses(folder, "--keep-largest 1.5", "--keep-largest: found '1.5', expected a whole number of components from 1");
     refuses(folder, "--keep-largest=-1", "--keep-largest: found '-1', expected a whole number of components from 1");
-    for (const std::string text : {"0", "2.5", "area=0", "area=", "area=nan", "x"}) {
-      CAPTURE(text);
+    for (const std::string text : {"0", "2.5", "area=0", "area=", "area=nan", "x"})
       refuses(folder, "--drop-small " + text, "--drop-small: found '" + text + "'" + small);
-    }
     refuses(folder, "--shell outer", "--shell requires --normals none");
     refuses(folder, "--normals none --shell inner", "--shell: found 'inner', expected outer, largest or all");
   }

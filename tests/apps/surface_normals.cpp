@@ -5,12 +5,12 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "support/program.h"
+#include "support/spiral.h"
 
 using namespace apps_test;
 using nlohmann::json;
@@ -22,11 +22,9 @@ std::string sphere(int count, double noise) {
   std::mt19937 random(5);
   std::string lines;
   const double spacing = std::sqrt(4 * 3.14159265358979 / count);
-  for (int i = 0; i < count; ++i) {
-    const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, s = std::sqrt(1 - z * z);
+  for (const rbpa::Point3& p : rbpa_test::spiral(count)) {
     const double r = 1 + noise * spacing * (static_cast<double>(random()) / 2147483648.0 - 1);
-    lines += std::to_string(r * s * std::cos(around)) + " " + std::to_string(r * s * std::sin(around)) + " " +
-             std::to_string(r * z) + "\n";
+    lines += rbpa_test::text_of({r * p.x, r * p.y, r * p.z}) + "\n";
   }
   return lines;
 }
@@ -63,25 +61,22 @@ TEST_SUITE("surface normals") {
     for (const double noise : {0.0, 2.0}) {
       CAPTURE(noise);
       folder.file("p.xyz", sphere(2000, noise));
-      const Outcome outcome = folder.rbpa("surface p.xyz --radius auto -o m.ply --stats s.json --compact");
-      REQUIRE(outcome.code == 0);
+      const Outcome outcome = folder.rbpa("surface p.xyz --radius auto -o m.ply --stats s.json --compact", 0);
       REQUIRE(folder.rbpa("surface p.xyz --radius auto -o all.ply -q").code == 0);
       const std::string ply = folder.content("all.ply");
-      CHECK(ply.find("property double confidence\n") != std::string::npos);
+      CHECK(contains(ply, "property double confidence\n"));
       std::size_t in_doubt = 0;
       for (const Vertex& vertex : vertices_of(ply, false)) in_doubt += vertex.confidence < 0.5;
       CHECK(json::parse(folder.content("s.json"))["normals_in_doubt"] == in_doubt);
       CHECK((in_doubt > 100) == (noise > 0));
-      const bool has_word = outcome.err.find(
-                                " % of the normals are in doubt: --color normals shows where, --viewpoint decides "
-                                "their side\n") != std::string::npos;
+      const bool has_word = contains(
+          outcome.err, " % of the normals are in doubt: --color normals shows where, --viewpoint decides their side\n");
       CHECK(has_word == (noise > 0));
     }
   }
 
   TEST_CASE("--color normals goes from blue for confidence to orange; points left out count as in doubt") {
-    const Folder folder;
-    folder.file("p.xyz", sphere(2000, 1.5) + "50 50 50\n");
+    const Folder folder("p.xyz", sphere(2000, 1.5) + "50 50 50\n");
     REQUIRE(
         folder.rbpa("surface p.xyz --radius auto --drop-outliers auto --color normals -q -o m.ply -o m.png --width 300")
             .code == 0);
@@ -102,20 +97,17 @@ TEST_SUITE("surface normals") {
   }
 
   TEST_CASE("normals that are not estimated have no confidence, and no color by it") {
-    const Folder folder;
-    folder.file("n.xyz", "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n");
+    const Folder folder("n.xyz", "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n");
     REQUIRE(folder.rbpa("surface n.xyz --radius 1 -q -o m.ply --stats s.json").code == 0);
-    CHECK(folder.content("m.ply").find("confidence") == std::string::npos);
+    CHECK(!contains(folder.content("m.ply"), "confidence"));
     CHECK(json::parse(folder.content("s.json"))["normals_in_doubt"].is_null());
     CHECK(folder.rbpa("surface n.xyz --radius 1 -o m.ply --color normals --normals none").code == 2);
     CHECK(folder.rbpa("surface n.xyz --radius 1 -o m.ply --color normals --normals file").code == 2);
-    const Outcome blue = folder.rbpa("surface n.xyz --radius 1 -o m.ply --color blue");
-    CHECK(blue.code == 2);
-    CHECK(blue.err == "rbpa: --color: found 'blue', expected points or normals\n");
-    const Outcome of_file = folder.rbpa("surface n.xyz --radius 1 -o m.ply --color normals");
-    CHECK(of_file.code == 3);
-    CHECK(of_file.err.find("found normals, whose confidence is not known, expected none, as --color normals requires "
-                           "(or --normals estimate)") != std::string::npos);
+    refuses(folder, "surface n.xyz --radius 1 -o m.ply --color blue", 2,
+            "--color: found 'blue', expected points or normals");
+    says(folder, "surface n.xyz --radius 1 -o m.ply --color normals", 3,
+         "found normals, whose confidence is not known, expected none, as --color normals requires (or --normals "
+         "estimate)");
     CHECK(folder.rbpa("surface n.xyz --radius 1 -o m.ply -q --color normals --normals estimate").code == 0);
   }
 
@@ -137,9 +129,8 @@ TEST_SUITE("surface normals") {
       std::memcpy(&normals.emplace_back(), ply.data() + at + 5 * sizeof(double), sizeof(double));
     REQUIRE(normals.size() == 201);
     for (std::size_t i = 1; i < normals.size(); ++i) CHECK(normals[i] == (i <= 100 ? 1 : -1));
-    const Outcome both = folder.rbpa(run + " --stats s.json --where 'z>10'");
-    CHECK(both.code == 0);
-    CHECK_MESSAGE(both.err.find("--where selects 101 of 201 lines") != std::string::npos, both.err);
+    const Outcome both = folder.rbpa(run + " --stats s.json --where 'z>10'", 0);
+    CHECK_MESSAGE(contains(both.err, "--where selects 101 of 201 lines"), both.err);
     for (const auto& [bad, code, text] : {std::tuple{"vx,vy,v", 3, "expected a header with a column 'v'"},
                                           {"vx,vy", 2, "three names of columns"},
                                           {"1,2,vx", 2, "three coordinates"},
@@ -148,14 +139,12 @@ TEST_SUITE("surface normals") {
                                           {"1,2,3,4", 2, "three coordinates"}}) {
       const std::string viewpoint = bad;
       CAPTURE(viewpoint);
-      const Outcome outcome = folder.rbpa("surface p.csv --radius 1 -o m.obj --viewpoint " + viewpoint);
-      CHECK(outcome.code == code);
-      CHECK_MESSAGE(outcome.err.find(text) != std::string::npos, outcome.err);
+      const Outcome outcome = folder.rbpa("surface p.csv --radius 1 -o m.obj --viewpoint " + viewpoint, code);
+      CHECK_MESSAGE(contains(outcome.err, text), outcome.err);
     }
     folder.file("q.csv", "x,y,z,vx,vy,vz\n0,0,0,1,1,1\n1,0,0,1,1,nan\n0,1,0,1,1,1\n");
-    const Outcome nan = folder.rbpa("surface q.csv --radius 1 -o m.obj --viewpoint vx,vy,vz");
-    CHECK(nan.code == 3);
-    CHECK_MESSAGE(nan.err.find("q.csv:3: found 'nan', expected a finite number") != std::string::npos, nan.err);
+    const Outcome nan = folder.rbpa("surface q.csv --radius 1 -o m.obj --viewpoint vx,vy,vz", 3);
+    CHECK_MESSAGE(contains(nan.err, "q.csv:3: found 'nan', expected a finite number"), nan.err);
   }
 
   TEST_CASE("--max-radius replaces larger radii of auto, once") {

@@ -54,16 +54,12 @@ TEST_SUITE("surface outliers") {
     const std::string files = " -q --json --radius 1 -o m.npy -o m.png --width 300 -o m.ply -o m.off";
     for (const std::string normals : {" --normals none", ""}) {
       CAPTURE(normals);
-      const Outcome clean = folder.rbpa("surface clean.xyz" + normals + files);
-      REQUIRE(clean.code == 0);
-      const json of_clean = json::parse(clean.out);
+      const json of_clean = json::parse(folder.rbpa("surface clean.xyz" + normals + files, 0).out);
       std::vector<std::uint32_t> expected = indices_of(folder.content("m.npy"));
       REQUIRE(expected.size() > 300);
       for (std::uint32_t& index : expected) index = cloud.number[index];
       const std::string picture = folder.content("m.png");
-      const Outcome outcome = folder.rbpa("surface all.xyz --drop-outliers auto" + normals + files);
-      REQUIRE(outcome.code == 0);
-      const json report = json::parse(outcome.out);
+      const json report = json::parse(folder.rbpa("surface all.xyz --drop-outliers auto" + normals + files, 0).out);
       CHECK(indices_of(folder.content("m.npy")) == expected);
       CHECK(folder.content("m.png") == picture);
       CHECK(report["outlier_points"] == json(cloud.outliers));
@@ -73,8 +69,7 @@ TEST_SUITE("surface outliers") {
       for (const char* same : {"distinct", "triangles", "components", "boundary_curves", "curves", "unused", "area"})
         CHECK(report[same] == of_clean[same]);
       REQUIRE(report["holes"].size() == of_clean["holes"].size());
-      CHECK(folder.content("m.ply").find("element vertex " + std::to_string(144 - 16 + cloud.outliers.size())) !=
-            std::string::npos);
+      CHECK(contains(folder.content("m.ply"), "element vertex " + std::to_string(144 - 16 + cloud.outliers.size())));
     }
   }
 
@@ -85,35 +80,28 @@ TEST_SUITE("surface outliers") {
     for (int i = 0; i < 36; ++i) text += std::to_string(i % 6) + " " + std::to_string(i / 6) + " 0\n";
     text += "2.5 8 0\n";
     folder.file("p.xyz", text);
-    const Outcome outcome =
-        folder.rbpa("surface p.xyz --radius 0.8 --drop-outliers 6 --json -q -o m.obj --holes h.obj");
-    REQUIRE(outcome.code == 0);
-    const json report = json::parse(outcome.out);
+    const json report = json::parse(
+        folder.rbpa("surface p.xyz --radius 0.8 --drop-outliers 6 --json -q -o m.obj --holes h.obj", 0).out);
     CHECK(report["outlier_points"] == json::parse("[0]"));
     REQUIRE(report["unused_points"].size() == 1);
     CHECK(report["unused_points"][0]["point"] == 37);
     const std::string holes = folder.content("h.obj");
     CHECK(holes.starts_with("v 500 500 500\nv 0 0 0\n"));
     const std::string loop = holes.substr(holes.find("\nl") + 2);
-    CHECK(loop.find(" 1 ") == std::string::npos);  // 1 is the number of the outlier
-    CHECK(loop.find(" 2") != std::string::npos);
+    CHECK(!contains(loop, " 1 "));  // 1 is the number of the outlier
+    CHECK(contains(loop, " 2"));
   }
 
   TEST_CASE("a wrong factor is refused; without outliers nothing changes") {
-    const Folder folder;
-    folder.file("p.xyz", Cloud().clean);
+    const Folder folder("p.xyz", Cloud().clean);
     for (const std::string bad : {"0.5", "x", "-3", "inf"}) {
-      const Outcome outcome = folder.rbpa("surface p.xyz --radius 1 -o m.ply --drop-outliers " + bad);
-      CHECK(outcome.code == 2);
-      CHECK(outcome.err == "rbpa: --drop-outliers: found '" + bad + "', expected a factor, >= 1, or auto\n");
+      refuses(folder, "surface p.xyz --radius 1 -o m.ply --drop-outliers " + bad, 2,
+              "--drop-outliers: found '" + bad + "', expected a factor, >= 1, or auto");
     }
     REQUIRE(folder.rbpa("surface p.xyz --radius 1 -o m.ply -q").code == 0);
     const std::string before = folder.content("m.ply");
-    const Outcome outcome = folder.rbpa("surface p.xyz --radius 1 -o m.ply --drop-outliers auto");
-    CHECK(outcome.code == 0);
-    CHECK(
-        outcome.err.find("0 outliers left out: more than 4 times as far from the 8th nearest point as the median, 2") !=
-        std::string::npos);
+    says(folder, "surface p.xyz --radius 1 -o m.ply --drop-outliers auto", 0,
+         "0 outliers left out: more than 4 times as far from the 8th nearest point as the median, 2");
     CHECK(folder.content("m.ply") == before);
   }
 }

@@ -123,8 +123,7 @@ TEST_SUITE("surface picture") {
     for (int x = -4; x <= 4; ++x)
       for (int y = -4; y <= 4; ++y)
         if (std::max(std::abs(x), std::abs(y)) >= 2) text += std::to_string(x) + " " + std::to_string(y) + " 0 0 0 1\n";
-    const Folder folder;
-    folder.file("p.xyz", text);
+    const Folder folder("p.xyz", text);
     const auto middle = [&](const std::string& option) {
       CHECK(folder.rbpa("surface p.xyz --radius 1 -o p.png --width 300 -q " + option).code == 0);
       return middle_of(folder.content("p.png"));

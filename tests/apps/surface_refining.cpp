@@ -1,12 +1,12 @@
 // --refine of `rbpa surface`: fillings with points inside, in every kind of file, with all values of points.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
 #include "support/program.h"
+#include "support/spiral.h"
 
 using namespace apps_test;
 using nlohmann::json;
@@ -17,12 +17,8 @@ namespace {
 std::string bowl(double top, const std::string& behind) {
   std::ostringstream text;
   text.precision(17);
-  const int count = 1500;
-  for (int i = 0; i < count; ++i) {
-    const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, r = std::sqrt(1 - z * z);
-    const double x = r * std::cos(around), y = r * std::sin(around);
+  for (const auto& [x, y, z] : rbpa_test::spiral(1500))
     if (z <= top) text << x << ' ' << y << ' ' << z << ' ' << x << ' ' << y << ' ' << z << behind << '\n';
-  }
   return text.str();
 }
 
@@ -34,14 +30,13 @@ std::size_t vertices_of(const Folder& folder, const std::string& file) {
 
 TEST_SUITE("surface") {
   TEST_CASE("fillings get points, and the files are closed surfaces of these and the others") {
-    const Folder folder;
-    folder.file("s.xyz", bowl(0.8, ""));
+    const Folder folder("s.xyz", bowl(0.8, ""));
     const json coarse = json::parse(folder.rbpa("surface s.xyz --radius 0.12 --watertight --json -o c.off").out);
     CHECK(coarse["filled"]["points"] == 0);
     const Outcome outcome = folder.rbpa(
         "surface s.xyz --radius 0.12 --watertight --refine --json -o m.ply -o m.off -o m.obj -o m.stl -o m.glb -o "
-        "m.vtu");
-    REQUIRE(outcome.code == 0);
+        "m.vtu",
+        0);
     const json report = json::parse(outcome.out);
     const auto added = report["filled"]["points"].get<std::size_t>();
     CHECK(added > 50);
@@ -51,8 +46,7 @@ TEST_SUITE("surface") {
     CHECK(report["filled"]["triangles"].get<std::size_t>() ==
           coarse["filled"]["triangles"].get<std::size_t>() + 2 * added);
     CHECK(report["filled"]["area"].get<double>() > coarse["filled"]["area"].get<double>());
-    CHECK(outcome.err.find(", with " + std::to_string(added) + " points added, 1 filling made smooth\n") !=
-          std::string::npos);
+    CHECK(contains(outcome.err, ", with " + std::to_string(added) + " points added, 1 filling made smooth\n"));
     for (const std::string file : {"m.ply", "m.off", "m.obj", "m.stl"}) {
       CAPTURE(file);
       CHECK(folder.meshtopo(file + " --check closed,manifold,genus=0,components=1").code == 0);
@@ -61,34 +55,33 @@ TEST_SUITE("surface") {
   }
 
   TEST_CASE("refining works with colors, estimated normals, outliers and moved points") {
-    const Folder folder;
-    folder.file("s.txt", "x y z nx ny nz r g b\n9 9 9 0 0 1 1 2 3\n" + bowl(0.8, " 40 80 120"));
+    const Folder folder("s.txt", "x y z nx ny nz r g b\n9 9 9 0 0 1 1 2 3\n" + bowl(0.8, " 40 80 120"));
     const json with_outlier = json::parse(
         folder.rbpa("surface s.txt --drop-outliers auto --radius 0.12 --fill-holes all --refine --json -o m.ply").out);
     REQUIRE(with_outlier["outliers"]["points"] == 1);
     const auto added = with_outlier["filled"]["points"].get<std::size_t>();
     CHECK(added > 50);
-    CHECK(folder.content("m.ply").find("element vertex " + std::to_string(with_outlier["points"].get<std::size_t>() +
-                                                                          added)) != std::string::npos);
+    CHECK(contains(folder.content("m.ply"),
+                   "element vertex " + std::to_string(with_outlier["points"].get<std::size_t>() + added)));
     for (const std::string more :
          {"--normals estimate", "--scale-space 1", "--scale-space 1 --moved", "--compact", "--manifold"}) {
       CAPTURE(more);
-      const Outcome outcome = folder.rbpa(
-          "surface s.txt --drop-outliers auto --radius 0.12 --fill-holes all --refine --json -o m.ply -o m.png " +
-          more);
-      REQUIRE(outcome.code == 0);
-      CHECK(json::parse(outcome.out)["filled"]["points"].get<std::size_t>() > 50);
+      CHECK(json::parse(folder
+                            .rbpa("surface s.txt --drop-outliers auto --radius 0.12 --fill-holes all --refine --json "
+                                  "-o m.ply -o m.png " +
+                                      more,
+                                  0)
+                            .out)["filled"]["points"]
+                .get<std::size_t>() > 50);
       CHECK(json::parse(folder.meshtopo("m.ply --json").out)["boundary_curves"] == 0);
     }
   }
 
   TEST_CASE("wrong usage of --refine is refused") {
-    const Folder folder;
-    folder.file("s.xyz", bowl(0.8, ""));
+    const Folder folder("s.xyz", bowl(0.8, ""));
     CHECK(folder.rbpa("surface s.xyz --radius 0.12 --refine -o m.off").err ==
           "rbpa: --refine requires --fill-holes or --watertight\n");
     CHECK(folder.rbpa("surface s.xyz --radius 0.12 --watertight --refine -o m.npy").err ==
-          "rbpa: --refine: found 'm.npy', whose rows are numbers of input points, expected a format with "
-          "points\n");
+          "rbpa: --refine: found 'm.npy', whose rows are numbers of input points, expected a format with points\n");
   }
 }

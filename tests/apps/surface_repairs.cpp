@@ -1,13 +1,13 @@
 // --suggest-repairs of `rbpa surface`: the suggested repair of a hole closes it.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "support/program.h"
+#include "support/spiral.h"
 
 using namespace apps_test;
 using nlohmann::json;
@@ -22,10 +22,10 @@ struct Line {
 /// Returns a sphere of radius 1 without the part above `top`, with the normal of one point turned around.
 std::vector<Line> sphere_lines(double top, int wrong) {
   std::vector<Line> lines;
-  const int count = 600;
-  for (int i = 0; i < count; ++i) {
-    const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, r = std::sqrt(1 - z * z);
-    if (z <= top) lines.push_back({r * std::cos(around), r * std::sin(around), z, i == wrong});
+  int number = 0;
+  for (const auto& [x, y, z] : rbpa_test::spiral(600)) {
+    if (z <= top) lines.push_back({x, y, z, number == wrong});
+    ++number;
   }
   return lines;
 }
@@ -69,8 +69,7 @@ TEST_SUITE("surface") {
     const Folder folder;
     std::vector<Line> lines = sphere_lines(0.93, 300);
     folder.file("s.xyz", text_of(lines));
-    const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.13 --suggest-repairs --json -o m.off");
-    REQUIRE(outcome.code == 0);
+    const Outcome outcome = folder.rbpa("surface s.xyz --radius 0.13 --suggest-repairs --json -o m.off", 0);
     const json report = json::parse(outcome.out);
     CHECK(report["suggested_repairs"] ==
           json::parse(R"({"turn_normals": 1, "larger_ball": 1, "filling": 0, "none": 0})"));
@@ -79,9 +78,9 @@ TEST_SUITE("surface") {
     REQUIRE(found.radius > 0.13);
     CHECK(lines[static_cast<std::size_t>(found.point)].is_turned);
     const std::string radii = "0.13," + json(found.radius).dump();
-    CHECK(outcome.err.find("; closed by --radius " + radii + "\n") != std::string::npos);
-    CHECK(outcome.err.find("; closed with the normal of point " + std::to_string(found.point) + " turned around\n") !=
-          std::string::npos);
+    CHECK(contains(outcome.err, "; closed by --radius " + radii + "\n"));
+    CHECK(
+        contains(outcome.err, "; closed with the normal of point " + std::to_string(found.point) + " turned around\n"));
 
     lines[static_cast<std::size_t>(found.point)].is_turned = false;
     folder.file("s.xyz", text_of(lines));
@@ -121,8 +120,7 @@ TEST_SUITE("surface") {
       CHECK(hole["suggested_repair"].is_null() == (hole["kind"] == "rim"));
       if (hole["kind"] == "hole") CHECK(hole["suggested_repair"]["kind"] == "larger_ball");
     }
-    const Outcome many = folder.rbpa("surface p.xyz --radius 0.8 --suggest-repairs --fill-holes all -o m.off");
-    CHECK(many.code == 2);
+    const Outcome many = folder.rbpa("surface p.xyz --radius 0.8 --suggest-repairs --fill-holes all -o m.off", 2);
     CHECK(
         many.err ==
         "rbpa: --suggest-repairs cannot be combined with --fill-holes or --watertight, which close holes themselves\n");

@@ -93,8 +93,7 @@ std::string sheet(double origin) {
 
 TEST_SUITE("surface scenes") {
   TEST_CASE("a scene has the positions, triangles, normals and linear colors of the surface") {
-    const Folder folder;
-    folder.file("s.txt", sheet(0));
+    const Folder folder("s.txt", sheet(0));
     REQUIRE(folder.rbpa("surface s.txt --radius 1 -o m.glb -o m.obj --manifold -q").code == 0);
     const Scene scene(folder.content("m.glb"));
     CHECK(scene.tree["asset"]["version"] == "2.0");
@@ -127,8 +126,7 @@ TEST_SUITE("surface scenes") {
   }
 
   TEST_CASE("map coordinates are moved to the middle of their box, to less than a millimeter") {
-    const Folder folder;
-    folder.file("s.txt", sheet(4500000.1));
+    const Folder folder("s.txt", sheet(4500000.1));
     REQUIRE(folder.rbpa("surface s.txt --radius 1 -o m.glb -o m.obj -q").code == 0);
     const Scene scene(folder.content("m.glb"));
     const json& moved = scene.tree["nodes"][0]["translation"];
@@ -142,8 +140,7 @@ TEST_SUITE("surface scenes") {
   }
 
   TEST_CASE("sheets that touch have vertices of their own in a scene, and unused points none") {
-    const Folder folder;
-    folder.file("s.txt", "0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n9 9 9\n");
+    const Folder folder("s.txt", "0 0 0\n1 0 0\n0 1 0\n-1 0 0\n0 -1 0\n9 9 9\n");
     REQUIRE(folder.rbpa("surface s.txt --radius 0.75 --normals none -o m.glb -o m.npy -q").code == 0);
     const Scene scene(folder.content("m.glb"));
     const std::vector<std::uint32_t> indices = scene.indices();
@@ -160,24 +157,20 @@ TEST_SUITE("surface scenes") {
   }
 
   TEST_CASE("without a triangle the scene is empty; a coordinate beyond floats is refused without a file") {
-    const Folder folder;
-    folder.file("far.txt", "0 0 0\n9 0 0\n0 9 0\n");
+    const Folder folder("far.txt", "0 0 0\n9 0 0\n0 9 0\n");
     CHECK(folder.rbpa("surface far.txt --radius 1 --normals none -o m.glb -q").code == 0);
     const Scene scene(folder.content("m.glb"));
     CHECK(scene.tree["scenes"] == json::parse("[{}]"));
     CHECK(scene.numbers.empty());
     folder.file("huge.txt", "0 0 0\n1e300 0 0\n0 1e300 0\n");
-    const Outcome refused = folder.rbpa("surface huge.txt --radius 1e300 --normals none -o huge.glb -q");
-    CHECK(refused.code == 3);
-    CHECK(refused.err ==
-          "rbpa: huge.glb: found the coordinate 1e+300, expected at most 3.4e38 in size, as GLB is in single precision "
-          "(.ply keeps doubles)\n");
+    refuses(folder, "surface huge.txt --radius 1e300 --normals none -o huge.glb -q", 3,
+            "huge.glb: found the coordinate 1e+300, expected at most 3.4e38 in size, as GLB is in single precision "
+            "(.ply keeps doubles)");
     CHECK_FALSE(folder.has("huge.glb"));
   }
 
   TEST_CASE("a grid of VTK has doubles, normals, colors, and the input index of each vertex") {
-    const Folder folder;
-    folder.file("s.txt", sheet(0.1));
+    const Folder folder("s.txt", sheet(0.1));
     REQUIRE(folder.rbpa("surface s.txt --radius 1 -o m.vtu -o m.npy -q").code == 0);
     REQUIRE(folder.rbpa("surface s.txt --radius 1 -o split.vtu -o m.obj --manifold -q").code == 0);
     const std::string vtu = folder.content("m.vtu"), npy = folder.content("m.npy");

@@ -17,12 +17,12 @@ namespace {
 
 const std::string geogcs =
     "GEOGCS[\"NAD83\",DATUM[\"North_American_Datum_1983\",SPHEROID[\"GRS "
-    "1980\",6378137,298.257222101,AUTHORITY[\"EPSG\","
-    "\"7019\"]],AUTHORITY[\"EPSG\",\"6269\"]],UNIT[\"degree\",0.0174532925199433,AUTHORITY[\"EPSG\",\"9122\"]],"
-    "AUTHORITY[\"EPSG\",\"4269\"]]";
+    "1980\",6378137,298.257222101,AUTHORITY[\"EPSG\",\"7019\"]],AUTHORITY[\"EPSG\",\"6269\"]],UNIT[\"degree\",0."
+    "0174532925199433,AUTHORITY[\"EPSG\",\"9122\"]],AUTHORITY[\"EPSG\",\"4269\"]]";
 const std::string vertical =
-    "VERT_CS[\"NAVD88 height\",VERT_DATUM[\"NAVD88\",2005,AUTHORITY[\"EPSG\",\"5103\"]],UNIT[\"metre\",1,AUTHORITY["
-    "\"EPSG\",\"9001\"]],AUTHORITY[\"EPSG\",\"5703\"]]";
+    "VERT_CS[\"NAVD88 "
+    "height\",VERT_DATUM[\"NAVD88\",2005,AUTHORITY[\"EPSG\",\"5103\"]],UNIT[\"metre\",1,AUTHORITY[\"EPSG\",\"9001\"]],"
+    "AUTHORITY[\"EPSG\",\"5703\"]]";
 const std::string vertical2 = "VERTCRS[\"NAVD88 height\",VDATUM[\"N\"],CS[vertical,1],ID[\"EPSG\",5703]]";
 
 /// Returns a projected system of the first version of WKT, with a unit and more elements.
@@ -35,9 +35,8 @@ const std::string code = ",AUTHORITY[\"EPSG\",\"26910\"]", metre = "\"metre\",1,
 /// Returns a projected system of the second version of WKT.
 std::string projcrs(const std::string& id) {
   return "PROJCRS[\"NAD83 / UTM zone 10N\",BASEGEOGCRS[\"NAD83\",DATUM[\"D\",ELLIPSOID[\"GRS "
-         "1980\",6378137,298.25]],ID["
-         "\"EPSG\",4269]],CONVERSION[\"UTM\",METHOD[\"Transverse Mercator\",ID[\"EPSG\",9807]]],CS[Cartesian,2],AXIS["
-         "\"(E)\",east,LENGTHUNIT[\"metre\",1]]" +
+         "1980\",6378137,298.25]],ID[\"EPSG\",4269]],CONVERSION[\"UTM\",METHOD[\"Transverse "
+         "Mercator\",ID[\"EPSG\",9807]]],CS[Cartesian,2],AXIS[\"(E)\",east,LENGTHUNIT[\"metre\",1]]" +
          id + "]";
 }
 
@@ -70,9 +69,7 @@ const std::vector<Text> texts = {
     {"BOUNDCRS[SOURCECRS[" + projcrs(",ID[\"EPSG\",26910]") + "],TARGETCRS[GEOGCRS[\"WGS 84\",ID[\"EPSG\",4326]]]]",
      "EPSG:26910"},
     {"COMPOUNDCRS[\"both\",BOUNDCRS[SOURCECRS[" + projcrs(",ID[\"EPSG\",26910]") +
-         "],TARGETCRS[GEOGCRS[\"WGS 84\",ID["
-         "\"EPSG\",4326]]]]," +
-         vertical2 + "]",
+         "],TARGETCRS[GEOGCRS[\"WGS 84\",ID[\"EPSG\",4326]]]]," + vertical2 + "]",
      "EPSG:26910"},
     {"COORDINATEMETADATA[" + projcrs(",ID[\"EPSG\",26910]") + ",EPOCH[2016.47]]", "EPSG:26910"},
     {"GEOGCRS[\"WGS 84\",CS[ellipsoidal,2],ID[\"EPSG\",4326]]", "EPSG:4326 in degrees"},
@@ -121,7 +118,7 @@ TEST_SUITE("systems of coordinates") {
       for (const bool behind : {false, true}) {
         folder.file("p.las", las({record(text.wkt)}, behind));
         CHECK(crs_of(folder, "p.las") == name);
-        const bool said = folder.rbpa("info p.las").err.find("--crs EPSG:CODE names it") != std::string::npos;
+        const bool said = contains(folder.rbpa("info p.las").err, "--crs EPSG:CODE names it");
         CHECK(said == (name == "none"));
       }
     }
@@ -162,8 +159,7 @@ TEST_SUITE("systems of coordinates") {
       CAPTURE(shown_file);
       CHECK(crs_of(folder, findings + file) == crs);
     }
-    const Outcome none = folder.rbpa("shape " + findings + "case_las_vertical_crs/wkt_no_code.las --alpha 1 -o o.ewkt");
-    CHECK(none.code == 2);
+    folder.rbpa("shape " + findings + "case_las_vertical_crs/wkt_no_code.las --alpha 1 -o o.ewkt", 2);
     CHECK_FALSE(folder.has("o.ewkt"));
   }
 
@@ -176,7 +172,7 @@ TEST_SUITE("systems of coordinates") {
       const auto is_none = [&](const std::string& arguments) {
         CHECK(crs_of(folder, arguments) == "none");
         const std::string err = folder.rbpa("info " + arguments).err;
-        CHECK(err.find(warning) != std::string::npos);
+        CHECK(contains(err, warning));
         CHECK(err.find(warning) == err.rfind(warning));
         CHECK(crs_of(folder, arguments + " --crs EPSG:28992") == "EPSG:28992");
       };
@@ -198,10 +194,9 @@ TEST_SUITE("systems of coordinates") {
       folder.file("p.las", las({keys({{1024, 0, 1, 1}, {3072, 0, 1, 26910}, {4096, 0, 1, number}})}));
       CHECK(crs_of(folder, "p.las") == "EPSG:26910");
       folder.file("p.xy", corner);
-      const Outcome refused = folder.rbpa("info p.xy --crs EPSG:" + vertical_code);
-      CHECK(refused.code == 2);
-      CHECK(refused.err == "rbpa: --crs: found 'EPSG:" + vertical_code +
-                               "', a system of heights, expected a horizontal one, such as EPSG:28992\n");
+      refuses(folder, "info p.xy --crs EPSG:" + vertical_code, 2,
+              "--crs: found 'EPSG:" + vertical_code +
+                  "', a system of heights, expected a horizontal one, such as EPSG:28992");
     }
   }
 

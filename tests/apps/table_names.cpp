@@ -173,12 +173,10 @@ TEST_SUITE("names of columns") {
     }
     CHECK(read_table(lines).points.front() == Point{1, 345.1});
     CHECK(space_points_in(lines, "t", Format::text, {}).warnings.empty());
-    const Folder folder;
-    folder.file("n.csv", lines);
-    folder.file("n.xyz", lines);
+    const Folder folder({{"n.csv", lines}, {"n.xyz", lines}});
     CHECK(folder.rbpa("info n.csv").err == "rbpa: n.csv: " + numbered.front() + "\n");
     CHECK(folder.rbpa("info - < n.csv").err == "rbpa: standard input: " + numbered.front() + "\n");
-    CHECK(folder.rbpa("info n.xyz").err.find("numbers the lines") == std::string::npos);
+    CHECK(!contains(folder.rbpa("info n.xyz").err, "numbers the lines"));
   }
 
   TEST_CASE("of several pairs of names a clear one is taken, and the other is said with its columns") {
@@ -213,7 +211,7 @@ TEST_SUITE("names of columns") {
     const SpacePoints space = space_points_in("x,y,z,lon,lat\n1,2,3,4,5\n", "t", Format::text, {});
     CHECK(space.warnings.front().ends_with("and not 'lon' and 'lat' (--columns chooses these)"));
     for (const std::string& names : {std::string("N,S,E,W"), std::string("west,south,east,north")})
-      CHECK(refusal_of_table(names + "\n4,3,13,12\n5,4,14,13\n").find("the sides of boxes") != std::string::npos);
+      CHECK(contains(refusal_of_table(names + "\n4,3,13,12\n5,4,14,13\n"), "the sides of boxes"));
   }
 
   TEST_CASE("names are known by an ending that two of them have, and in further languages") {
@@ -222,7 +220,7 @@ TEST_SUITE("names of columns") {
       CHECK(read_table("GEOID;" + names + "\n1;47.5;-122.5\n2;48.5;-122.5\n").points ==
             std::vector<Point>{{-122.5, 47.5}, {-122.5, 48.5}});
     for (const std::string& names : {std::string("errlat;errlon"), std::string("flat;colon")})
-      CHECK(refusal_of_table("GEOID;" + names + "\n1;47.5;-122.5\n").find("expected known names") != std::string::npos);
+      CHECK(contains(refusal_of_table("GEOID;" + names + "\n1;47.5;-122.5\n"), "expected known names"));
   }
 
   TEST_CASE("the leftmost of several clear pairs of names is taken, and without one the first columns") {
@@ -234,38 +232,33 @@ TEST_SUITE("names of columns") {
   }
 
   TEST_CASE("longitudes and latitudes give warnings about degrees and the antimeridian, with the option to use") {
-    const Folder folder;
-    folder.file("fiji.csv", "lat,lon\n-18,179\n-17,-179.5\n-16.5,178.25\n-17,-180\n");
+    const Folder folder("fiji.csv", "lat,lon\n-18,179\n-17,-179.5\n-16.5,178.25\n-17,-180\n");
     const std::string columns =
         "rbpa: fiji.csv: x is column 2, 'lon', and y is column 1, 'lat', as the header says (--columns chooses "
         "others)\n";
     const std::string degrees =
         "rbpa: fiji.csv: coordinates are degrees, and so are radii, lengths and areas; a degree of longitude is as "
-        "long as 0.95 "
-        "to 0.96 degrees of latitude there (ogr2ogr -t_srs projects them)\n";
+        "long as 0.95 to 0.96 degrees of latitude there (ogr2ogr -t_srs projects them)\n";
     const Outcome far = folder.rbpa("info fiji.csv");
-    CHECK(far.err ==
-          columns + degrees +
-              "rbpa: fiji.csv: points lie on both sides of the antimeridian, longitude 180, and are far apart "
-              "in the plane (--shift-longitude adds 360 to longitudes below 0)\n");
-    CHECK(far.out.find("box         x -180 .. 179\n") != std::string::npos);
+    CHECK(far.err == columns + degrees +
+                         "rbpa: fiji.csv: points lie on both sides of the antimeridian, longitude 180, and are far "
+                         "apart in the plane (--shift-longitude adds 360 to longitudes below 0)\n");
+    CHECK(contains(far.out, "box         x -180 .. 179\n"));
     const Outcome near = folder.rbpa("info fiji.csv --shift-longitude");
     CHECK(near.err == columns + degrees);
-    CHECK(near.out.find("box         x 178.25 .. 180.5\n") != std::string::npos);
+    CHECK(contains(near.out, "box         x 178.25 .. 180.5\n"));
     CHECK(folder.rbpa("info fiji.csv -q").err.empty());
     // Around the world, but not around the antimeridian.
     folder.file("atlantic.csv", "lon,lat\n-170,0\n-60,0\n60,1\n170,3\n");
-    CHECK(folder.rbpa("info atlantic.csv").err.find("antimeridian") == std::string::npos);
+    CHECK(!contains(folder.rbpa("info atlantic.csv").err, "antimeridian"));
     folder.file("exchanged.csv", "lon,lat\n52,113\n50,107\n");
     CHECK(folder.rbpa("info exchanged.csv").err ==
-          "rbpa: exchanged.csv: expected longitudes and latitudes, found numbers up to 52 and 113: are they "
-          "exchanged? (in a table --columns takes them in the other order)\n");
+          "rbpa: exchanged.csv: expected longitudes and latitudes, found numbers up to 52 and 113: are they exchanged? "
+          "(in a table --columns takes them in the other order)\n");
     folder.file("metres.csv", "lon,lat\n500000,5800000\n");
-    CHECK(folder.rbpa("info metres.csv").err.find("are they degrees?") != std::string::npos);
-    const Outcome no_degrees = folder.rbpa("info metres.csv --shift-longitude");
-    CHECK(no_degrees.code == 3);
-    CHECK(no_degrees.err ==
-          "rbpa: metres.csv: found x = '5e+05', expected a longitude of -180 to 360 (leave out --shift-longitude if x "
-          "is not in degrees)\n");
+    CHECK(contains(folder.rbpa("info metres.csv").err, "are they degrees?"));
+    refuses(folder, "info metres.csv --shift-longitude", 3,
+            "metres.csv: found x = '5e+05', expected a longitude of -180 to 360 (leave out --shift-longitude if x is "
+            "not in degrees)");
   }
 }

@@ -53,10 +53,9 @@ TEST_SUITE("odd lines of tables") {
     CHECK(read_table("id,x,y\n\"#1\",0,0\n\"#2\",4,0\n\"//\",0,3\n").points == corners);
     CHECK(refusal_of_table("#1,0,0\n#2,4,0\n") ==
           "t: found 2 comments and no point, expected points (quotes around the first field of a line make it one)");
-    CHECK(
-        refusal_of_table("id,x,y\n#1,0,0\n") ==
-        "t:1: found 'id,x,y' and no line after it but comments, expected lines of points after a header (quotes around "
-        "the first field of a line make it one)");
+    CHECK(refusal_of_table("id,x,y\n#1,0,0\n") ==
+          "t:1: found 'id,x,y' and no line after it but comments, expected lines of points after a header (quotes "
+          "around the first field of a line make it one)");
     CHECK(refusal_of_table("id,x,y\n#a\n") ==
           "t:1: found 'id,x,y' and no line after it but comments, expected lines of points after a header");
     CHECK(read_table("# no point\n# 3 of nothing\n").points.empty());
@@ -86,8 +85,8 @@ TEST_SUITE("odd lines of tables") {
         const PointFile file = read_table(text, request);
         CHECK(file.points == points);
         if (!request.columns)
-          CHECK(file.warnings == Texts{"the first line numbers the columns; x is column 2, y is column 3 (--columns "
-                                       "chooses others)"});
+          CHECK(file.warnings ==
+                Texts{"the first line numbers the columns; x is column 2, y is column 3 (--columns chooses others)"});
       }
     CHECK(read_table("    0    1\n0  1.5  2.5\n1  3.5  4.5\n2  5.5  1.5\n").points == points);  // pandas' to_string()
     const SpacePoints space = space_points_in(",0,1,2\n0,1.5,2.5,3.5\n1,3.5,4.5,5.5\n2,1,2,3\n", "t", Format::text, {});
@@ -115,8 +114,8 @@ TEST_SUITE("odd lines of tables") {
       CHECK(refusal_of_table(text, skipping)
                 .starts_with("t:1: found 'x,y', a header above lines with other numbers of fields"));
     for (const std::string text : {"P1,1,2\nP2,3,4\n", "id;x;y\n1;a;b\n2;c;d\n", "id,wkt\n1,POINT EMPTY\n"}) {
-      CHECK(refusal_of_table(text).find("--skip-invalid") == std::string::npos);
-      CHECK(refusal_of_table(text) != "none");
+      CHECK(!contains(refusal_of_table(text), "--skip-invalid"));
+      CHECK(refusal_of_table(text) != "");
     }
     CHECK(refusal_of_table("id;x;y\n1;a;b\n2;3;4\n").ends_with(skipping_way));
   }
@@ -132,7 +131,7 @@ TEST_SUITE("odd lines of tables") {
     }
     for (const std::string text : {"x y\n1 0 0\n2 4 0\n3 0\n", "x y\n5 0 0\n6 4 0\n", "x y\n1.5 0 0\n2.5 4 0\n",
                                    "x,y\n1,5,4\n2,5,3\n", "x y\n1 0 0\nb 4 0\n"})
-      CHECK(refusal_of_table(text).find("3 columns") != std::string::npos);
+      CHECK(contains(refusal_of_table(text), "3 columns"));
   }
 
   TEST_CASE("lines may lack the last fields below a header, if another line has them") {

@@ -10,6 +10,7 @@
 #include "io/text/fields.h"
 #include "support/gzip.h"
 #include "support/program.h"
+#include "support/refusal_of.h"
 
 using namespace apps_test;
 using rbpa::Point;
@@ -24,12 +25,7 @@ PointFile read(const std::string& text, PointSource source = {}, const std::stri
 }
 
 std::string refusal(const std::string& text, const PointSource& source = {}, const std::string& name = "t.csv") {
-  try {
-    read(text, source, name);
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "none";
+  return rbpa_test::refusal_of<BadInput>([&] { read(text, source, name); });
 }
 
 /// Returns the groups that `--group-by name` finds.
@@ -221,11 +217,10 @@ TEST_SUITE("quotes and separators") {
   }
 
   TEST_CASE("groups and conditions see texts without quotes") {
-    const Folder folder;
-    folder.file("g.csv",
-                "g,lon,lat\n\"6\"\" pipe\",4.880,52.370\n\"6\"\" pipe\",4.900,52.370\n\"6\"\" pipe\",4.9,52.38\n");
+    const Folder folder(
+        "g.csv", "g,lon,lat\n\"6\"\" pipe\",4.880,52.370\n\"6\"\" pipe\",4.900,52.370\n\"6\"\" pipe\",4.9,52.38\n");
     REQUIRE(folder.rbpa("shape g.csv --group-by g --alpha inf -o g.geojson").code == 0);
-    CHECK(folder.content("g.geojson").find("\"group\":\"6\\\" pipe\"") != std::string::npos);
+    CHECK(contains(folder.content("g.geojson"), "\"group\":\"6\\\" pipe\""));
     CHECK(folder.rbpa("info g.csv --where \"g == '6\\\" pipe'\"").out.starts_with("points      3\n"));
     CHECK(folder.rbpa("info - < g.csv").out == folder.rbpa("info g.csv").out);
     // A header in quotes is recognized by its text.

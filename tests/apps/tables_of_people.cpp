@@ -18,6 +18,7 @@
 #include "io/text/fields.h"
 #include "support/program.h"
 #include "support/read_table.h"
+#include "support/refusal_of.h"
 
 using namespace apps_test;
 using rbpa::Point;
@@ -59,8 +60,7 @@ TEST_SUITE("tables of people") {
           CHECK(refusal_of_table(text) == why + ")");
           // Other numbers have no sign below a thousand, and are no points that could remain.
           CHECK(refusal_of_table(text + "1" + separator + "2\n") == why + ")");
-          CHECK(refusal_of_table("999.456" + separator + "123.456\n" + line, skipping).find("between thousands") !=
-                std::string::npos);
+          CHECK(contains(refusal_of_table("999.456" + separator + "123.456\n" + line, skipping), "between thousands"));
           CHECK(refusal_of_table(text, skipping) == why + ")");
           if (!header.empty()) CHECK(refusal_of_table(text, {.columns = parse_columns("east,north")}) == why + ")");
         }
@@ -116,7 +116,7 @@ TEST_SUITE("tables of people") {
       CAPTURE(table.text);
       const PointFile file = read_table(table.text, skipping);
       CHECK(file.points == points);
-      CHECK(file.warnings.front().find(table.columns) != std::string::npos);
+      CHECK(contains(file.warnings.front(), table.columns));
       CHECK(file.warnings.back().starts_with(table.left_out + (table.left_out == "1 line" ? " is" : " are")));
     }
     // Names that are requested count more than known names.
@@ -244,30 +244,25 @@ TEST_SUITE("tables of people") {
           "t:2: found 'A', expected a number, as --where compares the column with numbers (== \"...\" compares it with "
           "a text; " +
               skipping_way);
-    CHECK(refusal_of_table(text, where("kind == 'A'")).find("expected a header with a column 'kind'") !=
-          std::string::npos);
+    CHECK(contains(refusal_of_table(text, where("kind == 'A'")), "expected a header with a column 'kind'"));
     const auto refused = [](const std::string& condition) -> std::string {
-      try {
-        const Condition parsed(condition, names_of_columns());
-      } catch (const WrongUsage& error) {
-        return error.what();
-      }
-      return "none";
+      return rbpa_test::refusal_of<WrongUsage>([&] { const Condition parsed(condition, names_of_columns()); });
     };
     CHECK(refused("grp < 'A'") == "--where: found ''A'', expected a number (a text is compared with == and !=)");
-    CHECK(refused("3 == 'A'").find("expected a number or the name of a column") != std::string::npos);
+    CHECK(contains(refused("3 == 'A'"), "expected a number or the name of a column"));
     CHECK(refused("grp in ('A', 3)") == "--where: found '3', expected a text in quotes, as the list has texts");
     CHECK(refused("grp in ('A' 'B')") == "--where: found ''B'', expected ',' or ')'");
-    CHECK(refused("'A' == grp").find("expected a number or the name of a column") != std::string::npos);
-    CHECK(refused("grp == 'A").find("expected a number or the name of a column") != std::string::npos);
+    CHECK(contains(refused("'A' == grp"), "expected a number or the name of a column"));
+    CHECK(contains(refused("grp == 'A"), "expected a number or the name of a column"));
   }
 
   TEST_CASE("geometries are preferred to coordinates in the same table, with a message") {
     const std::string lines = "lon,lat,name,WKT\n9,9,a,POINT (1 2)\n8,8,b,MULTIPOINT(3 4)\n";
     const PointFile file = read_table(lines);
     CHECK(file.points == std::vector<Point>{{1, 2}, {3, 4}});
-    CHECK(file.warnings == std::vector<std::string>{"the geometries of column 'WKT' are read, and not 'lon' and 'lat' "
-                                                    "(--columns chooses these)"});
+    CHECK(file.warnings ==
+          std::vector<std::string>{
+              "the geometries of column 'WKT' are read, and not 'lon' and 'lat' (--columns chooses these)"});
     CHECK(read_table("geom\tx\ty\nSRID=28992;point(1 2)\t7\t7\n").points == std::vector<Point>{{1, 2}});
     CHECK(read_table(lines, {.columns = std::vector<Column>{{.name = "lon"}, {.name = "lat"}}}).points ==
           std::vector<Point>{{9, 9}, {8, 8}});
@@ -305,60 +300,53 @@ TEST_SUITE("tables of people") {
     folder.file("p.xy", text);
     folder.file("q.xy", "0.5 0.5\n");
     REQUIRE(folder.rbpa("mesh p.xy --alpha 2 -o m.off -o m.ply -q").code == 0);
-    REQUIRE(folder
-                .run("/bin/sh",
-                     "-c 'gzip -k p.xy m.off m.ply; cat p.xy q.xy > r.xy; gzip -c p.xy > r.xy.gz; "
-                     "gzip -c q.xy >> r.xy.gz'")
-                .code == 0);
+    REQUIRE(
+        folder
+            .run("/bin/sh",
+                 "-c 'gzip -k p.xy m.off m.ply; cat p.xy q.xy > r.xy; gzip -c p.xy > r.xy.gz; gzip -c q.xy >> r.xy.gz'")
+            .code == 0);
     for (const std::string name : {"p.xy", "m.off", "m.ply", "r.xy"}) {
       CAPTURE(name);
-      const Outcome plain = folder.rbpa("info " + name + " --json");
-      CHECK(plain.code == 0);
-      CHECK(folder.rbpa("info " + name + ".gz --json").out == plain.out);
+      CHECK(folder.rbpa("info " + name + ".gz --json").out == folder.rbpa("info " + name + " --json", 0).out);
     }
     CHECK(folder.rbpa("info - < p.xy.gz").out == folder.rbpa("info p.xy").out);
     CHECK(folder.meshtopo("m.off.gz").out == folder.meshtopo("m.off").out);
     const std::string compressed = folder.content("p.xy.gz");
-    const auto refuses = [&](const std::string& bytes, const std::string& message) {
+    const auto refuses_bytes = [&](const std::string& bytes, const std::string& message) {
       folder.file("b.xy.gz", bytes);
-      const Outcome outcome = folder.rbpa("info b.xy.gz");
-      CHECK(outcome.code == 3);
-      CHECK(outcome.err == "rbpa: b.xy.gz: found " + message + "\n");
+      refuses(folder, "info b.xy.gz", 3, "b.xy.gz: found " + message);
     };
     for (const std::size_t size : {std::size_t{3}, std::size_t{12}, compressed.size() / 2, compressed.size() - 1})
-      refuses(compressed.substr(0, size),
-              "the end of the file inside compressed data, expected a whole gzip file (copy it again)");
-    refuses(compressed + "junk", "4 bytes after the compressed data, expected the end of the file");
+      refuses_bytes(compressed.substr(0, size),
+                    "the end of the file inside compressed data, expected a whole gzip file (copy it again)");
+    refuses_bytes(compressed + "junk", "4 bytes after the compressed data, expected the end of the file");
     std::string wrong = compressed;
     wrong[wrong.size() - 6] ^= 1;  // of the check sum
-    refuses(wrong, "damaged gzip data (incorrect data check), expected a whole gzip file (copy it again)");
+    refuses_bytes(wrong, "damaged gzip data (incorrect data check), expected a whole gzip file (copy it again)");
     // Numbers may look like a gzip file.
     folder.file("n.f64xy", std::string("\x1F\x8B\x08\x00\x00\x00\xF0\x3F\x00\x00\x00\x00\x00\x00\xF0\x3F", 16));
     CHECK(folder.rbpa("info n.f64xy").out.starts_with("points      1\n"));
   }
 
   TEST_CASE("a coordinate system is reported, or refused") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     for (const std::string name :
          {"EPSG:28992", "epsg:28992", "urn:ogc:def:crs:EPSG::28992", "http://www.opengis.net/def/crs/EPSG/0/28992"})
-      CHECK(folder.rbpa("info p.xy --crs " + name).out.find("crs         EPSG:28992\n") != std::string::npos);
-    CHECK(folder.rbpa("info p.xy --crs OGC:CRS84").err.find("coordinates are degrees") != std::string::npos);
+      CHECK(contains(folder.rbpa("info p.xy --crs " + name).out, "crs         EPSG:28992\n"));
+    CHECK(contains(folder.rbpa("info p.xy --crs OGC:CRS84").err, "coordinates are degrees"));
     for (const std::string name : {"28992", "EPSG:", "EPSG:abc", ":1", "''"}) {
       CAPTURE(name);
-      const Outcome outcome = folder.rbpa("info p.xy --crs " + name);
-      CHECK(outcome.code == 2);
-      CHECK(outcome.err.starts_with("rbpa: --crs: found "));
+      CHECK(folder.rbpa("info p.xy --crs " + name, 2).err.starts_with("rbpa: --crs: found "));
     }
   }
 
   TEST_CASE("a format that is not read is refused with the program that converts it") {
     const Folder folder;
-    CHECK(folder.rbpa("info p.e57").err.find("(pdal translate p.e57 points.las)") != std::string::npos);
+    CHECK(contains(folder.rbpa("info p.e57").err, "(pdal translate p.e57 points.las)"));
     const std::string of_gpx =
         rbpa::app::has_gdal() ? "p.gpx: " : "(this build has no GDAL: ogr2ogr -f GeoJSON points.geojson p.gpx)";
-    CHECK(folder.rbpa("info p.gpx").err.find(of_gpx) != std::string::npos);
-    CHECK(folder.rbpa("info p.foo").err.find("(") == std::string::npos);
+    CHECK(contains(folder.rbpa("info p.gpx").err, of_gpx));
+    CHECK(!contains(folder.rbpa("info p.foo").err, "("));
   }
 
   TEST_CASE("--where selects lines by columns that the header names") {
@@ -404,12 +392,7 @@ TEST_SUITE("tables of people") {
           "t: found no header line, expected one with the names that --where requires");
 
     const auto refused = [](const std::string& condition) -> std::string {
-      try {
-        const Condition parsed(condition, names_of_columns());
-      } catch (const WrongUsage& error) {
-        return error.what();
-      }
-      return "none";
+      return rbpa_test::refusal_of<WrongUsage>([&] { const Condition parsed(condition, names_of_columns()); });
     };
     const std::string name =
         ", expected a number or the name of a column (in double quotes unless it is a word other than and, or, not, "
@@ -422,8 +405,7 @@ TEST_SUITE("tables of people") {
     CHECK(refused("== 3") == "--where: found '=='" + name);
     CHECK(refused("point class") == "--where: found 'class', expected 'and', 'or' or the end");
 
-    const Folder folder;
-    folder.file("p.csv", "x,y,class\n0,0,6\n1,0,6\n0,1,6\n9,9,2\n");
+    const Folder folder("p.csv", "x,y,class\n0,0,6\n1,0,6\n0,1,6\n9,9,2\n");
     const Outcome outcome = folder.rbpa("mesh p.csv --where 'class==6' --alpha inf -o m.off");
     CHECK(outcome.err ==
           "rbpa: p.csv: --where selects 3 of 4 lines\nrbpa: 3 points, 1 triangle, 0 isolated -> m.off\n");

@@ -51,8 +51,6 @@ std::string seen_of_meshtopo(Child::Command arguments, bool output_too = false) 
   return seen_on_terminal(arguments, output_too);
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 /// Enough points for progress from every part of a run.
 std::string many_points() {
   std::string text;

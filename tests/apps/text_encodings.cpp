@@ -14,6 +14,7 @@
 #include "io/polygon/read_polygons.h"
 #include "support/gzip.h"
 #include "support/program.h"
+#include "support/refusal_of.h"
 
 using namespace apps_test;
 using namespace rbpa::app;
@@ -114,22 +115,15 @@ const std::vector<rbpa::Point3> places = {{0, 0.5, -1}, {1, 0, 4}, {2, 3, 0}};
 
 template <typename Read>
 std::string refusal(const Read& read) {
-  try {
-    read();
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "none";
+  return rbpa_test::refusal_of<BadInput>(read);
 }
 
 void check_utf16(const std::string& text, const std::function<void(const std::string&)>& read) {
   for (const bool little : {true, false})
     for (const bool mark : {true, false}) {
       const std::string name = little ? "UTF-16LE" : "UTF-16BE";
-      CHECK(refusal([&] {
-              read(in_utf16(text, little, mark));
-            }).find(": found text in " + name + ", expected UTF-8 (iconv -f " + name + " -t UTF-8 ") !=
-            std::string::npos);
+      CHECK(contains(refusal([&] { read(in_utf16(text, little, mark)); }),
+                     ": found text in " + name + ", expected UTF-8 (iconv -f " + name + " -t UTF-8 "));
     }
 }
 

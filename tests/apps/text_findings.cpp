@@ -14,7 +14,7 @@ const std::string data = RBPA_TEST_DATA "/findings/";
 void says(const Outcome& outcome, const std::string& text) {
   CAPTURE(outcome.err);
   CHECK(outcome.code == 0);
-  CHECK((outcome.out + outcome.err).find(text) != std::string::npos);
+  CHECK(contains((outcome.out + outcome.err), text));
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ TEST_SUITE("reported texts") {
     says(folder.rbpa("info " + doubled + "bom_quoted.csv"), "points      5");
     says(folder.rbpa("info " + doubled + "inch.csv"), "points      3");
     says(folder.rbpa("shape " + doubled + "group.csv --group-by g --alpha inf -o out.geojson"), "3 points, 1 group");
-    CHECK(folder.content("out.geojson").find("\"group\":\"6\\\" pipe\"") != std::string::npos);
+    CHECK(contains(folder.content("out.geojson"), "\"group\":\"6\\\" pipe\""));
     says(folder.rbpa("info " + broken + "newline_in_quotes.csv"), "points      5");
     says(folder.rbpa("shape " + broken + "phantom.csv --alpha inf -o - --output-format wkt"),
          "MULTIPOLYGON (((4.88 52.37, 4.9 52.37, 4.9 52.38, 4.88 52.37)))");
@@ -71,8 +71,7 @@ TEST_SUITE("reported texts") {
                       skipped = data + "case_skip_invalid_first_line/", cloud = data + "case_cloudcompare_header/";
     says(folder.rbpa("info " + first + "fortran.xy"), "points      4");
     const Outcome typo =
-        folder.rbpa("fill " + first + "square.poly --size 1 --size-at " + first + "typo.size -o out.off");
-    CHECK(typo.code == 3);
+        folder.rbpa("fill " + first + "square.poly --size 1 --size-at " + first + "typo.size -o out.off", 3);
     CHECK(typo.err.ends_with("typo.size:1: found 'O', expected a number\n"));
     says(folder.rbpa("solid " + skipped + "hc.csv --alpha inf --skip-invalid -o out.npy"), "1 line is left out");
     says(folder.rbpa("solid " + skipped + "hc.csv --alpha inf -o out.npy"), "rbpa: 4 points");
@@ -98,7 +97,8 @@ TEST_SUITE("reported texts") {
 
   TEST_CASE("a feature of GeoJSON is named") {
     const Folder folder;
-    CHECK(folder.rbpa("shape " + data + "case_geojson_place/null_coordinates.geojson --alpha inf -o out.wkt")
-              .err.find("null_coordinates.geojson:1: feature 0 (id \"a\"): found null") != std::string::npos);
+    CHECK(contains(
+        folder.rbpa("shape " + data + "case_geojson_place/null_coordinates.geojson --alpha inf -o out.wkt").err,
+        "null_coordinates.geojson:1: feature 0 (id \"a\"): found null"));
   }
 }

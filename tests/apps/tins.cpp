@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -138,10 +137,9 @@ TEST_SUITE("heights of triangles") {
       const auto& shown_name = name;
       CAPTURE(shown_name);
       folder.file(name, content);
-      const Outcome outcome = folder.rbpa("mesh " + name + " --alpha inf --fields none" + all_writers());
-      REQUIRE(outcome.code == 0);
-      CHECK(outcome.err.find("is not used") == std::string::npos);
-      CHECK((outcome.err.find("column 3 is read as z") != std::string::npos) == (name == "p.txt"));
+      const Outcome outcome = folder.rbpa("mesh " + name + " --alpha inf --fields none" + all_writers(), 0);
+      CHECK(!contains(outcome.err, "is not used"));
+      CHECK(contains(outcome.err, "column 3 is read as z") == (name == "p.txt"));
       for (const std::string& writer : writers) {
         CAPTURE(writer);
         CHECK((writer == "t.geojson" ? sorted(vertices(folder, writer)) : vertices(folder, writer)) ==
@@ -151,8 +149,8 @@ TEST_SUITE("heights of triangles") {
   }
 
   TEST_CASE("groups, --compact, the full complex and files in groups keep heights; duplicates keep their own") {
-    const Folder folder;
-    folder.file("p.csv", "x,y,z,g\n9,9,7,b\n0,0,1,a\n1,0,2,a\n0,1,3,a\n0,0,50,a\n8,9,5,b\n9,8,6,b\n30,30,4,b\n");
+    const Folder folder("p.csv",
+                        "x,y,z,g\n9,9,7,b\n0,0,1,a\n1,0,2,a\n0,1,3,a\n0,0,50,a\n8,9,5,b\n9,8,6,b\n30,30,4,b\n");
     const Places all = {{9, 9, 7}, {0, 0, 1}, {1, 0, 2}, {0, 1, 3}, {0, 0, 50}, {8, 9, 5}, {9, 8, 6}, {30, 30, 4}},
                  used = {{9, 9, 7}, {0, 0, 1}, {1, 0, 2}, {0, 1, 3}, {8, 9, 5}, {9, 8, 6}};
     const auto made = [&](const std::string& arguments, const std::string& name) {
@@ -172,9 +170,8 @@ TEST_SUITE("heights of triangles") {
     CHECK(sorted(made("", "t.geojson")) == sorted(used));
     // Mesh a file with empty heights together with a file with heights.
     folder.file("flat.csv", "x,y,z\n20,0,\n21,0,\n20,1,\n");
-    const Outcome joined = folder.rbpa("mesh p.csv flat.csv --columns x,y --alpha 2 --group-by-file -o j.obj");
-    CHECK(joined.code == 0);
-    CHECK(joined.err.find("3 points have no z: 0 is written in its place\n") != std::string::npos);
+    says(folder, "mesh p.csv flat.csv --columns x,y --alpha 2 --group-by-file -o j.obj", 0,
+         "3 points have no z: 0 is written in its place\n");
     CHECK(vertices(folder, "j.obj").back() == Place{20, 1, 0});
     CHECK(vertices(folder, "j.obj").front() == all.front());
     REQUIRE(folder.rbpa("mesh p.csv --columns x,y --group-by g --alpha 2 -o g.geojson -q").code == 0);
@@ -185,18 +182,16 @@ TEST_SUITE("heights of triangles") {
   }
 
   TEST_CASE("without heights z is 0, positions of GeoJSON have two numbers; pictures and arrays need none") {
-    const Folder folder;
-    folder.file("p.xy", corner);
+    const Folder folder("p.xy", corner);
     REQUIRE(folder.rbpa("mesh p.xy --alpha 2 -o t.obj -o t.geojson -q").code == 0);
     CHECK(vertices(folder, "t.obj") == Places{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-    CHECK(folder.content("t.geojson").find("\"coordinates\":[[[0,0],[1,0],[0,1],[0,0]]]") != std::string::npos);
+    CHECK(contains(folder.content("t.geojson"), "\"coordinates\":[[[0,0],[1,0],[0,1],[0,0]]]"));
     folder.file("p.csv", "x,y,z\n0,0,1\n1,0,2\n0,1,3\n");
-    CHECK(folder.rbpa("mesh p.csv --alpha 2 -o t.npy -o t.svg").err.find("z of 3 points is not used") !=
-          std::string::npos);
-    CHECK(folder.rbpa("shape p.csv --alpha 2 -o s.wkt").err.find("z of 3 points is not used") != std::string::npos);
+    CHECK(contains(folder.rbpa("mesh p.csv --alpha 2 -o t.npy -o t.svg").err, "z of 3 points is not used"));
+    CHECK(contains(folder.rbpa("shape p.csv --alpha 2 -o s.wkt").err, "z of 3 points is not used"));
     const std::string flat = "p.csv: meshes of tiles have z = 0 (rbpa mesh keeps heights";
-    CHECK(folder.rbpa("stream p.csv --alpha 2 -o 't*.ply'").err.find(flat) != std::string::npos);
-    CHECK(folder.rbpa("stream p.csv --alpha 2 -o t.wkt").err.find("z = 0") == std::string::npos);
+    CHECK(contains(folder.rbpa("stream p.csv --alpha 2 -o 't*.ply'").err, flat));
+    CHECK(!contains(folder.rbpa("stream p.csv --alpha 2 -o t.wkt").err, "z = 0"));
   }
 
   TEST_CASE("fill keeps heights of polygons, and new points lie on the surface between them") {
@@ -213,9 +208,8 @@ TEST_SUITE("heights of triangles") {
       for (const Place& p : made) CHECK(p.z == doctest::Approx(1 + 2 * p.x - 3 * p.y));
     }
     folder.file("mixed.geojson", R"({"type":"Polygon","coordinates":[[[0,0,5],[4,0],[4,4,5],[0,4,5],[0,0,5]]]})");
-    CHECK(
-        folder.rbpa("fill mixed.geojson --size inf -o t.obj").err.find("1 point has no z: 0 is written in its place") !=
-        std::string::npos);
+    CHECK(contains(folder.rbpa("fill mixed.geojson --size inf -o t.obj").err,
+                   "1 point has no z: 0 is written in its place"));
     folder.file("flat.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,4],[0,0]]]})");
     REQUIRE(folder.rbpa("fill flat.geojson --size 1 -o t.obj -o t.geojson -q").code == 0);
     for (const Place& p : vertices(folder, "t.obj")) CHECK(p.z == 0);

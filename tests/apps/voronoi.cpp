@@ -1,7 +1,6 @@
 // `rbpa voronoi`: cells as polygons within a boundary, with the fields of their points, and wrong calls.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -35,8 +34,7 @@ constexpr const char* square = "x,y,name,size\n0,0,a,1\n4,0,b,2\n4,4,c,3\n0,4,d,
 
 TEST_SUITE("voronoi") {
   TEST_CASE("cells tile a box around the points, and have their indices and fields") {
-    const Folder folder;
-    folder.file("p.csv", square);
+    const Folder folder("p.csv", square);
     const Outcome outcome = folder.rbpa("voronoi p.csv -o c.geojson -o c.wkt -o c.csv -o c.svg -o c.png");
     CHECK(outcome.err ==
           "rbpa: 5 points (1 duplicate), 4 cells of 4 polygons, area 23.04 -> c.geojson, c.wkt, c.csv, c.svg, c.png\n");
@@ -51,15 +49,13 @@ TEST_SUITE("voronoi") {
     CHECK(first["area"].get<double>() == doctest::Approx(23.04 / 4));
     CHECK(folder.content("c.csv") == "x,y,polygon,name,size\n0,0,1,a,1\n4,0,2,b,2\n4,4,3,c,3\n0,4,4,d,4\n0,0,1,e,5\n");
     CHECK(folder.content("c.wkt").starts_with("MULTIPOLYGON ((("));
-    CHECK(folder.rbpa("voronoi p.csv --fields size -o - --output-format geojson -q").out.find("\"name\"") ==
-          std::string::npos);
-    CHECK(folder.rbpa("voronoi p.csv --where \"name in ('b', 'd')\" -o - --output-format geojson -q")
-              .out.find("\"point\":3,") != std::string::npos);
+    CHECK(!contains(folder.rbpa("voronoi p.csv --fields size -o - --output-format geojson -q").out, "\"name\""));
+    CHECK(contains(folder.rbpa("voronoi p.csv --where \"name in ('b', 'd')\" -o - --output-format geojson -q").out,
+                   "\"point\":3,"));
   }
 
   TEST_CASE("the boundary may be the hull, the alpha shape, or polygons, outside of which a point has no cell") {
-    const Folder folder;
-    folder.file("p.csv", square);
+    const Folder folder("p.csv", square);
     const auto area = [&](const std::string& clip) {
       return area_of(Json::parse(folder.rbpa("voronoi p.csv -q -o - --output-format geojson --clip " + clip).out));
     };
@@ -72,7 +68,7 @@ TEST_SUITE("voronoi") {
     const Outcome outcome = folder.rbpa("voronoi p.csv --clip clip.wkt -o c.csv");
     CHECK(outcome.err == "rbpa: 5 points (1 duplicate), 2 cells of 2 polygons, area 20 -> c.csv\n");
     CHECK(folder.content("c.csv") == "x,y,polygon,name,size\n0,0,1,a,1\n4,0,,b,2\n4,4,2,c,3\n0,4,,d,4\n0,0,1,e,5\n");
-    CHECK(folder.rbpa("voronoi p.csv --clip shape -o c.wkt").err.find(", alpha plateau = ") != std::string::npos);
+    CHECK(contains(folder.rbpa("voronoi p.csv --clip shape -o c.wkt").err, ", alpha plateau = "));
     folder.file("none.wkt", "MULTIPOINT EMPTY\n");
     CHECK(folder.rbpa("voronoi none.wkt -o c.wkt").err == "rbpa: 0 points, 0 cells of 0 polygons, area 0 -> c.wkt\n");
     CHECK(folder.content("c.wkt") == "MULTIPOLYGON EMPTY\n");
@@ -82,10 +78,9 @@ TEST_SUITE("voronoi") {
   }
 
   TEST_CASE("wrong calls and boundaries are refused") {
-    const Folder folder;
-    folder.file("p.csv", square);
-    folder.file("bow.wkt", "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))\n");
-    folder.file("other.wkt", "SRID=28992;POLYGON ((0 0, 4 0, 4 4, 0 0))\n");
+    const Folder folder({{"p.csv", square},
+                         {"bow.wkt", "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))\n"},
+                         {"other.wkt", "SRID=28992;POLYGON ((0 0, 4 0, 4 4, 0 0))\n"}});
     const std::pair<const char*, const char*> calls[] = {
         {"voronoi p.csv --alpha 3 -o c.wkt", "--alpha requires --clip shape"},
         {"voronoi p.csv --clip shape --alpha much -o c.wkt", "--alpha"},
@@ -99,7 +94,7 @@ TEST_SUITE("voronoi") {
       const Outcome outcome = folder.rbpa(each.first);
       INFO(each.first);
       CHECK(outcome.code == 2);
-      CHECK_MESSAGE(outcome.err.find(each.second) != std::string::npos, outcome.err);
+      CHECK_MESSAGE(contains(outcome.err, each.second), outcome.err);
     }
     CHECK(folder.rbpa("voronoi p.csv --clip bow.wkt -o c.wkt").err.starts_with("rbpa: bow.wkt: "));
     CHECK(folder.rbpa("voronoi p.csv --clip bow.wkt -o c.wkt").code == 3);

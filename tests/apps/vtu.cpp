@@ -100,8 +100,7 @@ TEST_SUITE("vtu") {
   }
 
   TEST_CASE("an empty complex, and one without the points that nothing uses") {
-    const Folder folder;
-    folder.file("p.xy", "0 0\n1 0\n0 1\n9 9\n");
+    const Folder folder("p.xy", "0 0\n1 0\n0 1\n9 9\n");
     REQUIRE(folder.rbpa("mesh p.xy --alpha 0.1 -o m.vtu -q").code == 0);
     const Vtu empty(folder.content("m.vtu"));
     CHECK(empty.points == 4);

@@ -9,6 +9,7 @@
 #include "io/failure.h"
 #include "io/number.h"
 #include "io/polygon/wkt.h"
+#include "support/refusal_of.h"
 
 using rbpa::Point;
 using namespace rbpa::app;
@@ -19,12 +20,7 @@ std::vector<Point> points_of(const std::string& text) { return read_wkt_points(t
 std::vector<Point> vertices_of(const std::string& text) { return read_wkt_points(text, "p.wkt", true).points; }
 
 std::string refusal(const std::string& text) {
-  try {
-    vertices_of(text);
-  } catch (const BadInput& error) {
-    return error.what();
-  }
-  return "none";
+  return rbpa_test::refusal_of<BadInput>([&] { vertices_of(text); });
 }
 
 }  // namespace

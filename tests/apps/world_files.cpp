@@ -80,9 +80,8 @@ TEST_SUITE("world files") {
   }
 
   TEST_CASE("pictures of the plane have one, if they are .png and their coordinates have a system") {
-    const Folder folder;
-    folder.file("p.csv", "x,y,z,g\n0,0,1,a\n4,0,2,a\n0,4,3,b\n4,5,1,b\n3,1,1,b\n1,1,2,a\n");
-    folder.file("f.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[0,4],[0,0]]]})");
+    const Folder folder({{"p.csv", "x,y,z,g\n0,0,1,a\n4,0,2,a\n0,4,3,b\n4,5,1,b\n3,1,1,b\n1,1,2,a\n"},
+                         {"f.geojson", R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[0,4],[0,0]]]})"}});
     for (const std::string run :
          {"shape p.csv --columns x,y --alpha inf", "shape p.csv --columns x,y --group-by g --alpha inf",
           "mesh p.csv --columns x,y --alpha inf", "voronoi p.csv --columns x,y", "discs p.csv --columns x,y --radius 1",
@@ -98,14 +97,13 @@ TEST_SUITE("world files") {
       folder.run("/bin/sh", "-c 'rm -f s s.*'");
     }
     CHECK(folder.rbpa("fill f.geojson --size 1 -o f.png -q").code == 0);
-    CHECK(folder.content("f.pgw").find("\n0\n0\n-") != std::string::npos);
+    CHECK(contains(folder.content("f.pgw"), "\n0\n0\n-"));
     folder.file("one.csv", "1,1\n1,1\n1,1\n");
     CHECK(folder.rbpa("mesh one.csv --alpha 1 -o one.png --crs EPSG:25832 -q").code == 0);
     CHECK(folder.names() == std::vector<std::string>{"f.geojson", "f.pgw", "f.png", "one.csv", "one.png", "p.csv"});
     // The picture may be of other points now.
-    const Outcome again = folder.rbpa("mesh p.csv --columns x,y --alpha inf -o f.png");
-    CHECK(again.code == 0);
-    CHECK(again.err.find("f.pgw: this world file is of an earlier picture") != std::string::npos);
+    const Outcome again = folder.rbpa("mesh p.csv --columns x,y --alpha inf -o f.png", 0);
+    CHECK(contains(again.err, "f.pgw: this world file is of an earlier picture"));
     CHECK(again.err.ends_with(" -> f.png\n"));
     const Outcome listed = folder.rbpa("mesh p.csv --columns x,y --alpha inf --crs EPSG:3857 -o f.png -o f.svg");
     CHECK(listed.err.ends_with(" -> f.png, f.svg, f.pgw\n"));
@@ -116,7 +114,7 @@ TEST_SUITE("world files") {
     CHECK(folder.rbpa("mesh p.csv --columns x,y --alpha inf -q -o g.png --crs EPSG:4979").code == 0);
     CHECK(folder.has("g.pgw"));
     for (const std::string verb : {"shape", "mesh", "voronoi", "discs", "grid", "fill"})
-      CHECK(folder.rbpa(verb + " --help").out.find(".pgw") != std::string::npos);
+      CHECK(contains(folder.rbpa(verb + " --help").out, ".pgw"));
   }
 
   TEST_CASE("a world file replaces neither the points nor another output") {
@@ -125,18 +123,15 @@ TEST_SUITE("world files") {
     folder.file("in.pgw", points);
     folder.run("/bin/sh", "-c 'ln -s in.pgw l.pgw'");
     for (const std::string name : {"in.png", "l.png"}) {
-      const Outcome outcome = folder.rbpa("mesh in.pgw --format xy --alpha inf --crs EPSG:3857 -o " + name);
-      CHECK(outcome.code == 2);
-      CHECK(outcome.err.find("found the file of points, expected another file to write to") != std::string::npos);
+      says(folder, "mesh in.pgw --format xy --alpha inf --crs EPSG:3857 -o " + name, 2,
+           "found the file of points, expected another file to write to");
       CHECK(folder.content("in.pgw") == points);
     }
     folder.file("p.xy", points);
-    const Outcome twice = folder.rbpa("mesh p.xy --alpha inf --crs EPSG:3857 -o c.png --stats c.pgw");
-    CHECK(twice.code == 2);
-    CHECK(twice.err.find("found twice among the files to write") != std::string::npos);
+    const Outcome twice = folder.rbpa("mesh p.xy --alpha inf --crs EPSG:3857 -o c.png --stats c.pgw", 2);
+    CHECK(contains(twice.err, "found twice among the files to write"));
     folder.run("/bin/sh", "-c 'mkdir d.pgw'");
-    const Outcome is_folder = folder.rbpa("mesh no.xy --alpha inf --crs EPSG:3857 -o d.png");
-    CHECK(is_folder.code == 1);
-    CHECK(is_folder.err == "rbpa: d.pgw: found a folder, expected a file to write\n");
+    refuses(folder, "mesh no.xy --alpha inf --crs EPSG:3857 -o d.png", 1,
+            "d.pgw: found a folder, expected a file to write");
   }
 }

@@ -1,5 +1,6 @@
 #include "support/corpus.h"
 #include "support/check_sound.h"
+#include "support/on_corpus.h"
 
 #include <doctest/doctest.h>
 
@@ -12,10 +13,7 @@ using namespace meshops::test;
 
 TEST_SUITE("corpus") {
   TEST_CASE("every specimen is sound and has the topology that is listed for it") {
-    for (const Specimen& specimen : corpus()) {
-      CAPTURE(specimen.name);
-      TestMesh mesh;
-      specimen.build(mesh);
+    on_corpus([&](const Specimen& specimen, TestMesh& mesh) {
       check_sound(mesh);
       const TopologyCounts counts = count_topology(mesh);
       CHECK(counts.isolated == 0);
@@ -30,16 +28,12 @@ TEST_SUITE("corpus") {
       }
       std::sort(ends.begin(), ends.end());
       CHECK((std::adjacent_find(ends.begin(), ends.end()) == ends.end()) == specimen.simplicial);
-    }
+    });
   }
 
   TEST_CASE("the isomorphism class distinguishes the specimens and does not depend on handles") {
     std::vector<std::string> classes;
-    for (const Specimen& specimen : corpus()) {
-      TestMesh mesh;
-      specimen.build(mesh);
-      classes.push_back(isomorphism_class(mesh));
-    }
+    on_corpus([&](const Specimen&, TestMesh& mesh) { classes.push_back(isomorphism_class(mesh)); });
     TestMesh mirrored;
     add_triangles(mirrored, 4, {{2, 3, 1}, {1, 3, 0}, {3, 2, 0}, {1, 0, 2}});
     CHECK(isomorphism_class(mirrored) == classes[5]);

@@ -24,6 +24,15 @@ def ring(count: int, seed: int = 1) -> np.ndarray:
     return np.column_stack((radius * np.cos(angle), radius * np.sin(angle)))
 
 
+def spiral(count: int, below: float = 2.0) -> np.ndarray:
+    """Returns the points below this height of so many on the unit sphere, about equally far from their neighbors."""
+    i = np.arange(count)
+    z = 1 - (2 * i + 1) / count
+    r = np.sqrt(1 - z * z)
+    turn = 2.399963229728653 * i
+    return np.column_stack((r * np.cos(turn), r * np.sin(turn), z))[z < below]
+
+
 def data(name: str) -> np.ndarray:
     return np.loadtxt(DATA / name)
 

@@ -11,6 +11,7 @@ import subprocess
 import numpy
 import pytest
 import rbpa
+from refusals import refuses
 
 LYSOZYME = pathlib.Path(__file__).parents[1] / "data/mol3_2lyz.pdb"
 FURTHER = pathlib.Path(os.environ.get("RBPA_DATA_DIR", os.devnull))
@@ -135,8 +136,7 @@ def test_frames_of_a_file_have_an_axis_and_their_radii(tmp_path):
     with pytest.raises(rbpa.InvalidInput, match=r"found element 'N' of atom 1 in frame 5, expected 'Fe', as in frame 1 \(models=5 reads"):
         rbpa.molecules.read(path, models="all")
     path.write_text(FRAMES + f"1\n{names}\nC 0 0 0 1\n")
-    with pytest.raises(rbpa.InvalidInput, match="found 1 atom in frame 5, expected 2, as in frame 1"):
-        rbpa.molecules.read(path, models="all")
+    refuses("found 1 atom in frame 5, expected 2, as in frame 1", rbpa.molecules.read, path, models="all")
 
 
 @pytest.mark.parametrize(
@@ -152,16 +152,14 @@ def test_frames_of_a_file_have_an_axis_and_their_radii(tmp_path):
 def test_the_first_different_atom_of_a_frame_is_named(tmp_path, before, after, says):
     atom = "HETATM    7 NA    NA C  12      16.260  23.720  18.910  1.00  0.00          NA\n"
     (tmp_path / "m.pdb").write_text(f"MODEL 1\n{atom}ENDMDL\nMODEL 2\n{atom.replace(before, after)}ENDMDL\n")
-    with pytest.raises(rbpa.InvalidInput, match=re.escape(says)):
-        rbpa.molecules.read(tmp_path / "m.pdb", models="all")
+    refuses(re.escape(says), rbpa.molecules.read, tmp_path / "m.pdb", models="all")
     assert len(rbpa.molecules.read(tmp_path / "m.pdb", models=2)) == 1
 
 
 def test_one_number_is_no_radius_of_atoms():
     for atoms in (Group(), Nameless(), Atoms(), Trajectory(), iter([Group()]), rbpa.molecules.read(LYSOZYME)):
         says = "radii: found 1.4 for atoms, expected 'bondi', 'protor' or one for each (probe=1.4 is the probe, np.full(n, 1.4) one"
-        with pytest.raises(rbpa.InvalidInput, match=re.escape(says)):
-            rbpa.balls(atoms, 1.4)
+        refuses(re.escape(says), rbpa.balls, atoms, 1.4)
     assert rbpa.balls(Group(), numpy.full(3, 1.4)).area == rbpa.balls(Group.positions, 1.4).area
 
 
@@ -248,8 +246,7 @@ def test_atoms_of_other_packages_have_positions_and_radii():
     ],
 )
 def test_wrong_arguments_are_named(call, says):
-    with pytest.raises(rbpa.InvalidInput, match=says):
-        call()
+    refuses(says, call)
 
 
 def test_a_missing_file_and_changed_centers_are_refused():
@@ -403,10 +400,8 @@ def test_frames_have_lists_of_voids_and_arcs_are_counted():
     chain = rbpa.balls([[[0, 0, 0], [0, 0, 1], [0, 0, 2]]], 0.75)
     assert chain.arcs.tolist() == [[1, 2, 1]]
     assert chain.voids == [[]] and chain.pockets == [[]]
-    with pytest.raises(rbpa.InvalidInput, match=r"filtration: found 1 frames, expected one \(rbpa.balls\(centers\[i\]"):
-        chain.filtration()
-    with pytest.raises(rbpa.InvalidInput, match=r"groups: found an array of shape \(2,\), expected \(3,\)"):
-        rbpa.balls(chain.centers[0], 0.75).interfaces([1, 2])
+    refuses(r"filtration: found 1 frames, expected one \(rbpa.balls\(centers\[i\]", chain.filtration)
+    refuses(r"groups: found an array of shape \(2,\), expected \(3,\)", rbpa.balls(chain.centers[0], 0.75).interfaces, [1, 2])
 
 
 def test_a_box_repeats_the_balls_with_all_images():
@@ -445,16 +440,13 @@ def test_voids_of_a_box_percolate_or_are_closed():
 def test_what_a_box_does_not_have_is_refused():
     lattice = rbpa.balls([[0, 0, 0]], [0.75], box=1)
     for name in ("pockets", "simplices"):
-        with pytest.raises(rbpa.InvalidInput, match="in a box that repeats"):
-            getattr(lattice, name)
-    with pytest.raises(rbpa.InvalidInput, match="filtration: found balls in a box"):
-        lattice.filtration()
+        refuses("in a box that repeats", getattr, lattice, name)
+    refuses("filtration: found balls in a box", lattice.filtration)
     edges = numpy.eye(3)
     three = rbpa.balls(numpy.zeros((3, 1, 3)), [0.75], box=edges[None])
     edges *= 2  # the box was copied
     assert three.area.tolist() == [lattice.area] * 3 and three.cells.tolist() == [numpy.eye(3).tolist()]
-    with pytest.raises(rbpa.InvalidInput, match=r"expected \(1, 3, 3\), the edges of all"):
-        rbpa.balls(numpy.zeros((3, 1, 3)), [0.75], box=numpy.eye(3))
+    refuses(r"expected \(1, 3, 3\), the edges of all", rbpa.balls, numpy.zeros((3, 1, 3)), [0.75], box=numpy.eye(3))
 
 
 @pytest.mark.parametrize("box", [[1, 2], [0, 1, 1], [1, 1, 1, 90, 90, 180], "x", numpy.zeros((3, 3))])

@@ -14,6 +14,7 @@ import sets
 dask = pytest.importorskip("dask")
 import dask.array  # noqa: E402
 import rbpa.dask  # noqa: E402
+from refusals import refuses
 
 COUNTS = ["vertices", "edges", "triangles", "solid_components", "components", "holes", "boundary_curves"]
 
@@ -49,10 +50,8 @@ def check(points, found, alpha):
 
 @pytest.mark.parametrize("sources", [sets.uniform(9), [[0, 0], [1, 0]], [sets.uniform(9)], 3, None, [None]])
 def test_invalid_sources_are_refused_in_one_sentence(sources):
-    with pytest.raises(rbpa.InvalidInput, match="sources: found .*, expected paths of files, a dask.array or a dask.dataframe"):
-        rbpa.dask.alpha_shape(sources, 1.0)
-    with pytest.raises(rbpa.InvalidInput, match=r"alpha: found 'auto', expected a finite radius \(a number > 0\)$"):
-        rbpa.dask.alpha_shape(sources, "auto")
+    refuses("sources: found .*, expected paths of files, a dask.array or a dask.dataframe", rbpa.dask.alpha_shape, sources, 1.0)
+    refuses(r"alpha: found 'auto', expected a finite radius \(a number > 0\)$", rbpa.dask.alpha_shape, sources, "auto")
 
 
 @pytest.mark.parametrize("tile_points", [1, 40, 10**6])
@@ -158,10 +157,8 @@ def test_changed_files_are_detected(tmp_path):
         calls.append(path)
         return points[: 100 - len(calls)]
 
-    with pytest.raises(rbpa.InvalidInput, match="found 98 points, expected 99"):
-        rbpa.dask.alpha_shape(["a"], 0.1, reader=reader)
-    with pytest.raises(rbpa.InvalidInput, match="the file is truncated"):
-        rbpa.dask._piece(str(files_of(points, tmp_path, 1)[0]), 0, 1000)
+    refuses("found 98 points, expected 99", rbpa.dask.alpha_shape, ["a"], 0.1, reader=reader)
+    refuses("the file is truncated", rbpa.dask._piece, str(files_of(points, tmp_path, 1)[0]), 0, 1000)
 
 
 @pytest.mark.filterwarnings("ignore")  # of distributed, about itself

@@ -5,6 +5,7 @@ import pickle
 import numpy as np
 import pytest
 import rbpa
+from refusals import refuses
 from sets import every_kind, grid, uniform
 
 spatial = pytest.importorskip("scipy.spatial")
@@ -63,8 +64,7 @@ def test_shapes_of_queries_are_shapes_of_answers():
         assert ours.find_simplex(queries).shape == theirs.find_simplex(queries).shape == shape[:-1]
     assert ours.find_simplex([1.2, 1.1], bruteforce=True, tol=1e-3) == ours.find_simplex([1.2, 1.1])
     for wrong in (3.0, [[1, 2, 3]], []):
-        with pytest.raises(rbpa.InvalidInput, match="xi: found an array of shape"):
-            ours.find_simplex(wrong)
+        refuses("xi: found an array of shape", ours.find_simplex, wrong)
 
 
 @pytest.mark.parametrize("name", SETS)
@@ -114,8 +114,7 @@ def test_changed_points_are_detected():
     points = uniform(500)
     of = rbpa.Delaunay(points)
     points[3, 1] = 7
-    with pytest.raises(rbpa.InvalidInput, match="changed after"):
-        of.find_simplex(points)
+    refuses("changed after", of.find_simplex, points)
 
 
 def test_matplotlib_takes_the_triangles():

@@ -6,6 +6,7 @@ import pickle
 import numpy as np
 import pytest
 import rbpa
+from refusals import refuses
 
 scipy_spatial = pytest.importorskip("scipy.spatial")
 
@@ -73,8 +74,7 @@ def test_values_are_linear_and_those_of_the_points_at_the_points():
     assert (delaunay.interpolate(linear, queries, fill_value=-7)[~inside] == -7).all()
     both = delaunay.interpolate(np.column_stack((linear, 1j * linear)), queries[inside])
     assert np.allclose(both[:, 0].real, values[inside]) and np.allclose(both[:, 1].imag, values[inside])
-    with pytest.raises(rbpa.InvalidInput, match="natural neighbors exist only in the plane"):
-        delaunay.interpolate(linear, queries, method="natural")
+    refuses("natural neighbors exist only in the plane", delaunay.interpolate, linear, queries, method="natural")
 
 
 def test_scipys_interpolator_takes_it():
@@ -105,10 +105,8 @@ def test_flat_points_pickles_and_wrong_calls():
     assert "tetrahedra" in repr(again) and again.find_simplex([0.5, 0.5, 0.5]) == delaunay.find_simplex([0.5, 0.5, 0.5])
     with pytest.raises(ValueError):
         delaunay.simplices[0] = 0
-    with pytest.raises(rbpa.InvalidInput, match=r"xi: found an array of shape \(2, 2\), expected \(..., 3\)"):
-        delaunay.find_simplex(np.zeros((2, 2)))
-    with pytest.raises(rbpa.InvalidInput, match=r"expected \(n, 2\)"):
-        rbpa.Delaunay(np.zeros((3, 4)))
+    refuses(r"xi: found an array of shape \(2, 2\), expected \(..., 3\)", delaunay.find_simplex, np.zeros((2, 2)))
+    refuses(r"expected \(n, 2\)", rbpa.Delaunay, np.zeros((3, 4)))
     with pytest.raises(rbpa.Cancelled):
         rbpa.Delaunay(uniform(500_000, 8), progress=lambda done, count: False)
 

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 import rbpa
+from refusals import refuses
 from sets import every_kind, grid, uniform
 
 spatial = pytest.importorskip("scipy.spatial")
@@ -86,8 +87,7 @@ def test_all_that_scipys_has():
     assert ours.vertex_to_simplex[0] >= 0 and len(ours.convex_hull) == len(theirs.convex_hull)
     at = RANDOM.random((1000, 2))
     assert np.array_equal(ours.find_simplex(at), rbpa.Delaunay(points).find_simplex(at))
-    with pytest.raises(rbpa.InvalidInput, match="to_scipy: found no triangle"):
-        rbpa.Delaunay([[0, 0], [1, 1], [2, 2]]).to_scipy()
+    refuses("to_scipy: found no triangle", rbpa.Delaunay([[0, 0], [1, 1], [2, 2]]).to_scipy)
 
 
 @pytest.mark.parametrize("name", every_kind())
@@ -128,10 +128,8 @@ def test_shapes_kinds_and_fill_values():
         (["a", "b", "c"], "values: found an array of <U1, expected numbers"),
         (3, "values: found an array of shape \\(\\)"),
     ]:
-        with pytest.raises(rbpa.InvalidInput, match=message):
-            triangulation.interpolate(wrong, [[1, 1]])
-    with pytest.raises(rbpa.InvalidInput, match="xi: found an array of shape"):
-        triangulation.interpolate([1, 2, 3], [1, 2, 3])
+        refuses(message, triangulation.interpolate, wrong, [[1, 1]])
+    refuses("xi: found an array of shape", triangulation.interpolate, [1, 2, 3], [1, 2, 3])
 
 
 @pytest.mark.parametrize("name", SETS)
@@ -157,8 +155,7 @@ def test_natural_neighbors_keep_linear_functions_and_stay_between_the_values(nam
 
 def test_an_unknown_method_is_refused():
     triangulation = rbpa.Delaunay(uniform(10))
-    with pytest.raises(rbpa.InvalidInput, match='method: found \'cubic\', expected "linear" or "natural"'):
-        triangulation.interpolate(np.zeros(10), [0.5, 0.5], method="cubic")
+    refuses('method: found \'cubic\', expected "linear" or "natural"', triangulation.interpolate, np.zeros(10), [0.5, 0.5], method="cubic")
 
 
 def test_on_a_side_rounding_decides_what_is_outside_and_nearest_has_a_value():
@@ -212,8 +209,7 @@ def test_nearest_in_space_and_of_flat_sets():
     flat = rbpa.Delaunay(points * [1, 1, 0])
     assert np.isnan(flat.interpolate(points, [[0.5, 0.5, 0.0]])).all()
     assert flat.interpolate(points[:, 0], [[math.nan, 0, 0], [5, 5, 5]], -3.0, outside="nearest")[0] == -3
-    with pytest.raises(rbpa.InvalidInput, match='outside: found \'far\', expected "nan" or "nearest"'):
-        flat.interpolate(points, points, outside="far")
+    refuses('outside: found \'far\', expected "nan" or "nearest"', flat.interpolate, points, points, outside="far")
 
 
 def test_values_of_pandas_go_by_index():

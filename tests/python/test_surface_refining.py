@@ -1,17 +1,14 @@
 """Surface.refined(): fillings become as fine and smooth as the rest, also on surfaces from files."""
 
 import numpy as np
-import pytest
 
 import rbpa
+from refusals import refuses
+from sets import spiral
 
 
 def bowl(count=3000, top=0.8):
-    i = np.arange(count)
-    z = 1 - (2 * i + 1) / count
-    r = np.sqrt(1 - z * z)
-    turn = 2.399963229728653 * i
-    return np.column_stack((r * np.cos(turn), r * np.sin(turn), z))[z < top]
+    return spiral(count, top)
 
 
 def test_a_filled_bowl_is_nearly_a_sphere(tmp_path):
@@ -50,5 +47,4 @@ def test_open_holes_keep_their_causes():
     (left,) = finer.holes
     assert left.kind == "island" and len(left.edges) == 3
     assert finer.triangles[left.triangles[0]].tolist() == made.triangles[[h for h in made.holes if h.kind == "island"][0].triangles[0]].tolist()
-    with pytest.raises(rbpa.InvalidInput, match="suggested_repairs"):
-        finer.suggested_repairs()
+    refuses("suggested_repairs", finer.suggested_repairs)

@@ -3,6 +3,7 @@
 import numpy
 import pytest
 import rbpa
+from refusals import refuses
 
 
 def cage(seed):
@@ -70,7 +71,5 @@ def test_no_frames_and_frames_without_voids_have_no_tracks():
 
 def test_wrong_arguments_are_named():
     balls = rbpa.balls([[0, 0, 0]], 1)
-    with pytest.raises(rbpa.InvalidInput, match="least_shared: found 0, expected a number above 0, at most 1"):
-        rbpa.follow_voids([], 0)
-    with pytest.raises(rbpa.InvalidInput, match="frames: found .*, expected a list of voids for each frame"):
-        rbpa.follow_voids([balls])
+    refuses("least_shared: found 0, expected a number above 0, at most 1", rbpa.follow_voids, [], 0)
+    refuses("frames: found .*, expected a list of voids for each frame", rbpa.follow_voids, [balls])

@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -13,9 +12,12 @@
 #include "far_sets.h"
 #include "rbpa/base/error.h"
 #include "rbpa/base/exact/magnitude.h"
+#include "support/check_ascending.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/sets.h"
 #include "support/spacing.h"
+#include "support/text.h"
 #include "support/triangle.h"
 
 using namespace rbpa_test;
@@ -28,7 +30,6 @@ TEST_SUITE_BEGIN("rbpa");
 
 namespace {
 
-const double infinity = std::numeric_limits<double>::infinity();
 const double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns the message of a refusal; "" when there is none.
@@ -42,8 +43,6 @@ std::string refusal(const Points& points, double alpha) {
   }
   return "";
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 std::vector<std::uint32_t> indices_up_to(std::uint32_t count) {
   std::vector<std::uint32_t> all(count);
@@ -204,12 +203,7 @@ TEST_CASE("progress is called with ascending numbers, and true changes nothing")
                                     seen.push_back(p);
                                     return true;
                                   }});
-  REQUIRE(seen.size() >= 2);
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    CHECK(seen[i].points == points.size());
-    CHECK(seen[i].triangles <= watched.mesh.n_faces());
-    if (i > 0) CHECK(seen[i].triangles >= seen[i - 1].triangles);
-  }
+  check_ascending(seen, points.size(), watched.mesh.n_faces());
   CHECK(rbpa::triangles(watched) == rbpa::triangles(rbpa::rbpa(points, infinity)));
 }
 

@@ -44,8 +44,8 @@ set(allowed
   "rbpa/plane/divide: meshops/core meshops/patch rbpa/base rbpa/base/parallel rbpa/plane rbpa/plane/arrays
     rbpa/plane/predicate"
   "rbpa/plane/enumeration: rbpa/base/lanes rbpa/plane/predicate rbpa/plane/tile"
-  "rbpa/plane/filtration: meshops/core rbpa/base rbpa/base/arrays rbpa/base/run rbpa/plane rbpa/plane/arrays
-    rbpa/plane/predicate"
+  "rbpa/plane/filtration: meshops/core rbpa/base rbpa/base/arrays rbpa/base/exact rbpa/base/radii rbpa/base/run rbpa/plane
+    rbpa/plane/arrays rbpa/plane/predicate"
   "rbpa/plane/grid: meshops/core rbpa/base rbpa/base/exact rbpa/base/parallel rbpa/base/run rbpa/base/sort rbpa/plane/predicate"
   "rbpa/plane/groups: rbpa/base rbpa/base/parallel rbpa/base/run rbpa/plane rbpa/plane/filtration rbpa/plane/shape"
   "rbpa/plane/hierarchy: meshops/core meshops/front meshops/patch rbpa/base rbpa/base/parallel rbpa/base/sort
@@ -82,7 +82,7 @@ set(allowed
     rbpa/base/run rbpa/space/persistence rbpa/space/predicate rbpa/space/solid rbpa/space/solid/insertion"
   "rbpa/space/predicate: rbpa/base rbpa/base/exact rbpa/base/lanes"
   "rbpa/space/repair: meshops/core meshops/front meshops/handle meshops/patch meshops/stellar rbpa/base
-    rbpa/base/arrays rbpa/base/parallel rbpa/base/run rbpa/space/cells rbpa/space/normals rbpa/space/predicate rbpa/space/repair/closing
+    rbpa/base/arrays rbpa/base/exact rbpa/base/parallel rbpa/base/run rbpa/space/cells rbpa/space/normals rbpa/space/predicate rbpa/space/repair/closing
     rbpa/space/repair/refining rbpa/space/simplify rbpa/space/surface rbpa/space/surface/levels"
   "rbpa/space/repair/closing: meshops/core rbpa/base rbpa/base/arrays rbpa/base/run rbpa/space/cells
     rbpa/space/predicate"

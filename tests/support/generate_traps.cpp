@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "support/generate.h"
 #include "support/random.h"

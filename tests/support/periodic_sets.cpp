@@ -1,6 +1,5 @@
 #include "support/periodic_sets.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rbpa_test {

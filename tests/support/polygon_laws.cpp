@@ -1,7 +1,5 @@
 #include "support/polygon_laws.h"
 
-#include <algorithm>
-#include <array>
 #include <map>
 #include <numeric>
 #include <set>

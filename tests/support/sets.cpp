@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "support/generate.h"
+#include "support/random.h"
 
 namespace rbpa_test {
 namespace {
@@ -114,6 +115,19 @@ std::vector<NamedSet> table() {
 }
 
 }  // namespace
+
+Points NamedSet::first(std::size_t most) const {
+  Points points = make();
+  if (points.size() > most) points.resize(most);
+  return points;
+}
+
+Points NamedSet::some(std::size_t most) const {
+  Points points = make();
+  Random(points.size()).shuffle(points);
+  if (points.size() > most) points.resize(most);
+  return points;
+}
 
 std::span<const NamedSet> generated_sets() {
   static const std::vector<NamedSet> sets = table();

@@ -126,6 +126,14 @@ double space_radius(const Points3& points, Random& random) {
   return random.chance(0.2) ? std::nextafter(radius, random.chance(0.5) ? 0 : 2 * radius) : radius;
 }
 
+Points3 corners_of_bricks(int columns, int rows, int layers, const Point3& size) {
+  Points3 points;
+  for (int x = 0; x < columns; ++x)
+    for (int y = 0; y < rows; ++y)
+      for (int z = 0; z < layers; ++z) points.push_back({size.x * x, size.y * y, size.z * z});
+  return points;
+}
+
 Points3 random_normals(std::size_t count, Random& random) {
   Points3 normals;
   while (normals.size() < count) {

@@ -41,6 +41,9 @@ Points3 space_set(SpaceKind kind, std::size_t count, Random& random);
 /// set.
 double space_radius(const Points3& points, Random& random);
 
+/// Returns the corners of bricks of this size in columns along x, rows along y and layers along z, in this order.
+Points3 corners_of_bricks(int columns, int rows, int layers, const rbpa::Point3& size = {1, 1, 1});
+
 /// Returns vectors of any direction and any length but 0.
 Points3 random_normals(std::size_t count, Random& random);
 

@@ -4,12 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "support/order.h"
+
 namespace rbpa_test {
 
 double mean_spacing(std::span<const rbpa::Point> points) {
   std::vector<rbpa::Point> distinct(points.begin(), points.end());
-  std::sort(distinct.begin(), distinct.end());
-  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  sort_distinct(distinct);
   if (distinct.size() < 2) return 1;
 
   double low = distinct.front().y, high = distinct.front().y;

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from rbpa import _core, molecules
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_array, as_number, as_numbers, as_points, as_threads
-from rbpa._result import Result, entry, freeze, short_repr
+from rbpa._result import Result, brief, entry, freeze
 from rbpa._solid_filtration import BallFiltration
 
 
@@ -109,6 +109,7 @@ def _cells_of(box: Optional[npt.ArrayLike], frames: Optional[int]) -> Floats:
     return np.array(edges, float).reshape(-1, 3, 3)
 
 
+@brief
 class BallContacts(NamedTuple):
     """The contacts of balls, `Balls.contacts`: pairs that share a part of the disc within their common circle. Arrays
     are read-only, with a row for each pair in ascending order.
@@ -125,10 +126,8 @@ class BallContacts(NamedTuple):
     distances: Floats
     offsets: Indices
 
-    def __repr__(self) -> str:
-        return short_repr(self)
 
-
+@brief
 class BallMouth(NamedTuple):
     """A mouth of a pocket: triangles between the pocket and the outside. Arrays are read-only."""
 
@@ -146,10 +145,8 @@ class BallMouth(NamedTuple):
     """The center of the largest ball that passes through the mouth; `radius` is the radius of this ball."""
     radius: float
 
-    def __repr__(self) -> str:
-        return short_repr(self)
 
-
+@brief
 class BallVoid(NamedTuple):
     """A void or pocket of a union of balls, `Balls.voids` and `Balls.pockets`. Arrays are read-only."""
 
@@ -174,10 +171,8 @@ class BallVoid(NamedTuple):
     mouths: list[BallMouth]
     """The mouths of a pocket, the widest first; none for a void."""
 
-    def __repr__(self) -> str:
-        return short_repr(self)
 
-
+@brief
 class PoreSizes(NamedTuple):
     """The pores between balls in a box that repeats, `Balls.pore_sizes`: radii of balls that meet no ball. Zeo++ states
     diameters: D_i = 2 `included`, D_f = 2 `passing`, D_if = 2 `on_the_way`."""
@@ -191,10 +186,8 @@ class PoreSizes(NamedTuple):
     along: tuple[float, float, float]
     """For each edge of the box, of the largest ball that can move to an image along this edge; 0 if none can."""
 
-    def __repr__(self) -> str:
-        return short_repr(self)
 
-
+@brief
 class BallInterfaces(NamedTuple):
     """Interfaces of groups of balls, `Balls.interfaces`, with a row for each two groups that meet. Arrays are read-only.
 
@@ -207,9 +200,6 @@ class BallInterfaces(NamedTuple):
     areas: Floats
     contact_areas: Floats
     areas_alone: Floats
-
-    def __repr__(self) -> str:
-        return short_repr(self)
 
 
 class Balls(Result):

@@ -12,7 +12,7 @@ from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_numbers, as_points, as_threads
 from rbpa._polygons import Polygons
-from rbpa._result import Result, freeze, of_file, short_repr
+from rbpa._result import Result, brief, freeze, of_file
 
 
 def discs(
@@ -65,6 +65,7 @@ def discs(
     return Discs(array, sizes, int(corners), {**made, "_crs": of_file(centers, "crs")})
 
 
+@brief
 class DiscCurve(NamedTuple):
     """A closed curve of the boundary of a union of discs, `Discs.boundary`. The union is on its left: the outer curve of
     a component is passed counter-clockwise, the curve of a hole clockwise. Arrays are read-only, with a row for each
@@ -83,9 +84,6 @@ class DiscCurve(NamedTuple):
     area: float
     """The area that the curve encloses, negative for a hole."""
     length: float
-
-    def __repr__(self) -> str:
-        return short_repr(self)
 
 
 class Discs(Result):

@@ -11,7 +11,7 @@ from rbpa import _core
 from rbpa._input import Floats, Indices, Integers, Progress
 from rbpa._input import as_choice, as_count, as_numbers, as_pair_choice, as_points, as_radii, as_share, as_threads, require_one_of, shown
 from rbpa._plot import axes_or_current, draw_diagram, label_axes
-from rbpa._result import Result, short_repr
+from rbpa._result import Result, brief
 
 
 class Plateau(NamedTuple):
@@ -41,6 +41,7 @@ class Plateau(NamedTuple):
     """Whether `ratio` exceeds the ratios that points without structure reach by chance."""
 
 
+@brief
 class Representative(NamedTuple):
     """The location of a pair of a persistence diagram: a hole as polygons, a component by the edge at which it ends."""
 
@@ -57,9 +58,6 @@ class Representative(NamedTuple):
     """Rings of the remaining hole just before its death: a triangle, or several with one circumcircle."""
     area: float
     """The area of the hole at its birth."""
-
-    def __repr__(self) -> str:
-        return short_repr(self)
 
 
 def filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, progress: Progress = None) -> Filtration:

@@ -11,11 +11,12 @@ import numpy.typing as npt
 from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Progress, as_number, as_numbers, as_threads, require_one_of, shown
-from rbpa._result import Simplices, freeze, short_repr
+from rbpa._result import Simplices, brief, freeze
 
 Values = Union[npt.ArrayLike, str]
 
 
+@brief
 class Raster(NamedTuple):
     """Values on square cells, as returned by `AlphaShape.grid`. The array is read-only."""
 
@@ -37,10 +38,8 @@ class Raster(NamedTuple):
         """The affine transform from (column, row) to the plane, as in rasterio: `Affine(*raster.transform)`."""
         return self.cell, 0.0, self.extent[0], 0.0, -self.cell, self.extent[3]
 
-    def __repr__(self) -> str:
-        return short_repr(self)
 
-
+@brief
 class Contour(NamedTuple):
     """A contour line, as returned by `AlphaShape.contours`. The array is read-only."""
 
@@ -50,9 +49,6 @@ class Contour(NamedTuple):
     """Whether the last point is joined with the first, which is not repeated."""
     points: Floats
     """The corners, of shape (k, 2), with higher values on the left."""
-
-    def __repr__(self) -> str:
-        return short_repr(self)
 
 
 class Heights(Simplices):

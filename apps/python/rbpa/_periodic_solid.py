@@ -13,7 +13,7 @@ from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_choice, as_points, as_threads, require_one_of, shown
 from rbpa._plot import draw_triangles
-from rbpa._result import Result, entry, freeze, short_repr
+from rbpa._result import Result, brief, entry, freeze
 
 
 def periodic_solid(
@@ -76,6 +76,7 @@ def _as_sides(box: Union[float, npt.ArrayLike]) -> tuple[float, float, float]:
     return (float(sides[0]), float(sides[1]), float(sides[2]))
 
 
+@brief
 class PeriodicPart(NamedTuple):
     """A piece of a solid connected through triangles, or a void.
 
@@ -101,9 +102,6 @@ class PeriodicPart(NamedTuple):
     area: float
     dimension: int
     outside_balls: Optional[float] = None
-
-    def __repr__(self) -> str:
-        return short_repr(self)
 
 
 class PeriodicSolid(Result):

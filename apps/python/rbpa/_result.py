@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any, Optional
+from typing import Any, Optional, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -11,6 +11,8 @@ import numpy.typing as npt
 from rbpa._core import InvalidInput, fingerprint
 from rbpa._input import Floats, Indices
 from rbpa._read_points import PointFile
+
+Row = TypeVar("Row")
 
 
 def freeze(*arrays: npt.NDArray[Any]) -> None:
@@ -33,16 +35,19 @@ def numbers_of(fields: dict[str, npt.NDArray[Any]]) -> dict[str, npt.NDArray[Any
     return {name: values for name, values in fields.items() if values.dtype.kind != "U"}
 
 
-def short_repr(row: Any) -> str:
-    """Returns the repr of a named tuple with the shapes of arrays and the lengths of lists in place of their
-    contents."""
+def brief(kind: type[Row]) -> type[Row]:
+    """Gives a named tuple a repr with the shapes of arrays and the lengths of lists in place of their contents."""
 
     def short(value: Any) -> str:
         if isinstance(value, np.ndarray):
             return f"<{value.dtype} array of shape {value.shape}>"
         return f"<list of {len(value)}>" if isinstance(value, list) and value else repr(value)
 
-    return f"{type(row).__name__}({', '.join(f'{name}={short(value)}' for name, value in row._asdict().items())})"
+    def text(row: Any) -> str:
+        return f"{kind.__name__}({', '.join(f'{name}={short(value)}' for name, value in row._asdict().items())})"
+
+    setattr(kind, "__repr__", text)
+    return kind
 
 
 def entry(source: str, key: str, doc: str) -> Any:

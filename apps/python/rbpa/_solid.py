@@ -14,7 +14,7 @@ from rbpa import _core, meshops
 from rbpa._core import InvalidInput
 from rbpa._input import Alpha, Floats, Indices, Progress, as_choice, as_number, as_points, as_share, as_threads
 from rbpa._plot import draw_triangles
-from rbpa._result import Simplices, entry, freeze, short_repr
+from rbpa._result import Simplices, brief, entry, freeze
 
 
 def solid(
@@ -110,6 +110,7 @@ def union_of_balls(
     return BallUnion(*_core.union_of_balls(array, number, as_threads(threads), progress))
 
 
+@brief
 class DanglingFaces(NamedTuple):
     """The simplices of a full alpha complex that are in no larger simplex: `Solid.dangling`.
 
@@ -119,9 +120,6 @@ class DanglingFaces(NamedTuple):
     triangles: Indices
     edges: Indices
     points: Indices
-
-    def __repr__(self) -> str:
-        return short_repr(self)
 
 
 @dataclass(eq=False, repr=False)
@@ -160,6 +158,7 @@ class SolidVoid:
         return f"<rbpa.SolidVoid of volume {self.volume}, area {self.area}, {len(self.points)} points around it>"
 
 
+@brief
 class FullComplex(NamedTuple):
     """The topology of a full alpha complex, as returned by `Solid.full`. Arrays are read-only.
 
@@ -178,9 +177,6 @@ class FullComplex(NamedTuple):
     betti: tuple[int, int, int]
     voids: list[SolidVoid]
     triangles: Indices
-
-    def __repr__(self) -> str:
-        return short_repr(self)
 
 
 class Solid(Simplices):

@@ -11,7 +11,7 @@ from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_pair_choice, as_points, as_radii, as_threads, require_one_of, shown
 from rbpa._plot import draw_diagram
-from rbpa._result import Result, freeze, short_repr
+from rbpa._result import Result, brief, freeze
 
 _NAMES = ("components", "tunnels", "voids")  # of the dimensions
 
@@ -43,6 +43,7 @@ def solid_filtration(points: npt.ArrayLike, *, threads: Optional[int] = None, pr
     return SolidFiltration(array, _core.solid_filtration(array, as_threads(threads), progress))
 
 
+@brief
 class SolidRepresentative(NamedTuple):
     """The location of a pair of a persistence diagram in space: a cycle around a tunnel, the surface around a void, or
     the edge at which a component ends."""
@@ -65,9 +66,6 @@ class SolidRepresentative(NamedTuple):
     """The volume of the void at its birth; `area` is the area of the triangles."""
     is_shortest: bool
     """Dimension 1: whether no shorter cycle exists at its birth and becomes a boundary exactly at its death."""
-
-    def __repr__(self) -> str:
-        return short_repr(self)
 
 
 class SolidPlateau(NamedTuple):
@@ -95,6 +93,7 @@ class SolidPlateau(NamedTuple):
     """Whether `ratio` exceeds the ratios that points without structure reach by chance."""
 
 
+@brief
 class VoidTree(NamedTuple):
     """All voids at every radius, ascending by `closes`, as returned by `SolidFiltration.void_tree`. Arrays are
     read-only, and have an entry for each void.
@@ -118,9 +117,6 @@ class VoidTree(NamedTuple):
     volume: Floats
     parent: Indices
     mouth: Indices
-
-    def __repr__(self) -> str:
-        return short_repr(self)
 
 
 class SpaceFiltration(Result):

@@ -10,7 +10,7 @@ import numpy as np
 from rbpa._balls import BallVoid
 from rbpa._core import InvalidInput
 from rbpa._input import Indices, as_number, shown
-from rbpa._result import freeze, short_repr
+from rbpa._result import brief, freeze
 
 
 class VoidEvent(NamedTuple):
@@ -24,6 +24,7 @@ class VoidEvent(NamedTuple):
     """The track from which this track splits, or which it joins; -1 otherwise."""
 
 
+@brief
 class VoidTracks(NamedTuple):
     """Tracks of voids, as returned by `follow_voids`. Arrays are read-only."""
 
@@ -31,9 +32,6 @@ class VoidTracks(NamedTuple):
     """For each frame, the number of the track of each void."""
     events: list[VoidEvent]
     """Ascending by frame; without the births in the first frame."""
-
-    def __repr__(self) -> str:
-        return short_repr(self)
 
 
 def _shared(a: BallVoid, b: BallVoid) -> tuple[float, float]:

@@ -32,7 +32,7 @@ import numpy.typing as npt
 from rbpa import _core
 from rbpa._core import ComponentReport, Defect, Delta, InvalidInput, RepairStep, Report
 from rbpa._input import Floats, Indices, Integers, Progress, as_count, as_limits, as_number, as_numbers, as_points, shown
-from rbpa._result import short_repr
+from rbpa._result import brief
 
 __all__ = ["ComponentReport", "Decimation", "Defect", "Delta", "Mesh", "ProgressiveMesh", "Remeshing", "Repair", "RepairStep", "Report", "find_defects", "repair", "report"]
 
@@ -212,6 +212,7 @@ class ProgressiveMesh(_core.ProgressiveMesh):
         return made
 
 
+@brief
 class Remeshing(NamedTuple):
     """The result of `Mesh.remesh`: the position of each vertex, of shape (n_vertices, 3), counts, and a distance from the
     triangles before that no point of the result exceeds."""
@@ -224,10 +225,8 @@ class Remeshing(NamedTuple):
     flips: int
     distance: float
 
-    def __repr__(self) -> str:
-        return short_repr(self)
 
-
+@brief
 class Decimation(NamedTuple):
     """The result of `Mesh.decimate`."""
 
@@ -243,10 +242,8 @@ class Decimation(NamedTuple):
     distance: Optional[float]
     """A distance from the triangles before that no point of the result exceeds, certified; None if it is not measured."""
 
-    def __repr__(self) -> str:
-        return short_repr(self)
 
-
+@brief
 class Repair(NamedTuple):
     """The result of `repair`."""
 
@@ -258,9 +255,6 @@ class Repair(NamedTuple):
     """For each face, its number among the given faces."""
     steps: list[RepairStep]
     """The changes, each with a `kind`, `points` and `faces`; str() describes them."""
-
-    def __repr__(self) -> str:
-        return short_repr(self)
 
 
 def repair(faces: Faces, points: Optional[int] = None) -> Repair:

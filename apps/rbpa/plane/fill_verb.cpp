@@ -12,7 +12,7 @@
 #include "io/number.h"
 #include "io/polygon/read_polygons.h"
 #include "picture/picture.h"
-#include "plane/picture_outputs.h"
+#include "plane/shape_outputs.h"
 #include "plane/triangle_outputs.h"
 #include "plane/valid_features.h"
 #include "rbpa/base/error.h"
@@ -54,7 +54,7 @@ FillRequest parse(const FillArguments& arguments) {
   if (std::isinf(request.size) && (arguments.grade || arguments.size_at))
     throw WrongUsage("--size inf adds no point and cannot be combined with " +
                      std::string(arguments.grade ? "--grade" : "--size-at"));
-  request.targets = parse_targets(Use::triangles, arguments, arguments.polygons, given({arguments.stats}));
+  request.targets = parse_targets(Use::triangles, arguments, arguments.polygons);
   if (request.size_at)
     check_second_input({"--size-at", *request.size_at, "sizes"}, {"POLYGON", request.path}, request.targets, arguments);
   return request;
@@ -150,7 +150,7 @@ AlphaComplex arrays_of(const Filling& filling) {
 
 void run_fill(const FillArguments& arguments) {
   const FillRequest request = parse(arguments);
-  Run run(request.path, arguments.outputs, {.quiet = arguments.quiet});
+  Run run(request.path, arguments.outputs, parse_run(arguments.run));
   const PolygonFile file = run.read([&] { return read_polygons(request.path, request.format); });
   run.warning(file.vertices.warnings);
   std::vector<SizeAt> sizes;
@@ -175,7 +175,7 @@ void run_fill(const FillArguments& arguments) {
   }
   stats.write_seconds = run.lap();
   const PolygonTotals totals = total(filling.polygons);
-  if (arguments.stats) {
+  if (arguments.run.stats) {
     stats.distinct = filling.points.size();
     stats.isolated = arrays.isolated.size();
     stats.counts = count(filling.points, arrays, ComplexKind::solid, until_interrupted());
@@ -188,7 +188,7 @@ void run_fill(const FillArguments& arguments) {
                            .retreats = filling.retreats,
                            .features = file.features,
                            .left_out = valid.why_left_out.size()};
-    run.add(*arguments.stats, [&](OutputFile& report) { write_stats(report, stats); });
+    run.add_stats([&](OutputFile& report) { write_stats(report, stats); });
   }
   run.publish();
   caution(request.targets, filling.points, file.vertices);

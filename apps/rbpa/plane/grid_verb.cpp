@@ -12,8 +12,8 @@
 #include "io/number.h"
 #include "io/polygon/height_files.h"
 #include "picture/picture.h"
-#include "plane/picture_outputs.h"
 #include "plane/segments.h"
+#include "plane/shape_outputs.h"
 #include "plane/triangle_outputs.h"
 #include "rbpa/base/error.h"
 #include "shared/arguments.h"
@@ -45,7 +45,6 @@ struct GridRequest {
 GridRequest parse(const GridArguments& arguments) {
   GridRequest request{.source = parse_source(arguments), .alpha = parse_alpha({.alpha = arguments.alpha})};
   request.run = parse_run(arguments.run);
-  request.source.threads = request.run.threads;
   if (arguments.value == "z")
     request.source.heights = true;
   else
@@ -67,8 +66,7 @@ GridRequest parse(const GridArguments& arguments) {
   request.levels.erase(std::unique(request.levels.begin(), request.levels.end()), request.levels.end());
   if (arguments.extent) request.extent = parse_box("--extent", *arguments.extent);
   request.width = parse_width(arguments.width);
-  const std::vector<Target> targets =
-      parse_targets(Use::heights, arguments, arguments.points, given({arguments.stats}));
+  const std::vector<Target> targets = parse_targets(Use::heights, arguments, arguments.points);
   for (const Target& target : targets) (is_raster(target.format) ? request.rasters : request.lines).push_back(target);
   const auto require = [](const std::vector<Target>& files, bool is_given, const std::string& option, auto fits) {
     if (!files.empty() && !is_given) throw WrongUsage(output_name(files[0].path) + " requires " + option);
@@ -220,7 +218,7 @@ void run_grid(const GridArguments& arguments) {
                      what.substr(what.find(':')));
   }
   stats.write_seconds = run.lap();
-  if (arguments.stats) run.add(*arguments.stats, [&](OutputFile& output) { write_stats(output, stats); });
+  run.add_stats([&](OutputFile& output) { write_stats(output, stats); });
   run.publish();
   caution(request.lines, file.points, file);
   for (const Target& target : request.rasters)

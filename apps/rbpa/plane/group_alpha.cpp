@@ -101,7 +101,7 @@ void run_group_alpha(const AlphaArguments& arguments) {
   refuse_given({{arguments.persistence, "--persistence"},
                 {arguments.complex.has_value(), "--complex"},
                 {arguments.picture.has_value(), "-o"},
-                {arguments.stats.has_value(), "--stats"}},
+                {arguments.run.stats.has_value(), "--stats"}},
                not_with_groups);
   const Radii request = parse_radii(arguments);
   const RunOptions options = parse_run(arguments.run);

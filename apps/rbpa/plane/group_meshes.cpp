@@ -71,8 +71,7 @@ void write_targets(GroupRun& run, bool compacted) {
 }  // namespace
 
 void run_group_meshes(const MeshArguments& arguments) {
-  const std::vector<Target> targets =
-      parse_targets(Use::triangles, arguments, arguments.points, given({arguments.stats, arguments.levels}));
+  const std::vector<Target> targets = parse_targets(Use::triangles, arguments, arguments.points, {arguments.levels});
   GroupRequest request = parse_group_request(arguments, targets);
   const std::optional<FieldChoice> keeps = parse_fields_of(arguments.fields, targets);
   for (PointSource& source : request.sources.files) {

@@ -15,7 +15,7 @@ GroupRequest parse_group_request(const ComplexArguments& arguments, const std::v
   const GroupSources sources = parse_group_sources(arguments, arguments, alpha.column);
   const GroupRequest request{
       .complex = parse_request(arguments, ChosenFor::groups), .sources = sources, .targets = targets};
-  std::vector<std::string> outputs = given({arguments.stats});
+  std::vector<std::string> outputs = given({arguments.run.stats});
   for (const Target& target : targets) outputs.push_back(target.path);
   require_different(outputs, request.sources);
   return request;
@@ -43,7 +43,6 @@ GroupRun::GroupRun(const GroupRequest& wanted, const ComplexArguments& arguments
     : Run(wanted.sources.files.size() == 1 ? arguments.points : counted(wanted.sources.files.size(), "file"),
           arguments.outputs, wanted.complex.options),
       request(wanted),
-      stats_file(arguments.stats),
       named(read_groups(*this, request.sources)) {
   complete_heights(named.file.z);
   stats.points = named.file.points.size();
@@ -66,7 +65,7 @@ NamedShapes GroupRun::named_shapes() const {
 
 void GroupRun::finish() {
   const AlphaOption& alpha = request.complex.alpha;
-  if (stats_file) {
+  if (options().stats) {
     stats.write_seconds = lap();
     stats.threads = threads_used(named.file.points.size(), options().threads);
     stats.alpha_rule = name_of(alpha);
@@ -74,7 +73,7 @@ void GroupRun::finish() {
     stats.groups = GroupStats{named.names.size(), shapes.problems.size(), triangles()};
     stats.polygons = shapes.polygons.size();
     stats.of_polygons = total(shapes.polygons);
-    add(*stats_file, [&](OutputFile& out) { write_stats(out, stats); });
+    add_stats([&](OutputFile& out) { write_stats(out, stats); });
   }
   publish();
   if (shapes.problems.empty()) return;

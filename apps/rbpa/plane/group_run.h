@@ -42,7 +42,6 @@ struct GroupRun : Run {
   void summarize(const std::string& made) const;
 
   GroupRequest request;
-  std::optional<std::string> stats_file;
   NamedGroups named;
   GroupShapes shapes;
   std::vector<std::size_t> sizes;  ///< number of points in each group

@@ -11,8 +11,7 @@
 #include "io/polygon/summaries.h"
 #include "picture/picture.h"
 #include "plane/group_run.h"
-#include "plane/ogr_outputs.h"
-#include "plane/picture_outputs.h"
+#include "plane/shape_outputs.h"
 #include "shared/arguments.h"
 #include "shared/verbs.h"
 
@@ -73,7 +72,7 @@ void caution(const GroupRun& run) {
 }  // namespace
 
 void run_group_shapes(const ShapeArguments& arguments) {
-  const std::vector<Target> targets = parse_targets(Use::shape, arguments, arguments.points, given({arguments.stats}));
+  const std::vector<Target> targets = parse_targets(Use::shape, arguments, arguments.points);
   require_of_groups(arguments, targets);
   GroupRequest request = parse_group_request(arguments, targets);
   constexpr auto holds = [](Format format) { return has_groups(format) && !is_picture(format); };

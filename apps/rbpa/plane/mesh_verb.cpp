@@ -11,8 +11,8 @@
 #include "io/mesh/write_triangles.h"
 #include "picture/picture.h"
 #include "plane/level_report.h"
-#include "plane/picture_outputs.h"
 #include "plane/segments.h"
+#include "plane/shape_outputs.h"
 #include "plane/triangle_outputs.h"
 #include "rbpa/plane/link_triangles.h"
 #include "shared/arguments.h"
@@ -113,7 +113,7 @@ void run_mesh(const MeshArguments& arguments) {
   std::optional<Format> levels;
   if (arguments.levels) levels = parse_levels(*arguments.levels, request.method);
   const std::vector<Target> targets =
-      parse_targets(Use::triangles, arguments, arguments.points, given({arguments.stats, arguments.levels}), kind);
+      parse_targets(Use::triangles, arguments, arguments.points, {arguments.levels}, kind);
   const bool any_picture = any_of(targets, is_picture);
   const std::optional<SegmentSource> segments = parse_segments(arguments, request.source, targets, arguments);
   if (segments) check_segments(arguments, request, kind);
@@ -121,7 +121,7 @@ void run_mesh(const MeshArguments& arguments) {
   request.source.heights = any_has_vertices(targets);
   if (!segments) request.source.keeps = parse_fields_of(arguments.fields, targets);
   ComplexRun run(request, arguments);
-  const Links links = any_picture ? Links::neighbors : arguments.stats ? Links::boundary : Links::none;
+  const Links links = any_picture ? Links::neighbors : arguments.run.stats ? Links::boundary : Links::none;
   std::string more;
   Built built;
   if (segments) {
@@ -140,7 +140,7 @@ void run_mesh(const MeshArguments& arguments) {
   if (levels)
     run.add(*arguments.levels, [&](OutputFile& file) { write_levels(file, *levels, *built.mesh, request.method); });
   run.stats.write_seconds = run.lap();
-  if (arguments.stats) {
+  if (arguments.run.stats) {
     run.stats.distinct = made.distinct;
     run.stats.isolated = kind == ComplexKind::full ? made.points.size() : made.isolated.size();
     if (kind == ComplexKind::full) run.stats.dangling_edges = made.edges.size();

@@ -1,12 +1,15 @@
 #include "plane/shape_outputs.h"
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <system_error>
 
+#include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/polygon/ogr.h"
 #include "picture/picture.h"
-#include "plane/ogr_outputs.h"
-#include "plane/picture_outputs.h"
 
 namespace rbpa::app {
 namespace {
@@ -19,6 +22,34 @@ const Target* find(const std::vector<Target>& targets, Format format) {
 }
 
 }  // namespace
+
+void add_ogr(Run& run, const Target& target, const std::vector<OgrFile>& files) {
+  const std::vector<std::string> endings = ogr_endings(target.format), paths = ogr_paths(target);
+  for (std::size_t i = 0; i < endings.size(); ++i) {
+    const auto made =
+        std::find_if(files.begin(), files.end(), [&](const OgrFile& file) { return file.ending == endings[i]; });
+    if (made != files.end())
+      run.add(paths[i], [&](OutputFile& file) { file.write(made->bytes); });
+    else if (std::filesystem::exists(paths[i]))
+      // Refuse an old .prj: its coordinate system would apply to the new file.
+      throw Failure(paths[i] + ": found an old file, expected none next to " + target.path + " (remove it)");
+  }
+}
+
+void add_picture(Run& run, const Target& target, const Drawing& drawing, int width, const std::optional<Crs>& crs) {
+  const Scene scene = place(drawing, width);
+  run.add(target.path, [&](OutputFile& file) { write_picture(file, target.format, scene); });
+  const double size = scene.pixel_size, x = scene.corner.x + size / 2, y = scene.corner.y - size / 2;
+  const bool is_on_map =
+      crs && !crs->is_geocentric() && size > 0 && std::isfinite(size) && std::isfinite(x) && std::isfinite(y);
+  const auto world = target.format == Format::png ? world_file_of(target.path) : std::nullopt;
+  if (!world) return;
+  if (is_on_map)
+    run.add_world_file(*world,
+                       [&](OutputFile& file) { file.write_all(size, "\n0\n0\n", -size, "\n", x, "\n", y, "\n"); });
+  else if (std::error_code error; std::filesystem::exists(*world, error))
+    run.summarize(*world + ": this world file is of an earlier picture");
+}
 
 std::string srid_of(const Shape& shape) { return "SRID=" + *shape.crs->srid() + ";"; }
 

@@ -1,4 +1,5 @@
-// What: adds files of polygons, and of the points that belong to them, to the output files of a run.
+// What: adds files of polygons and of the points that belong to them, and files of other verbs that GDAL or pictures
+//       need, to the output files of a run.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +8,23 @@
 #include <string>
 #include <vector>
 
+#include "io/crs.h"
+#include "io/polygon/ogr.h"
 #include "io/polygon/shape_files.h"
+#include "picture/drawing.h"
 #include "shared/run.h"
 
 namespace rbpa::app {
+
+/// Adds `files`, which GDAL has made for a target, to the files of the run. Throws Failure if an old file of the
+/// target, such as a .prj, would remain next to the new files; as Run::add() does.
+void add_ogr(Run& run, const Target& target, const std::vector<OgrFile>& files);
+
+/// Adds the picture. If the coordinates have the system `crs` and the target is a file .png, adds a world file, .pgw,
+/// with the size of a pixel and the center of the upper left pixel; otherwise prints a warning, unless quiet, about a
+/// world file that is there. Requires: is_picture(target.format);
+/// least_width ≤ width ≤ greatest_width. Throws as Run::add() and write_picture() do.
+void add_picture(Run& run, const Target& target, const Drawing& drawing, int width, const std::optional<Crs>& crs);
 
 inline bool is_text_geometry(Format format) { return format == Format::wkt || format == Format::ewkt; }
 

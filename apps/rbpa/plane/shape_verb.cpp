@@ -11,7 +11,6 @@
 #include "io/polygon/shape_files.h"
 #include "io/polygon/summaries.h"
 #include "picture/picture.h"
-#include "plane/ogr_outputs.h"
 #include "plane/shape_outputs.h"
 #include "rbpa/plane/groups.h"
 #include "rbpa/plane/link_triangles.h"
@@ -75,8 +74,7 @@ void run_shape(const ShapeArguments& arguments) {
   ComplexRequest request = parse_request(arguments);
   request.bytes_a_point = bytes_a_point(request);
   const PolygonFilter filter = parse_areas(arguments);
-  Files files{.targets =
-                  parse_targets(Use::shape, arguments, arguments.points, given({arguments.stats, arguments.isolated}))};
+  Files files{.targets = parse_targets(Use::shape, arguments, arguments.points, {arguments.isolated})};
   if (arguments.isolated) files.isolated = target_of("--isolated", *arguments.isolated, Use::isolated);
   const std::optional<FieldChoice> listed =
       parse_fields_of(arguments.fields, files.have_fields(), "a list of points in csv or gpkg, or --isolated");
@@ -115,7 +113,7 @@ void run_shape(const ShapeArguments& arguments) {
 
   write_files(run, files, shape, complex);
   run.stats.write_seconds = run.lap();
-  if (arguments.stats) {
+  if (arguments.run.stats) {
     run.stats.distinct = complex.distinct;
     run.stats.isolated = complex.isolated.size();
     run.stats.counts = count(run.points(), complex, ComplexKind::solid, until_interrupted());

@@ -1,11 +1,8 @@
 #include "plane/triangle_outputs.h"
 
-#include <algorithm>
-
-#include "io/failure.h"
 #include "io/polygon/ogr.h"
 #include "io/polygon/shape_files.h"
-#include "plane/ogr_outputs.h"
+#include "plane/shape_outputs.h"
 
 namespace rbpa::app {
 
@@ -20,11 +17,7 @@ void add_triangles(Run& run, const Target& target, const TriangleMesh& mesh, con
 }
 
 void caution(const std::vector<Target>& targets, std::span<const Point> points, const PointFile& about) {
-  const auto with_geojson =
-      std::find_if(targets.begin(), targets.end(), [](const Target& t) { return t.format == Format::geojson; });
-  if (with_geojson == targets.end()) return;
-  if (const auto why = geojson_caution({points, {}, {}, about.crs, about.degrees}))
-    say("rbpa", output_name(with_geojson->path) + ": " + *why);
+  caution(targets, Shape{points, {}, {}, about.crs, about.degrees});
 }
 
 }  // namespace rbpa::app

@@ -43,11 +43,10 @@ constexpr auto holds_fields = [](Format format) {
 VoronoiRequest parse(const VoronoiArguments& arguments) {
   VoronoiRequest request{.source = parse_source(arguments), .clip = arguments.clip};
   request.run = parse_run(arguments.run);
-  request.source.threads = request.run.threads;
   if (arguments.alpha && arguments.clip != "shape") throw WrongUsage("--alpha requires --clip shape");
   request.alpha = parse_alpha({.alpha = arguments.alpha.value_or("plateau")});
   request.width = parse_width(arguments.width);
-  request.targets = parse_targets(Use::shape, arguments, arguments.points, given({arguments.stats}));
+  request.targets = parse_targets(Use::shape, arguments, arguments.points);
   request.source.keeps = parse_fields_of(arguments.fields, any_of(request.targets, holds_fields),
                                          "an OUT in one of " + endings(Use::shape, holds_fields));
   if (request.clip == "box" || request.clip == "hull" || request.clip == "shape") return request;
@@ -146,10 +145,10 @@ void run_voronoi(const VoronoiArguments& arguments) {
   }
   stats.write_seconds = run.lap();
   const PolygonTotals totals = total(cells.polygons);
-  if (arguments.stats) {
+  if (arguments.run.stats) {
     stats.polygons = cells.polygons.size();
     stats.of_polygons = {totals.holes, totals.area, totals.perimeter};
-    run.add(*arguments.stats, [&](OutputFile& output) { write_stats(output, stats); });
+    run.add_stats([&](OutputFile& output) { write_stats(output, stats); });
   }
   run.publish();
   caution(request.targets, shape);

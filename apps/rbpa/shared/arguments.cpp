@@ -103,16 +103,18 @@ bool parse_is_full(const std::string& complex) {
   return complex == "full";
 }
 
-std::vector<std::string> given(const std::vector<std::optional<std::string>>& reports) {
+std::vector<std::string> given(const Reports& reports) {
   std::vector<std::string> paths;
   for (const auto& report : reports)
     if (report) paths.push_back(*report);
   return paths;
 }
 
-std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input,
-                                  const std::vector<std::string>& reports, ComplexKind complex) {
-  std::vector<Target> targets = targets_of(use, arguments, !reports.empty());
+std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input, Reports reports,
+                                  ComplexKind complex) {
+  reports.insert(reports.begin(), arguments.run.stats);
+  const std::vector<std::string> written = given(reports);
+  std::vector<Target> targets = targets_of(use, arguments, !written.empty());
   if (complex == ComplexKind::full) targets = with_edges_and_points(targets);
   std::vector<std::string> files, others;
   for (const Target& target : targets) {
@@ -122,7 +124,7 @@ std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, con
     for (const std::string& path : ogr_paths(target))
       if (path != target.path) others.push_back(path);
   }
-  files.insert(files.end(), reports.begin(), reports.end());
+  files.insert(files.end(), written.begin(), written.end());
   files.insert(files.end(), others.begin(), others.end());
   require_different(files, input, "points");
   return targets;
@@ -132,7 +134,7 @@ void check_second_input(const SecondInput& second, const FirstInput& first, cons
                         const OutputArguments& outputs) {
   if (second.path == "-" && first.path == "-")
     bad_usage(second.option + " -", first.argument + " on standard input as well", "one of them as a file");
-  std::vector<std::string> files = given({outputs.stats});
+  std::vector<std::string> files = given({outputs.run.stats});
   for (const Target& target : targets) files.push_back(target.path);
   require_different(files, second.path, second.content);
 }

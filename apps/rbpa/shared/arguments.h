@@ -38,23 +38,37 @@ struct Target {
   Format format;
 };
 
-/// The options about output files, as text.
+/// The options about the run, which do not change the result, as text.
+struct RunArguments {
+  std::optional<std::string> threads;
+  bool quiet = false;
+  std::optional<std::string> stats;  ///< path of a file for the report
+};
+
+/// The options about output files and the run, as text.
 struct OutputArguments {
   std::vector<std::string> outputs;
   std::optional<std::string> output_format;
-  std::optional<std::string> stats;
+  std::string width = "1200";  ///< width of pictures, in pixels
+  RunArguments run;
 };
 
-/// Returns the paths in `reports` that have a value.
-std::vector<std::string> given(const std::vector<std::optional<std::string>>& reports);
+/// Paths of files that are written if they are given.
+using Reports = std::vector<std::optional<std::string>>;
+/// Returns the report of --json, standard output, or none.
+inline std::optional<std::string> json_report(bool json) {
+  return json ? std::optional<std::string>("-") : std::nullopt;
+}
+/// Returns the paths that are given.
+std::vector<std::string> given(const Reports& reports);
 
 /// Returns the files to write. The ending of a path gives its format; if it is unknown, --output-format does. For the
 /// full complex m.npy becomes three targets: m.npy, m.edges.npy, m.points.npy. At least one target is required unless
-/// there are `reports`. Throws WrongUsage, also if two of the targets, `input` and `reports` are one file; Failure if a
-/// file cannot be written (require_different()).
+/// a report is given: that of --stats, or one of `reports`. Throws WrongUsage, also if two of the targets, `input` and
+/// the reports are one file; Failure if a file cannot be written (require_different()).
 /// Requires: `use` is triangles, surface, solid or shape.
 std::vector<Target> parse_targets(Use use, const OutputArguments& arguments, const std::string& input,
-                                  const std::vector<std::string>& reports, ComplexKind complex = ComplexKind::solid);
+                                  Reports reports = {}, ComplexKind complex = ComplexKind::solid);
 
 /// An input that an option names, and what it has, for messages.
 struct SecondInput {

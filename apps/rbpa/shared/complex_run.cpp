@@ -35,7 +35,7 @@ void caution_about_memory(const Run& run, double bytes_a_point, std::size_t poin
 }  // namespace
 
 ComplexRun::ComplexRun(const ComplexRequest& wanted, const OutputArguments& arguments)
-    : Run(wanted.source.path, arguments.outputs, wanted.options), request(wanted), stats_file(arguments.stats) {
+    : Run(wanted.source.path, arguments.outputs, wanted.options), request(wanted) {
   const AlphaChoice& choice = request.alpha;
   file = read_points(request.source);
   complete_heights(file.z);
@@ -52,7 +52,7 @@ void ComplexRun::finish() {
   stats.alpha_rule = name_of(request.alpha);
   stats.threads = threads_used(points().size(), options().threads);
   stats.method = request.method.name();
-  if (stats_file) add(*stats_file, [&](OutputFile& report) { write_stats(report, stats); });
+  add_stats([&](OutputFile& report) { write_stats(report, stats); });
   publish();
 }
 

@@ -19,8 +19,6 @@ namespace rbpa::app {
 struct ComplexArguments : PointArguments, GroupArguments, OutputArguments {
   RadiusArguments radius;
   MethodArguments method;
-  std::string width = "1200";
-  RunArguments run;
 };
 
 /// The parsed command line.
@@ -54,7 +52,6 @@ struct ComplexRun : Run {
   void summarize(std::size_t duplicates, const std::string& made, const std::string& targets) const;
 
   ComplexRequest request;
-  std::optional<std::string> stats_file;
   PointFile file;
   const std::vector<Point>& points() const { return file.points; }
   double alpha = 0;  ///< given, or chosen by a rule; infinity if the points have no triangle

@@ -14,7 +14,7 @@ namespace rbpa::app {
 namespace {
 
 /// Parses --foreground ("dark" or "light") and --threshold (a number > 0 and <= 1).
-PixelRule parse_pixel_rule(const PixelArguments& arguments) {
+PixelRule parse_pixel_rule(const PointArguments& arguments) {
   PixelRule rule;
   if (arguments.foreground) {
     if (*arguments.foreground != "dark" && *arguments.foreground != "light")
@@ -54,7 +54,7 @@ bool GroupArguments::has_groups() const {
 
 PointSource parse_source(const PointArguments& arguments, const GroupColumns& columns) {
   PointSource source{.path = arguments.points,
-                     .pixels = parse_pixel_rule(arguments.pixels),
+                     .pixels = parse_pixel_rule(arguments),
                      .skip_invalid = arguments.skip_invalid,
                      .vertices = arguments.vertices,
                      .shift_longitude = arguments.shift_longitude,
@@ -80,7 +80,7 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
     source.where = Condition(*arguments.where, *fields_of(format));
   if (arguments.layer) require_format(ogr, "--layer", "without layers", "a file that GDAL reads (--format ogr)");
   for (const auto& [given, option] :
-       {std::pair(&arguments.pixels.foreground, "--foreground"), std::pair(&arguments.pixels.threshold, "--threshold")})
+       {std::pair(&arguments.foreground, "--foreground"), std::pair(&arguments.threshold, "--threshold")})
     if (*given) require_format(is_image(format), option, "without pixels", "one of " + endings(Use::points, is_image));
   return source;
 }

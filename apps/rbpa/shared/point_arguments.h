@@ -13,39 +13,18 @@
 
 namespace rbpa::app {
 
-/// The options that choose the pixels of an image that are points, as text.
-struct PixelArguments {
-  std::optional<std::string> foreground;
-  std::optional<std::string> threshold;
-};
-
-/// The options that choose points by their positions, as text.
-struct WindowArguments {
-  std::optional<std::string> bounds, resolution;
-};
-
-/// The options about points of the plane, as text.
-struct PointArguments : WindowArguments {
-  std::string points;  ///< path of the file; "-" means standard input
-  std::optional<std::string> format;
-  std::optional<std::string> columns;
-  PixelArguments pixels;
-  std::optional<std::string> where;
-  std::optional<std::string> crs;
-  std::optional<std::string> layer;
-  bool skip_invalid = false;
-  bool vertices = false;
-  bool shift_longitude = false;
-};
-
 /// The options about points in space, as text.
-struct SpacePointArguments : WindowArguments {
+struct SpacePointArguments {
   std::string points;  ///< path of the file; "-" means standard input
-  std::optional<std::string> format;
-  std::optional<std::string> columns;
-  std::optional<std::string> where;
-  bool skip_invalid = false;
-  bool waters = false;
+  std::optional<std::string> format, columns, where, bounds, resolution;
+  bool skip_invalid = false, waters = false;
+};
+
+/// The options about points of the plane, as text. Some verbs also read points in space by them.
+struct PointArguments : SpacePointArguments {
+  std::optional<std::string> foreground, threshold;  ///< of an image: which pixels are points
+  std::optional<std::string> crs, layer;
+  bool vertices = false, shift_longitude = false;
 };
 
 /// The reason why an option is refused when groups are requested.

@@ -15,7 +15,7 @@ unsigned RunOptions::threads_or_all() const {
 }
 
 RunOptions parse_run(const RunArguments& arguments) {
-  RunOptions options{.quiet = arguments.quiet};
+  RunOptions options{.quiet = arguments.quiet, .stats = arguments.stats};
   if (arguments.threads)
     options.threads =
         static_cast<unsigned>(parse_whole("--threads", *arguments.threads, {.least = 1, .greatest = max_threads}));

@@ -19,15 +19,10 @@ namespace rbpa::app {
 struct SpacePoints;
 struct SpacePointSource;
 
-/// The options that do not change the result, as text.
-struct RunArguments {
-  std::optional<std::string> threads;
-  bool quiet = false;
-};
-
 struct RunOptions {
   unsigned threads = 0;  ///< the most threads; 0: one for each processor
   bool quiet = false;
+  std::optional<std::string> stats = std::nullopt;  ///< path of a file for the report of --stats
 
   unsigned threads_or_all() const;
   /// Returns a progress line that shows `doing`. The line shows nothing if `quiet` or `in_the_way` is true.
@@ -95,6 +90,11 @@ class Run {
       stop_if_interrupted();
       add(target.path, [&](OutputFile& file) { write(file, target); });
     }
+  }
+  /// Adds the report of --stats, if it is requested, as add() does.
+  template <typename Write>
+  void add_stats(const Write& write) {
+    if (options_.stats) add(*options_.stats, write);
   }
   /// Adds a world file as add() does, which list_of() then lists.
   template <typename Write>

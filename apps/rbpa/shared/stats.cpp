@@ -20,8 +20,7 @@ Json or_null(const std::optional<T>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-}  // namespace
-
+/// Returns the peak memory of this process, in bytes.
 std::size_t peak_bytes() {
   // Read VmHWM, which exec() resets: the value of getrusage() includes the process that started the program.
   std::ifstream status("/proc/self/status");
@@ -31,6 +30,15 @@ std::size_t peak_bytes() {
   struct rusage usage {};  // if there is no /proc
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+}
+
+}  // namespace
+
+void write_stats(OutputFile& file, Json report, unsigned threads, const Json& seconds) {
+  report["threads"] = threads;
+  report["seconds"] = seconds;
+  report["peak_bytes"] = peak_bytes();
+  write_json(file, report, 2);
 }
 
 void write_stats(OutputFile& file, const Stats& stats) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -58,7 +59,8 @@ struct Stats {
 /// Writes the report as one JSON object.
 void write_stats(OutputFile& file, const Stats& stats);
 
-/// Returns the peak memory of this process, in bytes.
-std::size_t peak_bytes();
+/// Writes `report`, to which the threads, the seconds of each step and the peak memory are added.
+void write_stats(OutputFile& file, nlohmann::ordered_json report, unsigned threads,
+                 const nlohmann::ordered_json& seconds);
 
 }  // namespace rbpa::app

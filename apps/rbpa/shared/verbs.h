@@ -44,33 +44,28 @@ void run_group_shapes(const ShapeArguments& arguments);
 
 /// The arguments of `rbpa discs`, which measures the union of discs around points.
 struct DiscsArguments : PointArguments, OutputArguments {
-  std::string radius, corners = "64", width = "1200";
-  RunArguments run;
+  std::string radius, corners = "64";
 };
 void run_discs(const DiscsArguments& arguments);
 
 /// The arguments of `rbpa voronoi`, which makes the cells of points as polygons.
 struct VoronoiArguments : PointArguments, OutputArguments {
-  std::string clip = "box", width = "1200";
+  std::string clip = "box";
   std::optional<std::string> alpha, fields;
-  RunArguments run;
 };
 void run_voronoi(const VoronoiArguments& arguments);
 
 /// The arguments of `rbpa grid`, which interpolates heights: rasters and contour lines.
 struct GridArguments : PointArguments, OutputArguments, SegmentArguments {
   std::optional<std::string> cell, contours, extent;
-  std::string method = "linear", alpha = "inf", value = "z", width = "1200";
-  RunArguments run;
+  std::string method = "linear", alpha = "inf", value = "z";
 };
 void run_grid(const GridArguments& arguments);
 
 /// The arguments of verbs that compute all radii.
 struct RadiiArguments : PointArguments {
-  std::optional<std::string> stats;
   std::string components = "1";      ///< the most solid components at the radius `auto`
   std::optional<std::string> cover;  ///< share of the points that `auto` and `min` cover
-  bool waters = false;               ///< whether atoms of water in a molecule count as points
   RunArguments run;
 };
 
@@ -104,7 +99,6 @@ void run_report(const ReportArguments& arguments);
 
 /// The arguments of `rbpa info`, which prints facts about a file of points.
 struct InfoArguments : PointArguments, GroupArguments {
-  std::optional<std::string> stats;
   bool json = false;
   RunArguments run;
 };
@@ -119,40 +113,16 @@ struct FillArguments : OutputArguments {
   std::optional<std::string> grade;
   bool keep_boundary = false;
   bool skip_invalid = false;
-  std::string width = "1200";
-  bool quiet = false;
 };
 void run_fill(const FillArguments& arguments);
 
 /// The arguments of `rbpa surface`, which makes files of triangles and pictures from a file of points in space.
 struct SurfaceArguments : SpacePointArguments, OutputArguments {
   std::string radius;
-  std::optional<std::string> max_radius;
-  std::optional<std::string> normals;
-  std::optional<std::string> neighbors;
-  std::optional<std::string> viewpoint;
-  bool flip = false;
-  std::optional<std::string> color;
-  std::optional<std::string> drop_outliers;
-  std::optional<std::string> scale_space;
-  bool moved = false;
-  std::optional<std::string> holes;
-  std::optional<std::string> fields;
-  std::optional<std::string> shell;
-  std::optional<std::string> keep_largest;
-  std::optional<std::string> drop_small;
-  std::optional<std::string> fill_holes;
-  bool refine = false;
-  std::optional<std::string> faces;
-  bool no_crossings = false;
-  bool repairs = false;
-  std::string width = "1200";
-  bool compact = false;
-  bool manifold = false;
-  bool watertight = false;
-  std::optional<std::string> shift;
-  bool json = false;
-  RunArguments run;
+  std::optional<std::string> max_radius, normals, neighbors, viewpoint, color, drop_outliers, scale_space, holes,
+      fields, shell, keep_largest, drop_small, fill_holes, faces, shift;
+  bool flip = false, moved = false, refine = false, no_crossings = false, repairs = false, compact = false,
+       manifold = false, watertight = false, json = false;
 };
 void run_surface(const SurfaceArguments& arguments);
 
@@ -162,10 +132,7 @@ struct SolidArguments : SpacePointArguments, OutputArguments {
   std::optional<std::string> cover;  ///< share of the points that `auto` and `min` cover
   std::optional<std::string> box, boundary, shift, voids, complex, fields;
   std::optional<std::string> pockets, voids_above, top;
-  bool void_radii = false;
-  std::string width = "1200";
-  bool balls = false, json = false;
-  RunArguments run;
+  bool void_radii = false, balls = false, json = false;
 };
 void run_solid(const SolidArguments& arguments);
 
@@ -175,7 +142,6 @@ struct BallsArguments : OutputArguments, BallRadiiArguments {
   std::optional<std::string> format, where, models, box, contacts, interfaces, voids, pockets, group;
   std::string probe = "0";
   bool waters = false, no_ligands = false, no_hydrogens = false, alternates = false, pores = false, json = false;
-  RunArguments run;
 };
 void run_balls(const BallsArguments& arguments);
 
@@ -189,7 +155,6 @@ struct StreamArguments : PointArguments, OutputArguments, AreaArguments {
   std::optional<std::string> scratch;
   bool keep_tiles = false;
   bool resume = false;
-  RunArguments run;
 };
 void run_stream(const StreamArguments& arguments);
 

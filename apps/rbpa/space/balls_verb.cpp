@@ -21,7 +21,7 @@
 #include "shared/verbs.h"
 #include "space/balls_files.h"
 #include "space/balls_voids.h"
-#include "space/periodic_report.h"
+#include "space/solid_report.h"
 
 namespace rbpa::app {
 namespace {
@@ -79,11 +79,10 @@ BallsRequest parse(const BallsArguments& arguments) {
     request.voids =
         target_of("--voids", *arguments.voids, Use::lined, arguments.box ? +has_no_surface : nullptr).format;
   if (arguments.pockets) request.pockets = target_of("--pockets", *arguments.pockets, Use::lined).format;
-  std::vector<std::string> reports =
-      given({arguments.stats, arguments.contacts, arguments.interfaces, arguments.voids, arguments.pockets});
-  if (arguments.json) reports.emplace_back("-");
+  const Reports reports = {arguments.contacts, arguments.interfaces, arguments.voids, arguments.pockets,
+                           json_report(arguments.json)};
   // Write only the summary if no file is requested.
-  if (!arguments.outputs.empty() || arguments.output_format || !reports.empty())
+  if (!arguments.outputs.empty() || arguments.output_format || arguments.run.stats || !given(reports).empty())
     request.targets = parse_targets(Use::rows, arguments, arguments.atoms, reports);
   return request;
 }
@@ -98,7 +97,7 @@ class BallsRun : public Run {
 
  private:
   /// Returns whether any output shows the sizes without the probe.
-  bool is_reported() const { return !options().quiet || arguments_.json || arguments_.stats; }
+  bool is_reported() const { return !options().quiet || arguments_.json || arguments_.run.stats; }
   std::vector<std::string> process();
   RepeatingCell cell(const std::string& name) const;
   std::vector<MeasuredAtoms> read_some(AtomFrames& file);
@@ -272,12 +271,12 @@ std::vector<std::string> BallsRun::process() {
 
 void BallsRun::run() {
   warning(process());
-  nlohmann::ordered_json report = json_of(request_.probe, request_.radii, frames_);
+  const nlohmann::ordered_json report = json_of(request_.probe, request_.radii, frames_);
   if (arguments_.json) add("-", [&](OutputFile& output) { write_json(output, report, 1); });
-  report["threads"] = options().threads_or_all();
-  report["seconds"] = {{"read", read_seconds_}, {"measure", measure_seconds_}, {"write", write_seconds_}};
-  report["peak_bytes"] = peak_bytes();
-  if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& output) { write_json(output, report, 2); });
+  add_stats([&](OutputFile& output) {
+    write_stats(output, report, options().threads_or_all(),
+                {{"read", read_seconds_}, {"measure", measure_seconds_}, {"write", write_seconds_}});
+  });
   publish();
   std::vector<std::string> lines = text_of(request_.probe, request_.radii, frames_, are_atoms_ ? "atom" : "point");
   if (!voids_.empty())

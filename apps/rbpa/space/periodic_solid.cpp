@@ -19,7 +19,7 @@
 #include "rbpa/space/solid/periodic_solid.h"
 #include "rbpa/space/solid/solid_radii.h"
 #include "shared/progress.h"
-#include "space/periodic_report.h"
+#include "space/solid_report.h"
 
 namespace rbpa::app {
 namespace {
@@ -33,7 +33,7 @@ class PeriodicRun : public Run {
 
  private:
   /// Returns whether any output needs the topology.
-  bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || request_.voids; }
+  bool is_counted() const { return !options().quiet || arguments_.json || arguments_.run.stats || request_.voids; }
   std::string name_of_points() const;
   void settle_box();
   void build();
@@ -172,7 +172,7 @@ void PeriodicRun::run() {
   write();
   facts_.write_seconds = lap();
   if (arguments_.json) add("-", [&](OutputFile& file) { write_periodic_json(file, facts_, PointNames(file_)); });
-  if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& file) { write_periodic_stats(file, facts_); });
+  add_stats([&](OutputFile& file) { write_periodic_stats(file, facts_); });
   publish();
 
   const bool has_void = facts_.topology && !facts_.topology->voids.empty() && facts_.walls == ComplexKind::full;

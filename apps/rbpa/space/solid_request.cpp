@@ -83,9 +83,9 @@ SolidRequest parse(const SolidArguments& arguments) {
     check_box(arguments, request);
   }
   parse_choice_of_voids(arguments, request);
-  std::vector<std::string> reports = given({arguments.stats, arguments.boundary, arguments.voids, arguments.pockets});
-  if (arguments.json) reports.emplace_back("-");
-  request.targets = parse_targets(Use::solid, arguments, arguments.points, reports);
+  request.targets =
+      parse_targets(Use::solid, arguments, arguments.points,
+                    {arguments.boundary, arguments.voids, arguments.pockets, json_report(arguments.json)});
   std::vector<Target> meshes = request.targets;
   if (request.boundary) meshes.push_back(*request.boundary);
   if (!request.box)

@@ -24,7 +24,6 @@
 #include "space/solid_report.h"
 #include "space/solid_request.h"
 #include "space/void_files.h"
-#include "space/void_lives.h"
 
 namespace rbpa::app {
 namespace {
@@ -38,7 +37,7 @@ class SolidRun : public Run {
 
  private:
   /// Returns whether any output needs the counts.
-  bool is_counted() const { return !options().quiet || arguments_.json || arguments_.stats || arguments_.voids; }
+  bool is_counted() const { return !options().quiet || arguments_.json || arguments_.run.stats || arguments_.voids; }
   bool has_lives() const { return arguments_.void_radii || request_.pockets; }
   SolidFacts measured();
   void find_lives(const SolidFacts& facts);
@@ -206,7 +205,7 @@ void SolidRun::run() {
   write(facts);
   facts.write_seconds = lap();
   if (arguments_.json) add("-", [&](OutputFile& file) { write_solid_json(file, facts, PointNames(file_)); });
-  if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& file) { write_solid_stats(file, facts); });
+  add_stats([&](OutputFile& file) { write_solid_stats(file, facts); });
   publish();
 
   if (facts.solid.simplices.empty() && !(facts.full && facts.full->voids > 0)) say("rbpa", why_empty(facts));

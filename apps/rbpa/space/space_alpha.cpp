@@ -147,7 +147,7 @@ FiltrationPlot marked_plot(const SpacePersistence& report) {
 void run_ball_alpha(const AlphaArguments& arguments, const SpacePointSource& source) {
   refuse_given({{arguments.representatives.has_value(), "--representatives"},
                 {arguments.picture.has_value(), "--output"},
-                {arguments.stats.has_value(), "--stats"},
+                {arguments.run.stats.has_value(), "--stats"},
                 {arguments.cover.has_value(), "--cover"},
                 {arguments.columns.has_value(), "--columns"},
                 {arguments.bounds.has_value(), "--bounds"},
@@ -205,7 +205,8 @@ void run_space_alpha(const AlphaArguments& arguments) {
   const std::optional<RepresentativeRequest> request = parse_representatives(arguments, true);
   if (arguments.radii) return run_ball_alpha(arguments, source);
   refuse_given({{arguments.radius_default.has_value(), "--radius-default"}}, "requires --radii");
-  const std::vector<std::string> outputs = given({"-", arguments.picture, arguments.representatives, arguments.stats});
+  const std::vector<std::string> outputs =
+      given({"-", arguments.picture, arguments.representatives, arguments.run.stats});
   require_different(outputs, arguments.points, "points");
 
   SpacePersistence run(source, outputs, arguments);
@@ -232,7 +233,7 @@ void run_space_alpha(const AlphaArguments& arguments) {
     else
       write_for_people(out, run, plateaus);
   });
-  if (arguments.stats) run.add(*arguments.stats, [&](OutputFile& out) { run.write_stats(out); });
+  run.add_stats([&](OutputFile& out) { run.write_stats(out); });
   run.publish();
 }
 

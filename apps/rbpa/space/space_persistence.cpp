@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "io/bytes/write_json.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
 #include "rbpa/base/error.h"
@@ -26,19 +25,10 @@ SpacePointSource parse_space_points(const RadiiArguments& arguments) {
                 {arguments.vertices, "--vertices"},
                 {arguments.layer.has_value(), "--layer"},
                 {arguments.shift_longitude, "--shift-longitude"},
-                {arguments.pixels.foreground.has_value(), "--foreground"},
-                {arguments.pixels.threshold.has_value(), "--threshold"}},
+                {arguments.foreground.has_value(), "--foreground"},
+                {arguments.threshold.has_value(), "--threshold"}},
                "applies only to --dimension 2");
-  SpacePointArguments points;
-  points.points = arguments.points;
-  points.format = arguments.format;
-  points.columns = arguments.columns;
-  points.where = arguments.where;
-  points.bounds = arguments.bounds;
-  points.resolution = arguments.resolution;
-  points.skip_invalid = arguments.skip_invalid;
-  points.waters = arguments.waters;
-  return parse_space_source(points);
+  return parse_space_source(arguments);
 }
 
 SpacePersistence::SpacePersistence(const SpacePointSource& source, const std::vector<std::string>& outputs,
@@ -77,14 +67,8 @@ std::vector<SolidPlateau> SpacePersistence::find_plateaus(const std::function<vo
 }
 
 void SpacePersistence::write_stats(OutputFile& out) {
-  using Json = nlohmann::ordered_json;
-  const Json seconds = {{"read", read_seconds_}, {"build", build_seconds_}, {"write", lap()}};
-  const Json stats = {{"points", file.points.size()},
-                      {"distinct", filtration.delaunay.distinct},
-                      {"threads", options().threads_or_all()},
-                      {"seconds", seconds},
-                      {"peak_bytes", peak_bytes()}};
-  write_json(out, stats, 2);
+  app::write_stats(out, {{"points", file.points.size()}, {"distinct", filtration.delaunay.distinct}},
+                   options().threads_or_all(), {{"read", read_seconds_}, {"build", build_seconds_}, {"write", lap()}});
 }
 
 }  // namespace rbpa::app

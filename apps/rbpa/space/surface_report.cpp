@@ -13,7 +13,7 @@
 #include "rbpa/space/repair/watertight.h"
 #include "shared/stats.h"
 #include "space/surface_repairs.h"
-#include "triangulation/decimation_choice.h"
+#include "triangulation/choices.h"
 #include "triangulation/list_of_causes.h"
 
 namespace rbpa::app {
@@ -274,14 +274,11 @@ std::string openings(const SurfaceFacts& facts) {
 }
 
 void write_surface_stats(OutputFile& file, const SurfaceFacts& facts) {
-  Json report = base(facts);
-  report["threads"] = facts.threads;
-  report["seconds"] = {{"read", facts.read_seconds},
-                       {"normals", facts.normals_seconds},
-                       {"build", facts.build_seconds},
-                       {"write", facts.write_seconds}};
-  report["peak_bytes"] = peak_bytes();
-  write_json(file, report, 2);
+  write_stats(file, base(facts), facts.threads,
+              {{"read", facts.read_seconds},
+               {"normals", facts.normals_seconds},
+               {"build", facts.build_seconds},
+               {"write", facts.write_seconds}});
 }
 
 void write_surface_json(OutputFile& file, const SurfaceFacts& facts) {

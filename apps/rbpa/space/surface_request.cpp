@@ -8,9 +8,7 @@
 #include "io/failure.h"
 #include "io/number.h"
 #include "shared/point_arguments.h"
-#include "triangulation/component_choice.h"
-#include "triangulation/decimation_choice.h"
-#include "triangulation/hole_choice.h"
+#include "triangulation/choices.h"
 
 namespace rbpa::app {
 namespace {
@@ -134,9 +132,8 @@ SurfaceRequest parse(const SurfaceArguments& arguments) {
   if (arguments.repairs && (arguments.fill_holes || arguments.watertight))
     throw WrongUsage(
         "--suggest-repairs cannot be combined with --fill-holes or --watertight, which close holes themselves");
-  std::vector<std::string> reports = given({arguments.stats, arguments.holes});
-  if (arguments.json) reports.emplace_back("-");
-  request.targets = parse_targets(Use::surface, arguments, arguments.points, reports);
+  request.targets =
+      parse_targets(Use::surface, arguments, arguments.points, {arguments.holes, json_report(arguments.json)});
   request.source.choice.keeps = parse_fields_of(arguments.fields, request.targets);
   request.shift = parse_shift_of(arguments.shift, request.targets);
   if (arguments.refine) {

@@ -3,16 +3,20 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/cloud/read_space_points.h"
 #include "io/failure.h"
+#include "io/mesh/single_precision.h"
 #include "io/number.h"
 #include "picture/picture.h"
 #include "rbpa/base/error.h"
+#include "rbpa/space/repair/crossing_triangles.h"
 #include "rbpa/space/repair/reconstruct.h"
+#include "rbpa/space/repair/watertight.h"
 #include "rbpa/space/surface/split_fans.h"
 #include "shared/progress.h"
 #include "shared/run.h"
@@ -20,7 +24,7 @@
 #include "space/surface_files.h"
 #include "space/surface_report.h"
 #include "space/surface_request.h"
-#include "triangulation/watertight_file.h"
+#include "triangulation/surface_counts.h"
 
 namespace rbpa::app {
 namespace {
@@ -41,6 +45,34 @@ constexpr std::array<const char*, 13> step_texts{"looking for outliers",
                                                  "decimating"};
 static_assert(step_texts.size() == static_cast<std::size_t>(ReconstructionStep::decimating) + 1);
 constexpr std::array source_names{"file", "estimate", "none"};  // indexed by NormalSource
+
+/// Returns the reason why `file` would not be watertight, and a way to mend it: rounding makes triangles lose their
+/// area, coincide or cross, or STL joins vertices at equal positions. Returns "" if the file would be watertight, and
+/// for formats in double precision. Requires: the triangles are a closed surface without crossings. Throws as
+/// crossing_triangles() and single_positions() do. The check is exact for the rounded coordinates,
+/// which a reader of the file gets.
+std::string why_file_is_open(Format format, const std::string& file, std::span<const Point3> points,
+                             std::span<const std::array<std::uint32_t, 3>> triangles, const std::optional<Shift>& shift,
+                             const SurfaceOptions& options) {
+  if (!has_single_precision(format)) return "";
+  const SinglePositions rounded = single_positions(format, points, triangles, shift, file);
+  std::string why = why_not_kept(rounded, format, points, triangles, file);
+  if (!why.empty()) return why;
+  if (const std::size_t edges = non_manifold_edges(triangles); format == Format::stl && edges > 0)
+    return file + ": STL joins what is at equal positions, and " + counted(edges, "edge") +
+           " would have more than two triangles (.ply, .obj and .off keep them apart)";
+  const auto crossing = [&](const SinglePositions& positions) {
+    std::vector<Point3> places;
+    for (const auto& [x, y, z] : positions.at) places.push_back({x, y, z});
+    return crossing_triangles(places, triangles, most_crossing_pairs, options).size();
+  };
+  const std::size_t pairs = crossing(rounded);
+  if (pairs == 0) return "";
+  return file + ": single precision makes " + (pairs < most_crossing_pairs ? "" : "at least ") +
+         counted(pairs, "pair") + " of triangles cross" +
+         way_to_keep((!shift || shift->by) &&
+                     crossing(single_positions(format, points, triangles, Shift(), file)) == 0);
+}
 
 class SurfaceRun : public Run {
  public:
@@ -235,7 +267,7 @@ void SurfaceRun::run() {
   if (!file.index.empty()) renumber(facts, file.index);  // reports name points by their input indices
   facts.write_seconds = lap();
   if (arguments_.json) add("-", [&](OutputFile& out) { write_surface_json(out, facts); });
-  if (arguments_.stats) add(*arguments_.stats, [&](OutputFile& out) { write_surface_stats(out, facts); });
+  add_stats([&](OutputFile& out) { write_surface_stats(out, facts); });
   publish();
 
   if (facts.surface.triangles.empty()) say("rbpa", why_empty(facts));

@@ -1,17 +1,20 @@
 #include <cmath>
 #include <filesystem>
+#include <string>
 #include <system_error>
 
 #include "io/bytes/same_file.h"
 #include "io/failure.h"
 #include "io/number.h"
 #include "io/progress_line.h"
+#include "rbpa/plane/collinear.h"
+#include "shared/arguments.h"
 #include "shared/run.h"
+#include "shared/stats.h"
 #include "shared/verbs.h"
 #include "stream/run_stream.h"
 #include "tiles/stream_arguments.h"
 #include "tiles/stream_groups.h"
-#include "tiles/stream_report.h"
 
 namespace rbpa::app {
 namespace {
@@ -59,8 +62,8 @@ std::string reading_options(const PointArguments& arguments) {
   add("--format", arguments.format);
   add("--columns", arguments.columns);
   add("--bounds", arguments.bounds);
-  add("--foreground", arguments.pixels.foreground);
-  add("--threshold", arguments.pixels.threshold);
+  add("--foreground", arguments.foreground);
+  add("--threshold", arguments.threshold);
   add("--where", arguments.where);
   add("--crs", arguments.crs);
   add("--layer", arguments.layer);
@@ -84,7 +87,7 @@ StreamRequest parse_request(const StreamArguments& arguments) {
                         .threads = run.threads_or_all(),
                         .quiet = run.quiet,
                         .shows_progress = !run.quiet && !written_to_terminal(arguments.outputs),
-                        .stats = arguments.stats};
+                        .stats = arguments.run.stats};
   refuse_given({{arguments.resolution.has_value(), "--resolution"}},
                "cannot be combined with rbpa stream, whose memory would grow with the number of cells");
   if (arguments.tile_size)
@@ -93,7 +96,7 @@ StreamRequest parse_request(const StreamArguments& arguments) {
   if (!request.scratch)
     refuse_given({{arguments.resume, "--resume"}, {arguments.keep_tiles, "--keep-tiles"}},
                  "requires --scratch, the folder with the tiles");
-  if (arguments.outputs.empty() && !arguments.stats) bad_usage("-o", "no OUT", "at least one (or --stats FILE)");
+  if (arguments.outputs.empty() && !arguments.run.stats) bad_usage("-o", "no OUT", "at least one (or --stats FILE)");
   for (const std::string& path : arguments.outputs)
     request.targets.push_back(parse_stream_target(path, arguments.output_format));
   if (!request.wants_polygons() && !arguments.group_by)
@@ -117,6 +120,53 @@ void require_different_files(const StreamRequest& request) {
   for (const StreamTarget& target : request.targets) files.push_back(target.path);
   if (request.stats) files.push_back(*request.stats);
   for (const PointSource& source : request.sources) require_different(files, source.path, "points");
+}
+
+/// Writes the report of --stats.
+void write_stream_stats(OutputFile& file, const StreamRequest& request, const StreamResult& result) {
+  const PartialCounts& counts = result.counts;
+  Stats stats{.points = counts.points,
+              .distinct = counts.points - counts.duplicates,
+              .threads = request.threads,
+              .alpha = request.alpha,
+              .alpha_rule = "given",
+              .isolated = counts.isolated};
+  stats.counts = ComplexCounts{};
+  stats.counts->triangles = counts.triangles;
+  stats.counts->points_covered = counts.vertices;
+  stats.counts->edges = counts.edges;
+  stats.counts->boundary_curves = counts.boundary_curves;
+  stats.counts->solid_components = counts.solid_components;
+  stats.counts->components = counts.components;
+  stats.counts->holes = counts.holes();
+  stats.method = "stream";
+  if (request.wants_polygons()) {
+    stats.polygons = result.polygons;
+    stats.of_polygons = {.holes = result.holes, .area = result.area, .perimeter = result.perimeter};
+  }
+  stats.tiles = result.tiles;
+  stats.read_seconds = result.count_seconds + result.cut_seconds;
+  stats.count_seconds = result.count_seconds;
+  stats.cut_seconds = result.cut_seconds;
+  stats.build_seconds = result.compute_seconds;
+  stats.write_seconds = result.write_seconds;
+  write_stats(file, stats);
+}
+
+/// Prints warnings about the result, and, unless quiet, the summary.
+void say_stream_result(const StreamRequest& request, const StreamResult& result) {
+  if (result.caution) say("rbpa", *result.caution);
+  const PartialCounts& counts = result.counts;
+  if (counts.triangles == 0)
+    say("rbpa", "the complex is empty: " + why_no_triangle(counts.points - counts.duplicates, false, request.alpha));
+  else if (request.wants_polygons() && result.polygons == 0)
+    say("rbpa", "the shape is empty: no part has an area >= " + text_of(request.filter.min_part_area));
+  if (request.quiet) return;
+  std::string text = text_of_points(counts.points, counts.duplicates) + " in " + counted(result.tiles, "tile") + ", " +
+                     counted(counts.triangles, "triangle") + ", " + std::to_string(counts.isolated) + " isolated";
+  if (request.wants_polygons())
+    text += ", " + text_of_polygons(result.polygons, result.holes) + ", area " + rounded(result.area, 6);
+  say("rbpa", text + list_of(request.targets));
 }
 
 }  // namespace

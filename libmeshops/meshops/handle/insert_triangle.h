@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <type_traits>
 
 #include "meshops/core/connectivity.h"
 #include "meshops/handle/fan.h"

@@ -1,7 +1,6 @@
 #include "meshops/history/history.h"
 
 #include "meshops/core/live.h"
-#include "meshops/handle/create.h"
 #include "meshops/handle/destroy.h"
 #include "meshops/stellar/undo.h"
 

@@ -11,7 +11,6 @@
 #include <limits>
 #include <span>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 
 #include "meshops/core/connectivity.h"

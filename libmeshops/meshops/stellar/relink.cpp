@@ -9,16 +9,6 @@
 namespace meshops::detail {
 namespace {
 
-/// Puts `heir` in the place of h: between `before` and `after` in the loop of h, and into the record of the face of h
-/// if the face refers to h.
-void take_place(Connectivity& mesh, Halfedge heir, Halfedge h, Halfedge before, Halfedge after) {
-  const Face face = mesh.face_handle(h);
-  mesh.set_next_halfedge_handle(before, heir);
-  mesh.set_next_halfedge_handle(heir, after);
-  mesh.set_face_handle(heir, face);
-  if (face.is_valid() && mesh.halfedge_handle(face) == h) mesh.set_halfedge_handle(face, heir);
-}
-
 void mark_deleted(Connectivity& mesh, const StarElements& removed) {
   mesh.status(removed.vertex).set_deleted(true);
   for (const Face f : removed.faces()) mesh.status(f).set_deleted(true);

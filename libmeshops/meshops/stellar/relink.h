@@ -37,6 +37,16 @@ inline void make_triangle(Connectivity& mesh, Face face, Halfedge a, Halfedge b,
   mesh.set_halfedge_handle(face, a);
 }
 
+/// Puts `heir` in the place of h: between `before` and `after` in the loop of h, and into the record of the face of h
+/// if the face refers to h.
+inline void take_place(Connectivity& mesh, Halfedge heir, Halfedge h, Halfedge before, Halfedge after) {
+  const Face face = mesh.face_handle(h);
+  mesh.set_next_halfedge_handle(before, heir);
+  mesh.set_next_halfedge_handle(heir, after);
+  mesh.set_face_handle(heir, face);
+  if (face.is_valid() && mesh.halfedge_handle(face) == h) mesh.set_halfedge_handle(face, heir);
+}
+
 /// Cuts the face of `from` and `to` along an edge between the starts of these two sides, which must not be neighbors.
 /// `diagonal` is the halfedge of the new edge from the start of `from` to the start of `to`. The part without the
 /// halfedge of the face goes to the face `added`. Returns: the halfedge of the new edge with `added` on its left.

@@ -4,18 +4,6 @@
 #include "meshops/stellar/relink.h"
 
 namespace meshops {
-namespace {
-
-/// Replaces `side` by `heir` in the face of `side`, between `before` and `after`.
-void cut(Connectivity& mesh, Halfedge side, Halfedge heir, Halfedge before, Halfedge after) {
-  const Face face = mesh.face_handle(side);
-  mesh.set_next_halfedge_handle(before, heir);
-  mesh.set_next_halfedge_handle(heir, after);
-  mesh.set_face_handle(heir, face);
-  if (mesh.halfedge_handle(face) == side) mesh.set_halfedge_handle(face, heir);
-}
-
-}  // namespace
 
 std::optional<Blocker> split_edge_blocker(const Connectivity& mesh, Halfedge h, Keep keep) {
   if (!is_live(mesh, h)) return Blocker(BlockerKind::missing, h);
@@ -53,7 +41,7 @@ SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
     const Halfedge vc = elements.edge(v, mesh.to_vertex_handle(after_h));
     added.edge[1] = mesh.edge_handle(vc);
     added.face[0] = elements.face();
-    cut(mesh, after_h, vc, h, mesh.next_halfedge_handle(after_h));
+    detail::take_place(mesh, vc, after_h, h, mesh.next_halfedge_handle(after_h));
     detail::make_triangle(mesh, added.face[0], vb, after_h, mesh.opposite_halfedge_handle(vc));
   } else {
     mesh.set_next_halfedge_handle(h, vb);
@@ -63,7 +51,7 @@ SplitEdgeEffect split_edge(Connectivity& mesh, Halfedge h, Keep keep) {
     const Halfedge vd = elements.edge(v, mesh.from_vertex_handle(before_o));
     added.edge[has_left ? 2 : 1] = mesh.edge_handle(vd);
     const Face face = added.face[has_left ? 1 : 0] = elements.face();
-    cut(mesh, before_o, mesh.opposite_halfedge_handle(vd), mesh.prev_halfedge_handle(before_o), o);
+    detail::take_place(mesh, mesh.opposite_halfedge_handle(vd), before_o, mesh.prev_halfedge_handle(before_o), o);
     detail::make_triangle(mesh, face, bv, vd, before_o);
   } else {
     mesh.set_next_halfedge_handle(before_o, bv);

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/run/steps.h"
 #include "rbpa/fill/rings/polygon_rings.h"
 #include "rbpa/fill/voronoi/cut_cells.h"
-#include "rbpa/fill/voronoi/tidy_cells.h"
 
 namespace rbpa {
 

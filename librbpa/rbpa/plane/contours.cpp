@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
-#include <utility>
 
 #include "rbpa/base/error.h"
 #include "rbpa/base/run/checkpoint_of_threads.h"

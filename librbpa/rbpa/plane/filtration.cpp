@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "meshops/core/contract.h"
+#include "rbpa/base/radii/sorted_by_alpha.h"
+#include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
+#include "rbpa/plane/arrays/keep_triangles.h"
 #include "rbpa/plane/filtration/filtered_triangles.h"
 #include "rbpa/plane/filtration/growth.h"
 #include "rbpa/plane/filtration/least_alpha.h"
@@ -11,18 +15,6 @@
 
 namespace rbpa {
 namespace {
-
-/// A triangle with its sort key: by alpha, then by area, so that the sum of areas depends on coordinates only.
-struct Entry {
-  double alpha;
-  double area;
-  std::uint32_t triangle;
-  friend bool operator<(const Entry& a, const Entry& b) {
-    if (a.alpha != b.alpha) return a.alpha < b.alpha;
-    if (a.area != b.area) return a.area < b.area;
-    return a.triangle < b.triangle;
-  }
-};
 
 FiltrationStep step_of(const ComplexCounts& counts, double alpha, long double area) {
   return {.alpha = alpha,
@@ -52,29 +44,26 @@ Filtration filtration(const Delaunay& of, const GoOn& go_on) {
   const std::span<const Point> points = of.points();
   Steps pulse(go_on);
   Filtration result{.steps = {}, .triangle_alpha = radii_of(of, pulse), .distinct = delaunay.distinct};
-  std::vector<Entry> entries(delaunay.triangles.size());
-  for (std::uint32_t t = 0; t < entries.size(); ++t) {
+  const std::vector<double>& alpha = result.triangle_alpha;
+  std::vector<double> areas(alpha.size());
+  for (std::size_t t = 0; t < areas.size(); ++t) {
     pulse();
-    entries[t] = {result.triangle_alpha[t], static_cast<double>(area(corners_of(points, delaunay.triangles[t]))), t};
+    areas[t] = static_cast<double>(area(corners_of(points, delaunay.triangles[t])));
   }
-  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-    pulse();
-    return a < b;
-  });
+  auto order = sorted_by_alpha(alpha, pulse);
+  sort_equal_by_volume<double>(order, alpha, areas, pulse);  // so that the sum of areas depends on coordinates only
 
-  const auto ends_step = [&](std::size_t i) {
-    return i + 1 == entries.size() || entries[i + 1].alpha != entries[i].alpha;
-  };
+  const auto ends_step = [&](std::size_t i) { return i + 1 == order.size() || alpha[order[i + 1]] != alpha[order[i]]; };
   std::size_t steps = 0;
-  for (std::size_t i = 0; i < entries.size(); ++i) steps += ends_step(i);
+  for (std::size_t i = 0; i < order.size(); ++i) steps += ends_step(i);
   result.steps.reserve(steps);
   Growth growth(delaunay, points.size());
   long double area = 0;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
     pulse();
-    growth.add(entries[i].triangle);
-    area += entries[i].area;
-    if (ends_step(i)) result.steps.push_back(step_of(growth.counts(), entries[i].alpha, area));
+    growth.add(order[i]);
+    area += areas[order[i]];
+    if (ends_step(i)) result.steps.push_back(step_of(growth.counts(), alpha[order[i]], area));
   }
   return result;
 }
@@ -85,6 +74,22 @@ std::optional<double> smallest_covering(const Filtration& filtration, std::optio
   });
   if (step == filtration.steps.end()) return std::nullopt;
   return step->alpha;
+}
+
+AlphaComplex complex_at(const Delaunay& of, const Filtration& filtration, double alpha) {
+  if (!(alpha > 0))
+    throw meshops::ContractViolation("complex_at: found alpha " + text(alpha) +
+                                     ", expected a number above 0, or infinity");
+  require_same(filtration, of.triangulation(), "complex_at");
+  return complex_at(of, std::span<const double>(filtration.triangle_alpha), alpha);
+}
+
+AlphaComplex complex_at(const Delaunay& of, std::span<const double> radii, double alpha) {
+  AlphaComplex complex = of.triangulation();
+  keep_triangles(complex, [&](std::size_t t) { return radii[t] <= alpha; });
+  complex.isolated = isolated_in(complex, of.points().size());
+  complex.boundary.clear();
+  return complex;
 }
 
 }  // namespace rbpa

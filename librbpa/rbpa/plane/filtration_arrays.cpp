@@ -21,10 +21,7 @@ template <typename Less>
 Numbers sorted_numbers(std::size_t count, Steps& pulse, const Less& less) {
   Numbers numbers(count);
   std::iota(numbers.begin(), numbers.end(), 0u);
-  std::sort(numbers.begin(), numbers.end(), [&](std::uint32_t a, std::uint32_t b) {
-    pulse();
-    return less(a, b);
-  });
+  sort(numbers, pulse, less);
   return numbers;
 }
 
@@ -77,8 +74,7 @@ FilteredCells renumbered(FilteredCells cells, const Numbers& vertices, const Num
     std::sort(edge.ends.begin(), edge.ends.end());
     std::sort(edge.sides.begin(), edge.sides.end());
   }
-  std::sort(result.edges.begin(), result.edges.end(), [&](const FilteredCells::Edge& a, const FilteredCells::Edge& b) {
-    pulse();
+  sort(result.edges, pulse, [](const FilteredCells::Edge& a, const FilteredCells::Edge& b) {
     return std::tie(a.alpha, a.ends) < std::tie(b.alpha, b.ends);
   });
   return result;
@@ -98,10 +94,7 @@ void add_pairs(FiltrationArrays& arrays, const FilteredCells& cells, Steps& puls
   const auto key = [](const PlacedPair& p) {
     return std::tuple(p.pair.dimension, p.pair.birth, !p.pair.death, p.pair.death.value_or(0.0), p.triangle);
   };
-  std::sort(arrays.pairs.begin(), arrays.pairs.end(), [&](const PlacedPair& a, const PlacedPair& b) {
-    pulse();
-    return key(a) < key(b);
-  });
+  sort(arrays.pairs, pulse, [&](const PlacedPair& a, const PlacedPair& b) { return key(a) < key(b); });
 }
 
 void add_free_edges(FiltrationArrays& arrays, const FilteredCells& cells, Steps& pulse) {
@@ -114,8 +107,7 @@ void add_free_edges(FiltrationArrays& arrays, const FilteredCells& cells, Steps&
     while (std::minmax({corners[side], corners[(side + 1) % 3]}) != std::pair(edge.ends[0], edge.ends[1])) ++side;
     arrays.free_edges.push_back({edge.alpha, first, side});
   }
-  std::sort(arrays.free_edges.begin(), arrays.free_edges.end(), [&](const FreeEdge& a, const FreeEdge& b) {
-    pulse();
+  sort(arrays.free_edges, pulse, [](const FreeEdge& a, const FreeEdge& b) {
     return std::tie(a.alpha, a.triangle, a.side) < std::tie(b.alpha, b.triangle, b.side);
   });
 }

@@ -1,9 +1,7 @@
 #include "rbpa/plane/interpolate_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "rbpa/base/error.h"

@@ -9,6 +9,7 @@
 #include "rbpa/base/run/steps.h"
 #include "rbpa/plane/filtration/filtered_triangles.h"
 #include "rbpa/plane/filtration/shape_curve.h"
+#include "rbpa/plane/grid/box.h"
 #include "rbpa/plane/smallest_covering_alpha.h"
 
 namespace rbpa {
@@ -20,13 +21,9 @@ double noise_ratio(std::size_t distinct) { return 1.4 + 10 / std::sqrt(static_ca
 
 /// Returns half the diagonal of the box of the points.
 double reach_of(std::span<const Point> points) {
-  Point least = points[0], greatest = points[0];
-  for (const Point& p : points) {
-    least = {std::min(least.x, p.x), std::min(least.y, p.y)};
-    greatest = {std::max(greatest.x, p.x), std::max(greatest.y, p.y)};
-  }
-  const long double width = static_cast<long double>(greatest.x) - least.x;
-  const long double height = static_cast<long double>(greatest.y) - least.y;
+  const auto [low, high] = box_of(points);
+  const long double width = static_cast<long double>(high.x) - low.x;
+  const long double height = static_cast<long double>(high.y) - low.y;
   return static_cast<double>(std::sqrt(width * width + height * height) / 2);
 }
 

@@ -5,7 +5,7 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/base/run/input.h"
-#include "rbpa/plane/partial/check.h"
+#include "rbpa/plane/partial/region_complex.h"
 
 namespace rbpa {
 

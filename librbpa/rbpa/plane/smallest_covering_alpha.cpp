@@ -8,9 +8,9 @@
 
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
+#include "rbpa/base/radii/sorted_by_alpha.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
-#include "rbpa/plane/filtration/ascending.h"
 #include "rbpa/plane/filtration/filtered_triangles.h"
 #include "rbpa/plane/filtration/part_sizes.h"
 #include "rbpa/plane/filtration/radii.h"
@@ -30,7 +30,7 @@ void check(const Covering& covering) {
 template <typename Enough>
 std::optional<double> first_enough(const TriangleArrays& delaunay, std::size_t points, std::span<const double> radii,
                                    Steps& step, const Enough& is_enough) {
-  const std::vector<std::uint32_t> faces = ascending(radii, step);
+  const auto faces = sorted_by_alpha(radii, step);
   const OwnedTriangles triangles = in_order(delaunay, faces);
   SolidParts solid(triangles, points);
   // n triangles that are joined by edges have at most n + 2 vertices.
@@ -82,7 +82,7 @@ std::optional<double> smallest_of_all(const AlphaComplex& delaunay, std::size_t 
     }
   if (radii.empty()) return std::nullopt;
   if (components <= max_components) return covering;
-  const std::vector<std::uint32_t> order = ascending(later_radii, step);
+  const auto order = sorted_by_alpha(later_radii, step);
   for (std::size_t i = 0; i < order.size(); ++i) {
     add(later[order[i]]);
     const double radius = later_radii[order[i]];

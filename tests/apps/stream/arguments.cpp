@@ -16,8 +16,7 @@ const std::string square = "0 0\n1 0\n0 1\n1 1\n";
 
 std::string said(const Folder& folder, const std::string& arguments, int code) {
   CAPTURE(arguments);
-  const Outcome outcome = folder.rbpa("stream " + arguments);
-  CHECK(outcome.code == code);
+  const Outcome outcome = folder.rbpa("stream " + arguments, code);
   CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
   return outcome.err;
 }
@@ -25,11 +24,8 @@ std::string said(const Folder& folder, const std::string& arguments, int code) {
 }  // namespace
 
 TEST_CASE("a run prints what it has made, and leaves nothing else") {
-  const Folder folder;
-  folder.file("a.xy", square);
-  folder.file("b.xy", "1 1\n5 5\n");
-  const Outcome outcome = folder.rbpa("stream a.xy b.xy --alpha 1 -o t.npy -o p.wkt --stats s.json");
-  CHECK(outcome.code == 0);
+  const Folder folder({{"a.xy", square}, {"b.xy", "1 1\n5 5\n"}});
+  const Outcome outcome = folder.rbpa("stream a.xy b.xy --alpha 1 -o t.npy -o p.wkt --stats s.json", 0);
   CHECK(outcome.err ==
         "rbpa: 6 points (1 duplicate) in 1 tile, 2 triangles, 1 isolated, 1 polygon with 0 holes, area 1 -> t.npy, "
         "p.wkt\n");
@@ -79,46 +75,38 @@ TEST_CASE("folders are read as their files of points by name, and each tile has 
 }
 
 TEST_CASE("wrong arguments are refused with the reason") {
-  const Folder folder;
-  folder.file("a.xy", square);
-  folder.file("b.geojson", "x");
+  const Folder folder({{"a.xy", square}, {"b.geojson", "x"}});
   std::filesystem::create_directory(folder.path("none"));
-  CHECK(said(folder, "a.xy -o t.npy", 2).find("--alpha is required") != std::string::npos);
+  CHECK(contains(said(folder, "a.xy -o t.npy", 2), "--alpha is required"));
   for (const char* alpha : {"inf", "auto", "min", "plateau"}) {
     const std::string text = said(folder, std::string("a.xy -o t.npy --alpha ") + alpha, 2);
-    CHECK(text.find("rbpa alpha on a sample") != std::string::npos);
-    CHECK(text.find(alpha) != std::string::npos);
+    CHECK(contains(text, "rbpa alpha on a sample"));
+    CHECK(contains(text, alpha));
   }
-  CHECK(said(folder, "a.xy -o t.npy --alpha 0", 2).find("expected a radius") != std::string::npos);
-  CHECK(said(folder, "- -o t.npy --alpha 1", 2).find("read twice") != std::string::npos);
-  CHECK(said(folder, "a.xy --alpha 1", 2).find("-o: found no OUT") != std::string::npos);
-  CHECK(said(folder, "a.xy --alpha 1 -o t.off", 2).find("found the ending 'off', expected one of geojson") !=
-        std::string::npos);
-  CHECK(said(folder, "a.xy --alpha 1 -o t.ply", 2).find("found no '*' in the name of the file") != std::string::npos);
-  CHECK(said(folder, "a.xy --alpha 1 -o a.xy --output-format wkt", 2).find("a.xy") != std::string::npos);
-  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --memory 1M", 2).find("--memory: found '1M'") != std::string::npos);
-  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --memory lots", 2).find("--memory: found 'lots'") != std::string::npos);
+  CHECK(contains(said(folder, "a.xy -o t.npy --alpha 0", 2), "expected a radius"));
+  CHECK(contains(said(folder, "- -o t.npy --alpha 1", 2), "read twice"));
+  CHECK(contains(said(folder, "a.xy --alpha 1", 2), "-o: found no OUT"));
+  CHECK(contains(said(folder, "a.xy --alpha 1 -o t.off", 2), "found the ending 'off', expected one of geojson"));
+  CHECK(contains(said(folder, "a.xy --alpha 1 -o t.ply", 2), "found no '*' in the name of the file"));
+  CHECK(contains(said(folder, "a.xy --alpha 1 -o a.xy --output-format wkt", 2), "a.xy"));
+  CHECK(contains(said(folder, "a.xy --alpha 1 -o t.npy --memory 1M", 2), "--memory: found '1M'"));
+  CHECK(contains(said(folder, "a.xy --alpha 1 -o t.npy --memory lots", 2), "--memory: found 'lots'"));
   for (const std::string few : {"0", "1", "15"})
-    CHECK(said(folder, "a.xy --alpha 1 -o t.npy --tile-size " + few, 2).find("--tile-size: found '" + few + "'") !=
-          std::string::npos);
-  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --resume", 2).find("--resume requires --scratch") != std::string::npos);
-  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --keep-tiles", 2).find("--keep-tiles requires --scratch") !=
-        std::string::npos);
-  CHECK(said(folder, "none --alpha 1 -o t.npy", 3).find("a folder without files of points") != std::string::npos);
+    CHECK(contains(said(folder, "a.xy --alpha 1 -o t.npy --tile-size " + few, 2), "--tile-size: found '" + few + "'"));
+  CHECK(contains(said(folder, "a.xy --alpha 1 -o t.npy --resume", 2), "--resume requires --scratch"));
+  CHECK(contains(said(folder, "a.xy --alpha 1 -o t.npy --keep-tiles", 2), "--keep-tiles requires --scratch"));
+  CHECK(contains(said(folder, "none --alpha 1 -o t.npy", 3), "a folder without files of points"));
   CHECK(said(folder, "c.xy --alpha 1 -o t.npy", 3) == "rbpa: c.xy: found no such file, expected a file of points\n");
-  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --scratch .", 2).find("found files of another program in .") !=
-        std::string::npos);
-  CHECK(said(folder, "a.xy --alpha 1 -o t.npy --scratch a.xy", 1).find("cannot make the folder") != std::string::npos);
-  CHECK(said(folder, "a.xy --alpha 1 -o nowhere/t.npy", 1).find("nowhere") != std::string::npos);
+  CHECK(contains(said(folder, "a.xy --alpha 1 -o t.npy --scratch .", 2), "found files of another program in ."));
+  CHECK(contains(said(folder, "a.xy --alpha 1 -o t.npy --scratch a.xy", 1), "cannot make the folder"));
+  CHECK(contains(said(folder, "a.xy --alpha 1 -o nowhere/t.npy", 1), "nowhere"));
   CHECK(folder.names() == std::vector<std::string>{"a.xy", "b.geojson", "none"});
 }
 
 TEST_CASE("files of different coordinate systems are refused as one input") {
-  const Folder folder;
-  folder.file("a.csv", "geometry\n\"SRID=28992;POINT (1 2)\"\n");
-  folder.file("b.csv", "geometry\n\"SRID=31370;POINT (1 2)\"\n");
-  CHECK(said(folder, "a.csv b.csv --alpha 1 -o p.wkt", 3).find("expected EPSG:28992, as in a.csv") !=
-        std::string::npos);
+  const Folder folder(
+      {{"a.csv", "geometry\n\"SRID=28992;POINT (1 2)\"\n"}, {"b.csv", "geometry\n\"SRID=31370;POINT (1 2)\"\n"}});
+  CHECK(contains(said(folder, "a.csv b.csv --alpha 1 -o p.wkt", 3), "expected EPSG:28992, as in a.csv"));
   CHECK(folder.rbpa("stream a.csv b.csv --alpha 1 --crs EPSG:28992 -o p.wkt -q").code == 0);
 }
 
@@ -131,7 +119,7 @@ TEST_CASE("too many points within 2 alpha are refused with place, number and the
     values[i] = double((state = state * 1664525u + 1013904223u) >> 8U) * 0x1p-24;
   folder.file("p.f64xy", points);
   const std::string text = said(folder, "p.f64xy --alpha 5 --memory 64M -o p.wkt -q", 1);
-  CHECK(text.find("--memory 64M: found 300000 points within 2 alpha = 10 of each other near (") != std::string::npos);
+  CHECK(contains(text, "--memory 64M: found 300000 points within 2 alpha = 10 of each other near ("));
   const std::size_t at = text.find(" (--memory ");
   REQUIRE(at != std::string::npos);
   const std::string enough = text.substr(at + 11, text.find(' ', at + 11) - at - 11);

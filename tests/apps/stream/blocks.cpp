@@ -1,7 +1,6 @@
 // Files read block by block: the same points as read at once, and the same refusals.
 #include <doctest/doctest.h>
 
-#include <bit>
 #include <cstring>
 
 #include "io/cloud/las_fields.h"
@@ -13,6 +12,7 @@
 #include "support/program.h"
 #include "support/random.h"
 
+using apps_test::contains;
 using apps_test::Folder;
 using rbpa::Point;
 using namespace rbpa::app;
@@ -160,7 +160,7 @@ TEST_CASE("an error in a file is named by its line or point, as when it is read 
   check({.path = folder.file("cut.las", bytes.substr(0, bytes.size() - 5)), .format = Format::las});
   CHECK(refusal({.path = "/dev/null"}) ==
         "/dev/null: found a pipe or a device, expected a regular file, as it is read twice");
-  CHECK(refusal({.path = folder.path("")}).find("found a folder") != std::string::npos);
+  CHECK(contains(refusal({.path = folder.path("")}), "found a folder"));
 }
 
 // The shadow memory of a sanitizer exceeds any limit.
@@ -174,13 +174,12 @@ TEST_CASE("an endless line, and points that begin after the file, take no memory
   folder.file("p.las.gz", apps_test::compressed(apps_test::bytes_of(las).replace(96, 4, "\xFF\xFF\xFF\xFF")));
   const auto refused = [&](const std::string& name) {
     const auto outcome = folder.run(
-        "/bin/sh", "-c 'ulimit -v 200000; " RBPA_PROGRAM " stream " + name + " --alpha 1 --memory 64M -o t.npy'");
-    CHECK(outcome.code == 3);
+        "/bin/sh", "-c 'ulimit -v 200000; " RBPA_PROGRAM " stream " + name + " --alpha 1 --memory 64M -o t.npy'", 3);
     return outcome.err;
   };
   const std::string said = refused("p.xy.gz");
   CHECK(said.starts_with("rbpa: p.xy.gz: found a line of more than "));
   CHECK(said.ends_with(" MB, expected at most a fifth of the available memory (a table has a line for each point)\n"));
-  CHECK(refused("p.las.gz").find("p.las.gz: found 0 whole records of ") != std::string::npos);
+  CHECK(contains(refused("p.las.gz"), "p.las.gz: found 0 whole records of "));
 }
 #endif

@@ -210,7 +210,7 @@ TEST_CASE("a run with another request is not resumed") {
     const std::string text = refusal(folder, arguments + " --scratch s --keep-tiles -q --resume");
     CAPTURE(text);
     CHECK(text.starts_with("rbpa: --resume: found "));
-    CHECK(text.find(part) != std::string::npos);
+    CHECK(contains(text, part));
   };
   check("a.f64xy b.f64xy --alpha 4 -o t.npy",
         "found --alpha 4.0, expected --alpha 3.0, as the run in s has (or remove s to start again)");
@@ -227,8 +227,7 @@ TEST_CASE("a run with another request is not resumed") {
   folder.file("b.f64xy", content.substr(0, content.size() / 2));
   check("a.f64xy b.f64xy --alpha 3 -o t.npy", "found b.f64xy, which has changed since the run in s began");
   folder.file("s/manifest.json", "{}");
-  CHECK(refusal(folder, same + " --resume").find("s/manifest.json: found a file that was truncated or changed") !=
-        std::string::npos);
+  CHECK(contains(refusal(folder, same + " --resume"), "s/manifest.json: found a file that was truncated or changed"));
 }
 
 TEST_CASE("a folder that another run uses is refused") {
@@ -239,7 +238,7 @@ TEST_CASE("a folder that another run uses is refused") {
   const Outcome outcome = folder.rbpa("stream a.f64xy --alpha 1 -o x.npy --scratch scratch --resume -q");
   if (!child.has_ended()) {
     CHECK(outcome.code == 1);
-    CHECK(outcome.err.find("another run is using the folder") != std::string::npos);
+    CHECK(contains(outcome.err, "another run is using the folder"));
   }
 }
 
@@ -262,7 +261,7 @@ TEST_CASE("a limit of file size gives one line, and the next run continues") {
     CAPTURE(said);
     CHECK((ending == Ending{0, 0} || ending == Ending{1, 0}));
     if (ending.code == 1) {
-      CHECK(said.find(": cannot write: File too large\n") != std::string::npos);
+      CHECK(contains(said, ": cannot write: File too large\n"));
       CHECK(std::count(said.begin(), said.end(), '\n') == 1);
       finish(folder);
     }
@@ -294,8 +293,8 @@ TEST_CASE("a full disk gives one line, and the next run continues") {
     CAPTURE(said);
     CHECK((ending == Ending{0, 0} || ending == Ending{1, 0}));
     if (ending.code == 1) {
-      const bool known = said.find(" free on its disk, expected ") != std::string::npos;
-      CHECK((known || said.find("No space left on device\n") != std::string::npos));
+      const bool known = contains(said, " free on its disk, expected ");
+      CHECK((known || contains(said, "No space left on device\n")));
       CHECK(std::count(said.begin(), said.end(), '\n') == 1);
       finish(folder);
     }

@@ -3,7 +3,6 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <array>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -57,9 +56,7 @@ void check_same(const Folder& folder, const std::string& files, const std::strin
 }  // namespace
 
 TEST_CASE("groups have the bytes, the messages and the counts of shape, in memory and in tiles") {
-  const Folder folder;
-  folder.file("a.csv", table(3000, 1));
-  folder.file("b.csv", table(900, 2));
+  const Folder folder({{"a.csv", table(3000, 1)}, {"b.csv", table(900, 2)}});
   const std::vector<std::string> before = {"a.csv", "b.csv", "o.geojson", "o.json", "want.geojson", "want.json"};
   for (const char* by : {"kind", "age", "kind,age"})
     for (const char* areas : {"", "--min-hole-area 3 --min-part-area 2", "--min-hole-area inf --min-part-area 1e9"})
@@ -109,8 +106,7 @@ TEST_CASE("groups of LAS and GeoJSON are those of shape") {
 }
 
 TEST_CASE("groups have their areas in the counts, also without an output") {
-  const Folder folder;
-  folder.file("p.csv", table(500, 6));
+  const Folder folder("p.csv", table(500, 6));
   const std::string options = " p.csv --columns x,y --alpha 0.9 --group-by kind --min-hole-area 3 --min-part-area 2 ";
   const Outcome wanted = folder.rbpa("shape" + options + "--stats want.json");
   const Outcome made = folder.rbpa("stream" + options + "--tile-size 16 --stats o.json");
@@ -121,12 +117,9 @@ TEST_CASE("groups have their areas in the counts, also without an output") {
 }
 
 TEST_CASE("what does not apply to groups is refused") {
-  const Folder folder;
-  folder.file("p.csv", table(100, 4));
+  const Folder folder("p.csv", table(100, 4));
   const auto refused = [&](const std::string& options, const std::string& why) {
-    const Outcome outcome = folder.rbpa("stream p.csv --columns x,y --alpha 1 --group-by kind " + options);
-    CHECK(outcome.code == 2);
-    CHECK(outcome.err == "rbpa: " + why + "\n");
+    refuses(folder, "stream p.csv --columns x,y --alpha 1 --group-by kind " + options, 2, why);
   };
   refused("-o o.npy", "--group-by: found o.npy, whose format has no groups here, expected geojson");
   refused("-o o.geojson --scratch s --keep-tiles", "--keep-tiles cannot be combined with --group-by");
@@ -138,8 +131,7 @@ TEST_CASE("what does not apply to groups is refused") {
 
 TEST_CASE("a run on groups that was killed leaves what the next one takes over or removes, and a signal ends it") {
   rbpa_test::Random random(8);
-  const Folder folder;
-  folder.file("p.csv", table(20'000, 5));
+  const Folder folder("p.csv", table(20'000, 5));
   REQUIRE(folder.rbpa("shape p.csv --columns x,y --alpha 0.9 --group-by kind -o want.geojson -q").code == 0);
   for (int moment = 0; moment < robustness::moments(); ++moment)
     for (const bool named : {false, true}) {

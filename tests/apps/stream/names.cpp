@@ -33,7 +33,7 @@ void check_refused(const Folder& folder, const std::string& arguments, const std
   CAPTURE(outcome.err);
   CHECK(outcome.code == 3);
   CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-  CHECK(outcome.err.find(part) != std::string::npos);
+  CHECK(contains(outcome.err, part));
 }
 
 }  // namespace
@@ -58,20 +58,15 @@ TEST_CASE("inputs, targets and scratch may have names in Latin-1") {
   CHECK(folder.rbpa(run_key + targets + scratch).code == 0);
   CHECK(folder.rbpa(run_key + targets + scratch + "--resume").code == 0);
   check("t" + e + ".npy", "p" + e + ".wkt");
-  const Outcome other = folder.rbpa(run_key + "-o 'q" + e + ".npy' " + scratch + "--resume");
-  CHECK(other.code == 2);
-  CHECK(other.err.find("--resume: found -o q\\xe9.npy, expected -o t\\xe9.npy -o p\\xe9.wkt, as the run in ") !=
-        std::string::npos);
+  says(folder, run_key + "-o 'q" + e + ".npy' " + scratch + "--resume", 2,
+       "--resume: found -o q\\xe9.npy, expected -o t\\xe9.npy -o p\\xe9.wkt, as the run in ");
   folder.file("q" + e + "%E9.xy", points());
-  const Outcome name =
-      folder.rbpa("stream 'q" + e + "%E9.xy' --alpha 90 --tile-size 60 -q " + targets + scratch + "--resume");
-  CHECK(name.code == 2);
-  CHECK(name.err.find("--resume: found the input ") != std::string::npos);
+  says(folder, "stream 'q" + e + "%E9.xy' --alpha 90 --tile-size 60 -q " + targets + scratch + "--resume", 2,
+       "--resume: found the input ");
 }
 
 TEST_CASE("a pipe or a device is refused at once, before anything is made of the other files") {
-  const Folder folder;
-  folder.file("p.xy", points());
+  const Folder folder("p.xy", points());
   for (const char* name : {"f.npy", "f.xy", "f.las", "f.csv.gz"}) {
     REQUIRE(mkfifo(folder.path(name).c_str(), 0666) == 0);
     for (const std::string before : {"", "p.xy "})

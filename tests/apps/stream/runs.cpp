@@ -46,7 +46,7 @@ Made wanted(const Folder& folder, const std::string& file, double alpha, const r
   shape.radius.alpha = text_of(alpha);
   shape.outputs = {folder.path("p.geojson"), folder.path("p.wkt")};
   static_cast<rbpa::app::AreaArguments&>(shape) = areas;
-  shape.stats = folder.path("s.json");
+  shape.run.stats = folder.path("s.json");
   shape.run.quiet = true;
   rbpa::app::run_shape(shape);
   return take(folder);
@@ -61,7 +61,7 @@ Made streamed(const Folder& folder, const std::vector<std::string>& files, doubl
   stream.memory = std::to_string(how.memory);
   if (how.tile_size > 0) stream.tile_size = std::to_string(std::max<std::uint64_t>(how.tile_size, 16));
   static_cast<rbpa::app::AreaArguments&>(stream) = how.areas;
-  stream.stats = folder.path("s.json");
+  stream.run.stats = folder.path("s.json");
   stream.run.quiet = true;
   stream.run.threads = std::to_string(how.threads);
   rbpa::app::run_stream(stream);

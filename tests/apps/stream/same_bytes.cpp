@@ -25,8 +25,7 @@ void check_all_tiles(const Points& points, double alpha, const std::vector<std::
                      const rbpa::app::AreaArguments& areas = {}) {
   CAPTURE(alpha);
   if (alpha == 0) return;  // half of the least double is not a radius
-  const Folder folder;
-  folder.file("p.f64xy", raw(points));
+  const Folder folder("p.f64xy", raw(points));
   const Made expected = wanted(folder, "p.f64xy", alpha, areas);
   for (const std::uint64_t size : sizes) {
     CAPTURE(size);
@@ -128,8 +127,7 @@ TEST_CASE("files of several kinds, cut at random, with one point in several, giv
   Points points;
   for (int i = 0; i < 6000; ++i) points.push_back({double(random.below(4000)) / 100, double(random.below(4000)) / 100});
   for (int i = 0; i < 500; ++i) points.push_back(points[random.below(points.size())]);
-  const Folder folder;
-  folder.file("p.f64xy", raw(points));
+  const Folder folder("p.f64xy", raw(points));
   const Made expected = wanted(folder, "p.f64xy", 0.9);
 
   for (int round = 0; round < 4; ++round) {
@@ -156,8 +154,7 @@ TEST_CASE("shuffled points give the same polygons") {
   rbpa_test::Random random(7);
   Points points;
   for (int i = 0; i < 3000; ++i) points.push_back({double(random.below(60)), double(random.below(60))});
-  const Folder folder;
-  folder.file("p.f64xy", raw(points));
+  const Folder folder("p.f64xy", raw(points));
   const Made expected = wanted(folder, "p.f64xy", 0.75);
   for (std::size_t i = points.size(); i > 1; --i) std::swap(points[i - 1], points[random.below(i)]);
   folder.file("q.f64xy", raw(points));
@@ -172,8 +169,7 @@ TEST_CASE("sets of others give the same bytes") {
                            "shape_hdbscan_clusterable.xy", "rob_delaunator_issue43.xy", "rob_jts_concavehull_155.xy"}) {
     CAPTURE(name);
     const std::string path = std::string(RBPA_TEST_DATA) + "/" + name;
-    const Folder folder;
-    folder.file("p.xy", apps_test::read_file(path));
+    const Folder folder("p.xy", apps_test::read_file(path));
     const Points points = [&] {
       std::ifstream file(path);
       Points all;

@@ -150,7 +150,7 @@ std::string tamper(const std::string& folder, std::mt19937& random) {
   const std::vector<std::string> files = files_in(folder);
   std::vector<std::string> few;
   for (const std::string& file : files)
-    if (file.find("/tiles/") == std::string::npos) few.push_back(file);
+    if (!contains(file, "/tiles/")) few.push_back(file);
   const auto any = [&]() -> const std::string& {
     const std::vector<std::string>& of = random() % 3 > 0 && !few.empty() ? few : files;
     return of[random() % of.size()];
@@ -218,7 +218,7 @@ TEST_CASE("damaged files of the scratch are bad input: named, with exit code 3")
   const std::string manifest = place.scratch() + "/manifest.json";
   write(manifest, read_file(manifest).insert(40, " "));
   CHECK(place.resumed() == Ending{3, 0});
-  CHECK(place.said().find("manifest.json: found a file that was truncated or changed, expected ") != std::string::npos);
+  CHECK(contains(place.said(), "manifest.json: found a file that was truncated or changed, expected "));
   place.forget();
 
   // A run whose progress has triangles and polygons: later bytes in the files are not used when it is resumed.
@@ -285,7 +285,7 @@ TEST_CASE("a manifest that contradicts itself is refused, though its checksum is
     place.check(ending);
     const std::string text = place.said();
     CAPTURE(text);
-    CHECK(text.find("manifest.json: found no manifest of rbpa stream (" + found) != std::string::npos);
+    CHECK(contains(text, "manifest.json: found no manifest of rbpa stream (" + found));
   };
   check("no tiles", [](Json& json) { json["tree"] = Json::array(); });
   check("a number of a part that is out of range or repeated", [](Json& json) { json["tree"][0][2] = 1'000'000; });

@@ -9,29 +9,28 @@
 #include "io/cloud/cloud.h"
 #include "io/cloud/read_points.h"
 #include "io/failure.h"
+#include "support/refusal_of.h"
+#include "support/text.h"
 
 namespace apps_test {
+
+using rbpa_test::contains;
 
 /// Returns the points of the text, as read from a table of the name "t".
 inline rbpa::app::PointFile read_table(const std::string& text, const rbpa::app::CloudRequest& rule = {}) {
   return read_plane_points(*rbpa::app::table_reader.open(rbpa::app::Content(text, "t"), rule));
 }
 
-/// Returns the message of the BadInput that read_table() throws; "none" if it throws none.
+/// Returns the message of the BadInput that read_table() throws; "" if it throws none.
 inline std::string refusal_of_table(const std::string& text, const rbpa::app::CloudRequest& rule = {}) {
-  try {
-    read_table(text, rule);
-  } catch (const rbpa::app::BadInput& error) {
-    return error.what();
-  }
-  return "none";
+  return rbpa_test::refusal_of<rbpa::app::BadInput>([&] { read_table(text, rule); });
 }
 
 /// Returns the warnings of a table with a part that is `part`.
 inline std::vector<std::string> warnings_with(const std::string& text, const std::string& part) {
   std::vector<std::string> found;
   for (const std::string& warning : read_table(text).warnings)
-    if (warning.find(part) != std::string::npos) found.push_back(warning);
+    if (contains(warning, part)) found.push_back(warning);
   return found;
 }
 
@@ -43,7 +42,7 @@ inline void is_refused_whole(const std::string& text, const std::string& message
     const std::string refusal = refusal_of_table(text, request);
     CAPTURE(refusal);
     CHECK(refusal.starts_with(message));
-    CHECK(refusal.find("--skip-invalid") == std::string::npos);
+    CHECK(!contains(refusal, "--skip-invalid"));
   }
 }
 

@@ -79,11 +79,4 @@ inline std::string comments_of(const std::string& file, const std::string& begin
   return found;
 }
 
-inline Outcome run(const Folder& folder, const std::string& arguments) {
-  const Outcome outcome = folder.rbpa(arguments);
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
-  return outcome;
-}
-
 }  // namespace apps_test

@@ -6,6 +6,7 @@
 
 #include "meshops/handle/destroy.h"
 #include "support/corpus.h"
+#include "support/on_corpus.h"
 
 using namespace meshops;
 using namespace meshops::test;
@@ -14,10 +15,7 @@ static_assert(std::forward_iterator<LiveRange<Face>::Iterator>);
 
 TEST_SUITE("live ranges") {
   TEST_CASE("a range has the elements that for_each_…() visits, in the same order") {
-    for (const Specimen& specimen : corpus()) {
-      INFO(specimen.name);
-      TestMesh mesh;
-      specimen.build(mesh);
+    on_corpus([&](const Specimen&, TestMesh& mesh) {
       for (int i = 0; i < static_cast<int>(mesh.n_faces()); i += 3)  // the first and others are deleted
         if (!remove_triangle_blocker(mesh, Face(i))) remove_triangle(mesh, Face(i));
       const auto same = [&](auto range, auto for_each) {
@@ -31,12 +29,11 @@ TEST_SUITE("live ranges") {
       same(live_halfedges(mesh), [&](auto visit) { for_each_halfedge(mesh, visit); });
       same(live_edges(mesh), [&](auto visit) { for_each_edge(mesh, visit); });
       same(live_faces(mesh), [&](auto visit) { for_each_face(mesh, visit); });
-    }
+    });
   }
 
   TEST_CASE("a loop that deletes and adds elements visits neither deleted nor added ones") {
-    TestMesh mesh;
-    corpus()[6].build(mesh);
+    TestMesh mesh = built(corpus()[6]);
     const std::size_t vertices = mesh.n_vertices();
     std::size_t removed = 0;
     for (const Face f : live_faces(mesh)) {

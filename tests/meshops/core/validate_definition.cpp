@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <OpenMesh/Core/System/omstream.hh>
-#include <algorithm>
 #include <random>
 #include <set>
 

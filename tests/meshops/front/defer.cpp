@@ -9,6 +9,7 @@
 #include "meshops/front/engine.h"
 #include "meshops/topology/count.h"
 #include "support/check_sound.h"
+#include "support/front_on_mesh.h"
 #include "support/meshes.h"
 
 using namespace meshops;
@@ -64,8 +65,7 @@ TEST_SUITE("defer") {
     Waiting policy;
     policy.faces = 100;
     Events events;
-    TestMesh mesh;
-    Front front(mesh, 6);
+    auto [mesh, front] = FrontOnMesh(6);
     advance(front, policy, events);
     // The second seed is a change for the edges of the first.
     CHECK(policy.proposed_for == of_first + of_second + of_first);
@@ -84,8 +84,7 @@ TEST_SUITE("defer") {
     Waiting policy;
     policy.faces = 2;
     Events events;
-    TestMesh mesh;
-    Front front(mesh, 6);
+    auto [mesh, front] = FrontOnMesh(6);
     advance(front, policy, events);
     CHECK(events.deferred_at == of_first);
     CHECK(policy.proposed_for == of_first + of_second + of_first + Sides{{4, 0}, {1, 4}});
@@ -109,8 +108,7 @@ TEST_SUITE("defer") {
         return found == apex.end() ? Proposal(std::nullopt) : Proposal(found->second);
       }
     } policy;
-    TestMesh mesh;
-    Front front(mesh, 4);
+    auto [mesh, front] = FrontOnMesh(4);
     advance(front, policy);
     CHECK(front.faces() == 3);
     CHECK(std::count(policy.proposed_for.begin(), policy.proposed_for.end(), std::pair<Site, Site>{0, 2}) == 1);
@@ -191,8 +189,7 @@ TEST_SUITE("defer") {
       } policy;
       policy.faces = 2;
       policy.left = question;
-      TestMesh mesh;
-      Front front(mesh, 6);
+      auto [mesh, front] = FrontOnMesh(6);
       CHECK_THROWS_AS(advance(front, policy), std::runtime_error);
       then(front, policy);
       check_sound(mesh);

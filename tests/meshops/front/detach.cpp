@@ -8,6 +8,7 @@
 #include "meshops/topology/count.h"
 #include "support/check_sound.h"
 #include "support/corpus.h"
+#include "support/front_on_mesh.h"
 #include "support/laws.h"
 
 using namespace meshops;
@@ -26,8 +27,7 @@ std::size_t fans_at(const Front& front, Site s) {
 TEST_SUITE("front") {
   TEST_CASE("detaching the last triangle restores the mesh, up to handles") {
     // Each triangle of a closed ring around site 0: new vertex, neighbor on the curve, and the last that closes it.
-    TestMesh mesh;
-    Front front(mesh, 6);
+    auto [mesh, front] = FrontOnMesh(6);
     front.create(0, 1, 2);
     std::vector<std::array<Site, 3>> more = {{0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {0, 5, 1}};
     for (const auto& t : more) {
@@ -53,8 +53,7 @@ TEST_SUITE("front") {
   }
 
   TEST_CASE("the last triangle leaves free sites, whose vertices serve the next") {
-    TestMesh mesh;
-    Front front(mesh, 3);
+    auto [mesh, front] = FrontOnMesh(3);
     const Face f = front.create(0, 1, 3).face;  // 3 is a new site
     const Vertex on_new = mesh.from_vertex_handle(front.edge_between(3, 0));
     const DetachedTriangle detached = front.detach(f);
@@ -69,8 +68,7 @@ TEST_SUITE("front") {
   }
 
   TEST_CASE("the vertex of a new site waits for that site, whatever else needs a vertex") {
-    TestMesh mesh;
-    Front front(mesh, 6);
+    auto [mesh, front] = FrontOnMesh(6);
     const Face f = front.create(0, 1, 6).face;  // 6 is a new site
     const Vertex on_new = mesh.from_vertex_handle(front.edge_between(6, 0));
     front.detach(f);
@@ -82,8 +80,7 @@ TEST_SUITE("front") {
   }
 
   TEST_CASE("a fan becomes two when a triangle in its middle is detached") {
-    TestMesh mesh;
-    Front front(mesh, 5);
+    auto [mesh, front] = FrontOnMesh(5);
     front.create(0, 1, 2);
     const Face middle = front.attach(front.boundary_between(0, 2), 3).face;
     front.attach(front.boundary_between(0, 3), 4);
@@ -119,8 +116,7 @@ TEST_SUITE("front") {
   }
 
   TEST_CASE("a site that was left behind is carried again when it is on the boundary again, or free") {
-    TestMesh mesh;
-    Front front(mesh, 4);
+    auto [mesh, front] = FrontOnMesh(4);
     const Face first = front.create(0, 1, 2).face;
     const Face second = front.create(0, 2, 3).face;
     const Face third = front.create(0, 3, 1).face;

@@ -10,6 +10,7 @@
 #include "meshops/topology/count.h"
 #include "support/check_sound.h"
 #include "support/corpus.h"
+#include "support/front_on_mesh.h"
 
 using namespace meshops;
 using namespace meshops::test;
@@ -141,8 +142,7 @@ TEST_SUITE("engine") {
   TEST_CASE("the engine builds the policy's triangulation, and the mesh is sound after every event") {
     const auto triangles = cut_squares(8, {24});
     for (std::size_t seed = 0; seed < triangles.size(); seed += 5) {
-      TestMesh mesh;
-      Front front(mesh, 64);
+      auto [mesh, front] = FrontOnMesh(64);
       Replay policy(triangles, {triangles[seed]});
       Validating visitor;
       advance(front, policy, visitor);
@@ -168,8 +168,7 @@ TEST_SUITE("engine") {
     const auto triangles = cut_squares(8, holes);
     std::deque<Replay::Triangle> seeds;
     for (std::size_t i = 0; i < triangles.size(); i += 2) seeds.push_back(triangles[i]);
-    TestMesh mesh;
-    Front front(mesh, 64);
+    auto [mesh, front] = FrontOnMesh(64);
     Replay policy(triangles, seeds);
     Validating visitor;
     advance(front, policy, visitor);
@@ -194,8 +193,7 @@ TEST_SUITE("engine") {
       // Several seeds of one component grow toward each other.
       for (const auto& t : triangles)
         if (random() % 5 == 0) seeds.push_back(t);
-      TestMesh mesh;
-      Front front(mesh, 64);
+      auto [mesh, front] = FrontOnMesh(64);
       CurveCounter visitor;
       EagerSeeds only_seeds({}, seeds);
       advance(front, only_seeds, visitor);
@@ -222,8 +220,7 @@ TEST_SUITE("engine") {
       std::vector<int> level(triangles.size());
       for (int& l : level) l = static_cast<int>(random() % 5);
 
-      TestMesh mesh;
-      Front front(mesh, 64);
+      auto [mesh, front] = FrontOnMesh(64);
       std::size_t behind = 0;
       for (int now = 0; now < 5; ++now) {
         std::vector<Replay::Triangle> allowed;
@@ -258,8 +255,7 @@ TEST_SUITE("engine") {
   }
 
   TEST_CASE("a policy that proposes the site after the last places points") {
-    TestMesh mesh;
-    Front front(mesh, 3);
+    auto [mesh, front] = FrontOnMesh(3);
     Placing policy;
     Validating visitor;
     advance(front, policy, visitor);

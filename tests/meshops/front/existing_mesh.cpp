@@ -10,6 +10,7 @@
 #include "meshops/topology/report.h"
 #include "support/check_sound.h"
 #include "support/corpus.h"
+#include "support/on_corpus.h"
 #include "support/snapshot.h"
 
 using namespace meshops;
@@ -30,10 +31,7 @@ struct Ears {
 
 TEST_SUITE("front") {
   TEST_CASE("a front begins with the boundary curves of the mesh, all active, and keeps every handle") {
-    for (const Specimen& specimen : corpus()) {
-      CAPTURE(specimen.name);
-      TestMesh mesh;
-      specimen.build(mesh);
+    on_corpus([&](const Specimen&, TestMesh& mesh) {
       const std::vector<int> before = snapshot(mesh);
       const TopologyCounts counts = count_topology(mesh);
       Front front(mesh);
@@ -50,7 +48,7 @@ TEST_SUITE("front") {
       const std::vector<Site> sites = front.finish();
       CHECK(snapshot(mesh) == before);
       for (std::size_t v = 0; v < sites.size(); ++v) CHECK(sites[v] == v);
-    }
+    });
   }
 
   TEST_CASE("a front fills a hole in a mesh, whose faces, points and handles stay") {

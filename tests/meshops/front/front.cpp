@@ -6,6 +6,7 @@
 #include "meshops/stellar/remove_vertex.h"
 #include "meshops/topology/count.h"
 #include "support/check_sound.h"
+#include "support/front_on_mesh.h"
 #include "support/meshes.h"
 #include "support/refusal.h"
 
@@ -18,8 +19,7 @@ Halfedge boundary(const Front& front, Site from, Site to) { return front.boundar
 
 TEST_SUITE("front") {
   TEST_CASE("a front begins with one isolated vertex per site") {
-    TestMesh mesh;
-    Front front(mesh, 4);
+    auto [mesh, front] = FrontOnMesh(4);
     CHECK(mesh.n_vertices() == 4);
     for (Site s = 0; s < 4; ++s) {
       CHECK(front.is_free(s));
@@ -68,8 +68,7 @@ TEST_SUITE("front") {
   }
 
   TEST_CASE("a left-over vertex serves the next pinch") {
-    TestMesh mesh;
-    Front front(mesh, 7);
+    auto [mesh, front] = FrontOnMesh(7);
     front.create(0, 1, 2);
     front.create(0, 3, 4);
     front.attach(boundary(front, 0, 2), 3);
@@ -80,8 +79,7 @@ TEST_SUITE("front") {
   }
 
   TEST_CASE("a boundary halfedge is found from either end, whatever fans there are") {
-    TestMesh mesh;
-    Front front(mesh, 6);
+    auto [mesh, front] = FrontOnMesh(6);
     front.create(0, 1, 2);
     front.create(0, 3, 4);
     front.create(2, 5, 4);
@@ -117,8 +115,7 @@ TEST_SUITE("front") {
   }
 
   TEST_CASE("a seed whose sides are on the boundary is glued there") {
-    TestMesh mesh;
-    Front front(mesh, 4);
+    auto [mesh, front] = FrontOnMesh(4);
     front.create(0, 1, 2);
     front.create(1, 0, 3);
     check_sound(mesh);
@@ -128,8 +125,7 @@ TEST_SUITE("front") {
   }
 
   TEST_CASE("finish removes free sites and keeps the order of the others") {
-    TestMesh mesh;
-    Front front(mesh, 9);
+    auto [mesh, front] = FrontOnMesh(9);
     front.create(1, 4, 6);
     front.create(6, 7, 8);
     CHECK(front.finish() == std::vector<Site>{1, 4, 6, 7, 8, 6});
@@ -151,8 +147,7 @@ TEST_SUITE("front") {
   }
 
   TEST_CASE("sites can be added during a run, and have a vertex when they are used") {
-    TestMesh mesh;
-    Front front(mesh, 3);
+    auto [mesh, front] = FrontOnMesh(3);
     front.create(0, 1, 2);
     CHECK(front.add_site() == 3);
     CHECK(front.add_site() == 4);
@@ -233,8 +228,7 @@ TEST_SUITE("front") {
   }
 
   TEST_CASE("the next level carries free and boundary sites, and activates frozen halfedges") {
-    TestMesh mesh;
-    Front front(mesh, 8);
+    auto [mesh, front] = FrontOnMesh(8);
     front.create(0, 1, 2);
     for (Halfedge h = front.pop(); h.is_valid(); h = front.pop()) front.freeze(h);
     const LevelTransfer first = front.next_level();

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "meshops/front/engine.h"
 #include "meshops/topology/count.h"
 #include "support/check_sound.h"
+#include "support/front_on_mesh.h"
 #include "support/meshes.h"
 
 using namespace meshops;
@@ -57,8 +57,7 @@ struct Given {
 };
 
 TopologyCounts advanced(Given policy, std::size_t sites, std::size_t expected_faces) {
-  TestMesh mesh;
-  Front front(mesh, sites);
+  auto [mesh, front] = FrontOnMesh(sites);
   advance(front, policy);
   CHECK(front.faces() == expected_faces);
   front.finish();
@@ -70,8 +69,7 @@ TopologyCounts advanced(Given policy, std::size_t sites, std::size_t expected_fa
 
 TEST_SUITE("gluing") {
   TEST_CASE("a site that was left behind is carried again when another fan begins there") {
-    TestMesh mesh;
-    Front front(mesh, 6);
+    auto [mesh, front] = FrontOnMesh(6);
     front.create(0, 1, 2);
     front.create(0, 2, 3);
     front.create(0, 3, 1);
@@ -106,8 +104,7 @@ TEST_SUITE("gluing") {
       std::optional<Corners> seed(const Front& front) { return given.seed(front); }
       std::optional<Site> propose(const Front& front, Halfedge h) const { return given.propose(front, h); }
     } by_sites{slit};
-    TestMesh mesh;
-    Front front(mesh, 6);
+    auto [mesh, front] = FrontOnMesh(6);
     advance(front, by_sites);
     CHECK(count_topology(mesh).boundary_curves == 1);
   }
@@ -120,8 +117,7 @@ TEST_SUITE("gluing") {
     CHECK(counts.vertices == 8);  // two fans at 0 and at 1
     CHECK(counts.boundary_curves == 2);
 
-    TestMesh mesh;
-    Front front(mesh, 6);
+    auto [mesh, front] = FrontOnMesh(6);
     Given policy = book;
     advance(front, policy);
     std::set<Site> left, right;
@@ -199,8 +195,7 @@ TEST_SUITE("gluing") {
     };
     for (const bool glued : {false, true}) {
       Seeds policy{glued};
-      TestMesh mesh;
-      Front front(mesh, 4);
+      auto [mesh, front] = FrontOnMesh(4);
       advance(front, policy);
       CHECK(count_topology(mesh).components == (glued ? 1 : 2));
       check_sound(mesh);

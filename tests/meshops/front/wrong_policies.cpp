@@ -8,6 +8,7 @@
 #include "meshops/front/engine.h"
 #include "meshops/topology/count.h"
 #include "support/check_sound.h"
+#include "support/front_on_mesh.h"
 #include "support/meshes.h"
 
 using namespace meshops;
@@ -44,8 +45,7 @@ struct Received : FrontVisitor {
 };
 
 void check_answer(const std::function<Proposal(const Front&, Halfedge)>& answer, RefusalKind expected) {
-  TestMesh mesh;
-  Front front(mesh, 8);
+  auto [mesh, front] = FrontOnMesh(8);
   Received received;
   Saying policy{Seed{0, 1, 2}, answer};
   advance(front, policy, received);
@@ -56,8 +56,7 @@ void check_answer(const std::function<Proposal(const Front&, Halfedge)>& answer,
 }
 
 void check_seed(const Seed& seed, RefusalKind expected) {
-  TestMesh mesh;
-  Front front(mesh, 8);
+  auto [mesh, front] = FrontOnMesh(8);
   Received received;
   Saying policy{seed, [](const Front&, Halfedge) { return std::nullopt; }};
   advance(front, policy, received);
@@ -104,8 +103,7 @@ TEST_SUITE("wrong policies") {
       int refusals = 0;
     };
     for (const std::optional<Site> apex : {std::optional<Site>(), std::optional<Site>(3)}) {
-      TestMesh mesh;
-      Front front(mesh, 4);
+      auto [mesh, front] = FrontOnMesh(4);
       Always policy{0, apex};
       Activating visitor;
       visitor.front = &front;
@@ -158,8 +156,7 @@ TEST_SUITE("wrong policies") {
     for (const std::size_t points : {std::size_t{6}, std::size_t{40}, std::size_t{300}}) {
       Careless policy;
       policy.points = points;
-      TestMesh mesh;
-      Front front(mesh, points);
+      auto [mesh, front] = FrontOnMesh(points);
       Received received;
       for (int level = 0; level < 5; ++level) {
         advance(front, policy, received);
@@ -189,8 +186,7 @@ TEST_SUITE("wrong policies") {
         return static_cast<Site>(front.sites());
       }
     } policy;
-    TestMesh mesh;
-    Front front(mesh, 0);
+    auto [mesh, front] = FrontOnMesh(0);
     advance(front, policy);
     CHECK(front.sites() == 30);
     check_sound(mesh);
@@ -233,8 +229,7 @@ TEST_SUITE("wrong policies") {
       };
       const auto run = [](auto policy) {
         for (policy.until = 0; policy.until < 20; ++policy.until) {
-          TestMesh mesh;
-          Front front(mesh, 3);
+          auto [mesh, front] = FrontOnMesh(3);
           policy.calls = 0;
           CHECK_THROWS_AS(advance(front, policy), std::runtime_error);
           check_sound(mesh);
@@ -284,8 +279,7 @@ TEST_SUITE("wrong policies") {
       void curve_split(const Front&, Halfedge, Halfedge) { ++curves; }
       void curve_closed(const Front&) { --curves; }
     } account;
-    TestMesh mesh;
-    Front front(mesh, 5);
+    auto [mesh, front] = FrontOnMesh(5);
     advance(front, policy, account);
     CHECK(account.detachments == 1);
     CHECK(account.curves == 1);

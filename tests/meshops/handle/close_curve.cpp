@@ -6,16 +6,14 @@
 #include "meshops/handle/glue.h"
 #include "support/corpus.h"
 #include "support/laws.h"
+#include "support/on_corpus.h"
 
 using namespace meshops;
 using namespace meshops::test;
 
 TEST_SUITE("close_curve") {
   TEST_CASE("close_curve fills any boundary curve with a face, and opening restores every record") {
-    for (const Specimen& specimen : corpus()) {
-      CAPTURE(specimen.name);
-      TestMesh mesh;
-      specimen.build(mesh);
+    on_corpus([&](const Specimen&, TestMesh& mesh) {
       for (const BoundaryCurve& curve : boundary_curves(mesh)) {
         const Halfedge h = curve.front();
         if (const auto blocker = close_curve_blocker(mesh, h)) {
@@ -36,15 +34,12 @@ TEST_SUITE("close_curve") {
         check_changed_by(opened.delta(), then, mesh);
         CHECK(live_snapshot(mesh) == before);
       }
-    }
+    });
   }
 
   TEST_CASE("open_curve removes any inner face, and closing restores the mesh; otherwise the reason is named") {
     int opened = 0, refused = 0;
-    for (const Specimen& specimen : corpus()) {
-      CAPTURE(specimen.name);
-      TestMesh mesh;
-      specimen.build(mesh);
+    on_corpus([&](const Specimen&, TestMesh& mesh) {
       const bool large = mesh.n_faces() > 300;
       const std::string before = isomorphism_class(mesh);
       const int faces = static_cast<int>(mesh.n_faces());  // closing adds more
@@ -63,7 +58,7 @@ TEST_SUITE("close_curve") {
           check_refused(mesh, describe(*open_curve_blocker(mesh, f)), [&] { open_curve(mesh, f); });
         }
       }
-    }
+    });
     CHECK(opened > 50);
     CHECK(refused > 50);
   }

@@ -11,15 +11,14 @@
 #include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/laws.h"
+#include "support/on_corpus.h"
 
 using namespace meshops;
 using namespace meshops::test;
 
 TEST_SUITE("destroy") {
   TEST_CASE("a triangle that was created can be destroyed, and nothing is left of it") {
-    for (const Specimen& specimen : corpus()) {
-      TestMesh mesh;
-      specimen.build(mesh);
+    on_corpus([&](const Specimen&, TestMesh& mesh) {
       const auto before = live_snapshot(mesh);
       const Face f = create_triangle(mesh).face;
       const TopologyCounts counts = count_topology(mesh);
@@ -27,7 +26,7 @@ TEST_SUITE("destroy") {
       CHECK(delta == -delta_of_create());
       check_changed_by(delta, counts, mesh);
       CHECK(live_snapshot(mesh) == before);
-    }
+    });
   }
 
   TEST_CASE("a refusal names its reason and leaves the mesh as it was") {
@@ -63,10 +62,7 @@ TEST_SUITE("remove_triangle") {
   }
 
   TEST_CASE("remove_triangle undoes insert_triangle in every attach case") {
-    for (const Specimen& specimen : corpus()) {
-      CAPTURE(specimen.name);
-      TestMesh mesh;
-      specimen.build(mesh);
+    on_corpus([&](const Specimen&, TestMesh& mesh) {
       int tried = 0;
       for (int i = 0; i < static_cast<int>(mesh.n_halfedges()) && tried < 40; ++i) {
         const Halfedge h(i);
@@ -86,7 +82,7 @@ TEST_SUITE("remove_triangle") {
         CHECK(isomorphism_class(mesh) == before);
         check_sound(mesh);
       }
-    }
+    });
   }
 
   TEST_CASE("a mesh is emptied triangle by triangle, in any order, and sound at each step") {

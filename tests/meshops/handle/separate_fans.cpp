@@ -12,6 +12,7 @@
 #include "support/bowties.h"
 #include "support/check_sound.h"
 #include "support/corpus.h"
+#include "support/on_corpus.h"
 #include "support/snapshot.h"
 #include "support/soups.h"
 
@@ -20,13 +21,11 @@ using namespace meshops::test;
 
 TEST_SUITE("separate_fans") {
   TEST_CASE("a sound mesh is not touched") {
-    for (const Specimen& specimen : corpus()) {
-      TestMesh mesh;
-      specimen.build(mesh);
+    on_corpus([&](const Specimen&, TestMesh& mesh) {
       const auto before = snapshot(mesh);
       CHECK(separate_fans(mesh).empty());
       CHECK(snapshot(mesh) == before);
-    }
+    });
   }
 
   TEST_CASE(

@@ -9,6 +9,7 @@
 #include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/laws.h"
+#include "support/on_corpus.h"
 
 using namespace meshops;
 using namespace meshops::test;
@@ -23,10 +24,7 @@ int stride(const TestMesh& mesh) { return mesh.n_faces() > 300 ? 13 : 1; }
 TEST_SUITE("unglue") {
   TEST_CASE("unglue splits every inner edge of every specimen by the table, and gluing restores every record") {
     int seen[5] = {};
-    for (const Specimen& specimen : corpus()) {
-      CAPTURE(specimen.name);
-      TestMesh mesh;
-      specimen.build(mesh);
+    on_corpus([&](const Specimen&, TestMesh& mesh) {
       const TopologyCounts counts = count_topology(mesh);
       const auto before = live_snapshot(mesh, Named::any);
       const int n = static_cast<int>(mesh.n_halfedges());
@@ -55,7 +53,7 @@ TEST_SUITE("unglue") {
         glue(mesh, again.first, again.second);
         CHECK(live_snapshot(mesh, Named::any) == before);
       }
-    }
+    });
     for (const int times : seen) CHECK(times > 0);
   }
 

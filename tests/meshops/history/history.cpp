@@ -12,6 +12,7 @@
 #include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/meshes.h"
+#include "support/on_corpus.h"
 #include "support/snapshot.h"
 
 using namespace meshops;
@@ -108,11 +109,8 @@ int random_step(History& history, TestMesh& mesh, std::mt19937& random) {
 TEST_SUITE("history") {
   TEST_CASE("undoing a random walk restores all records step by step, and redoing it repeats the walk") {
     std::array<int, 19> done{};
-    for (const Specimen& specimen : corpus()) {
-      INFO(specimen.name);
-      TestMesh mesh;
-      specimen.build(mesh);
-      if (mesh.n_faces() > 200) continue;
+    on_corpus([&](const Specimen&, TestMesh& mesh) {
+      if (mesh.n_faces() > 200) return;
       std::mt19937 random(27);
       History history(mesh);
       std::vector<std::vector<int>> records = {snapshot(mesh)};
@@ -147,7 +145,7 @@ TEST_SUITE("history") {
       }
       history.undo_to(0);
       REQUIRE(snapshot(mesh) == records.front());
-    }
+    });
     for (std::size_t what = 0; what < done.size(); ++what) {
       CAPTURE(what);
       CHECK(done[what] >= 5);
@@ -208,8 +206,7 @@ TEST_SUITE("history") {
   }
 
   TEST_CASE("redo() of a split uses copies of the arguments and the hook, and nothing else of the caller") {
-    TestMesh mesh;
-    corpus()[0].build(mesh);
+    TestMesh mesh = built(corpus()[0]);
     for (const Vertex v : live_vertices(mesh)) mesh.set_point(v, {static_cast<float>(v.idx()), 1, 2});
     History history(mesh);
     OpenMesh::FPropHandleT<int> label;

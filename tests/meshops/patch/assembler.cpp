@@ -8,7 +8,6 @@
 #include <optional>
 #include <random>
 #include <set>
-#include <tuple>
 #include <utility>
 #include <vector>
 

@@ -9,7 +9,6 @@
 #include <limits>
 #include <numeric>
 #include <random>
-#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -222,8 +221,7 @@ TEST_SUITE("simplify") {
 
   TEST_CASE("a closed surface ends as a tetrahedron, a disc as a triangle, a torus with seven vertices or a few more") {
     const auto faces_left = [](std::size_t specimen) {
-      TestMesh mesh;
-      corpus()[specimen].build(mesh);
+      TestMesh mesh = built(corpus()[specimen]);
       return simplify(mesh, Labels(numbered(mesh))).faces;
     };
     CHECK(faces_left(6) == 4);   // octahedron
@@ -256,8 +254,7 @@ TEST_SUITE("simplify") {
   }
 
   TEST_CASE("the run ends at the number of faces, at the cost, when the policy stops it, or when nothing is left") {
-    TestMesh mesh;
-    corpus()[12].build(mesh);
+    TestMesh mesh = built(corpus()[12]);
     const std::size_t all = mesh.n_faces();
     Labels labels(numbered(mesh));
     const SimplifyResult none = simplify(mesh, labels, {.faces = all});
@@ -286,8 +283,7 @@ TEST_SUITE("simplify") {
   }
 
   TEST_CASE("progress is called, and false ends the run with a sound mesh") {
-    TestMesh mesh;
-    corpus()[11].build(mesh);
+    TestMesh mesh = built(corpus()[11]);
     int calls = 0;
     const auto go_on = [&] { return ++calls < 2; };
     CHECK_THROWS_AS(simplify(mesh, Labels(numbered(mesh)), {.go_on = go_on}), Cancelled);
@@ -297,8 +293,7 @@ TEST_SUITE("simplify") {
   }
 
   TEST_CASE("the events name for every vertex the one that it went into, and the vertices left are those of no event") {
-    TestMesh mesh;
-    corpus()[12].build(mesh);
+    TestMesh mesh = built(corpus()[12]);
     Watch watch(mesh);
     Labels labels(numbered(mesh));
     simplify(mesh, labels, {.faces = 100}, watch);
@@ -355,8 +350,7 @@ TEST_SUITE("simplify") {
         return std::min(mesh.valence(mesh.from_vertex_handle(h)), mesh.valence(mesh.to_vertex_handle(h))) <= 4;
       }
     };
-    TestMesh mesh;
-    corpus()[3].build(mesh);
+    TestMesh mesh = built(corpus()[3]);
     FewEdges policy(numbered(mesh));
     const SimplifyResult result = simplify(mesh, policy);
     CHECK(result.end == SimplifyEnd::exhausted);
@@ -376,8 +370,7 @@ TEST_SUITE("simplify") {
         return {mesh.point(v)[0], mesh.point(v)[1], mesh.point(v)[2]};
       }
     };
-    TestMesh mesh;
-    corpus()[7].build(mesh);
+    TestMesh mesh = built(corpus()[7]);
     for_each_vertex(mesh, [&](Vertex v) { mesh.set_point(v, {1.0F + float(v.idx()), float(v.idx() % 4), 1}); });
     const auto records = snapshot(mesh);
     Middle policy{std::numeric_limits<float>::infinity()};
@@ -397,8 +390,7 @@ TEST_SUITE("simplify") {
         for (const int turn : {0, 1, 17, 60}) {
           CAPTURE(in);
           CAPTURE(turn);
-          TestMesh mesh;
-          corpus()[specimen].build(mesh);
+          TestMesh mesh = built(corpus()[specimen]);
           const auto records = snapshot(mesh);
           const std::size_t vertices = mesh.n_vertices();
           Careless policy(numbered(mesh), static_cast<Careless::In>(in), mesh, turn);
@@ -432,8 +424,7 @@ TEST_SUITE("simplify") {
         if (effects.size() == 3) throw Stop();
       }
     };
-    TestMesh mesh;
-    corpus()[12].build(mesh);
+    TestMesh mesh = built(corpus()[12]);
     Impatient visitor(mesh);
     CHECK_THROWS_AS(simplify(mesh, Labels(numbered(mesh)), {}, visitor), Stop);
     CHECK(visitor.effects.size() == 3);

@@ -283,8 +283,7 @@ TEST_SUITE("collapse") {
   }
 
   TEST_CASE("Interpolate gives the survivor the mean of both vertices") {
-    TestMesh mesh;
-    corpus()[3].build(mesh);
+    TestMesh mesh = built(corpus()[3]);
     OpenMesh::VPropHandleT<double> weight;
     mesh.add_property(weight);
     for_each_vertex(mesh, [&](Vertex v) {
@@ -301,8 +300,7 @@ TEST_SUITE("collapse") {
 
   TEST_CASE(
       "Interpolate gives means of the values before the collapse, of the points and of what is named twice, too") {
-    TestMesh mesh;
-    corpus()[3].build(mesh);
+    TestMesh mesh = built(corpus()[3]);
     OpenMesh::VPropHandleT<double> weight;
     mesh.add_property(weight);
     const Halfedge h = mesh.find_halfedge(Vertex(8), Vertex(14));
@@ -320,8 +318,7 @@ TEST_SUITE("collapse") {
   }
 
   TEST_CASE("Interpolate checks every property before it writes") {
-    TestMesh mesh;
-    corpus()[3].build(mesh);
+    TestMesh mesh = built(corpus()[3]);
     OpenMesh::VPropHandleT<double> weight;
     mesh.add_property(weight);
     for_each_vertex(mesh, [&](Vertex v) {

@@ -34,12 +34,9 @@ void compare(const TestMesh& mesh, Tally& tally, Blocker blocker, Operate operat
 }
 
 void on_simplicial_meshes(const std::function<void(const TestMesh&)>& visit) {
-  for (const Specimen& specimen : corpus()) {
-    INFO(specimen.name);
-    TestMesh mesh;
-    specimen.build(mesh);
+  on_corpus([&](const Specimen&, TestMesh& mesh) {
     if (!is_large(mesh) && is_simplicial(mesh)) visit(mesh);
-  }
+  });
   for (unsigned number = 0; number < 1000; ++number) {
     CAPTURE(number);
     TestMesh mesh;

@@ -63,13 +63,10 @@ void random_tiny_mesh(TestMesh& mesh, unsigned number) {
 void on_every_mesh(const std::function<void(TestMesh&, Keep)>& visit) {
   for (const Keep keep : {Keep::simplicial, Keep::manifold}) {
     CAPTURE(static_cast<int>(keep));
-    for (const Specimen& specimen : corpus()) {
-      INFO(specimen.name);
-      TestMesh mesh;
-      specimen.build(mesh);
+    on_corpus([&](const Specimen&, TestMesh& mesh) {
       mesh.garbage_collection();
       visit(mesh, keep);
-    }
+    });
     for (unsigned number = 0; number < static_cast<unsigned>(rbpa_test::trials(300)); ++number) {
       CAPTURE(number);
       TestMesh mesh;

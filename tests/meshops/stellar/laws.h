@@ -14,6 +14,7 @@
 #include "support/arguments.h"
 #include "support/check_sound.h"
 #include "support/corpus.h"
+#include "support/on_corpus.h"
 #include "support/snapshot.h"
 
 namespace meshops::test {

@@ -51,8 +51,7 @@ TEST_SUITE("remove_vertex") {
   }
 
   TEST_CASE("a sphere is reduced to a tetrahedron, then to two triangles") {
-    TestMesh mesh;
-    corpus()[6].build(mesh);
+    TestMesh mesh = built(corpus()[6]);
     remove_vertex(mesh, Vertex(0));
     remove_vertex(mesh, Vertex(5));
     CHECK(counts(mesh) == Delta{4, 6, 4, 0, 1, 0});

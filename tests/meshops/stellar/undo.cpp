@@ -14,10 +14,7 @@ using namespace meshops::test;
 TEST_SUITE("undo") {
   TEST_CASE("a long sequence undone in reverse order restores every bit") {
     for (const Keep keep : {Keep::simplicial, Keep::manifold})
-      for (const Specimen& specimen : corpus()) {
-        INFO(specimen.name);
-        TestMesh mesh;
-        specimen.build(mesh);
+      on_corpus([&](const Specimen&, TestMesh& mesh) {
         const auto records = snapshot(mesh);
         std::mt19937 random(11);
         std::vector<std::variant<WeldEffect, FlipEffect>> done;
@@ -33,7 +30,7 @@ TEST_SUITE("undo") {
         check_sound(mesh);
         for (; !done.empty(); done.pop_back()) std::visit([&](const auto& effect) { undo(mesh, effect); }, done.back());
         CHECK(snapshot(mesh) == records);
-      }
+      });
   }
 
   TEST_CASE("a removal writes nothing to the records of the removed elements") {
@@ -60,16 +57,14 @@ TEST_SUITE("undo") {
   }
 
   TEST_CASE("undo restores properties with the handles") {
-    TestMesh mesh;
-    corpus()[6].build(mesh);
+    TestMesh mesh = built(corpus()[6]);
     mesh.set_point(Vertex(0), {1, 2, 3});
     undo(mesh, collapse(mesh, mesh.halfedge_handle(Vertex(0))));
     CHECK(mesh.point(Vertex(0)) == TestMesh::Point(1, 2, 3));
   }
 
   TEST_CASE("elements that are not marked, or were collected, cannot be restored") {
-    TestMesh mesh;
-    corpus()[6].build(mesh);
+    TestMesh mesh = built(corpus()[6]);
     const WeldEffect effect = collapse(mesh, Halfedge(0));
     undo(mesh, effect);
     const auto before = snapshot(mesh);

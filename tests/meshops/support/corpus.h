@@ -28,6 +28,12 @@ struct Specimen {
 /// thousand triangles, by gluing and by stellar operators.
 const std::vector<Specimen>& corpus();
 
+inline TestMesh built(const Specimen& specimen) {
+  TestMesh mesh;
+  specimen.build(mesh);
+  return mesh;
+}
+
 /// The isomorphism class of a mesh: equal for meshes that differ in handles only. Cost: quadratic in the worst case;
 /// meant for up to some thousand edges.
 std::string isomorphism_class(const Connectivity& mesh);

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <map>
-#include <set>
 
 #include "meshops/core/contract.h"
 #include "meshops/core/live.h"
@@ -12,6 +11,7 @@
 #include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/laws.h"
+#include "support/on_corpus.h"
 #include "support/snapshot.h"
 #include "support/soups.h"
 
@@ -135,14 +135,11 @@ TEST_SUITE("build_mesh") {
 
   TEST_CASE("the corpus converted to soups and back is the same up to handles, and gives the same soups again") {
     int there_and_back = 0;
-    for (const Specimen& specimen : corpus()) {
-      TestMesh mesh;
-      specimen.build(mesh);
+    on_corpus([&](const Specimen& specimen, TestMesh& mesh) {
       mesh.new_vertex();
       const PolygonSoup s = soup_of(mesh);
-      INFO(specimen.name);
       CHECK(find_defects(s).empty() == specimen.simplicial);
-      if (!specimen.simplicial) continue;
+      if (!specimen.simplicial) return;
       mesh.garbage_collection();
       TestMesh again;
       const auto points = build_mesh(again, s);
@@ -150,16 +147,14 @@ TEST_SUITE("build_mesh") {
       CHECK(isomorphism_class(again) == isomorphism_class(mesh));
       CHECK(same(soup_of(again, points), s));
       ++there_and_back;
-    }
+    });
     CHECK(there_and_back >= 8);
   }
 
   TEST_CASE("fans that were merged in a point get separate vertices again") {
     // Three copies of a specimen with a boundary, all standing on one point of it.
-    for (const Specimen& specimen : corpus()) {
-      TestMesh mesh;
-      specimen.build(mesh);
-      if (!specimen.simplicial || mesh.n_faces() > 100) continue;
+    on_corpus([&](const Specimen& specimen, TestMesh& mesh) {
+      if (!specimen.simplicial || mesh.n_faces() > 100) return;
       const PolygonSoup one = soup_of(mesh);
       const PolygonSoup apart = beside(beside(one, one), one);
       PolygonSoup merged = apart;
@@ -168,12 +163,11 @@ TEST_SUITE("build_mesh") {
       TestMesh expected, found;
       build_mesh(expected, apart);
       const auto points = build_mesh(found, merged);
-      INFO(specimen.name);
       CHECK(points.size() == apart.points + 2);  // the two points that no face names are isolated now
       CHECK(std::count(points.begin(), points.end(), 0U) == 3);
       for (int i = 0; i < 2; ++i) expected.new_vertex();
       CHECK(isomorphism_class(found) == isomorphism_class(expected));
-    }
+    });
   }
 
   TEST_CASE("the soup of a mesh with deletions has the live faces, and a deleted vertex is a point without a face") {

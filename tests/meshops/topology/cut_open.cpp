@@ -10,6 +10,7 @@
 #include "support/check_sound.h"
 #include "support/corpus.h"
 #include "support/laws.h"
+#include "support/on_corpus.h"
 #include "support/snapshot.h"
 
 using namespace meshops;
@@ -17,10 +18,7 @@ using namespace meshops::test;
 
 TEST_SUITE("cut_open") {
   TEST_CASE("cut along the cut graph every component is a disc, and gluing back restores every live record") {
-    for (const Specimen& specimen : corpus()) {
-      INFO(specimen.name);
-      TestMesh mesh;
-      specimen.build(mesh);
+    on_corpus([&](const Specimen&, TestMesh& mesh) {
       const auto before = live_snapshot(mesh, Named::any);
       const TopologyCounts counts = count_topology(mesh);
       const std::vector<UnglueEffect> cuts = cut_open(mesh, homology(mesh));
@@ -36,7 +34,7 @@ TEST_SUITE("cut_open") {
       glue_back(mesh, cuts);
       check_sound(mesh);
       CHECK(live_snapshot(mesh, Named::any) == before);
-    }
+    });
   }
 
   TEST_CASE("new vertices have the points of the old ones, and edges cut in any order give the same pieces") {

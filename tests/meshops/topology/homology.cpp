@@ -235,8 +235,7 @@ TEST_SUITE("homology") {
   }
 
   TEST_CASE("the checks detect a set of loops that is not a basis") {
-    TestMesh mesh;
-    corpus()[8].build(mesh);
+    TestMesh mesh = built(corpus()[8]);
     REQUIRE(corpus()[8].name == "double torus");
     const std::vector<Loop> basis = homology(mesh).generators;
     REQUIRE(basis.size() == 4);
@@ -264,8 +263,7 @@ TEST_SUITE("homology") {
 
   TEST_CASE("the checks detect a cut that leaves no disc") {
     for (const std::size_t which : {4u, 7u, 8u, 11u}) {
-      TestMesh mesh;
-      corpus()[which].build(mesh);
+      TestMesh mesh = built(corpus()[which]);
       const std::vector<Edge> cut = homology(mesh).cut_graph;
       REQUIRE(cuts_into_discs(mesh, cut));
       for (std::size_t i = 0; i < cut.size(); ++i) {
@@ -299,8 +297,7 @@ TEST_SUITE("homology") {
   TEST_CASE(
       "the shortest loops of a torus of 5 by 4 squares have 4 and 5 edges, and those of an annulus of 5 squares 5") {
     const auto loop_lengths = [](std::size_t which) {
-      TestMesh mesh;
-      corpus()[which].build(mesh);
+      TestMesh mesh = built(corpus()[which]);
       std::multiset<std::size_t> lengths;
       for (const Loop& loop : homology(mesh).generators) lengths.insert(loop.size());
       return lengths;
@@ -310,8 +307,7 @@ TEST_SUITE("homology") {
   }
 
   TEST_CASE("the cut of an annulus is a shortest path across") {
-    TestMesh mesh;
-    corpus()[4].build(mesh);
+    TestMesh mesh = built(corpus()[4]);
     CHECK(homology(mesh).cut_graph.size() == 2);
     std::vector<double> lengths(mesh.n_edges(), 10);
     // A path of three short edges, from one curve to the other.
@@ -386,8 +382,7 @@ TEST_SUITE("homology") {
   }
 
   TEST_CASE("invalid lengths are refused") {
-    TestMesh mesh;
-    corpus()[7].build(mesh);
+    TestMesh mesh = built(corpus()[7]);
     std::vector<double> lengths(mesh.n_edges(), 1);
     for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
       lengths[3] = bad;

@@ -3,8 +3,6 @@
 
 #include <doctest/doctest.h>
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
-#include <algorithm>
-#include <array>
 #include <functional>
 #include <random>
 #include <string>

@@ -12,6 +12,7 @@
 #include "support/arguments.h"
 #include "support/bowties.h"
 #include "support/corpus.h"
+#include "support/on_corpus.h"
 #include "support/soups.h"
 
 using namespace meshops;
@@ -241,12 +242,9 @@ TEST_SUITE("report") {
   }
 
   TEST_CASE("the corpus has the numbers listed for it, and those of count_topology()") {
-    for (const Specimen& specimen : corpus()) {
-      TestMesh mesh;
-      specimen.build(mesh);
+    on_corpus([&](const Specimen& specimen, TestMesh& mesh) {
       mesh.new_vertex();
       const TopologyReport r = report(mesh);
-      INFO(specimen.name);
       CHECK(r.solid_components == static_cast<std::size_t>(specimen.components));
       CHECK(r.components == r.solid_components + 1);
       CHECK(r.boundary_curves == static_cast<std::size_t>(specimen.boundary_curves));
@@ -259,7 +257,7 @@ TEST_SUITE("report") {
       CHECK(r.components == counts.components);
       CHECK(r.genus == counts.genus());
       check_euler(r);
-    }
+    });
   }
 
   TEST_CASE("deleted elements of a mesh are not counted") {

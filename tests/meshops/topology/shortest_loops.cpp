@@ -277,8 +277,7 @@ TEST_SUITE("shortest loops") {
   }
 
   TEST_CASE("invalid lengths are refused, and the search can be cancelled") {
-    TestMesh mesh;
-    corpus()[8].build(mesh);
+    TestMesh mesh = built(corpus()[8]);
     std::vector<double> lengths(mesh.n_edges(), 1);
     CHECK_THROWS_AS(shortest_homology_basis(mesh, std::vector<double>(lengths.size() - 1, 1)), ContractViolation);
     lengths[2] = -1;

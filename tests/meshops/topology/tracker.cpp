@@ -20,6 +20,7 @@
 #include "support/arguments.h"
 #include "support/check_sound.h"
 #include "support/corpus.h"
+#include "support/on_corpus.h"
 
 using namespace meshops;
 using namespace meshops::test;
@@ -256,12 +257,10 @@ TEST_SUITE("tracker") {
   }
 
   TEST_CASE("a tracker begins with the counts of any mesh") {
-    for (const Specimen& specimen : corpus()) {
-      TestMesh mesh;
-      specimen.build(mesh);
+    on_corpus([&](const Specimen&, TestMesh& mesh) {
       TopologyTracker tracker(mesh);
       CHECK(tracker.counts() == count_topology(mesh));
       check_components(mesh, tracker);
-    }
+    });
   }
 }

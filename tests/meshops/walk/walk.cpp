@@ -1,7 +1,5 @@
 #include "walk/walk.h"
 
-#include <algorithm>
-
 #include "meshops/handle/close_curve.h"
 #include "meshops/handle/create.h"
 #include "meshops/topology/build_mesh.h"

@@ -1,5 +1,4 @@
 // The steps of the handle operators.
-#include <algorithm>
 
 #include "meshops/handle/close_curve.h"
 #include "meshops/handle/create.h"

@@ -1,5 +1,4 @@
 // The steps of the stellar operators.
-#include <algorithm>
 
 #include "meshops/stellar/collapse.h"
 #include "meshops/stellar/remove_vertex.h"

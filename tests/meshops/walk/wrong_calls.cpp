@@ -1,7 +1,6 @@
 #include "walk/wrong_calls.h"
 
 #include <array>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <set>

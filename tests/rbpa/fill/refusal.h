@@ -6,6 +6,7 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/fill.h"
+#include "support/refusal_of.h"
 #include "support/triangle.h"
 
 namespace rbpa_test {
@@ -16,12 +17,7 @@ inline rbpa::Polygon square() { return {.shell = {{0, 1, 2, 3}}}; }
 /// Returns the message of the refusal; "" when the polygons are filled.
 inline std::string refusal(const Points& points, const std::vector<rbpa::Polygon>& polygons,
                            const rbpa::FillOptions& options = {.size = 1}) {
-  try {
-    rbpa::fill(points, polygons, options);
-  } catch (const rbpa::InvalidInput& e) {
-    return e.what();
-  }
-  return "";
+  return refusal_of<rbpa::InvalidInput>([&] { rbpa::fill(points, polygons, options); });
 }
 
 }  // namespace rbpa_test

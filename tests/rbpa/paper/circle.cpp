@@ -10,7 +10,6 @@
 #include "support/generate.h"
 
 using namespace rbpa_test;
-using rbpa::Point;
 using rbpa::Radius;
 using rbpa::paper::Ball;
 

@@ -11,7 +11,6 @@
 #include "support/shrink.h"
 
 using namespace rbpa_test;
-using rbpa::Point;
 using rbpa::paper::Grid;
 
 TEST_SUITE_BEGIN("paper");

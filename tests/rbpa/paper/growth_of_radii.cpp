@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,6 +19,7 @@
 #include "rbpa/rbpa.h"
 #include "support/arguments.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/levels.h"
 #include "support/sets.h"
 #include "support/shrink.h"
@@ -34,8 +34,6 @@ using rbpa::Point;
 TEST_SUITE_BEGIN("paper");
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 Hierarchy by_the_paper(const Points& points, double alpha, std::size_t leaf_capacity) {
   return rbpa::paper::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity});
@@ -119,13 +117,8 @@ PaperRun run(const Points& points, double alpha, std::size_t leaf_capacity) {
 TEST_CASE("HRBPA ends in the complex of every kind of set, and its levels are those of the default search") {
   std::size_t levels = 0;
   for (const NamedSet& set : generated_sets()) {
-    // The beginning of the set, and a random subset.
-    Points points = set.make(), some = points;
-    Random random(points.size());
-    random.shuffle(some);
     const std::size_t most = all_trials() ? 60 : 32;
-    if (points.size() > most) points.resize(most);
-    if (some.size() > most) some.resize(most);
+    const Points points = set.first(most), some = set.some(most);
     CAPTURE(set.name);
     for (const std::size_t k : {1u, 6u, 32u}) levels += check(points, infinity, k);
     for (const double alpha : set.alphas) levels += check(points, alpha, 4);

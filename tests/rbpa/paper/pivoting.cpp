@@ -4,9 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,7 +15,9 @@
 #include "rbpa/base/mesh.h"
 #include "rbpa/paper/pivoting.h"
 #include "support/arguments.h"
+#include "support/check_ascending.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/sets.h"
 #include "support/shrink.h"
 #include "support/spacing.h"
@@ -29,8 +29,6 @@ using rbpa::SolidAlphaComplex;
 TEST_SUITE_BEGIN("paper");
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 SolidAlphaComplex by_the_paper(const Points& points, double alpha) { return rbpa::paper::rbpa(points, alpha); }
 
@@ -60,13 +58,8 @@ std::size_t check(const Points& points, double alpha) {
 TEST_CASE("Theorem 1: RBPA finds the solid alpha complex of every kind of set") {
   std::size_t triangles = 0;
   for (const NamedSet& set : generated_sets()) {
-    // The beginning of the set, and a random subset.
-    Points points = set.make(), some = points;
-    Random random(points.size());
-    random.shuffle(some);
     const std::size_t most = all_trials() ? 150 : 80;
-    if (points.size() > most) points.resize(most);
-    if (some.size() > most) some.resize(most);
+    const Points points = set.first(most), some = set.some(most);
     CAPTURE(set.name);
     for (const Points& part : {points, some}) {
       for (const double alpha : usual_alphas(part)) triangles += check(part, alpha);
@@ -145,12 +138,7 @@ TEST_CASE("progress ascends, is called while there are no triangles, and false o
                                              seen.push_back(p);
                                              return true;
                                            }});
-    REQUIRE(seen.size() >= 2);
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      CHECK(seen[i].points == points.size());
-      CHECK(seen[i].triangles <= watched.mesh.n_faces());
-      if (i > 0) CHECK(seen[i].triangles >= seen[i - 1].triangles);
-    }
+    check_ascending(seen, points.size(), watched.mesh.n_faces());
     for (const std::size_t last : {1u, 2u}) {
       std::size_t calls = 0;
       CHECK_THROWS_AS(

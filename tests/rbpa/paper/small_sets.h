@@ -13,6 +13,7 @@
 #include "rbpa/plane/predicate/radius.h"
 #include "support/arguments.h"
 #include "support/exact.h"
+#include "support/order.h"
 #include "support/random.h"
 #include "support/samples.h"
 #include "support/triangle.h"
@@ -23,8 +24,7 @@ inline rbpa::Radius radius_of(double alpha) { return std::isinf(alpha) ? rbpa::R
 
 /// Returns the points without duplicates, in a random order.
 inline Points distinct(Points points, Random& random) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_distinct(points);
   random.shuffle(points);
   return points;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -12,6 +11,7 @@
 #include "rbpa/rbpa.h"
 #include "support/exact.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/random.h"
 #include "support/sets.h"
 #include "support/spacing.h"
@@ -26,7 +26,6 @@ TEST_SUITE_BEGIN("arrays");
 
 namespace {
 
-const double infinity = std::numeric_limits<double>::infinity();
 using Edge = std::array<std::uint32_t, 2>;
 
 rbpa::AlphaComplexOptions all_of(unsigned threads = 1, ComplexKind complex = ComplexKind::solid) {

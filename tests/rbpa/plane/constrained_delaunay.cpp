@@ -6,8 +6,6 @@
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
-#include <map>
-#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,7 +13,9 @@
 #include "rbpa/base/error.h"
 #include "rbpa/plane/predicate/predicates.h"
 #include "support/arguments.h"
+#include "support/order.h"
 #include "support/random.h"
+#include "support/refusal_of.h"
 
 TEST_SUITE_BEGIN("plane");
 
@@ -162,9 +162,8 @@ std::set<std::array<Point, 3>> places_of(const ConstrainedDelaunay& made) {
 
 /// Returns the case with points and segments in another order, and segments in another direction.
 Case shuffled(const Case& given, rbpa_test::Random& random) {
-  std::vector<std::uint32_t> order(given.points.size()), place(given.points.size());
-  std::iota(order.begin(), order.end(), 0U);
-  random.shuffle(order);
+  const std::vector<std::uint32_t> order = random_order(given.points.size(), random);
+  std::vector<std::uint32_t> place(given.points.size());
   Case made;
   for (std::uint32_t i = 0; i < order.size(); ++i) {
     made.points.push_back(given.points[order[i]]);
@@ -177,12 +176,7 @@ Case shuffled(const Case& given, rbpa_test::Random& random) {
 }
 
 std::string refusal(const Case& of) {
-  try {
-    rbpa::constrained_delaunay(of.points, of.segments);
-  } catch (const rbpa::InvalidInput& e) {
-    return e.what();
-  }
-  return "";
+  return rbpa_test::refusal_of<rbpa::InvalidInput>([&] { rbpa::constrained_delaunay(of.points, of.segments); });
 }
 
 }  // namespace

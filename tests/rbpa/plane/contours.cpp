@@ -177,8 +177,7 @@ TEST_CASE("shuffled points and any number of threads have the same lines, on set
   std::size_t lines = 0;
   for (const NamedSet& set : generated_sets()) {
     CAPTURE(set.name);
-    Points points = set.make();
-    if (points.size() > 3000) points.resize(3000);
+    Points points = set.first(3000);
     const auto values_of = [](const Points& at) {
       std::vector<double> values;
       for (const Point& p : at) values.push_back(std::fmod(std::abs(p.x), 5.0) + std::fmod(std::abs(p.y), 3.0));

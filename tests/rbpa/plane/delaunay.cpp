@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <limits>
 #include <string>
 
 #include "meshops/core/contract.h"
@@ -14,6 +13,7 @@
 #include "rbpa/plane/smallest_covering_alpha.h"
 #include "support/delaunay_arrays.h"
 #include "support/generate.h"
+#include "support/refusal_of.h"
 
 using namespace rbpa_test;
 using rbpa::AlphaComplex;
@@ -25,33 +25,28 @@ namespace {
 
 /// Returns the message that refuses `triangulation` as the Delaunay triangulation of `points`.
 std::string refusal(const AlphaComplex& triangulation, std::span<const rbpa::Point> points) {
-  try {
-    const Delaunay unexpected(triangulation, points, {}, "who asks");
-  } catch (const meshops::ContractViolation& e) {
-    return e.what();
-  }
-  return "";
+  return refusal_of<meshops::ContractViolation>(
+      [&] { const Delaunay unexpected(triangulation, points, {}, "who asks"); });
 }
 
 }  // namespace
 
 TEST_CASE("a computed and a checked triangulation are equal, and give equal results") {
-  for (const SmallSet& set : small_sets()) {
-    CAPTURE(set.name);
-    const AlphaComplex arrays = delaunay_arrays(set.points);
-    const Delaunay computed(set.points), checked(arrays, set.points);
+  on_small_sets([&](const Points& points) {
+    const AlphaComplex arrays = delaunay_arrays(points);
+    const Delaunay computed(points), checked(arrays, points);
     CHECK(computed.triangulation().triangles == arrays.triangles);
     CHECK(computed.triangulation().neighbors == arrays.neighbors);
     CHECK(computed.triangulation().duplicates == arrays.duplicates);
-    CHECK(computed.points().data() == set.points.data());
+    CHECK(computed.points().data() == points.data());
     const rbpa::Filtration all = rbpa::filtration(computed);
     CHECK(all.steps == rbpa::filtration(checked).steps);
-    CHECK(all.steps == rbpa::filtration(arrays, set.points).steps);
-    CHECK(rbpa::plateaus(computed, all) == rbpa::plateaus(arrays, set.points, all));
+    CHECK(all.steps == rbpa::filtration(arrays, points).steps);
+    CHECK(rbpa::plateaus(computed, all) == rbpa::plateaus(arrays, points, all));
     for (const auto kind : {rbpa::ComplexKind::solid, rbpa::ComplexKind::full})
-      CHECK(rbpa::persistence(computed, all, kind) == rbpa::persistence(arrays, set.points, all, kind));
+      CHECK(rbpa::persistence(computed, all, kind) == rbpa::persistence(arrays, points, all, kind));
     CHECK(rbpa::smallest_covering(computed, all, {0.8, 1}) == rbpa::smallest_covering(arrays, all, {0.8, 1}));
-  }
+  });
 }
 
 TEST_CASE("a triangulation is referred to, a temporary is kept, and copies share it") {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "meshops/core/contract.h"
@@ -14,6 +13,7 @@
 #include "rbpa/rbpa.h"
 #include "support/delaunay_arrays.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/random.h"
 #include "support/shrink.h"
 
@@ -25,8 +25,6 @@ using rbpa::Point;
 TEST_SUITE_BEGIN("filtration");
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 Filtration filtration_of(const Points& points) { return rbpa::filtration(delaunay_arrays(points), points); }
 
@@ -50,9 +48,7 @@ double area_of(const Points& points, const std::vector<Triangle>& triangles) {
 }  // namespace
 
 TEST_CASE("every step counts the complex at its alpha, and the next lower double still has the complex before") {
-  for (const SmallSet& set : small_sets()) {
-    const Points& points = set.points;
-    CAPTURE(set.name);
+  on_small_sets([&](const Points& points) {
     const Filtration all = filtration_of(points);
     std::size_t before = 0;
     for (const FiltrationStep& step : all.steps) {
@@ -63,31 +59,27 @@ TEST_CASE("every step counts the complex at its alpha, and the next lower double
       before = step.triangles;
     }
     CHECK(before == rbpa::rbpa(points, infinity).mesh.n_faces());
-  }
+  });
 }
 
 TEST_CASE("steps ascend, and end with the Delaunay triangulation: one disc over all points") {
-  for (const SmallSet& set : small_sets()) {
-    const Points& points = set.points;
-    CAPTURE(set.name);
+  on_small_sets([&](const Points& points) {
     const Filtration all = filtration_of(points);
     CHECK(std::adjacent_find(all.steps.begin(), all.steps.end(), [](const auto& a, const auto& b) {
             return a.alpha >= b.alpha || a.triangles >= b.triangles || a.covered > b.covered || a.area > b.area;
           }) == all.steps.end());
-    if (all.steps.empty()) continue;
+    if (all.steps.empty()) return;
     CHECK(all.steps.front().alpha > 0);
     const FiltrationStep& last = all.steps.back();
     CHECK(last.covered == all.distinct);
     CHECK(last.solid_components == 1);
     CHECK(last.components == 1);
     CHECK(last.holes == 0);
-  }
+  });
 }
 
 TEST_CASE("a triangle is in the complex from its triangle_alpha on") {
-  for (const SmallSet& set : small_sets()) {
-    const Points& points = set.points;
-    CAPTURE(set.name);
+  on_small_sets([&](const Points& points) {
     const auto delaunay = delaunay_arrays(points);
     const Filtration all = rbpa::filtration(delaunay, points);
     REQUIRE(all.triangle_alpha.size() == delaunay.triangles.size());
@@ -96,13 +88,12 @@ TEST_CASE("a triangle is in the complex from its triangle_alpha on") {
                                     [&](double alpha) { return alpha <= step.alpha; });
       CHECK(static_cast<std::size_t>(in) == step.triangles);
     }
-  }
+  });
 }
 
 TEST_CASE("complex_at() a radius is the complex of another triangulation") {
-  for (const SmallSet& set : small_sets()) {
-    CAPTURE(set.name);
-    const rbpa::Delaunay delaunay(set.points, {.neighbors = true, .boundary = true});
+  on_small_sets([&](const Points& points) {
+    const rbpa::Delaunay delaunay(points, {.neighbors = true, .boundary = true});
     const Filtration all = rbpa::filtration(delaunay);
     std::vector<double> alphas = {1e-300, infinity};
     for (const FiltrationStep& step : all.steps) {
@@ -112,7 +103,7 @@ TEST_CASE("complex_at() a radius is the complex of another triangulation") {
     for (const double alpha : alphas) {
       INFO("alpha ", literal(alpha));
       const rbpa::AlphaComplex at = rbpa::complex_at(delaunay, all, alpha),
-                               anew = rbpa::alpha_complex(set.points, alpha, {.neighbors = true});
+                               anew = rbpa::alpha_complex(points, alpha, {.neighbors = true});
       CHECK(at.triangles == anew.triangles);
       CHECK(at.neighbors == anew.neighbors);
       CHECK(at.isolated == anew.isolated);
@@ -122,7 +113,7 @@ TEST_CASE("complex_at() a radius is the complex of another triangulation") {
     }
     CHECK_THROWS_AS(rbpa::complex_at(delaunay, all, 0), meshops::ContractViolation);
     if (!all.steps.empty()) CHECK_THROWS_AS(rbpa::complex_at(delaunay, {}, 1), meshops::ContractViolation);
-  }
+  });
 }
 
 TEST_CASE("the area is the sum of the triangles' areas") {
@@ -155,14 +146,12 @@ TEST_CASE("points without a triangle have no steps") {
 
 TEST_CASE("the order of the points, and duplicates, do not matter") {
   Random random(7);
-  for (const SmallSet& set : small_sets()) {
-    const Points& points = set.points;
-    CAPTURE(set.name);
+  on_small_sets([&](const Points& points) {
     Points shuffled = points;
     if (!points.empty()) shuffled.push_back(points.front());
     random.shuffle(shuffled);
     CHECK(filtration_of(points).steps == filtration_of(shuffled).steps);
-  }
+  });
 }
 
 TEST_CASE("a power of two scales every alpha and changes nothing else") {
@@ -190,9 +179,7 @@ TEST_CASE("a radius above every finite double is infinity, and rbpa at infinity 
 
 TEST_CASE("smallest_covering is the least alpha at which all points are covered by few enough solid components") {
   std::size_t ups_and_downs = 0;
-  for (const SmallSet& set : small_sets()) {
-    const Points& points = set.points;
-    CAPTURE(set.name);
+  on_small_sets([&](const Points& points) {
     const Filtration all = filtration_of(points);
     for (std::size_t most = 0; most <= 6; ++most) {
       CAPTURE(most);
@@ -211,7 +198,7 @@ TEST_CASE("smallest_covering is the least alpha at which all points are covered 
       CHECK(rbpa::smallest_covering(all, most) == expected);
       CHECK(rbpa::smallest_covering(all) == expected_any);
     }
-  }
+  });
   CHECK(ups_and_downs > 0);
 }
 

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -19,7 +18,6 @@
 #include "support/random.h"
 
 using namespace rbpa_test;
-using rbpa::ComplexKind;
 using rbpa::FiltrationArrays;
 using rbpa::FiltrationStep;
 using rbpa::PersistencePair;
@@ -75,9 +73,8 @@ std::vector<int> pairs_in(const FiltrationArrays& arrays, int dimension, double 
 }  // namespace
 
 TEST_CASE("the triangles of a step are a prefix of the list, and form the complex at its alpha") {
-  for (const SmallSet& set : small_sets()) {
-    CAPTURE(set.name);
-    const Made made(set.points);
+  on_small_sets([&](const Points& points) {
+    const Made made(points);
     CHECK(made.arrays.points.size() == made.filtration.distinct);
     CHECK(std::is_sorted(made.arrays.points.begin(), made.arrays.points.end()));
     CHECK(std::is_sorted(made.arrays.alpha.begin(), made.arrays.alpha.end()));
@@ -88,30 +85,28 @@ TEST_CASE("the triangles of a step are a prefix of the list, and form the comple
     for (const FiltrationStep& step : made.filtration.steps) {
       CHECK(made.arrays.alpha[step.triangles - 1] == step.alpha);
       if (i++ % 7 != 0) continue;
-      const auto expected = rbpa::triangles(rbpa::rbpa(set.points, step.alpha));
+      const auto expected = rbpa::triangles(rbpa::rbpa(points, step.alpha));
       CHECK(corners_of(made.arrays.triangles, made.arrays.points, step.triangles) ==
-            corners_of(expected, set.points, expected.size()));
+            corners_of(expected, points, expected.size()));
     }
-  }
+  });
 }
 
 TEST_CASE("pairs are those of persistence, and their triangles appear at their alphas") {
-  for (const SmallSet& set : small_sets()) {
-    CAPTURE(set.name);
-    const Made made(set.points);
+  on_small_sets([&](const Points& points) {
+    const Made made(points);
     std::vector<PersistencePair> pairs;
     for (const PlacedPair& p : made.arrays.pairs) {
       pairs.push_back(p.pair);
       CHECK(made.arrays.alpha[p.triangle] == (p.pair.dimension == 0 ? p.pair.birth : *p.pair.death));
     }
-    CHECK(pairs == rbpa::persistence(made.delaunay, set.points, made.filtration));
-  }
+    CHECK(pairs == rbpa::persistence(made.delaunay, points, made.filtration));
+  });
 }
 
 TEST_CASE("each component has the triangle of one pair that is alive, and so has each hole") {
-  for (const SmallSet& set : small_sets()) {
-    CAPTURE(set.name);
-    const Made made(set.points);
+  on_small_sets([&](const Points& points) {
+    const Made made(points);
     const auto edges = edges_of(made.arrays);
     const auto count = static_cast<std::uint32_t>(made.arrays.triangles.size());
     std::size_t i = 0;
@@ -131,7 +126,7 @@ TEST_CASE("each component has the triangle of one pair that is alive, and so has
       for (auto t = static_cast<std::uint32_t>(step.triangles); t < count; ++t)
         if (gaps.find(t) == t) CHECK(in_gaps[t] == (gaps.find(count) == t ? 0 : 1));
     }
-  }
+  });
 }
 
 TEST_CASE("free edges are those with an empty circle on their diameter that is smaller than their triangles' circles") {
@@ -161,18 +156,17 @@ TEST_CASE("free edges are those with an empty circle on their diameter that is s
 
 TEST_CASE("the order of the points, and duplicates, do not change the arrays") {
   Random random(11);
-  for (const SmallSet& set : small_sets()) {
-    CAPTURE(set.name);
-    Points shuffled = set.points;
+  on_small_sets([&](const Points& points) {
+    Points shuffled = points;
     if (!shuffled.empty()) shuffled.push_back(shuffled.front());
     random.shuffle(shuffled);
-    const Made one(set.points), other(shuffled);
+    const Made one(points), other(shuffled);
     CHECK(one.arrays.points == other.arrays.points);
     CHECK(one.arrays.triangles == other.arrays.triangles);
     CHECK(one.arrays.alpha == other.arrays.alpha);
     CHECK(one.arrays.pairs == other.arrays.pairs);
     CHECK(one.arrays.free_edges == other.arrays.free_edges);
-  }
+  });
 }
 
 TEST_CASE("arrays can be cancelled in every phase, and those of other points are refused") {

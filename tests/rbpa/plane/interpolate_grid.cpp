@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <string>
 
 #include "rbpa/base/error.h"
 #include "support/arguments.h"
@@ -61,9 +60,8 @@ TEST_CASE("there is a value exactly where a triangle of the alpha complex contai
   std::size_t without = 0;
   for (const NamedSet& set : generated_sets()) {
     CAPTURE(set.name);
-    Points points = set.make();
     const std::size_t most = all_trials() ? 30 : 12;  // exact arithmetic is slow
-    if (points.size() > most) points.resize(most);
+    Points points = set.first(most);
     const AlphaComplex of = delaunay_arrays(points);
     const Points places = places_on(points, of);
     const Locator locator(points, of);
@@ -93,9 +91,8 @@ TEST_CASE("shuffled points have the same values to the last bit, on sides and po
   std::size_t compared = 0;
   for (const NamedSet& set : generated_sets()) {
     CAPTURE(set.name);
-    Points points = set.make();
     const std::size_t most = all_trials() ? 60 : 12;  // exact shares are slow
-    if (points.size() > most) points.resize(most);
+    Points points = set.first(most);
     const AlphaComplex of = delaunay_arrays(points);
     const Points places = places_on(points, of);
     const auto values_of = [](const Points& at) {  // a function of the place, as equal points have one value

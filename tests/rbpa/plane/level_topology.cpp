@@ -4,9 +4,7 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <map>
-#include <numeric>
 #include <ostream>
 
 #include "meshops/core/contract.h"
@@ -16,6 +14,8 @@
 #include "rbpa/plane/mesh/linked_faces.h"
 #include "rbpa/rbpa.h"
 #include "support/generate.h"
+#include "support/infinity.h"
+#include "support/order.h"
 #include "support/pictures.h"
 #include "support/random.h"
 #include "support/sets.h"
@@ -32,8 +32,6 @@ std::ostream& operator<<(std::ostream& out, const ComplexCounts& c) {
 }  // namespace rbpa
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t check_levels(const Points& points, double alpha, std::size_t leaf_capacity) {
   CAPTURE(alpha);
@@ -76,8 +74,7 @@ TEST_SUITE("filtration") {
   TEST_CASE("the topology of a level is that of a mesh rebuilt at its radius") {
     std::size_t levels = 0;
     for (const NamedSet& set : generated_sets()) {
-      Points points = set.make();
-      if (points.size() > 100) points.resize(100);
+      Points points = set.first(100);
       CAPTURE(set.name);
       levels += check_levels(points, infinity, 4);
       if (!set.alphas.empty()) levels += check_levels(points, set.alphas.back(), 1);
@@ -103,9 +100,7 @@ TEST_SUITE("filtration") {
     for (int round = 0; round < 20; ++round) {
       const rbpa::SolidAlphaComplex complex =
           rbpa::rbpa(points_of(random_picture(4, 5, 0.7, random)), round % 2 ? infinity : picture_alpha);
-      std::vector<std::uint32_t> order(complex.mesh.n_faces());
-      std::iota(order.begin(), order.end(), 0);
-      random.shuffle(order);
+      const std::vector<std::uint32_t> order = random_order(complex.mesh.n_faces(), random);
       const rbpa::OwnedTriangles faces = rbpa::linked_faces(complex.mesh);
       rbpa::Growth growth(faces, complex.mesh.n_vertices(), complex.input_index);
       meshops::PolygonSoup so_far;

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
@@ -12,6 +11,7 @@
 #include "support/delaunay_arrays.h"
 #include "support/exact.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/random.h"
 #include "support/sets.h"
 
@@ -22,8 +22,6 @@ using rbpa::Point;
 TEST_SUITE_BEGIN("locate");
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 /// Returns the first triangle that contains the point, by exact arithmetic on each.
 std::uint32_t first_by_trying_all(const Points& points, const AlphaComplex& of, const Point& query) {
@@ -64,9 +62,8 @@ TEST_CASE(
   Random random(1);
   for (const NamedSet& set : generated_sets()) {
     CAPTURE(set.name);
-    Points points = set.make();
     const std::size_t most = all_trials() ? 30 : 14;  // exact arithmetic is slow
-    if (points.size() > most) points.resize(most);
+    Points points = set.first(most);
     const AlphaComplex of = delaunay_arrays(points);
     const rbpa::Locator locator(points, of);
     const Points queries = queries_for(points, of, random);
@@ -95,8 +92,7 @@ TEST_CASE("values are convex combinations of the corners' values, a point has it
   std::size_t inside = 0;
   for (const NamedSet& set : generated_sets()) {
     CAPTURE(set.name);
-    Points points = set.make();
-    if (points.size() > 100) points.resize(100);
+    Points points = set.first(100);
     const AlphaComplex of = delaunay_arrays(points);
     const rbpa::Locator locator(points, of);
     const Points queries = queries_for(points, of, random);

@@ -16,6 +16,7 @@
 #include "support/arguments.h"
 #include "support/data_folder.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/pictures.h"
 #include "support/polygon_laws.h"
 #include "support/random.h"
@@ -32,8 +33,6 @@ using rbpa::PolygonFilter;
 TEST_SUITE_BEGIN("shape");
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 /// Returns the polygons after checking every law.
 std::vector<Polygon> checked(const Points& points, double alpha) {

@@ -15,6 +15,7 @@
 #include "support/arguments.h"
 #include "support/generate.h"
 #include "support/pictures.h"
+#include "support/refusal_of.h"
 
 using namespace rbpa_test;
 using rbpa::Partial;
@@ -58,12 +59,7 @@ Partial with_all_lists() {
 }
 
 std::string refusal(const Bytes& bytes) {
-  try {
-    rbpa::partial_from_bytes(bytes);
-  } catch (const rbpa::InvalidInput& refused) {
-    return refused.what();
-  }
-  return "";
+  return refusal_of<rbpa::InvalidInput>([&] { rbpa::partial_from_bytes(bytes); });
 }
 
 void sign(Bytes& bytes) {

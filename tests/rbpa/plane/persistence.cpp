@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "meshops/core/contract.h"
@@ -15,6 +14,8 @@
 #include "rbpa/rbpa.h"
 #include "support/delaunay_arrays.h"
 #include "support/generate.h"
+#include "support/infinity.h"
+#include "support/order.h"
 #include "support/random.h"
 #include "support/shrink.h"
 
@@ -29,8 +30,6 @@ TEST_SUITE_BEGIN("filtration");
 namespace {
 
 using Pairs = std::vector<PersistencePair>;
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 Pairs persistence_of(const Points& points, ComplexKind kind) {
   const auto delaunay = delaunay_arrays(points);
@@ -52,8 +51,7 @@ class FullComplex {
       for (const auto& [i, j] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
         edges_.push_back(std::minmax(i, j));
     if (triangles_.empty()) join_on_line();
-    std::sort(edges_.begin(), edges_.end());
-    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+    sort_distinct(edges_);
     for (const auto& [i, j] : edges_) free_.push_back(is_free(i, j));
   }
 
@@ -116,8 +114,7 @@ std::vector<double> telling_alphas(const Pairs& pairs) {
     for (const double alpha : {p.birth, p.death.value_or(0)})
       for (const double near : {std::nextafter(alpha, 0.0), alpha, std::nextafter(alpha, infinity)})
         if (near > 0 && std::isfinite(near)) alphas.push_back(near);
-  std::sort(alphas.begin(), alphas.end());
-  alphas.erase(std::unique(alphas.begin(), alphas.end()), alphas.end());
+  sort_distinct(alphas);
   return alphas;
 }
 
@@ -125,9 +122,7 @@ std::vector<double> telling_alphas(const Pairs& pairs) {
 
 TEST_CASE("the pairs alive at a step are its components and holes") {
   std::size_t holes = 0;
-  for (const SmallSet& set : small_sets()) {
-    const Points& points = set.points;
-    CAPTURE(set.name);
+  on_small_sets([&](const Points& points) {
     const auto delaunay = delaunay_arrays(points);
     const Filtration all = rbpa::filtration(delaunay, points);
     const Pairs pairs = rbpa::persistence(delaunay, points, all);
@@ -138,7 +133,7 @@ TEST_CASE("the pairs alive at a step are its components and holes") {
       holes += step.holes;
     }
     if (!all.steps.empty()) CHECK(alive(pairs, 0, std::nextafter(all.steps.front().alpha, 0.0)) == 0);
-  }
+  });
   CHECK(holes > 100);
 }
 
@@ -160,9 +155,7 @@ TEST_CASE("the pairs of the full complex alive at an alpha are its components an
 
 TEST_CASE("pairs have positive persistence, are sorted, and exactly one never dies") {
   for (const ComplexKind kind : {ComplexKind::solid, ComplexKind::full})
-    for (const SmallSet& set : small_sets()) {
-      const Points& points = set.points;
-      CAPTURE(set.name);
+    on_small_sets([&](const Points& points) {
       const Pairs pairs = persistence_of(points, kind);
       for (const PersistencePair& p : pairs)
         if (p.death) CHECK(p.birth < *p.death);
@@ -173,7 +166,7 @@ TEST_CASE("pairs have positive persistence, are sorted, and exactly one never di
       const auto stay = std::count_if(pairs.begin(), pairs.end(), [](const PersistencePair& p) { return !p.death; });
       const auto complex = rbpa::rbpa(points, infinity);
       CHECK(stay == (kind == ComplexKind::full ? complex.distinct > 0 : complex.mesh.n_faces() > 0));
-    }
+    });
 }
 
 TEST_CASE("the younger of two components dies, and a hole dies with its last triangle") {
@@ -212,14 +205,12 @@ TEST_CASE("points on a line are joined one after the other") {
 TEST_CASE("the order of the points, and duplicates, do not change the pairs") {
   Random random(7);
   for (const ComplexKind kind : {ComplexKind::solid, ComplexKind::full})
-    for (const SmallSet& set : small_sets()) {
-      const Points& points = set.points;
-      CAPTURE(set.name);
+    on_small_sets([&](const Points& points) {
       Points shuffled = points;
       if (!points.empty()) shuffled.push_back(points.front());
       random.shuffle(shuffled);
       CHECK(persistence_of(points, kind) == persistence_of(shuffled, kind));
-    }
+    });
 }
 
 TEST_CASE("false from go_on cancels in every phase, and true changes nothing") {

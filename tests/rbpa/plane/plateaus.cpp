@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "meshops/core/contract.h"
 #include "plane/filtration/small_sets.h"
@@ -14,6 +13,7 @@
 #include "rbpa/rbpa.h"
 #include "support/delaunay_arrays.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/random.h"
 
 using namespace rbpa_test;
@@ -24,8 +24,6 @@ using rbpa::PlateauKind;
 TEST_SUITE_BEGIN("filtration");
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 struct Found {
   Filtration filtration;
@@ -118,9 +116,8 @@ void recommends(const Points& points, double parts, double hole_share, double at
 
 TEST_CASE("within a plateau the change grows by at most a tenth, and the plateau ends where it would grow by more") {
   std::size_t ends = 0;
-  for (const SmallSet& set : small_sets()) {
-    CAPTURE(set.name);
-    const Found found = find(set.points);
+  on_small_sets([&](const Points& points) {
+    const Found found = find(points);
     CHECK(found.plateaus.empty() == found.filtration.steps.empty());
     std::vector<bool> taken(found.curve.size());
     std::vector<Steps> all;
@@ -140,17 +137,16 @@ TEST_CASE("within a plateau the change grows by at most a tenth, and the plateau
       ++ends;
       CHECK(found.curve[steps.last].change > 1.1L * found.curve[steps.first].change);
     }
-  }
+  });
   CHECK(ends > 20);
 }
 
 TEST_CASE("no range outside the plateaus is longer than the shortest of them, of all pairs of steps") {
-  for (const SmallSet& set : small_sets()) {
-    CAPTURE(set.name);
-    const Found found = find(set.points);
+  on_small_sets([&](const Points& points) {
+    const Found found = find(points);
     const auto& steps = found.filtration.steps;
-    const double reach = set.points.empty() ? 0 : half_diagonal(set.points);
-    if (found.plateaus.empty() || std::isinf(reach)) continue;
+    const double reach = points.empty() ? 0 : half_diagonal(points);
+    if (found.plateaus.empty() || std::isinf(reach)) return;
     const auto ratio = [&](std::size_t first, std::size_t last) {
       const double to = last == steps.size() ? reach : std::min(reach, steps[last].alpha);
       return std::max(1.0, to / steps[first].alpha);
@@ -171,36 +167,34 @@ TEST_CASE("no range outside the plateaus is longer than the shortest of them, of
         if (found.curve[last - 1].change <= 1.1L * found.curve[first].change)
           CHECK(ratio(first, last) <= bound * (1 + 1e-14));
     }
-  }
+  });
 }
 
 TEST_CASE("alpha is in its plateau, near its beginning, and the counts are those of the complex there") {
-  for (const SmallSet& set : small_sets()) {
-    CAPTURE(set.name);
-    for (const Plateau& plateau : plateaus_of(set.points)) {
+  on_small_sets([&](const Points& points) {
+    for (const Plateau& plateau : plateaus_of(points)) {
       CHECK(plateau.alpha >= plateau.from);
       CHECK((!plateau.to || plateau.alpha < *plateau.to));
       CHECK(plateau.alpha <= 2 * plateau.from);
       CHECK(plateau.ratio >= 1);
-      const auto complex = rbpa::rbpa(set.points, plateau.alpha);
+      const auto complex = rbpa::rbpa(points, plateau.alpha);
       const rbpa::ComplexCounts counts = rbpa::count(complex);
       CHECK(plateau.step.triangles == counts.triangles);
       CHECK(plateau.step.solid_components == counts.solid_components);
       CHECK(plateau.step.holes == counts.holes);
       CHECK(plateau.step.covered == counts.points_covered);
     }
-  }
+  });
 }
 
 TEST_CASE("order and duplicates change no plateau, and a power of two scales its alphas") {
   Random random(61);
-  for (const SmallSet& set : small_sets()) {
-    CAPTURE(set.name);
-    Points shuffled = set.points;
+  on_small_sets([&](const Points& points) {
+    Points shuffled = points;
     if (!shuffled.empty()) shuffled.push_back(shuffled.front());
     random.shuffle(shuffled);
-    CHECK(plateaus_of(set.points) == plateaus_of(shuffled));
-  }
+    CHECK(plateaus_of(points) == plateaus_of(shuffled));
+  });
   for (const Points& points : {two_discs(random), uniform(200, 62), clusters(20, 63)}) {
     const std::vector<Plateau> one = plateaus_of(points);
     for (const int exponent : {-700, 3, 700}) {

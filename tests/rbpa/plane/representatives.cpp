@@ -3,9 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 #include <vector>
@@ -16,6 +14,7 @@
 #include "rbpa/plane/triangles_by_level.h"
 #include "support/delaunay_arrays.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 
 using namespace rbpa_test;
 using rbpa::ComplexKind;
@@ -26,8 +25,6 @@ using rbpa::Representative;
 TEST_SUITE_BEGIN("filtration");
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 double area(const Points& points, const rbpa::Triangle& t) {
   const Point &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];

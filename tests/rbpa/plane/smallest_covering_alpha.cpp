@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 
 #include "meshops/core/contract.h"
@@ -16,6 +15,7 @@
 #include "rbpa/rbpa.h"
 #include "support/delaunay_arrays.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/random.h"
 
 using namespace rbpa_test;
@@ -25,8 +25,6 @@ using rbpa::Filtration;
 TEST_SUITE_BEGIN("filtration");
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 std::optional<double> covering_of(const Points& points, const Covering& covering) {
   const auto delaunay = delaunay_arrays(points);
@@ -50,9 +48,7 @@ constexpr double shares[] = {1e-9, 0.1, 0.5, 0.75, 0.9, 0.99, 1};
 
 TEST_CASE("smallest_covering of a share is the least alpha at which the complex built anew covers it") {
   std::size_t below_all = 0, one_less_helps = 0;
-  for (const SmallSet& set : small_sets()) {
-    const Points& points = set.points;
-    CAPTURE(set.name);
+  on_small_sets([&](const Points& points) {
     const auto delaunay = delaunay_arrays(points);
     const Filtration all = rbpa::filtration(delaunay, points);
     for (const std::optional<std::size_t> most : std::initializer_list<std::optional<std::size_t>>{{}, 0, 1, 2, 5}) {
@@ -72,7 +68,7 @@ TEST_CASE("smallest_covering of a share is the least alpha at which the complex 
         one_less_helps += most && found && share < 1 && *found < rbpa::smallest_covering(all, most);
       }
     }
-  }
+  });
   CHECK(below_all > 300);
   CHECK(one_less_helps > 200);
 }
@@ -128,15 +124,14 @@ TEST_CASE("a greater share and fewer components need a greater alpha") {
 
 TEST_CASE("order, duplicates and scaling by a power of two change a share's alpha only by its unit") {
   Random random(36);
-  for (const SmallSet& set : small_sets()) {
-    CAPTURE(set.name);
-    Points shuffled = set.points;
+  on_small_sets([&](const Points& points) {
+    Points shuffled = points;
     if (!shuffled.empty()) shuffled.push_back(shuffled.front());
     random.shuffle(shuffled);
     for (const double share : {0.5, 0.9})
       for (const std::optional<std::size_t> most : {std::optional<std::size_t>{}, std::optional<std::size_t>{1}})
-        CHECK(covering_of(set.points, {share, most}) == covering_of(shuffled, {share, most}));
-  }
+        CHECK(covering_of(points, {share, most}) == covering_of(shuffled, {share, most}));
+  });
   const Points points = uniform(60, 37);
   for (const int exponent : {-900, 3, 900})
     CHECK(covering_of(scaled(points, exponent), {0.8, 2}) ==

@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +11,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/hrbpa.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/levels.h"
 #include "support/random.h"
 #include "support/sets.h"
@@ -23,8 +22,6 @@ using namespace rbpa_test;
 TEST_SUITE_BEGIN("hierarchy");
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 /// Returns the first difference from hrbpa() or alpha_complex(); "" when there is none.
 std::string difference_from_mesh(const Points& points, double alpha, std::size_t leaf_capacity, unsigned threads) {

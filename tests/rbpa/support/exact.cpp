@@ -79,15 +79,4 @@ bool in_disc(const Point& center, double radius, const Point& p) {
   return lift(center, p) <= r * r;
 }
 
-bool in_segment(const Point& a, const Point& b, double k, const Point& p) {
-  const Rational left = cross(from(a, b), from(a, p));
-  if (left.sign() <= 0) return false;
-  if (std::isinf(k)) return k > 0;
-  return dot(from(a, p), from(b, p)) <= rational(k) * left;
-}
-
-bool not_right_of(const Point& a, double dx, double dy, const Point& p) {
-  return cross({rational(dx), rational(dy)}, from(a, p)).sign() >= 0;
-}
-
 }  // namespace rbpa_test::exact

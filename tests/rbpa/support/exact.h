@@ -33,11 +33,4 @@ int dot_sign(const Point& v, const Point& p, const Point& q);
 /// Returns whether |p − center| ≤ radius.
 bool in_disc(const Point& center, double radius, const Point& p);
 
-/// Returns whether p is left of a→b, and inside or on the circle through a, b whose center lies k half-chords left of
-/// their midpoint.
-bool in_segment(const Point& a, const Point& b, double k, const Point& p);
-
-/// Returns whether p is not right of the line through a in direction (dx, dy).
-bool not_right_of(const Point& a, double dx, double dy, const Point& p);
-
 }  // namespace rbpa_test::exact

@@ -1,5 +1,6 @@
 #include "support/samples.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -132,29 +133,11 @@ double jiggled(double value, int most, Random& random) {
 }
 
 const char* name(Kind kind) {
-  switch (kind) {
-    case Kind::uniform:
-      return "uniform";
-    case Kind::small_grid:
-      return "small grid";
-    case Kind::near_line:
-      return "near a line";
-    case Kind::on_line:
-      return "on a line";
-    case Kind::near_circle:
-      return "near a circle";
-    case Kind::on_circle:
-      return "on a circle";
-    case Kind::offset_grid:
-      return "offset grid";
-    case Kind::mixed_scales:
-      return "mixed scales";
-    case Kind::limits_of_double:
-      return "limits of double";
-    case Kind::extreme:
-      return "extreme";
-  }
-  return "";
+  static constexpr std::array names = {"uniform",          "small grid",  "near a line", "on a line",
+                                       "near a circle",    "on a circle", "offset grid", "mixed scales",
+                                       "limits of double", "extreme"};
+  static_assert(names.size() == static_cast<std::size_t>(Kind::extreme) + 1);
+  return names[static_cast<std::size_t>(kind)];
 }
 
 void fill(std::span<Point> points, Kind kind, Random& random) {

@@ -3,6 +3,10 @@
 //       infinity need no consideration.
 #pragma once
 
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
 #include <span>
 
 #include "rbpa/base/point.h"
@@ -14,6 +18,27 @@ namespace rbpa {
 struct Magnitude {
   int lowest = 0;
   int highest = 0;
+};
+
+/// The narrowest span of the values included so far.
+class NarrowestSpan {
+ public:
+  /// Includes a value. Requires: a finite value.
+  void include(double value) {
+    const auto bits = std::bit_cast<std::uint64_t>(value);
+    const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52U) - 1);
+    const auto exponent = static_cast<int>(bits >> 52U & 0x7ffU);
+    if (exponent == 0 && fraction == 0) return;
+    const std::uint64_t mantissa = exponent == 0 ? fraction : fraction | std::uint64_t{1} << 52U;
+    const int unit = std::max(exponent, 1) - 1075;  // the value is mantissa · 2^unit
+    lowest_ = std::min(lowest_, unit + std::countr_zero(mantissa));
+    highest_ = std::max(highest_, unit + static_cast<int>(std::bit_width(mantissa)));
+  }
+  /// Returns the span; {0, 0} if every value is 0.
+  Magnitude span() const { return lowest_ > highest_ ? Magnitude{} : Magnitude{lowest_, highest_}; }
+
+ private:
+  int lowest_ = std::numeric_limits<int>::max(), highest_ = std::numeric_limits<int>::min();
 };
 
 /// Returns the narrowest span of the coordinates; {0, 0} if every coordinate is 0. Requires: the points are finite.

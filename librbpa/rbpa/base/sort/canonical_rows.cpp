@@ -1,7 +1,6 @@
 #include "rbpa/base/sort/canonical_rows.h"
 
 #include <algorithm>
-#include <cstddef>
 
 #include "meshops/core/large_pages.h"
 

@@ -7,15 +7,21 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "meshops/core/fresh_vector.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/point.h"
 #include "rbpa/base/sort/distribute.h"
-#include "rbpa/base/sort/named_points.h"
 
 namespace rbpa {
+
+struct NamedPoints {
+  std::span<const Point> points;
+  const std::uint32_t* names = nullptr;  ///< the name of each point; if null, a point's name is its position
+  std::uint32_t name(std::size_t i) const { return names ? names[i] : static_cast<std::uint32_t>(i); }
+};
 
 /// Sorts points by cell. Writes the points to `sorted` and their names to `names`. Sets level.start of each cell to
 /// `first` plus the position of the cell's first point in `sorted`.

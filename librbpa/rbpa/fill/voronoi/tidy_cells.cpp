@@ -1,17 +1,18 @@
-#include "rbpa/fill/voronoi/tidy_cells.h"
-
+// How:  where the rings of a cell meet otherwise than in single points, or turn the wrong way, the vertex nearest to an
+//       edge there is put on the edge, or merged with its end. Edges that a cell passes in both directions are removed.
+//       This is repeated until all rings are right. docs/explanation/plane.md, section 34.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
-#include <span>
 #include <tuple>
 #include <utility>
 
 #include "rbpa/fill/rings/plane_distance.h"
 #include "rbpa/fill/rings/simple_rings.h"
+#include "rbpa/fill/voronoi/cut_cells.h"
 #include "rbpa/plane/predicate/plane_predicates.h"
 #include "rbpa/plane/shape/measure.h"
 

@@ -13,7 +13,7 @@
 // Included last: the code below is compiled once for each kind of vector unit.
 #include <hwy/highway.h>
 
-#include "rbpa/base/lanes/mask_bits-inl.h"
+#include "rbpa/base/lanes/lanes-inl.h"
 #include "rbpa/plane/enumeration/owned_points-inl.h"
 #include "rbpa/plane/tile/circumradius_filter-inl.h"
 

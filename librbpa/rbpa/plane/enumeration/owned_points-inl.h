@@ -14,7 +14,7 @@
 #include <limits>
 #include <vector>
 
-#include "rbpa/base/lanes/mask_bits-inl.h"
+#include "rbpa/base/lanes/lanes-inl.h"
 #include "rbpa/plane/enumeration/find_by_enumeration.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -46,10 +46,7 @@ bool has_point_in_circle(const AlphaComplex& delaunay, std::span<const Point> po
 FilteredCells cells_on_line(const AlphaComplex& delaunay, std::span<const Point> points,
                             const std::vector<std::uint32_t>& number, Steps& pulse) {
   std::vector<std::uint32_t> line = delaunay.isolated;
-  std::sort(line.begin(), line.end(), [&](std::uint32_t a, std::uint32_t b) {
-    pulse();
-    return points[a] < points[b];
-  });
+  sort(line, pulse, [&](std::uint32_t a, std::uint32_t b) { return points[a] < points[b]; });
   FilteredCells cells;
   cells.vertices.assign(line.size(), 0.0);
   for (std::size_t i = 1; i < line.size(); ++i) {

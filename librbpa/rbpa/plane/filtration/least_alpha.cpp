@@ -1,11 +1,10 @@
 #include "rbpa/plane/filtration/least_alpha.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
+#include "rbpa/base/exact/least_reaching.h"
 #include "rbpa/plane/predicate/predicates.h"
 
 namespace rbpa {
@@ -13,28 +12,11 @@ namespace {
 
 using Exact = Predicates<long double>;  // more digits than double, and exponents that hold degree six in doubles
 
-/// Returns the least double that is ≥ x, for x ≥ 0.
-double rounded_up(long double x) {
-  const double nearest = static_cast<double>(x);
-  if (nearest >= x) return nearest;
-  return std::nextafter(nearest, std::numeric_limits<double>::infinity());
-}
-
 /// Returns the least double x > 0 from `low` to `high` for which enough(x) is true. Requires: enough(high) is true, and
 /// with enough(x) also enough(y) for every y > x.
 template <typename Enough>
 double least(double low, double high, const Enough& enough) {
-  // Doubles above 0 are ordered as their bits.
-  auto first = std::bit_cast<std::uint64_t>(std::max(low, std::numeric_limits<double>::denorm_min()));
-  auto last = std::bit_cast<std::uint64_t>(high);
-  while (first < last) {
-    const std::uint64_t middle = first + (last - first) / 2;
-    if (enough(std::bit_cast<double>(middle)))
-      last = middle;
-    else
-      first = middle + 1;
-  }
-  return std::bit_cast<double>(last);
+  return least_reaching_between(std::max(std::nextafter(low, 0.0), 0.0), high, enough);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 namespace rbpa {
 
-OwnedTriangles in_order(const TriangleArrays& arrays, const std::vector<std::uint32_t>& order) {
+OwnedTriangles in_order(const TriangleArrays& arrays, std::span<const std::uint32_t> order) {
   std::vector<std::uint32_t> place(order.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
   OwnedTriangles ordered;

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "meshops/core/disjoint_sets.h"
-#include "rbpa/plane/filtration/ascending.h"
+#include "rbpa/base/radii/sorted_by_alpha.h"
 #include "rbpa/plane/filtration/filtered_triangles.h"
 #include "rbpa/plane/filtration/ordered_triangles.h"
 #include "rbpa/plane/filtration/solid_parts.h"
@@ -16,66 +16,29 @@ namespace {
 
 using Wide = long double;  // for its range of exponents: areas are products of coordinates
 
-/// Returns the faces sorted by alpha and then by area, so that a sum of areas in this order depends on coordinates
-/// only.
-std::vector<std::uint32_t> by_alpha_and_area(const Filtration& filtration, const std::vector<Wide>& areas,
-                                             Steps& pulse) {
-  std::vector<std::uint32_t> faces = ascending(filtration.triangle_alpha, pulse);
-  const std::vector<double>& alpha = filtration.triangle_alpha;
-  for (auto first = faces.begin(); first != faces.end();) {
-    const auto last =
-        std::find_if(first, faces.end(), [&](std::uint32_t face) { return alpha[face] != alpha[*first]; });
-    std::sort(first, last, [&](std::uint32_t a, std::uint32_t b) {
-      pulse();
-      return areas[a] < areas[b];
-    });
-    first = last;
-  }
-  return faces;
-}
-
-/// The gaps of the complex while alpha falls: sets of triangles outside of the complex that are connected through sides
-/// outside of the complex.
-class Gaps {
- public:
-  /// Makes each face a gap of its own; the outside is one more face, after the last.
-  explicit Gaps(std::uint32_t faces) : outside_(faces), sets_(faces + std::size_t{1}), next_(sets_.size()) {
-    std::iota(next_.begin(), next_.end(), 0u);
-  }
-  /// Joins the gaps of two faces. Calls outside_reaches(face) for each triangle that gets into the gap of the outside.
-  template <typename Reaches>
-  void join(std::uint32_t a, std::uint32_t b, const Reaches& outside_reaches) {
-    // Faces are added in descending order. In reverse numbers, the least of a set is its oldest, and paths stay short.
-    const std::uint32_t of_a = sets_.find(outside_ - a), of_b = sets_.find(outside_ - b);
-    if (of_a == of_b) return;
-    if (of_a == 0 || of_b == 0) {
-      const std::uint32_t first = of_a == 0 ? b : a;
-      std::uint32_t face = first;
-      do outside_reaches(face);
-      while ((face = next_[face]) != first);
-    }
-    std::swap(next_[a], next_[b]);  // two rings become one
-    sets_.link(of_a, of_b);
-  }
-
- private:
-  std::uint32_t outside_;
-  meshops::DisjointSets sets_;
-  std::vector<std::uint32_t> next_;  // the faces of a gap are a ring
-};
-
 /// Returns for each face the first step at which the face is in the complex or in a hole. Requires: faces are sorted by
 /// step.
 std::vector<std::uint32_t> enclosed_from(const OwnedTriangles& of, const std::vector<std::uint32_t>& step_of,
                                          Steps& pulse) {
   const auto outside = static_cast<std::uint32_t>(of.triangles.size());
   std::vector<std::uint32_t> enclosed(of.triangles.size());
-  Gaps gaps(outside);
+  // The gaps of the complex while alpha falls: sets of triangles outside of the complex that are connected through
+  // sides outside of the complex; the outside is one more face, after the last. Faces are added in descending order: in
+  // reverse numbers, the least of a set is its oldest, and paths stay short.
+  meshops::DisjointSets gaps(outside + std::size_t{1});
+  meshops::MemberRings faces(gaps.size());
   for (std::uint32_t i = outside; i-- > 0;) {
     pulse();
-    for (const std::uint32_t neighbor : of.neighbors[i])
-      if (neighbor > i)  // the neighbor is outside of the complex too; `none` is the greatest number
-        gaps.join(i, std::min(neighbor, outside), [&](std::uint32_t face) { enclosed[face] = step_of[i]; });
+    for (const std::uint32_t neighbor : of.neighbors[i]) {
+      if (neighbor <= i) continue;  // the neighbor is in the complex; `none` is the greatest number
+      const std::uint32_t beyond = std::min(neighbor, outside);
+      const std::uint32_t gap = gaps.find(outside - i), other = gaps.find(outside - beyond);
+      if (gap == other) continue;
+      if (gap == 0 || other == 0)  // the outside reaches the faces of the other gap
+        faces.for_each(gap == 0 ? beyond : i, [&](std::uint32_t face) { enclosed[face] = step_of[i]; });
+      faces.join(i, beyond);
+      gaps.link(gap, other);
+    }
   }
   return enclosed;
 }
@@ -103,7 +66,8 @@ std::vector<ShapeState> shape_curve(const Delaunay& of, const Filtration& filtra
     pulse();
     areas[t] = area(corners_of(points, delaunay.triangles[t]));
   }
-  const std::vector<std::uint32_t> order = by_alpha_and_area(filtration, areas, pulse);
+  auto order = sorted_by_alpha(alpha, pulse);
+  sort_equal_by_volume<Wide>(order, alpha, areas, pulse);
   const OwnedTriangles ordered = in_order(delaunay, order);
   std::vector<std::uint32_t> step_of(order.size());
   std::vector<Wide> ordered_areas(order.size());

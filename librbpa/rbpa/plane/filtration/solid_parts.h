@@ -18,7 +18,12 @@ class SolidParts {
  public:
   /// Prepares for the triangles of a Delaunay triangulation of `points` points, in the order in which add_next() will
   /// add them. Keeps the spans.
-  SolidParts(const TriangleArrays& arrays, std::size_t points);
+  SolidParts(const TriangleArrays& arrays, std::size_t points)
+      : arrays_(arrays),
+        gaps_(gaps_of(arrays, points)),
+        parts_(arrays.triangles.size()),
+        vertices_(arrays.triangles.size()),
+        on_(points) {}
 
   /// Adds the next triangle. Calls left(size) for every component that the triangle joins, then come(size) for the new
   /// component; `size` is a number of vertices.

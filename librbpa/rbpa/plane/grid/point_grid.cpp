@@ -4,7 +4,6 @@
 
 #include "meshops/core/large_pages.h"
 #include "rbpa/base/exact/two.h"
-#include "rbpa/base/sort/sort_by_cell.h"
 
 namespace rbpa {
 namespace {

@@ -17,7 +17,7 @@
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/point.h"
 #include "rbpa/base/progress.h"
-#include "rbpa/base/sort/named_points.h"
+#include "rbpa/base/sort/sort_by_cell.h"
 #include "rbpa/plane/grid/box.h"
 
 namespace rbpa {

@@ -1,4 +1,4 @@
-#include "rbpa/plane/partial/check_state.h"
+#include "rbpa/plane/partial/state.h"
 
 #include <algorithm>
 #include <cmath>

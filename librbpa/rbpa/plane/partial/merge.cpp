@@ -11,7 +11,6 @@
 #include "rbpa/base/triangle.h"
 #include "rbpa/plane/partial.h"
 #include "rbpa/plane/partial/rings.h"
-#include "rbpa/plane/partial/settle.h"
 #include "rbpa/plane/partial/state.h"
 
 namespace rbpa {
@@ -91,15 +90,7 @@ std::vector<Chain> join_chains(std::vector<Chain>&& chains, const std::function<
 }
 
 PartialCounts operator+(PartialCounts a, const PartialCounts& b) {
-  a.points += b.points;
-  a.duplicates += b.duplicates;
-  a.isolated += b.isolated;
-  a.vertices += b.vertices;
-  a.edges += b.edges;
-  a.triangles += b.triangles;
-  a.solid_components += b.solid_components;
-  a.components += b.components;
-  a.boundary_curves += b.boundary_curves;
+  for (const auto count : partial_counts) a.*count += b.*count;
   return a;
 }
 

@@ -12,7 +12,6 @@
 #include "rbpa/plane/partial.h"
 #include "rbpa/plane/partial/region_complex.h"
 #include "rbpa/plane/partial/rings.h"
-#include "rbpa/plane/partial/settle.h"
 #include "rbpa/plane/partial/state.h"
 
 namespace rbpa {

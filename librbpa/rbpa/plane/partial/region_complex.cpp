@@ -6,7 +6,6 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/base/run/input.h"
-#include "rbpa/plane/partial/check.h"
 
 namespace rbpa {
 

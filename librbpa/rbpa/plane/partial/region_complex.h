@@ -6,12 +6,22 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "rbpa/plane/alpha_complex.h"
 #include "rbpa/plane/partial.h"
+#include "rbpa/plane/region.h"
 
 namespace rbpa {
+
+/// Checks that 0 < alpha < ∞. Throws: InvalidInput, with the reason why infinity is not allowed.
+void check_finite(double alpha);
+
+/// Checks that bounds are numbers in ascending order. Throws: InvalidInput.
+void check(const Region& region);
+
+std::string text(const Region& region);
 
 class RegionComplex {
  public:

@@ -1,4 +1,4 @@
-#include "rbpa/plane/partial/settle.h"
+#include "rbpa/plane/partial/state.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -66,4 +66,23 @@ struct PartialState {
   std::vector<CornerPolygon> polygons = {};  // finished, in any order
 };
 
+/// The counts of a partial result, in the order of to_bytes().
+inline constexpr std::array<std::uint64_t PartialCounts::*, 9> partial_counts = {
+    &PartialCounts::points,           &PartialCounts::duplicates, &PartialCounts::isolated,
+    &PartialCounts::vertices,         &PartialCounts::edges,      &PartialCounts::triangles,
+    &PartialCounts::solid_components, &PartialCounts::components, &PartialCounts::boundary_curves};
+
+/// Brings a state into canonical form: components without an open rim become polygons, the rest is numbered. Calls
+/// `checkpoint`, if any, repeatedly; `checkpoint` may throw.
+/// Requires: shared triangles sorted by corners, none twice; chains that do not join; components and groups in any
+///           numbering; the members of pinches after the components are numbers of held polygons.
+/// Throws:   InvalidInput when a component without shared triangles has a chain, or no counter-clockwise ring.
+/// Cost:     n log n in the open rims.
+void settle(PartialState& state, const Checkpoint& checkpoint = {});
+
+/// Checks whether the values, orders and numbers of a state that was read are as to_bytes() writes them.
+/// Throws: InvalidInput that names the broken rule, for example a wrong order or coordinates that are not finite.
+/// Cost:   linear, and n log n in the corners of the cover.
+void check_state(const PartialState& state);
+
 }  // namespace rbpa

@@ -20,7 +20,7 @@
 #include <limits>
 #include <vector>
 
-#include "rbpa/base/lanes/mask_bits-inl.h"
+#include "rbpa/base/lanes/lanes-inl.h"
 #include "rbpa/plane/pivots/edge_batch.h"
 #include "rbpa/plane/pivots/exact_apex.h"
 #include "rbpa/plane/pivots/search_window-inl.h"

@@ -4,7 +4,6 @@
 // How:  double-double numbers with an error bound decide nearly always, and integers of any length otherwise.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 

@@ -1,7 +1,6 @@
 #include "rbpa/space/balls/measure_discs.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>

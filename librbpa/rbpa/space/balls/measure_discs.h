@@ -9,7 +9,6 @@
 // Source: Edelsbrunner, The union of balls and its dual shape (1995).
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

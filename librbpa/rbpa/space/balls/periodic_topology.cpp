@@ -15,7 +15,6 @@
 #include "rbpa/space/balls/full/outside_of_balls.h"
 #include "rbpa/space/balls/periodic/parts.h"
 #include "rbpa/space/predicate/outer_faces.h"
-#include "rbpa/space/solid/boundary/by_volume.h"
 #include "rbpa/space/solid/boundary/measures.h"
 
 namespace rbpa {

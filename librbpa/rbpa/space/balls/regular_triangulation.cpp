@@ -9,7 +9,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/space/cells/check_input.h"
-#include "rbpa/space/predicate/orientation.h"
+#include "rbpa/space/predicate/beside_flat.h"
 #include "rbpa/space/predicate/spread.h"
 #include "rbpa/space/solid/insertion/insertion.h"
 #include "rbpa/space/solid/insertion/spatial_order.h"
@@ -49,42 +49,6 @@ void choose_largest(std::span<const double> radii, std::vector<Duplicate> same_c
   for (std::uint32_t& i : order) i = largest[i];
 }
 
-/// Returns up to three points that, together with the centers of the order, are in no plane. Each is alone on its side
-/// of the plane or line of the centers. Requires: all centers are in one plane. The centers are then on one face of the
-/// hull, whose lower hull is that of the centers' own lifts, whatever the other points are. So the simplices of the
-/// centers are the faces across from the additional points.
-std::vector<Point3> apexes(std::span<const Point3> centers, std::span<const std::uint32_t> order) {
-  using Coordinate = double Point3::*;
-  constexpr std::array<Coordinate, 3> coordinate = {&Point3::x, &Point3::y, &Point3::z};
-  const Point3& p = centers[order[0]];
-  std::array<bool, 3> is_along{};  // axes along which a moved copy of p is an apex
-  const auto set = [&](std::size_t axis, bool others) {
-    for (std::size_t k = 0; k < 3; ++k) is_along[k] = (k == axis) != others;
-  };
-  if (order.size() == 1) is_along = {true, true, true};
-  if (order.size() > 1) {
-    const Point3& q = centers[order[1]];
-    set(p.x != q.x ? 0 : p.y != q.y ? 1 : 2, true);
-    for (const std::uint32_t i : order)
-      if (const Point3& r = centers[i]; !space::are_collinear(p, q, r)) {
-        int axis = 0;
-        while (space::orientation_along(p, q, r, axis) == 0) ++axis;
-        set(static_cast<std::size_t>(axis), false);
-        break;
-      }
-  }
-  double size = 0;
-  for (const std::uint32_t i : order)
-    for (const Coordinate c : coordinate) size = std::max(size, std::abs(centers[i].*c));
-  std::vector<Point3> result;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (is_along[k]) {
-      Point3& apex = result.emplace_back(p);
-      apex.*coordinate[k] = p.*coordinate[k] != 0 ? 0 : size > 0 ? size : 1;
-    }
-  return result;
-}
-
 /// Inserts the balls of the order. Calls use(triangulation), and returns true, unless all centers are in one plane.
 template <typename Use>
 bool triangulate(std::span<const Point3> centers, std::span<const double> radii, const space::SpatialOrder& order,
@@ -104,7 +68,9 @@ std::vector<Row> triangulate_flat(std::span<const Point3> centers, std::span<con
                                   space::SpatialOrder sorted, const OnProgress& progress) {
   std::vector<Point3> with_apexes(centers.begin(), centers.end());
   std::vector<double> their_radii(radii.begin(), radii.end());
-  for (const Point3& apex : apexes(centers, sorted.order)) {
+  std::vector<Point3> in_order;
+  for (const std::uint32_t i : sorted.order) in_order.push_back(centers[i]);
+  for (const Point3& apex : space::beside_flat(in_order)) {
     sorted.order.push_back(static_cast<std::uint32_t>(with_apexes.size()));
     with_apexes.push_back(apex);
     their_radii.push_back(0);

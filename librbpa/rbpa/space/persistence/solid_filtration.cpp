@@ -10,11 +10,11 @@
 #include "rbpa/base/run/steps.h"
 #include "rbpa/space/cells/check_input.h"
 #include "rbpa/space/cells/circumradii.h"
-#include "rbpa/space/persistence/pairing/beside_flat.h"
 #include "rbpa/space/persistence/pairing/curve_order.h"
 #include "rbpa/space/persistence/pairing/number_faces.h"
-#include "rbpa/space/persistence/pairing/triangle_radii.h"
+#include "rbpa/space/persistence/pairing/radius_rule.h"
 #include "rbpa/space/persistence/pairing/values_of_faces.h"
+#include "rbpa/space/predicate/beside_flat.h"
 
 namespace rbpa {
 namespace {

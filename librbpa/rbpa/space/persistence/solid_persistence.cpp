@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <tuple>
-#include <utility>
 
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/side_by_side.h"

@@ -14,8 +14,8 @@
 #include "rbpa/base/radii/sorted_by_alpha.h"
 #include "rbpa/base/run/input.h"
 #include "rbpa/base/run/steps.h"
-#include "rbpa/space/persistence/pairing/number_faces.h"
-#include "rbpa/space/persistence/pairing/triangle_radii.h"
+#include "rbpa/space/persistence/pairing/radius_rule.h"
+#include "rbpa/space/persistence/pairing/values_of_faces.h"
 #include "rbpa/space/persistence/pairing/void_pairs.h"
 #include "rbpa/space/predicate/outer_faces.h"
 #include "rbpa/space/predicate/vector3.h"
@@ -69,9 +69,10 @@ VoidTree void_tree(std::span<const Point3> points, const Solid& delaunay, std::s
   Steps step(go_on);
   Threads threads = threads_for(points.size(), wanted);
   const space::NumberedTriangles triangles = space::number_triangles(delaunay, step);
-  const std::vector<double> wall = walls == ComplexKind::solid
-                                       ? first_radii(radii, triangles)
-                                       : space::triangle_radii(points, delaunay, radii, triangles, threads, go_on);
+  const std::vector<double> wall =
+      walls == ComplexKind::solid
+          ? first_radii(radii, triangles)
+          : space::values_of_triangles(space::RadiusRule(points), delaunay, radii, triangles, threads, go_on);
   space::PersistentVoids found = space::find_voids(delaunay, radii, triangles.of, wall, step);
   // A void that is filled at the radius at which it closes belongs to the void from which it separates.
   std::vector<std::uint32_t> part_of(radii.size());

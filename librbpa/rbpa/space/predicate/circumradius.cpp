@@ -10,9 +10,9 @@
 // Must follow foreach_target.h: the code below is compiled once for each kind of vector unit.
 #include <hwy/highway.h>
 
+#include "rbpa/base/exact/least_reaching.h"
 #include "rbpa/base/lanes/double_double-inl.h"
 #include "rbpa/space/predicate/exact.h"
-#include "rbpa/space/predicate/least_reaching.h"
 #include "rbpa/space/predicate/vector3.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rbpa/base/exact/least_reaching.h"
 #include "rbpa/space/predicate/exact.h"
-#include "rbpa/space/predicate/least_reaching.h"
 
 namespace rbpa::space {
 namespace {
@@ -60,10 +60,7 @@ Power<Number> beside(const PowerByLeastSphere<Number>& by, const Point3& a, cons
                       std::min(by.least_square, dd));
 }
 
-double rounded_up(Real value) {
-  const auto nearest = static_cast<double>(value);
-  return nearest < value ? std::nextafter(nearest, std::numeric_limits<double>::infinity()) : nearest;
-}
+using rbpa::rounded_up;
 
 /// Returns the exact radius, rounded up. `radius` is an estimate with an error of at most `error`. If both ends of its
 /// interval round up to one double, this double is the result; otherwise reaches() decides between doubles.

@@ -1,7 +1,6 @@
 #include "rbpa/space/predicate/orthosphere.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>

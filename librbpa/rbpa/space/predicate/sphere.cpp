@@ -1,6 +1,5 @@
 #include "rbpa/space/predicate/sphere.h"
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 

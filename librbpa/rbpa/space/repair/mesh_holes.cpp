@@ -2,7 +2,6 @@
 #include "rbpa/base/triangle.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>

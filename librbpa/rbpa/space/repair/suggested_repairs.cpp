@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <set>
 #include <string>
 #include <tuple>
@@ -15,6 +13,7 @@
 #include "meshops/core/progress.h"
 #include "rbpa/base/arrays/distinct.h"
 #include "rbpa/base/arrays/sort_unique.h"
+#include "rbpa/base/exact/least_reaching.h"
 #include "rbpa/base/parallel/threads.h"
 #include "rbpa/base/progress.h"
 #include "rbpa/base/run/checkpoint_of_threads.h"
@@ -34,7 +33,7 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-constexpr double ladder = 1.25;           // ratio of consecutive radii of larger balls
+constexpr double ladder_ratio = 1.25;     // ratio of consecutive radii of larger balls
 constexpr int steps = 12;                 // number of larger radii that are tried
 constexpr double close_enough = 0x1p-10;  // relative distance to a failing radius at which bisection ends
 
@@ -49,19 +48,6 @@ double diagonal_of(const Hole& hole, std::span<const Point3> points) {
   space::Box box;
   for (const RimEdge& edge : hole.edges) box.include(points[edge.from]);
   return std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z);
-}
-
-/// Returns the least double that is not below the circumradius of (a, b, c). Requires: `enough` is not below the
-/// circumradius.
-double least_radius(const Point3& a, const Point3& b, const Point3& c, double enough) {
-  // Positive doubles are ordered like their bits
-  std::uint64_t too_small = 0, large = std::bit_cast<std::uint64_t>(enough);
-  while (large - too_small > 1) {
-    const std::uint64_t middle = too_small + (large - too_small) / 2;
-    const bool is_small = space::exact::compare_circumradius(a, b, c, std::bit_cast<double>(middle)) > 0;
-    (is_small ? too_small : large) = middle;
-  }
-  return std::bit_cast<double>(large);
 }
 
 /// Tests whether a larger ball closes a hole.
@@ -149,9 +135,12 @@ class LargerBall {
   static double least_radius_of(const std::vector<Triangle>& triangles, const std::vector<Point3>& points,
                                 double enough) {
     double radius = 0;
-    for (const auto& [a, b, c] : triangles)
-      if (radius == 0 || space::exact::compare_circumradius(points[a], points[b], points[c], radius) > 0)
-        radius = least_radius(points[a], points[b], points[c], enough);
+    for (const Triangle& t : triangles) {
+      const auto reaches = [&](double r) {
+        return space::exact::compare_circumradius(points[t[0]], points[t[1]], points[t[2]], r) <= 0;
+      };
+      if (radius == 0 || !reaches(radius)) radius = least_reaching_between(0, enough, reaches);
+    }
     return radius;
   }
 
@@ -179,7 +168,7 @@ class Repairs {
   std::vector<SuggestedRepair> run() {
     turn_normals();
     double radius = radii_.back();
-    for (int step = 0; step < steps; ++step) roll(radius *= ladder);
+    for (int step = 0; step < steps; ++step) roll(radius *= ladder_ratio);
     fill();
     return std::move(repairs_);
   }
@@ -275,13 +264,13 @@ class Repairs {
   void roll(double radius) {
     if (!std::isfinite(radius)) return;
     const auto is_wanted = [&](const Hole& hole) {
-      return radius <= std::max(ladder * radii_.back(), diagonal_of(hole, points_));
+      return radius <= std::max(ladder_ratio * radii_.back(), diagonal_of(hole, points_));
     };
     const auto attempt = [&](const Hole& hole, SuggestedRepair& repair, const space::NeighborhoodFinder& near) {
       const LargerBall ball(surfaces_, near, static_cast<std::uint32_t>(radii_.size()));
       const std::optional<double> least = ball.closes(hole, radius);
       if (!least) return;
-      const double too_small = std::max(radii_.back(), radius / ladder);
+      const double too_small = std::max(radii_.back(), radius / ladder_ratio);
       repair = {.kind = SuggestedRepairKind::larger_ball,
                 .radius = least_closing(ball, hole, too_small, radius, *least)};
     };

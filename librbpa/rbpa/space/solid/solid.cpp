@@ -1,6 +1,5 @@
 #include "rbpa/space/solid/solid.h"
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <functional>

@@ -12,7 +12,6 @@
 #include "rbpa/space/predicate/outer_faces.h"
 #include "rbpa/space/solid/boundary/glue_outside.h"
 #include "rbpa/space/solid/boundary/measures.h"
-#include "rbpa/space/solid/boundary/place_of.h"
 #include "rbpa/space/surface/levels/sub_surface.h"
 
 namespace rbpa {

@@ -4,7 +4,6 @@
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/base/arrays/grouped.h"
 #include "rbpa/base/triangle_arrays.h"
-#include "rbpa/space/solid/boundary/by_volume.h"
 #include "rbpa/space/solid/boundary/connected.h"
 #include "rbpa/space/solid/boundary/measures.h"
 

@@ -5,7 +5,6 @@
 #include "meshops/core/contract.h"
 #include "meshops/core/disjoint_sets.h"
 #include "rbpa/space/solid/boundary/connected.h"
-#include "rbpa/space/solid/boundary/count_solid.h"
 #include "rbpa/space/solid/boundary/outside.h"
 
 namespace rbpa {

@@ -8,15 +8,36 @@
 #include "rbpa/base/arrays/grouped.h"
 #include "rbpa/base/arrays/sort_unique.h"
 #include "rbpa/space/predicate/bounding_box.h"
-#include "rbpa/space/predicate/ray.h"
-#include "rbpa/space/solid/boundary/by_volume.h"
+#include "rbpa/space/predicate/orientation.h"
 #include "rbpa/space/solid/boundary/connected.h"
-#include "rbpa/space/solid/boundary/count_solid.h"
 #include "rbpa/space/solid/boundary/measures.h"
 #include "rbpa/space/solid/boundary/outside.h"
 
 namespace rbpa {
 namespace {
+
+/// Returns 1 if the ray from within tetrahedron `from` crosses the triangle from behind, −1 from the front, else 0.
+/// Exact: the ray, along x, begins at the first corner, moved into the tetrahedron by infinitesimals: it thus passes
+/// through no point, and through no edge except one along the ray. Requires: the tetrahedron is not flat.
+int ray_crossing(const std::array<Point3, 3>& triangle, const std::array<Point3, 4>& from) {
+  const auto& [a, b, c] = triangle;
+  const auto [low_y, high_y] = std::minmax({a.y, b.y, c.y});
+  if (from[0].y < low_y || from[0].y > high_y) return 0;
+  const auto [low_z, high_z] = std::minmax({a.z, b.z, c.z});
+  if (from[0].z < low_z || from[0].z > high_z) return 0;
+  // The ray begins at p + ε q + ε² r + ε³ s for corners p, q, r, s: the first corner that is not on the line decides.
+  const auto side_of_line = [&](const Point3& u, const Point3& v) {
+    for (const Point3& p : from)
+      if (const int side = space::orientation_along(u, v, p, 0); side != 0) return side;
+    return 0;
+  };
+  const int first = side_of_line(a, b);
+  if (first == 0 || side_of_line(b, c) != first || side_of_line(c, a) != first) return 0;
+  // The triangle is ahead of the ray if the beginning is on the side of the plane from which the ray comes.
+  for (const Point3& p : from)
+    if (const int side = space::orientation(a, b, c, p); side != 0) return side == -first ? first : 0;
+  return 0;
+}
 
 /// The nesting of the boundary's surfaces, which determines the void that each surface bounds:
 ///   1. find the surface around each component of the complex; the component's other surfaces are around voids;
@@ -89,7 +110,7 @@ class Nesting {
   }
   int winding(std::span<const std::uint32_t> triangles, const Tetrahedron& from) const {
     int turns = 0;
-    for (const std::uint32_t t : triangles) turns += space::ray_crossing(corners(t), from);
+    for (const std::uint32_t t : triangles) turns += ray_crossing(corners(t), from);
     return turns;
   }
 
@@ -116,7 +137,7 @@ class Nesting {
         const auto triangle = corners(t);
         const auto [low_y, high_y] = std::minmax({triangle[0].y, triangle[1].y, triangle[2].y});
         for (auto c = first_from(inside_box, low_y); c != inside_box.end() && start(*c)[0].y <= high_y; ++c)
-          turns[static_cast<std::size_t>(c - inside_box.begin())] += space::ray_crossing(triangle, start(*c));
+          turns[static_cast<std::size_t>(c - inside_box.begin())] += ray_crossing(triangle, start(*c));
       }
     std::vector<std::uint32_t> result;
     for (std::size_t i = 0; i < inside_box.size(); ++i)

@@ -1,7 +1,6 @@
 #include "rbpa/space/surface/surface_components.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>

@@ -1,14 +1,13 @@
 // The number of threads changes no byte of a result.
 #include <doctest/doctest.h>
 
-#include <limits>
-#include <string>
 #include <vector>
 
 #include "rbpa/base/error.h"
 #include "rbpa/hrbpa.h"
 #include "rbpa/rbpa.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/sets.h"
 
 using namespace rbpa_test;
@@ -17,8 +16,6 @@ using rbpa::SolidAlphaComplex;
 TEST_SUITE_BEGIN("parallel");
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Returns all numbers of a complex, in a fixed order.
 std::vector<double> numbers(const SolidAlphaComplex& complex) {

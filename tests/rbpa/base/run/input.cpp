@@ -6,18 +6,14 @@
 #include <string>
 
 #include "rbpa/base/error.h"
+#include "support/refusal_of.h"
 
 TEST_SUITE_BEGIN("run");
 
 namespace {
 
 std::string refusal(std::size_t points) {
-  try {
-    rbpa::check_number(points);
-  } catch (const rbpa::InvalidInput& e) {
-    return e.what();
-  }
-  return "";
+  return rbpa_test::refusal_of<rbpa::InvalidInput>([&] { rbpa::check_number(points); });
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -16,6 +15,7 @@
 #include "rbpa/rbpa.h"
 #include "support/arguments.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/random.h"
 #include "support/sets.h"
 #include "support/spacing.h"
@@ -28,8 +28,6 @@ using rbpa::ComplexKind;
 TEST_SUITE_BEGIN("arrays");
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 /// Sets of numbers, by repainting.
 class Paint {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "rbpa/plane/locate.h"
 #include "support/delaunay_arrays.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/random.h"
 #include "support/sets.h"
 
@@ -26,8 +26,6 @@ using rbpa::Point;
 TEST_SUITE_BEGIN("locate");
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 /// Returns the part of a convex polygon that is nearer to a than to b.
 Points nearer(const Points& polygon, const Point& a, const Point& b) {

@@ -3,24 +3,21 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "rbpa/base/error.h"
 #include "rbpa/rbpa.h"
 #include "support/arguments.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/random.h"
 
 using namespace rbpa_test;
 using rbpa::AlphaComplex;
-using rbpa::Point;
 
 TEST_SUITE_BEGIN("divide");
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Returns points of a grid of the given width, some repeated, scaled by a power of two.
 Points on_grid(std::size_t count, int width, int exponent, Random& random) {

@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -10,6 +9,7 @@
 
 #include "support/arguments.h"
 #include "support/exact.h"
+#include "support/infinity.h"
 #include "support/samples.h"
 
 using namespace rbpa_test;
@@ -19,8 +19,6 @@ using rbpa::Point;
 TEST_SUITE_BEGIN("filtration");
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<Kind> all_kinds() {
   std::vector<Kind> all(kinds_that_fit_double.begin(), kinds_that_fit_double.end());

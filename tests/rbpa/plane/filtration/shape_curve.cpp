@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -82,9 +81,7 @@ bool is_near(Wide a, Wide b) { return std::abs(a - b) <= 1e-9L * std::max(std::a
 
 TEST_CASE("parts, holes and change at every step equal those of the complex built anew") {
   std::size_t with_holes = 0, with_parts = 0;
-  for (const SmallSet& set : small_sets()) {
-    const Points& points = set.points;
-    CAPTURE(set.name);
+  on_small_sets([&](const Points& points) {
     const auto delaunay = delaunay_arrays(points);
     const std::vector<Triangle> all = delaunay.triangles;
     const Filtration filtration = rbpa::filtration(delaunay, points);
@@ -113,7 +110,7 @@ TEST_CASE("parts, holes and change at every step equal those of the complex buil
       with_holes += curve[i].hole_share > 0.01;
       with_parts += curve[i].effective_parts > 2;
     }
-  }
+  });
   CHECK(with_holes > 100);
   CHECK(with_parts > 100);
 }
@@ -125,13 +122,12 @@ TEST_CASE("the change does not depend on the order of the points or their unit, 
       return s.change == t.change && s.effective_parts == t.effective_parts && s.hole_share == t.hole_share;
     });
   };
-  for (const SmallSet& set : small_sets()) {
-    CAPTURE(set.name);
-    Points shuffled = set.points;
+  on_small_sets([&](const Points& points) {
+    Points shuffled = points;
     if (!shuffled.empty()) shuffled.push_back(shuffled.back());
     random.shuffle(shuffled);
-    CHECK(same(curve_of(set.points), curve_of(shuffled)));
-  }
+    CHECK(same(curve_of(points), curve_of(shuffled)));
+  });
   for (const Points& points : {uniform(300, 52), clusters(30, 53), random_grid(20, 200, true, 54)}) {
     for (const int exponent : {-800, -1, 5, 800}) CHECK(same(curve_of(points), curve_of(scaled(points, exponent))));
     Points shuffled = points;

@@ -16,6 +16,7 @@
 #include "rbpa/plane/plateaus.h"
 #include "support/arguments.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/random.h"
 #include "support/sets.h"
 #include "support/spacing.h"
@@ -31,7 +32,7 @@ using rbpa::Triangle;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 /// Every generated set of moderate size as a group; a fifth of all points are in no group. The points of the groups
 /// alternate.
@@ -42,8 +43,7 @@ struct MixedSets {
 
   explicit MixedSets(std::size_t most, Random& random) {
     for (const NamedSet& set : generated_sets()) {
-      Points some = set.make();
-      if (some.size() > most) some.resize(most);
+      Points some = set.first(most);
       points.insert(points.end(), some.begin(), some.end());
       labels.insert(labels.end(), some.size(), static_cast<std::uint32_t>(count++));
     }

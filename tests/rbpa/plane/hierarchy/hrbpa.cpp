@@ -2,9 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,12 +12,16 @@
 #include "rbpa/base/exact/magnitude.h"
 #include "rbpa/plane/predicate/radius.h"
 #include "rbpa/rbpa.h"
+#include "support/check_ascending.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/levels.h"
 #include "support/random.h"
+#include "support/refusal_of.h"
 #include "support/sets.h"
 #include "support/shrink.h"
 #include "support/spacing.h"
+#include "support/text.h"
 #include "support/triangle.h"
 
 using namespace rbpa_test;
@@ -29,8 +31,6 @@ using rbpa::Point;
 TEST_SUITE_BEGIN("hierarchy");
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 bool admits(const Point& a, const Point& b, const Point& c, double alpha) {
   return (std::isinf(alpha) ? rbpa::Radius() : rbpa::Radius(alpha)).admits<long double>(a, b, c);
@@ -64,17 +64,12 @@ void check_law_of_the_levels(const Points& points, double alpha, std::size_t lea
 
 /// Returns the message of a refusal; "" when there is none.
 std::string refusal(const Points& points, double alpha, std::size_t leaf_capacity = 64) {
-  try {
+  return refusal_of<std::exception>([&] {
     rbpa::hrbpa(points, alpha, {.leaf_capacity = leaf_capacity, .progress = [](const rbpa::Progress&) -> bool {
                                   throw std::string("computed before it was checked");
                                 }});
-  } catch (const std::exception& e) {
-    return e.what();
-  }
-  return "";
+  });
 }
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// Returns points on a parabola so flat that every circumradius is far above their diameter.
 Points flat_parabola(int count, double curvature) {
@@ -118,12 +113,7 @@ Points three_decades(std::size_t count, std::uint64_t seed) {
 
 TEST_CASE("after every level the mesh is the complex of its radius, in the end that of alpha") {
   for (const NamedSet& set : generated_sets()) {
-    // The beginning of the set, and a random subset.
-    Points points = set.make(), some = points;
-    Random random(points.size());
-    random.shuffle(some);
-    if (points.size() > 100) points.resize(100);
-    if (some.size() > 100) some.resize(100);
+    const Points points = set.first(100), some = set.some(100);
     CAPTURE(set.name);
     for (const std::size_t k : {1u, 6u, 64u}) check_law_of_the_levels(points, infinity, k);
     for (const double alpha : set.alphas) check_law_of_the_levels(points, alpha, 4);
@@ -196,8 +186,7 @@ TEST_CASE("the triangles, and the levels that add some, do not depend on the ord
   };
   Random random(31);
   for (const NamedSet& set : generated_sets()) {
-    Points points = set.make();
-    if (points.size() > 100) points.resize(100);
+    Points points = set.first(100);
     Points shuffled = points;
     random.shuffle(shuffled);
     CAPTURE(set.name);
@@ -259,12 +248,7 @@ TEST_CASE("progress ascends, true changes nothing, and false cancels at once") {
                                           seen.push_back(p);
                                           return true;
                                         }});
-  REQUIRE(seen.size() >= 2);
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    CHECK(seen[i].points == points.size());
-    CHECK(seen[i].triangles <= watched.complex.mesh.n_faces());
-    if (i > 0) CHECK(seen[i].triangles >= seen[i - 1].triangles);
-  }
+  check_ascending(seen, points.size(), watched.complex.mesh.n_faces());
   CHECK(rbpa::triangles(watched.complex) == rbpa::triangles(rbpa::rbpa(points, infinity)));
   for (const int last : {1, 2}) {
     int calls = 0;

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "rbpa/plane/level_topology.h"
 #include "rbpa/rbpa.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/levels.h"
 #include "support/sets.h"
 #include "support/triangle.h"
@@ -23,8 +23,6 @@ using rbpa::Level;
 TEST_SUITE_BEGIN("hierarchy");
 
 namespace {
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 /// The state when a level ended.
 struct Seen {
@@ -109,8 +107,7 @@ std::vector<Triangle> sorted(std::vector<Triangle> triangles) {
 template <typename Check>
 void for_small_sets(const Check& check) {
   for (const NamedSet& set : generated_sets()) {
-    Points points = set.make();
-    if (points.size() > 100) points.resize(100);
+    Points points = set.first(100);
     CAPTURE(set.name);
     for (const std::size_t k : {1u, 8u}) check(points, k);
   }

@@ -6,15 +6,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
 
 #include "rbpa/plane/divide/divide_and_conquer.h"
 #include "rbpa/plane/grid/sites.h"
+#include "rbpa/plane/hierarchy/growth_by_tiles.h"
 #include "rbpa/plane/hierarchy/site_levels.h"
-#include "rbpa/plane/hierarchy/waiting_triangles.h"
 #include "support/generate.h"
 #include "support/sets.h"
 

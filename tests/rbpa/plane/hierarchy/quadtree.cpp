@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "support/generate.h"
+#include "support/order.h"
 #include "support/random.h"
 
 using namespace rbpa_test;
@@ -17,8 +18,7 @@ TEST_SUITE_BEGIN("hierarchy");
 namespace {
 
 Points distinct(Points points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sort_distinct(points);
   Random random(points.size());
   random.shuffle(points);
   return points;

@@ -1,4 +1,4 @@
-#include "rbpa/plane/hierarchy/rounded_circumradius.h"
+#include "rbpa/plane/hierarchy/site_levels.h"
 
 #include <doctest/doctest.h>
 

@@ -3,11 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include "plane/partial/cuts.h"
 #include "support/arguments.h"
+#include "support/infinity.h"
 #include "support/random.h"
 
 using namespace rbpa_test;
@@ -19,8 +19,6 @@ using rbpa::Region;
 TEST_SUITE_BEGIN("partial");
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Cover sum(const Regions& regions) {
   Cover cover;

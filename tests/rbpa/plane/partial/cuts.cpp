@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <limits>
 #include <utility>
 
 #include "rbpa/plane/outline_polygons.h"
@@ -10,13 +9,13 @@
 #include "rbpa/plane/polygon_of_points.h"
 #include "rbpa/plane/topology.h"
 #include "rbpa/rbpa.h"
+#include "support/infinity.h"
+#include "support/order.h"
 
 namespace rbpa_test {
 namespace {
 
 using rbpa::Region;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Returns a coordinate of one of the points, or one between two of them.
 double place(const Points& points, bool is_x, Random& random) {
@@ -31,8 +30,7 @@ double place(const Points& points, bool is_x, Random& random) {
 std::vector<double> lines(const Points& points, bool is_x, std::size_t count, Random& random) {
   std::vector<double> at{-infinity, infinity};
   for (; count > 0 && !points.empty(); --count) at.push_back(place(points, is_x, random));
-  std::sort(at.begin(), at.end());
-  at.erase(std::unique(at.begin(), at.end()), at.end());
+  sort_distinct(at);
   return at;
 }
 

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,9 @@
 #include "rbpa/plane/partial_bytes.h"
 #include "support/arguments.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/pictures.h"
+#include "support/refusal_of.h"
 
 using namespace rbpa_test;
 using rbpa::Partial;
@@ -23,20 +24,13 @@ TEST_SUITE_BEGIN("partial");
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 using Bytes = std::vector<std::uint8_t>;
 
 Bytes bytes_of(const Partial& partial) { return rbpa::to_bytes(partial); }
 
 template <typename Run>
 std::string refusal(Run run) {
-  try {
-    run();
-  } catch (const rbpa::InvalidInput& refused) {
-    return refused.what();
-  }
-  return "";
+  return refusal_of<rbpa::InvalidInput>(run);
 }
 
 bool says(const std::string& text, const char* part) {

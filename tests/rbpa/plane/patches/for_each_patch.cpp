@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <vector>
 
@@ -18,22 +17,18 @@
 #include "rbpa/rbpa.h"
 #include "support/arguments.h"
 #include "support/generate.h"
+#include "support/infinity.h"
 #include "support/sets.h"
 #include "support/spacing.h"
 #include "support/tile_sets.h"
 
 using namespace rbpa_test;
-using rbpa::Point;
 using rbpa::PointGrid;
 using rbpa::Radius;
 
 TEST_SUITE_BEGIN("patches");
 
 namespace {
-
-using P = rbpa::Predicates<double>;
-
-const double infinity = std::numeric_limits<double>::infinity();
 
 std::vector<Triangle> triangles_on(const meshops::Front& front) {
   std::vector<Triangle> found;

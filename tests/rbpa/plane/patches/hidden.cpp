@@ -14,7 +14,6 @@
 #include "support/tile_sets.h"
 
 using namespace rbpa_test;
-using rbpa::Point;
 using rbpa::PointGrid;
 using rbpa::Radius;
 

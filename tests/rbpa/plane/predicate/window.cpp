@@ -13,7 +13,6 @@
 #include "support/random.h"
 
 using namespace rbpa_test;
-using rbpa::Point;
 using rbpa::Radius;
 using rbpa::Window;
 using rbpa::window_of;

@@ -23,7 +23,6 @@
 
 using namespace rbpa_test;
 using meshops::Patch;
-using rbpa::Point;
 using rbpa::PointGrid;
 using rbpa::Radius;
 using rbpa::Remainder;

@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "meshops/core/contract.h"
@@ -16,6 +14,8 @@
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/least_sphere.h"
 #include "rbpa/space/solid/solid_radii.h"
+#include "support/for_solids.h"
+#include "support/infinity.h"
 #include "support/random.h"
 #include "support/solid_sets.h"
 
@@ -29,7 +29,6 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Edge = std::array<std::uint32_t, 2>;
 
 /// Finds the faces by definition, over all points. A face of the triangulation is in the complex if a simplex that it
@@ -83,12 +82,10 @@ DanglingFaces by_definition(const Points3& points, const Solid& delaunay, double
 
 TEST_CASE("triangles, edges and points follow the definition, at alphas from tiny to infinite") {
   std::size_t triangles = 0, edges = 0, isolated = 0;
-  for (const SolidSet& set : solid_sets(60)) {
-    if (!set.is_solid) continue;
-    CAPTURE(set.name);
-    const Solid delaunay = rbpa::solid(set.points, infinity);
-    if (delaunay.simplices.size() > 4000) continue;
-    const std::vector<double> radii = rbpa::circumradii(set.points, delaunay.simplices);
+  for_solids(60, [&](const Points3& points) {
+    const Solid delaunay = rbpa::solid(points, infinity);
+    if (delaunay.simplices.size() > 4000) return;
+    const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
     std::vector<double> sorted = radii;
     std::sort(sorted.begin(), sorted.end());
     const double middle = sorted[sorted.size() / 2];
@@ -96,9 +93,9 @@ TEST_CASE("triangles, edges and points follow the definition, at alphas from tin
          {middle * 0.1, middle * 0.5, middle * 0.8, middle, sorted[sorted.size() / 10], infinity}) {
       if (!(alpha > 0)) continue;
       CAPTURE(alpha);
-      const DanglingFaces expected = by_definition(set.points, delaunay, alpha);
+      const DanglingFaces expected = by_definition(points, delaunay, alpha);
       for (const unsigned threads : {1u, 3u}) {
-        const DanglingFaces found = rbpa::dangling_faces(set.points, delaunay, radii, alpha, threads);
+        const DanglingFaces found = rbpa::dangling_faces(points, delaunay, radii, alpha, threads);
         CHECK(found.triangles == expected.triangles);
         CHECK(found.edges == expected.edges);
         CHECK(found.points == expected.points);
@@ -107,7 +104,7 @@ TEST_CASE("triangles, edges and points follow the definition, at alphas from tin
       edges += expected.edges.size();
       isolated += expected.points.size();
     }
-  }
+  });
   CHECK(triangles > 500);
   CHECK(edges > 500);
   CHECK(isolated > 500);

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <set>
 #include <vector>
@@ -18,6 +16,8 @@
 #include "rbpa/space/solid/solid_components.h"
 #include "rbpa/space/solid/solid_radii.h"
 #include "rbpa/space/solid/voids.h"
+#include "support/for_solids.h"
+#include "support/infinity.h"
 #include "support/random.h"
 #include "support/solid_sets.h"
 
@@ -30,7 +30,6 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Simplex = std::vector<std::uint32_t>;
 
 /// Returns all faces of the solid and of the dangling simplices, by dimension.
@@ -78,12 +77,10 @@ std::size_t rank(const std::set<Simplex>& simplices, const std::set<Simplex>& fa
 
 TEST_CASE("Betti numbers and voids of the full complex are those of its boundary matrices and left-out tetrahedra") {
   std::size_t with_voids = 0, voids_of_triangles = 0;
-  for (const SolidSet& set : solid_sets(60)) {
-    if (!set.is_solid) continue;
-    CAPTURE(set.name);
-    const Solid delaunay = rbpa::solid(set.points, infinity);
-    if (delaunay.simplices.size() > 1000) continue;
-    const std::vector<double> radii = rbpa::circumradii(set.points, delaunay.simplices);
+  for_solids(60, [&](const Points3& points) {
+    const Solid delaunay = rbpa::solid(points, infinity);
+    if (delaunay.simplices.size() > 1000) return;
+    const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
     std::vector<double> sorted = radii;
     std::sort(sorted.begin(), sorted.end());
     for (const double share : {0.02, 0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9, 1.0}) {
@@ -91,10 +88,10 @@ TEST_CASE("Betti numbers and voids of the full complex are those of its boundary
       if (!(alpha > 0)) continue;
       CAPTURE(alpha);
       const Solid solid = rbpa::within(delaunay, radii, alpha);
-      const auto all = simplices_of(solid, rbpa::dangling_faces(set.points, delaunay, radii, alpha));
+      const auto all = simplices_of(solid, rbpa::dangling_faces(points, delaunay, radii, alpha));
       const std::size_t r1 = rank(all[1], all[0]), r2 = rank(all[2], all[1]), r3 = rank(all[3], all[2]);
       for (const unsigned threads : {1u, 3u}) {
-        const FullCounts counts = rbpa::count_full(set.points, delaunay, radii, alpha, threads);
+        const FullCounts counts = rbpa::count_full(points, delaunay, radii, alpha, threads);
         CHECK(counts.points == all[0].size());
         CHECK(counts.edges == all[1].size());
         CHECK(counts.triangles == all[2].size());
@@ -104,9 +101,9 @@ TEST_CASE("Betti numbers and voids of the full complex are those of its boundary
         CHECK(counts.voids == all[2].size() - r2 - r3);
       }
       const std::size_t voids = all[2].size() - r2 - r3;
-      const Solid space = rbpa::void_space(set.points, delaunay, radii, alpha);
+      const Solid space = rbpa::void_space(points, delaunay, radii, alpha);
       const auto boundary = rbpa::solid_boundary(space);
-      const auto components = rbpa::solid_components(set.points, space, boundary);
+      const auto components = rbpa::solid_components(points, space, boundary);
       CHECK(components.all.size() == voids);
       for (const auto& triangle : boundary.surface.triangles) {
         Simplex ascending(triangle.begin(), triangle.end());
@@ -119,7 +116,7 @@ TEST_CASE("Betti numbers and voids of the full complex are those of its boundary
         CHECK(!all[3].contains(ascending));
       }
       CHECK(space.distinct == delaunay.distinct);
-      const rbpa::FullVoids one_by_one = rbpa::full_voids(set.points, space, alpha, 1);
+      const rbpa::FullVoids one_by_one = rbpa::full_voids(points, space, alpha, 1);
       REQUIRE(one_by_one.all.size() == voids);
       std::size_t triangles = 0;
       for (std::size_t i = 0; i < voids; ++i) {
@@ -129,10 +126,10 @@ TEST_CASE("Betti numbers and voids of the full complex are those of its boundary
       }
       CHECK(triangles == one_by_one.boundary.triangles.size());
       with_voids += voids > 0 ? 1u : 0u;
-      const auto of_solid = rbpa::voids(set.points, solid, rbpa::solid_boundary(solid));
+      const auto of_solid = rbpa::voids(points, solid, rbpa::solid_boundary(solid));
       voids_of_triangles += voids - std::min(voids, of_solid.all.size());
     }
-  }
+  });
   CHECK(with_voids > 10);
   CHECK(voids_of_triangles > 10);  // voids that only triangles separate
 }

@@ -5,11 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -380,10 +378,7 @@ TEST_CASE("equal radii give what union_of_balls() gives") {
 }
 
 TEST_CASE("on a grid contacts are the faces of cubes") {
-  Points3 centers;
-  for (int x = 0; x < 3; ++x)
-    for (int y = 0; y < 3; ++y)
-      for (int z = 0; z < 3; ++z) centers.push_back({1.0 * x, 1.0 * y, 1.0 * z});
+  const Points3 centers = rbpa_test::corners_of_bricks(3, 3, 3);
   const BallMeasures found = measure_balls(centers, Radii(27, 1), {.contacts = true});
   std::vector<double> of_middle;
   for (const rbpa::BallContact& contact : found.contacts)

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "rbpa/base/error.h"
 #include "rbpa/space/balls/dangling_faces.h"
 #include "rbpa/space/solid/solid_radii.h"
+#include "support/infinity.h"
 #include "support/periodic_sets.h"
 
 using namespace rbpa_test;
@@ -30,7 +30,6 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Simplex = std::vector<std::array<int, 4>>;  // points and offsets, of the first 0
 
 /// Returns the image whose first point is in the box. Requires: ascending vertices.
@@ -318,10 +317,7 @@ TEST_CASE("bricks of points open their windows of three sizes at exact radii, ea
   const Point3 brick = {44, 117, 240};
   const int along_x = 7, along_y = 4, along_z = 3;
   const Point3 box = {along_x * brick.x, along_y * brick.y, along_z * brick.z};
-  Points3 points;
-  for (int x = 0; x < along_x; ++x)
-    for (int y = 0; y < along_y; ++y)
-      for (int z = 0; z < along_z; ++z) points.push_back({x * brick.x, y * brick.y, z * brick.z});
+  const Points3 points = corners_of_bricks(along_x, along_y, along_z, brick);
   const Case made = triangulated(points, box);
   const auto at = [&](double alpha, ComplexKind walls = ComplexKind::full) {
     return rbpa::periodic_topology(made.delaunay, made.radii, alpha, walls);

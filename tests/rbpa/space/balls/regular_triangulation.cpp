@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
-#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -19,6 +17,8 @@
 #include "rbpa/space/solid/solid.h"
 #include "support/arguments.h"
 #include "support/ball_sets.h"
+#include "support/infinity.h"
+#include "support/order.h"
 
 using namespace rbpa_test;
 using rbpa::Point3;
@@ -29,7 +29,6 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t none = RegularTriangulation::none;
 using Corners = std::array<std::uint32_t, 4>;
 
@@ -136,9 +135,7 @@ std::vector<Corners> named(const std::vector<Corners>& rows, const Balls& balls)
 }
 
 Balls shuffled(const Balls& balls, Random& random) {
-  std::vector<std::uint32_t> order(balls.radii.size());
-  std::iota(order.begin(), order.end(), 0u);
-  random.shuffle(order);
+  const std::vector<std::uint32_t> order = random_order(balls.radii.size(), random);
   Balls result;
   for (const std::uint32_t i : order) {
     result.centers.push_back(balls.centers[i]);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -12,6 +11,7 @@
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
 #include "rbpa/space/solid/solid_radii.h"
+#include "support/infinity.h"
 #include "support/random.h"
 #include "support/solid_sets.h"
 
@@ -24,8 +24,6 @@ using std::numbers::pi;
 TEST_SUITE_BEGIN("space");
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Measures the union by slices. On each circle of a slice, the arcs that are in no other disc bound the slice of the
 /// union. By Archimedes a sphere has the same area between equally distant planes, so that arcs are the surface's

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <optional>
 #include <vector>
 
 #include "rbpa/base/error.h"
@@ -18,6 +17,7 @@
 #include "rbpa/space/persistence/solid_persistence.h"
 #include "rbpa/space/predicate/orthosphere.h"
 #include "support/ball_sets.h"
+#include "support/infinity.h"
 #include "support/solid_sets.h"
 
 using namespace rbpa_test;
@@ -31,7 +31,6 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Simplex = std::vector<std::uint32_t>;
 using Values = std::map<Simplex, double>;
 

@@ -8,7 +8,6 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
-#include <numeric>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -17,6 +16,7 @@
 #include "rbpa/space/surface/surface.h"
 #include "support/data_folder.h"
 #include "support/one_target.h"
+#include "support/order.h"
 #include "support/space_sets.h"
 #include "support/vectors.h"
 
@@ -220,9 +220,7 @@ TEST_CASE("neither the order of the points nor the threads nor the vector unit n
       const Points3 points = space_set(static_cast<SpaceKind>(k), size, random);
       const Points3 expected = estimate_normals(points, {.threads = 1});
       check_units(expected);
-      std::vector<std::uint32_t> order(points.size());
-      std::iota(order.begin(), order.end(), 0u);
-      random.shuffle(order);
+      const std::vector<std::uint32_t> order = random_order(points.size(), random);
       Points3 shuffled, scaled, expected_shuffled;
       for (const std::uint32_t i : order) {
         shuffled.push_back(points[i]);

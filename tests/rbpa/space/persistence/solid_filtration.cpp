@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <set>
 #include <vector>
 
@@ -16,6 +15,9 @@
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/least_sphere.h"
 #include "rbpa/space/solid/solid_radii.h"
+#include "support/for_solids.h"
+#include "support/infinity.h"
+#include "support/order.h"
 #include "support/solid_sets.h"
 
 using namespace rbpa_test;
@@ -27,8 +29,6 @@ using rbpa::SolidFiltration;
 TEST_SUITE_BEGIN("space");
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Returns the rows with ascending corners, sorted.
 std::vector<std::array<std::uint32_t, 4>> sorted_rows(const Solid& solid) {
@@ -61,18 +61,16 @@ TEST_CASE("the least radius of two and of three points is the least double that 
 
 TEST_CASE("the simplices whose radius is at most alpha are those of the full complex, for every alpha") {
   std::size_t checked = 0;
-  for (const SolidSet& set : solid_sets(60)) {
-    if (!set.is_solid) continue;
-    CAPTURE(set.name);
-    const SolidFiltration filtration = rbpa::solid_filtration(set.points);
+  for_solids(60, [&](const Points3& points) {
+    const SolidFiltration filtration = rbpa::solid_filtration(points);
     const Solid& delaunay = filtration.delaunay;
-    if (delaunay.simplices.size() > 1000) continue;
-    const Solid in_canonical_order = rbpa::solid(set.points, infinity);
+    if (delaunay.simplices.size() > 1000) return;
+    const Solid in_canonical_order = rbpa::solid(points, infinity);
     CHECK(sorted_rows(delaunay) == sorted_rows(in_canonical_order));
     CHECK(delaunay.duplicates == in_canonical_order.duplicates);
     CHECK(delaunay.isolated == in_canonical_order.isolated);
     CHECK(std::set(filtration.edges.begin(), filtration.edges.end()).size() == filtration.edges.size());
-    CHECK(filtration.tetrahedron_alpha == rbpa::circumradii(set.points, delaunay.simplices));
+    CHECK(filtration.tetrahedron_alpha == rbpa::circumradii(points, delaunay.simplices));
     CHECK(std::set(filtration.triangles.begin(), filtration.triangles.end()).size() == filtration.triangles.size());
     for (std::size_t t = 0; t < delaunay.simplices.size(); ++t)
       for (std::size_t k = 0; k < 4; ++k) {
@@ -91,13 +89,12 @@ TEST_CASE("the simplices whose radius is at most alpha are those of the full com
       }
     std::vector<double> alphas = filtration.edge_alpha;
     alphas.insert(alphas.end(), filtration.triangle_alpha.begin(), filtration.triangle_alpha.end());
-    std::sort(alphas.begin(), alphas.end());
-    alphas.erase(std::unique(alphas.begin(), alphas.end()), alphas.end());
+    sort_distinct(alphas);
     for (std::size_t i = 0; i < alphas.size(); i += 1 + alphas.size() / 12)
       for (const double alpha : {std::nextafter(alphas[i], 0.0), alphas[i]}) {
         CAPTURE(alpha);
         if (!(alpha > 0) || std::isinf(alpha)) continue;
-        const FullCounts counts = rbpa::count_full(set.points, delaunay, filtration.tetrahedron_alpha, alpha);
+        const FullCounts counts = rbpa::count_full(points, delaunay, filtration.tetrahedron_alpha, alpha);
         const auto within = [&](const std::vector<double>& radii) {
           return static_cast<std::size_t>(
               std::count_if(radii.begin(), radii.end(), [&](double r) { return r <= alpha; }));
@@ -107,7 +104,7 @@ TEST_CASE("the simplices whose radius is at most alpha are those of the full com
         CHECK(within(filtration.tetrahedron_alpha) == counts.tetrahedra);
         ++checked;
       }
-  }
+  });
   CHECK(checked > 200);
 }
 

@@ -6,20 +6,19 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <set>
-#include <string>
 #include <tuple>
 #include <vector>
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
 #include "rbpa/space/balls/full_topology.h"
+#include "support/for_solids.h"
+#include "support/infinity.h"
 #include "support/solid_sets.h"
 
 using namespace rbpa_test;
-using rbpa::Point3;
 using rbpa::Solid;
 using rbpa::SolidFiltration;
 using rbpa::SolidPair;
@@ -28,7 +27,6 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Simplex = std::vector<std::uint32_t>;
 
 struct Entry {
@@ -108,33 +106,27 @@ std::vector<Values> values_of(const std::vector<SolidPair>& pairs) {
 TEST_CASE("pairs are those of the whole boundary matrix, simplex by simplex") {
   std::array<std::size_t, 3> found = {0, 0, 0};
   for (const std::size_t size : {20u, 60u}) {
-    for (const SolidSet& set : solid_sets(size)) {
-      if (!set.is_solid) continue;
-      CAPTURE(set.name);
-      const std::size_t size_of_all = rbpa::solid(set.points, infinity).simplices.size();
-      if (size_of_all == 0 || size_of_all > 700) continue;
-      const SolidFiltration filtration = rbpa::solid_filtration(set.points);
+    for_solids(size, 700, [&](const Points3& points) {
+      const SolidFiltration filtration = rbpa::solid_filtration(points);
       const std::vector<SolidPair> pairs = rbpa::solid_persistence(filtration);
       CHECK(pairs == pairs_by_matrix(filtration));
       for (const SolidPair& pair : pairs) ++found[static_cast<std::size_t>(pair.dimension)];
-    }
+    });
   }
   for (const std::size_t count : found) CHECK(count > 100);
 }
 
 TEST_CASE("the pairs of each dimension alive at an alpha are as many as the Betti number") {
   std::size_t checked = 0;
-  for (const SolidSet& set : solid_sets(250)) {
-    if (!set.is_solid) continue;
-    CAPTURE(set.name);
-    const SolidFiltration filtration = rbpa::solid_filtration(set.points);
+  for_solids(250, [&](const Points3& points) {
+    const SolidFiltration filtration = rbpa::solid_filtration(points);
     const std::vector<SolidPair> pairs = rbpa::solid_persistence(filtration);
     std::vector<double> alphas = filtration.triangle_alpha;
     std::sort(alphas.begin(), alphas.end());
     for (std::size_t i = 0; i < alphas.size(); i += 1 + alphas.size() / 9) {
       if (!(alphas[i] > 0) || std::isinf(alphas[i])) continue;
       const rbpa::FullCounts counts =
-          rbpa::count_full(set.points, filtration.delaunay, filtration.tetrahedron_alpha, alphas[i]);
+          rbpa::count_full(points, filtration.delaunay, filtration.tetrahedron_alpha, alphas[i]);
       std::array<std::size_t, 3> alive = {0, 0, 0};
       for (const SolidPair& pair : pairs)
         if (pair.birth <= alphas[i] && alphas[i] < pair.death.value_or(infinity))
@@ -142,23 +134,20 @@ TEST_CASE("the pairs of each dimension alive at an alpha are as many as the Bett
       CHECK(alive == std::array{counts.components, counts.tunnels, counts.voids});
       ++checked;
     }
-  }
+  });
   CHECK(checked > 80);
 }
 
 TEST_CASE("shuffled points have the same births and deaths") {
   Random random(5100);
-  for (const SolidSet& set : solid_sets(200)) {
-    if (!set.is_solid) continue;
-    CAPTURE(set.name);
-    Points3 points = set.points;
+  for_solids(200, [&](Points3 points) {
     std::vector<std::vector<Values>> all;
     for (int time = 0; time < 2; ++time) {
       all.push_back(values_of(rbpa::solid_persistence(rbpa::solid_filtration(points))));
       random.shuffle(points);
     }
     CHECK(all[0] == all[1]);
-  }
+  });
 }
 
 TEST_CASE("a hollow ball has a void for as long as a ball fits into it, and a ring has a tunnel") {

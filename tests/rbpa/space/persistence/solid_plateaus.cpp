@@ -19,6 +19,7 @@
 #include "rbpa/space/solid/solid_boundary.h"
 #include "rbpa/space/solid/solid_radii.h"
 #include "rbpa/space/solid/voids.h"
+#include "support/for_solids.h"
 #include "support/solid_sets.h"
 
 using namespace rbpa_test;
@@ -147,19 +148,17 @@ TEST_CASE("shuffled points have the same plateaus, and scaled ones the same scal
 }
 
 TEST_CASE("sets of every kind have plateaus in order, and a run can be cancelled") {
-  for (const SolidSet& set : solid_sets(100)) {
-    if (!set.is_solid) continue;
-    CAPTURE(set.name);
-    const Solid all = rbpa::solid(set.points, std::numeric_limits<double>::infinity());
-    if (all.simplices.empty() || all.simplices.size() > 3000) continue;
-    const std::vector<SolidPlateau> found = plateaus_of(set.points);
+  for_solids(100, [&](const Points3& points) {
+    const Solid all = rbpa::solid(points, std::numeric_limits<double>::infinity());
+    if (all.simplices.empty() || all.simplices.size() > 3000) return;
+    const std::vector<SolidPlateau> found = plateaus_of(points);
     CHECK(!found.empty());
     for (const SolidPlateau& plateau : found) {
       CHECK(plateau.from <= plateau.alpha);
       if (plateau.to) CHECK(plateau.alpha < *plateau.to);
       CHECK(plateau.ratio >= 1);
     }
-  }
+  });
   const Points3 points = uniform_cube(2000, 5402);
   const Solid delaunay = rbpa::solid(points, std::numeric_limits<double>::infinity(), {.neighbors = true});
   const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);

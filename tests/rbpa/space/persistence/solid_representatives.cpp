@@ -3,25 +3,23 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
-#include <tuple>
 #include <vector>
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
 #include "rbpa/space/balls/full_topology.h"
+#include "support/for_solids.h"
+#include "support/infinity.h"
 #include "support/solid_sets.h"
 #include "support/vectors.h"
 
 using namespace rbpa_test;
-using rbpa::Point3;
 using rbpa::SolidFiltration;
 using rbpa::SolidPair;
 using rbpa::SolidRepresentative;
@@ -30,7 +28,6 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Chain = std::set<std::uint32_t>;
 
 void add(Chain& chain, std::uint32_t cell) {
@@ -116,18 +113,14 @@ double shortest_by_trial(const Points3& points, const SolidFiltration& filtratio
 TEST_CASE("a cycle exists at its birth, and is a boundary exactly from the end of its tunnel on") {
   std::size_t cycles = 0, shortest = 0;
   for (const std::size_t size : {30u, 120u})
-    for (const SolidSet& set : solid_sets(size)) {
-      if (!set.is_solid) continue;
-      CAPTURE(set.name);
-      const std::size_t tetrahedra = rbpa::solid(set.points, infinity).simplices.size();
-      if (tetrahedra == 0 || tetrahedra > 1200) continue;
-      const SolidFiltration filtration = rbpa::solid_filtration(set.points);
+    for_solids(size, 1200, [&](const Points3& points) {
+      const SolidFiltration filtration = rbpa::solid_filtration(points);
       const BoundariesOfTriangles boundaries(filtration);
       const std::vector<std::uint32_t> order = in_order(filtration.edge_alpha);
       std::vector<std::uint32_t> place(order.size());
       for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
       const std::vector<SolidPair> pairs = rbpa::solid_persistence(filtration);
-      const auto all = rbpa::solid_representatives(set.points, filtration, pairs);
+      const auto all = rbpa::solid_representatives(points, filtration, pairs);
       REQUIRE(all.size() == pairs.size());
       for (std::size_t i = 0; i < pairs.size(); ++i) {
         const SolidPair& pair = pairs[i];
@@ -154,7 +147,7 @@ TEST_CASE("a cycle exists at its birth, and is a boundary exactly from the end o
         ++cycles;
         shortest += cycle.is_shortest;
       }
-    }
+    });
   CHECK(cycles > 1000);
   CHECK(shortest > cycles / 2);
   CHECK(shortest < cycles);

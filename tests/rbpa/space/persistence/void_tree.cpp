@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <random>
 #include <set>
@@ -21,11 +20,12 @@
 #include "rbpa/space/solid/solid_boundary.h"
 #include "rbpa/space/solid/solid_radii.h"
 #include "rbpa/space/solid/voids.h"
+#include "support/for_solids.h"
+#include "support/infinity.h"
 #include "support/solid_sets.h"
 
 using namespace rbpa_test;
 using rbpa::ComplexKind;
-using rbpa::Point3;
 using rbpa::Solid;
 using rbpa::SolidFiltration;
 using rbpa::SolidPair;
@@ -34,8 +34,6 @@ using rbpa::VoidTree;
 TEST_SUITE_BEGIN("space");
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 VoidTree tree_of(const Points3& points, const SolidFiltration& filtration, ComplexKind walls = ComplexKind::full) {
   return rbpa::void_tree(points, filtration.delaunay, filtration.tetrahedron_alpha, walls);
@@ -64,14 +62,10 @@ meshops::DisjointSets open_parts(const SolidFiltration& filtration, ComplexKind 
 
 TEST_CASE("the open nodes at every radius are the voids, and each tetrahedron is in its own") {
   std::size_t checked = 0, voids = 0;
-  for (const SolidSet& set : solid_sets(120)) {
-    if (!set.is_solid) continue;
-    CAPTURE(set.name);
-    const std::size_t tetrahedra = rbpa::solid(set.points, infinity).simplices.size();
-    if (tetrahedra == 0 || tetrahedra > 2500) continue;
-    const SolidFiltration filtration = rbpa::solid_filtration(set.points);
+  for_solids(120, 2500, [&](const Points3& points) {
+    const SolidFiltration filtration = rbpa::solid_filtration(points);
     for (const ComplexKind walls : {ComplexKind::solid, ComplexKind::full}) {
-      const VoidTree tree = tree_of(set.points, filtration, walls);
+      const VoidTree tree = tree_of(points, filtration, walls);
       for (std::size_t t = 0; t < tree.node_of.size(); ++t)
         if (const std::uint32_t node = tree.node_of[t]; node != VoidTree::none) {
           CHECK(tree.nodes[node].closes < filtration.tetrahedron_alpha[t]);
@@ -108,22 +102,18 @@ TEST_CASE("the open nodes at every radius are the voids, and each tetrahedron is
         ++checked;
       }
     }
-  }
+  });
   CHECK(checked > 600);
   CHECK(voids > 3000);
 }
 
 TEST_CASE("closing, filling and volume are those of pairs and their representatives") {
-  for (const SolidSet& set : solid_sets(120)) {
-    if (!set.is_solid) continue;
-    CAPTURE(set.name);
-    const std::size_t tetrahedra = rbpa::solid(set.points, infinity).simplices.size();
-    if (tetrahedra == 0 || tetrahedra > 2500) continue;
-    const SolidFiltration filtration = rbpa::solid_filtration(set.points);
-    const VoidTree tree = tree_of(set.points, filtration);
+  for_solids(120, 2500, [&](const Points3& points) {
+    const SolidFiltration filtration = rbpa::solid_filtration(points);
+    const VoidTree tree = tree_of(points, filtration);
     std::vector<SolidPair> pairs = rbpa::solid_persistence(filtration);
     std::erase_if(pairs, [](const SolidPair& pair) { return pair.dimension != 2; });
-    const auto shapes = rbpa::solid_representatives(set.points, filtration, pairs);
+    const auto shapes = rbpa::solid_representatives(points, filtration, pairs);
     REQUIRE(tree.nodes.size() == pairs.size());
     std::map<std::uint32_t, std::size_t> of_last;
     for (std::size_t i = 0; i < pairs.size(); ++i) of_last[pairs[i].ended_by] = i;
@@ -142,42 +132,36 @@ TEST_CASE("closing, filling and volume are those of pairs and their representati
         CHECK(node.filled <= tree.nodes[node.parent].filled);
       }
     }
-  }
+  });
 }
 
 TEST_CASE("voids of the solid at the radius at which one closes have its volume") {
   std::size_t found = 0;
-  for (const SolidSet& set : solid_sets(150)) {
-    if (!set.is_solid) continue;
-    CAPTURE(set.name);
-    const std::size_t tetrahedra = rbpa::solid(set.points, infinity).simplices.size();
-    if (tetrahedra == 0 || tetrahedra > 2500) continue;
-    const SolidFiltration filtration = rbpa::solid_filtration(set.points);
-    const VoidTree tree = tree_of(set.points, filtration, ComplexKind::solid);
+  for_solids(150, 2500, [&](const Points3& points) {
+    const SolidFiltration filtration = rbpa::solid_filtration(points);
+    const VoidTree tree = tree_of(points, filtration, ComplexKind::solid);
     for (std::size_t n = 0; n < tree.nodes.size(); n += 1 + tree.nodes.size() / 60) {
       const rbpa::VoidNode& node = tree.nodes[n];
       if (std::isinf(node.closes) || !(node.volume > 1e-250 && node.volume < 1e250)) continue;
-      const Solid solid = rbpa::solid(set.points, node.closes);
-      const rbpa::Voids voids = rbpa::voids(set.points, solid, rbpa::solid_boundary(solid));
+      const Solid solid = rbpa::solid(points, node.closes);
+      const rbpa::Voids voids = rbpa::voids(points, solid, rbpa::solid_boundary(solid));
       CHECK(std::any_of(voids.all.begin(), voids.all.end(), [&](const rbpa::SolidVoid& v) {
         return std::abs(v.volume - node.volume) <= 1e-7 * node.volume;
       }));
       ++found;
     }
-  }
+  });
   CHECK(found > 60);
 }
 
 TEST_CASE("each void at a radius has its node, in a triangulation of any order") {
   std::size_t found = 0;
-  for (const SolidSet& set : solid_sets(150)) {
-    if (!set.is_solid) continue;
-    CAPTURE(set.name);
-    const Solid delaunay = rbpa::solid(set.points, infinity, {.neighbors = true});
-    if (delaunay.simplices.empty() || delaunay.simplices.size() > 2500) continue;
-    const std::vector<double> radii = rbpa::circumradii(set.points, delaunay.simplices);
+  for_solids(150, [&](const Points3& points) {
+    const Solid delaunay = rbpa::solid(points, infinity, {.neighbors = true});
+    if (delaunay.simplices.empty() || delaunay.simplices.size() > 2500) return;
+    const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
     for (const ComplexKind walls : {ComplexKind::solid, ComplexKind::full}) {
-      const VoidTree tree = rbpa::void_tree(set.points, delaunay, radii, walls);
+      const VoidTree tree = rbpa::void_tree(points, delaunay, radii, walls);
       for (std::size_t n = 0; n < tree.nodes.size(); n += 1 + tree.nodes.size() / 8) {
         const double alpha = tree.nodes[n].closes;
         if (!(alpha > 0) || std::isinf(alpha)) continue;
@@ -186,9 +170,9 @@ TEST_CASE("each void at a radius has its node, in a triangulation of any order")
         const rbpa::SolidBoundary boundary = rbpa::solid_boundary(solid);
         rbpa::FullVoids voids{.boundary = boundary.surface, .all = {}};
         if (walls == ComplexKind::full)
-          voids = rbpa::full_voids(set.points, rbpa::void_space(set.points, delaunay, radii, alpha), alpha);
+          voids = rbpa::full_voids(points, rbpa::void_space(points, delaunay, radii, alpha), alpha);
         else
-          voids.all = rbpa::voids(set.points, solid, boundary).all;
+          voids.all = rbpa::voids(points, solid, boundary).all;
         std::vector<std::uint32_t> nodes = rbpa::nodes_of(tree, delaunay, radii, alpha, voids.boundary, voids.all);
         for (std::size_t i = 0; i < nodes.size(); ++i) {
           REQUIRE(nodes[i] < tree.nodes.size());
@@ -204,7 +188,7 @@ TEST_CASE("each void at a radius has its node, in a triangulation of any order")
         found += nodes.size();
       }
     }
-  }
+  });
   CHECK(found > 1000);
   const Points3 points = uniform_cube(300, 5301);
   const Solid delaunay = rbpa::solid(points, infinity, {.neighbors = true});

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include "oracle/rational_vector.h"
 #include "rbpa/plane/predicate/predicates.h"
 #include "rbpa/space/cells/scale.h"
 #include "rbpa/space/predicate/normal_sign.h"
 #include "support/arguments.h"
+#include "support/for_space_sets.h"
+#include "support/order.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;
@@ -72,8 +73,7 @@ bool draw(SpaceKind kind, Random& random, Points3& s, double& radius) {
   radius = space_radius(s, random);
   static constexpr std::array ties = {0.5, 1.0, 1.5, 2.5, 3.0, 5.0, 9.0};
   if (on_integers(kind) && random.chance(0.7)) radius = ties[random.below(ties.size())];
-  std::sort(s.begin(), s.end());
-  s.erase(std::unique(s.begin(), s.end()), s.end());
+  sort_distinct(s);
   random.shuffle(s);
   return s.size() >= 4;
 }
@@ -228,18 +228,16 @@ TEST_CASE("points and a radius that a power of two brings into the range of doub
 TEST_CASE("the test of a triangle's normal agrees with rational numbers") {
   Random random(63);
   int none = 0;
-  for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < trials(400); ++trial) {
-      Points3 s = space_set(static_cast<SpaceKind>(k), 4, random);
-      if (s.size() < 4) continue;
-      Point3 m = random.chance(0.5) ? s[3] : random_normals(1, random).front();
-      if (random.chance(0.2)) m = {m.x * 0x1p-1000, m.y * 0x1p-1060, m.z * 0x1p-1020};
-      const Vector u = rational_from(s[0], s[1]), v = rational_from(s[0], s[2]),
-                   w{rational(m.x), rational(m.y), rational(m.z)};
-      const int expected = sign(det(u, v, w));
-      none += expected == 0;
-      CHECK(rbpa::space::TriangleNormal(s[0], s[1], s[2]).sign_along(m) == expected);
-    }
+  for_space_sets(trials(400), 4, 0, random, [&](const Points3& s) {
+    if (s.size() < 4) return;
+    Point3 m = random.chance(0.5) ? s[3] : random_normals(1, random).front();
+    if (random.chance(0.2)) m = {m.x * 0x1p-1000, m.y * 0x1p-1060, m.z * 0x1p-1020};
+    const Vector u = rational_from(s[0], s[1]), v = rational_from(s[0], s[2]),
+                 w{rational(m.x), rational(m.y), rational(m.z)};
+    const int expected = sign(det(u, v, w));
+    none += expected == 0;
+    CHECK(rbpa::space::TriangleNormal(s[0], s[1], s[2]).sign_along(m) == expected);
+  });
   CHECK(none > trials(300));
 }
 

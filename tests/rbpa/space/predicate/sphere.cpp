@@ -12,6 +12,8 @@
 #include "rbpa/space/predicate/sphere_minors.h"
 #include "rbpa/space/predicate/spread.h"
 #include "support/arguments.h"
+#include "support/for_space_sets.h"
+#include "support/order.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;
@@ -36,41 +38,37 @@ Vector center(const Vector& u, const Vector& v, const Vector& w) {
 TEST_CASE("side of sphere and circumradius agree with rational numbers") {
   Random random(111);
   int ties = 0, inside = 0, decided = 0;
-  for (int k = 0; k < space_kinds; ++k) {
-    CAPTURE(name(static_cast<SpaceKind>(k)));
-    for (int trial = 0; trial < trials(200); ++trial) {
-      Points3 p = space_set(static_cast<SpaceKind>(k), 5, random);
-      if (p.size() < 5) continue;
-      const double radius = space_radius(p, random);
-      const Vector u = rational_from(p[0], p[1]), v = rational_from(p[0], p[2]), w = rational_from(p[0], p[3]),
-                   q = rational_from(p[0], p[4]);
-      const Rational volume = dot(cross(u, v), w);
-      if (volume == 0) {
-        CHECK(space::exact::compare_circumradius(p[0], p[1], p[2], p[3], radius) == 1);
-        continue;
-      }
-      if (volume < 0) {
-        std::swap(p[2], p[3]);
-      }
-      const Vector c = center(u, v, w), to = q - c;
-      const int expected = Rational(dot(c, c) - dot(to, to)).sign();
-      ties += expected == 0;
-      inside += expected > 0;
-      CHECK(space::exact::side_of_sphere(p[0], p[1], p[2], p[3], p[4]) == expected);
-      const int compared = Rational(dot(c, c) - rational(radius) * rational(radius)).sign();
-      CHECK(space::exact::compare_circumradius(p[0], p[1], p[2], p[3], radius) == compared);
-      const space::Spread spread = space::spread(p);
-      if (!spread.is_exact || spread.exponent != 0) continue;
-      // Except for the last rounding to double, the error is some 2^-98 of the product of the greatest lengths.
-      const double value = space::in_sphere_by_double_double(p[0], p[1], p[2], p[3], p[4]);
-      const Rational exact = (dot(c, c) - dot(to, to)) * abs(volume);
-      Rational size = 0;
-      for (const Point3& r : p) size = std::max(size, Rational(dot(rational_from(p[3], r), rational_from(p[3], r))));
-      const Rational error = abs(Rational(rational(value) - exact)) - rational(0x1p-52) * abs(exact);
-      CHECK((error <= 0 || error * error <= rational(0x1p-190) * size * size * size * size * size));
-      decided += value != 0;
+  for_space_sets(trials(200), 5, 0, random, [&](Points3 p) {
+    if (p.size() < 5) return;
+    const double radius = space_radius(p, random);
+    const Vector u = rational_from(p[0], p[1]), v = rational_from(p[0], p[2]), w = rational_from(p[0], p[3]),
+                 q = rational_from(p[0], p[4]);
+    const Rational volume = dot(cross(u, v), w);
+    if (volume == 0) {
+      CHECK(space::exact::compare_circumradius(p[0], p[1], p[2], p[3], radius) == 1);
+      return;
     }
-  }
+    if (volume < 0) {
+      std::swap(p[2], p[3]);
+    }
+    const Vector c = center(u, v, w), to = q - c;
+    const int expected = Rational(dot(c, c) - dot(to, to)).sign();
+    ties += expected == 0;
+    inside += expected > 0;
+    CHECK(space::exact::side_of_sphere(p[0], p[1], p[2], p[3], p[4]) == expected);
+    const int compared = Rational(dot(c, c) - rational(radius) * rational(radius)).sign();
+    CHECK(space::exact::compare_circumradius(p[0], p[1], p[2], p[3], radius) == compared);
+    const space::Spread spread = space::spread(p);
+    if (!spread.is_exact || spread.exponent != 0) return;
+    // Except for the last rounding to double, the error is some 2^-98 of the product of the greatest lengths.
+    const double value = space::in_sphere_by_double_double(p[0], p[1], p[2], p[3], p[4]);
+    const Rational exact = (dot(c, c) - dot(to, to)) * abs(volume);
+    Rational size = 0;
+    for (const Point3& r : p) size = std::max(size, Rational(dot(rational_from(p[3], r), rational_from(p[3], r))));
+    const Rational error = abs(Rational(rational(value) - exact)) - rational(0x1p-52) * abs(exact);
+    CHECK((error <= 0 || error * error <= rational(0x1p-190) * size * size * size * size * size));
+    decided += value != 0;
+  });
   CHECK(ties > trials(100));
   CHECK(inside > trials(100));
   CHECK(decided > trials(500));
@@ -82,8 +80,7 @@ TEST_CASE("ties are perturbed consistently: any four corners and the fifth point
   int seen = 0, without_error = 0;
   for (int trial = 0; trial < trials(400); ++trial) {
     Points3 p = space_set(SpaceKind::cospherical, 5, random);
-    std::sort(p.begin(), p.end());
-    p.erase(std::unique(p.begin(), p.end()), p.end());
+    sort_distinct(p);
     if (p.size() < 5) continue;
     p.resize(5);
     const double unit = random.integer(1, 1000);  // determinants of small multiples have no error

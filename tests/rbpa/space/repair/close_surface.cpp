@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "rbpa/base/error.h"
 #include "rbpa/space/repair/crossing_triangles.h"
 #include "rbpa/space/surface/split_fans.h"
+#include "support/order.h"
 #include "support/space_sets.h"
+#include "support/spiral.h"
 
 using namespace rbpa_test;
 using rbpa::ClosedSurface;
@@ -105,14 +106,8 @@ TEST_CASE("a closed surface is unchanged, and the order of points does not matte
       const auto touching = rbpa::touching_points(of.points, found.surface);
       if (count_of(touching, true) == 0) CHECK(again.surface.triangles == found.surface.triangles);
     }
-    std::vector<std::uint32_t> order(of.points.size());
-    std::iota(order.begin(), order.end(), 0u);
-    random.shuffle(order);
-    Lump shuffled;
-    for (const std::uint32_t p : order) {
-      shuffled.points.push_back(of.points[p]);
-      shuffled.normals.push_back(of.normals[p]);
-    }
+    const std::vector<std::uint32_t> order = random_order(of.points.size(), random);
+    const Lump shuffled{in_order(of.points, order), in_order(of.normals, order)};
     const ClosedSurface other = rbpa::close_surface(
         shuffled.points, rbpa::indexable_surface(rbpa::surface(shuffled.points, shuffled.normals, 0.3)));
     const auto as_places = [](const Points3& points, const Surface& surface) {
@@ -132,10 +127,8 @@ TEST_CASE("a closed surface is unchanged, and the order of points does not matte
 
 TEST_CASE("closing can be cancelled, and an empty surface stays empty") {
   Lump of;  // two thirds of a sphere
-  for (int k = 0; k < 1000; ++k) {
-    const double h = 1 - (2.0 * k + 1) / 1000, angle = k * 2.399963229728653, s = std::sqrt(1 - h * h);
-    if (h < 0.3) of.points.push_back({s * std::cos(angle), s * std::sin(angle), h});
-  }
+  for (const Point3& p : spiral(1000))
+    if (p.z < 0.3) of.points.push_back(p);
   of.normals = of.points;
   const Surface open = rbpa::indexable_surface(rbpa::surface(of.points, of.normals, 0.3));
   REQUIRE_FALSE(is_closed(open));

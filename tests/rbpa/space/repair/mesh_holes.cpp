@@ -26,7 +26,6 @@
 
 using namespace rbpa_test;
 using meshops::Face;
-using meshops::Halfedge;
 using meshops::Vertex;
 using rbpa::Point3;
 

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "rbpa/base/error.h"
 #include "rbpa/space/repair/watertight.h"
@@ -11,7 +10,7 @@
 #include "rbpa/space/surface/holes.h"
 #include "rbpa/space/surface/split_fans.h"
 #include "rbpa/space/surface/surface_levels.h"
-#include "support/space_sets.h"
+#include "support/spiral.h"
 
 using namespace rbpa_test;
 using rbpa::NormalSource;
@@ -26,10 +25,8 @@ namespace {
 /// Returns points of a sphere of this radius around (x, 0, 0), without its cap above 0.9 of the radius.
 Points3 cut_sphere(double x, double radius, int count) {
   Points3 points;
-  for (int k = 0; k < count; ++k) {
-    const double h = 1 - (2.0 * k + 1) / count, angle = k * 2.399963229728653, s = std::sqrt(1 - h * h);
-    if (h <= 0.9) points.push_back({x + radius * s * std::cos(angle), radius * s * std::sin(angle), radius * h});
-  }
+  for (const rbpa::Point3& p : spiral(count))
+    if (p.z <= 0.9) points.push_back({x + radius * p.x, radius * p.y, radius * p.z});
   return points;
 }
 

@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -18,7 +16,9 @@
 #include "rbpa/space/surface/split_fans.h"
 #include "rbpa/space/surface/surface_components.h"
 #include "support/arguments.h"
+#include "support/order.h"
 #include "support/space_sets.h"
+#include "support/spiral.h"
 #include "support/vectors.h"
 
 using namespace rbpa_test;
@@ -37,14 +37,9 @@ struct Sample {
 
 /// Returns points spread over the unit sphere along a spiral, without those that are left out.
 template <typename IsOut>
-Sample sphere_without(std::size_t count, const IsOut& is_out) {
-  Sample sample;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count);
-    const double turn = 2.399963229728653 * static_cast<double>(i), r = std::sqrt(1 - z * z);
-    const Point3 p = {r * std::cos(turn), r * std::sin(turn), z};
-    if (!is_out(p)) sample.points.push_back(p);
-  }
+Sample sphere_without(int count, const IsOut& is_out) {
+  Sample sample{.points = spiral(count), .normals = {}};
+  std::erase_if(sample.points, is_out);
   sample.normals = sample.points;
   return sample;
 }
@@ -239,14 +234,8 @@ TEST_CASE(
     check_refined(sample, before, refined);
     smooth += refined.smooth;
 
-    std::vector<std::uint32_t> order(sample.points.size());
-    std::iota(order.begin(), order.end(), 0U);
-    for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
-    Sample shuffled;
-    for (const std::uint32_t i : order) {
-      shuffled.points.push_back(sample.points[i]);
-      shuffled.normals.push_back(sample.normals[i]);
-    }
+    const std::vector<std::uint32_t> order = random_order(sample.points.size(), random);
+    const Sample shuffled{in_order(sample.points, order), in_order(sample.normals, order)};
     const FilledSurface again = filled(shuffled, 0.13);
     const RefinedSurface other = rbpa::refine_filling(shuffled.points, again.surface, again.is_new, {.threads = 2});
     CHECK(other.points == refined.points);

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -17,7 +16,9 @@
 #include "rbpa/base/error.h"
 #include "rbpa/space/surface/surface_levels.h"
 #include "support/arguments.h"
+#include "support/order.h"
 #include "support/space_sets.h"
+#include "support/spiral.h"
 
 using namespace rbpa_test;
 using rbpa::Hole;
@@ -39,14 +40,9 @@ struct Sample {
 };
 
 /// Returns points spread over the unit sphere along a spiral, without a cap around the north pole.
-Sample sphere_without_cap(std::size_t count, double highest) {
-  Sample sample;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count);
-    if (z > highest) continue;
-    const double turn = 2.399963229728653 * static_cast<double>(i), r = std::sqrt(1 - z * z);
-    sample.points.push_back({r * std::cos(turn), r * std::sin(turn), z});
-  }
+Sample sphere_without_cap(int count, double highest) {
+  Sample sample{.points = spiral(count), .normals = {}};
+  std::erase_if(sample.points, [&](const Point3& p) { return p.z > highest; });
   sample.normals = sample.points;
   return sample;
 }
@@ -165,7 +161,7 @@ TEST_CASE("a suggested repair holds for the whole surface, and balls that fail a
     Sample sample;
     sample.points = space_set(static_cast<SpaceKind>(random.below(space_kinds)), 30 + random.below(120), random);
     if (trial % 2 == 0) {
-      sample = sphere_without_cap(60 + random.below(200), 1 - random.unit() / 3);
+      sample = sphere_without_cap(60 + static_cast<int>(random.below(200)), 1 - random.unit() / 3);
       for (Point3& p : sample.points) p = {p.x + 0.05 * random.unit(), p.y, p.z};
     } else {
       for (const Point3& p : sample.points) sample.normals.push_back(p == Point3{} ? Point3{0, 0, 1} : p);
@@ -221,10 +217,8 @@ TEST_CASE("a suggested repair holds for the whole surface, and balls that fail a
 TEST_CASE("neither the order of the points nor the threads change a suggested repair") {
   Sample sample = sphere_without_cap(500, 0.9);
   sample.normals = with_turned(sample.normals, {100, 101, 250});
-  std::vector<std::uint32_t> order(sample.points.size());
-  std::iota(order.begin(), order.end(), 0U);
   Random random(5);
-  for (std::size_t i = order.size(); i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
+  const std::vector<std::uint32_t> order = random_order(sample.points.size(), random);
   Sample shuffled;
   std::vector<std::uint32_t> was(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
@@ -11,7 +10,7 @@
 #include "rbpa/space/surface/curve_kinds.h"
 #include "rbpa/space/surface/split_fans.h"
 #include "rbpa/space/surface/surface_components.h"
-#include "support/space_sets.h"
+#include "support/spiral.h"
 
 using namespace rbpa_test;
 using rbpa::make_watertight;
@@ -27,11 +26,10 @@ struct Scan {
 
   /// Adds a unit sphere around (x, 0, 0), without its cap above 0.9.
   void add_sphere(double x, int count) {
-    for (int k = 0; k < count; ++k) {
-      const double h = 1 - (2.0 * k + 1) / count, angle = k * 2.399963229728653, s = std::sqrt(1 - h * h);
-      if (h > 0.9) continue;
-      points.push_back({x + s * std::cos(angle), s * std::sin(angle), h});
-      normals.push_back({s * std::cos(angle), s * std::sin(angle), h});
+    for (const rbpa::Point3& n : spiral(count)) {
+      if (n.z > 0.9) continue;
+      points.push_back({x + n.x, n.y, n.z});
+      normals.push_back(n);
     }
   }
   /// Adds a triangle around (0, 0, z), facing up.
@@ -134,10 +132,7 @@ TEST_CASE("a choice of holes is filled as if they were listed") {
 }
 
 TEST_CASE("a sheet in a plane stays open, with the reason and its curve") {
-  Scan scan;
-  for (int x = 0; x < 4; ++x)
-    for (int y = 0; y < 4; ++y) scan.points.push_back({double(x), double(y), 0});
-  scan.normals.assign(16, {0, 0, 1});
+  const Scan scan{corners_of_bricks(4, 4, 1), Points3(16, {0, 0, 1})};
   const WatertightSurface found =
       make_watertight(scan.points, rbpa::surface(scan.points, scan.normals, 1), {.refine = true});
   CHECK_FALSE(found.is_watertight());

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -15,7 +14,9 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/space/solid/solid_radii.h"
+#include "support/infinity.h"
 #include "support/periodic_sets.h"
+#include "support/refusal_of.h"
 #include "support/vectors.h"
 
 using namespace rbpa_test;
@@ -28,7 +29,6 @@ TEST_SUITE_BEGIN("space");
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using Offset = std::array<std::int8_t, 3>;
 
 double most_radius(const Point3& box) { return std::nextafter(std::min({box.x, box.y, box.z}) / 2, 0.0); }
@@ -294,12 +294,7 @@ TEST_CASE("within() of a periodic triangulation is the solid of that alpha") {
 TEST_CASE("wrong input of a periodic solid is refused, and a run can be cancelled") {
   const Points3 points = {{0, 0, 0}, {1, 2, 3}};
   const auto refusal = [&](const Points3& of, const Point3& box, double alpha) -> std::string {
-    try {
-      rbpa::periodic_solid(of, box, alpha);
-    } catch (const rbpa::InvalidInput& e) {
-      return e.what();
-    }
-    return "";
+    return refusal_of<rbpa::InvalidInput>([&] { rbpa::periodic_solid(of, box, alpha); });
   };
   CHECK(refusal(points, {4, 4, 4}, 0).find("alpha is 0") == 0);
   CHECK(refusal(points, {4, 4, 4}, std::nan("")).find("alpha is nan") == 0);

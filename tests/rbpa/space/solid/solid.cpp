@@ -6,14 +6,17 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <vector>
 
 #include "oracle/rational.h"
 #include "rbpa/base/error.h"
 #include "rbpa/space/predicate/exact.h"
+#include "space/solid/solid_model.h"
 #include "support/arguments.h"
+#include "support/infinity.h"
+#include "support/order.h"
+#include "support/refusal_of.h"
 #include "support/solid_sets.h"
 #include "support/space_sets.h"
 
@@ -25,9 +28,6 @@ using rbpa::solid;
 TEST_SUITE_BEGIN("space");
 
 namespace {
-
-using Tetrahedron = std::array<std::uint32_t, 4>;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <typename Number, std::size_t n>
 Number determinant(const std::array<std::array<Number, n>, n>& m) {
@@ -52,16 +52,6 @@ Number determinant(const std::array<std::array<Number, n>, n>& m) {
 }
 
 std::array<Rational, 3> coordinates(const Point3& p) { return {rational(p.x), rational(p.y), rational(p.z)}; }
-
-Rational six_volumes(const Points3& points, const Tetrahedron& t) {
-  std::array<std::array<Rational, 3>, 3> edges;
-  const auto a = coordinates(points[t[0]]);
-  for (std::size_t i = 0; i < 3; ++i) {
-    edges[i] = coordinates(points[t[i + 1]]);
-    for (std::size_t j = 0; j < 3; ++j) edges[i][j] -= a[j];
-  }
-  return determinant<Rational, 3>(edges);
-}
 
 /// A point, multiplied by a power of two that makes all points integers.
 using Whole = boost::multiprecision::cpp_int;
@@ -213,20 +203,6 @@ void check_laws(const Points3& points, const Solid& s) {
   CHECK(s.distinct + s.duplicates.size() == points.size());
 }
 
-Points3 grid(int columns, double pitch) {
-  Points3 points;
-  for (int x = 0; x < columns; ++x)
-    for (int y = 0; y < columns; ++y)
-      for (int z = 0; z < columns; ++z) points.push_back({pitch * x, pitch * y, pitch * z});
-  return points;
-}
-
-Rational volume(const Points3& points, const Solid& s) {
-  Rational sum = 0;
-  for (const Tetrahedron& t : s.simplices) sum += six_volumes(points, t);
-  return sum / 6;
-}
-
 /// Returns the volume from the faces without a neighbor alone (divergence theorem).
 Rational volume_within(const Points3& points, const Solid& s) {
   static constexpr std::array<std::array<std::size_t, 3>, 4> outward = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
@@ -284,17 +260,13 @@ TEST_CASE("shuffled and scaled points have the same solid") {
     for (int trial = 0; trial < 6; ++trial) {
       CAPTURE(name(static_cast<SpaceKind>(k)));
       Points3 points = space_set(static_cast<SpaceKind>(k), 60, random);
-      std::sort(points.begin(), points.end());
-      points.erase(std::unique(points.begin(), points.end()), points.end());
+      sort_distinct(points);
       const double alpha = trial == 0 ? infinity : space_radius(points, random);
       const Solid expected = solid(points, alpha);
       check_laws(points, expected);
 
-      std::vector<std::uint32_t> order(points.size());
-      std::iota(order.begin(), order.end(), 0u);
-      random.shuffle(order);
-      Points3 shuffled;
-      for (const std::uint32_t i : order) shuffled.push_back(points[i]);
+      const std::vector<std::uint32_t> order = random_order(points.size(), random);
+      const Points3 shuffled = in_order(points, order);
       std::vector<Tetrahedron> renamed = solid(shuffled, alpha).simplices;
       for (Tetrahedron& t : renamed) {
         for (std::uint32_t& corner : t) corner = order[corner];
@@ -336,10 +308,7 @@ TEST_CASE("the solid of alpha has the tetrahedra of the triangulation whose exac
 
 TEST_CASE("the condition is closed: boxes of diagonal 9 are full at alpha 4.5, and empty a double below") {
   for (const double scale : {1.0, 0x1p-40, 0x1p500}) {
-    Points3 points;
-    for (int x = 0; x < 3; ++x)
-      for (int y = 0; y < 4; ++y)
-        for (int z = 0; z < 3; ++z) points.push_back({scale * 6 * x, scale * 6 * y, scale * 3 * z});
+    const Points3 points = corners_of_bricks(3, 4, 3, {scale * 6, scale * 6, scale * 3});
     const Solid at = solid(points, scale * 4.5);
     CHECK(at.simplices == solid(points, infinity).simplices);
     CHECK(at.isolated.empty());
@@ -352,7 +321,7 @@ TEST_CASE("the condition is closed: boxes of diagonal 9 are full at alpha 4.5, a
 
 TEST_CASE("grids fill their box, whatever the last bits of their pitch") {
   for (const double pitch : {1.0, 0.1, 0x1.fffffffffffffp-3}) {
-    const Points3 points = grid(6, pitch);
+    const Points3 points = corners_of_bricks(6, 6, 6, {pitch, pitch, pitch});
     const Solid s = solid(points, infinity);
     check_laws(points, s);
     const Rational side = rational(pitch * 5);
@@ -442,14 +411,7 @@ TEST_CASE("a solid has the same bytes with any number of threads; a run can be w
 TEST_CASE("invalid input is refused by name") {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  const auto refusal = [](auto call) -> std::string {
-    try {
-      call();
-    } catch (const rbpa::InvalidInput& e) {
-      return e.what();
-    }
-    return "";
-  };
+  const auto refusal = [](auto call) -> std::string { return refusal_of<rbpa::InvalidInput>(call); };
   CHECK(refusal([&] { solid(points, 0); }) == "alpha is 0, expected a radius above 0, or infinity");
   CHECK(refusal([&] { solid(points, -1); }) == "alpha is -1, expected a radius above 0, or infinity");
   CHECK(refusal([&] { solid(points, none); }) == "alpha is nan, expected a radius above 0, or infinity");

@@ -4,10 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -20,6 +17,9 @@
 #include "rbpa/space/surface/surface_mesh.h"
 #include "space/solid/solid_model.h"
 #include "support/arguments.h"
+#include "support/for_space_sets.h"
+#include "support/infinity.h"
+#include "support/order.h"
 
 using namespace rbpa_test;
 using rbpa::Point3;
@@ -31,8 +31,6 @@ using rbpa::Surface;
 TEST_SUITE_BEGIN("space");
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool has(const Tetrahedron& t, std::uint32_t i) { return std::find(t.begin(), t.end(), i) != t.end(); }
 
@@ -165,46 +163,28 @@ std::size_t check_glued_outside(const Solid& delaunay, const Solid& part, const 
   return hull;
 }
 
-/// Returns whether |computed − exact| ≤ 2^−52 exact.
-bool is_near(double computed, const Rational& exact) {
-  const Rational error = abs(Rational(rational(computed) - exact));
-  return error * rational(0x1p52) <= abs(exact);
-}
-
-Rational volume(const Points3& points, const Solid& s) {
-  Rational sum = 0;
-  for (const Tetrahedron& t : s.simplices) sum += six_volumes(points, t);
-  return sum / 6;
-}
-
 }  // namespace
 
 TEST_CASE(
     "the boundary of a solid has the open faces, outward, glued through wedges, and the volume of the tetrahedra") {
   Random random(401);
   std::size_t with_several_wedges = 0, with_several_fans = 0, passed_hull = 0;
-  for (int k = 0; k < space_kinds; ++k) {
-    const auto kind = static_cast<SpaceKind>(k);
-    for (int trial = 0; trial < trials(24); ++trial) {
-      CAPTURE(name(kind));
-      CAPTURE(trial);
-      const Points3 points = space_set(kind, 4 + random.below(30), random);
-      const Solid all = solid(points, infinity);
-      const Solid s = trial % 2 == 0 ? solid(points, space_radius(points, random))
-                                     : random_part(all, points.size(), 0.2 + 0.1 * double(random.below(8)), random);
-      const SolidBoundary b = rbpa::solid_boundary(s);
-      check_boundary(points, s, b);
-      const rbpa::BoundaryMeasures of = rbpa::measure(points, b.surface);
-      if (kind != SpaceKind::extreme) CHECK(is_near(of.volume, volume(points, s)));
-      const Surface outside = rbpa::glued_outside(points, b.surface);
-      rbpa::require_linked({outside.triangles, outside.neighbors}, points.size());
-      passed_hull += check_glued_outside(all, s, b, outside);
-      with_several_wedges += outside.neighbors != b.surface.neighbors;
-      std::set<std::uint32_t> used;
-      for (const auto& t : b.surface.triangles) used.insert(t.begin(), t.end());
-      with_several_fans += rbpa::split_fans(b.surface).point.size() > used.size();
-    }
-  }
+  for_space_sets(trials(24), 4, 29, random, [&](const Points3& points, SpaceKind kind, int trial) {
+    const Solid all = solid(points, infinity);
+    const Solid s = trial % 2 == 0 ? solid(points, space_radius(points, random))
+                                   : random_part(all, points.size(), 0.2 + 0.1 * double(random.below(8)), random);
+    const SolidBoundary b = rbpa::solid_boundary(s);
+    check_boundary(points, s, b);
+    const rbpa::BoundaryMeasures of = rbpa::measure(points, b.surface);
+    if (kind != SpaceKind::extreme) CHECK(is_near(of.volume, volume(points, s)));
+    const Surface outside = rbpa::glued_outside(points, b.surface);
+    rbpa::require_linked({outside.triangles, outside.neighbors}, points.size());
+    passed_hull += check_glued_outside(all, s, b, outside);
+    with_several_wedges += outside.neighbors != b.surface.neighbors;
+    std::set<std::uint32_t> used;
+    for (const auto& t : b.surface.triangles) used.insert(t.begin(), t.end());
+    with_several_fans += rbpa::split_fans(b.surface).point.size() > used.size();
+  });
   CHECK(with_several_wedges > static_cast<std::size_t>(trials(40)));
   CHECK(passed_hull > 0);
   CHECK(with_several_fans > static_cast<std::size_t>(trials(60)));
@@ -253,14 +233,10 @@ TEST_CASE("shuffled points have the same boundary, volume and area, to the last 
     const auto set = name(kind);
     CAPTURE(set);
     Points3 points = space_set(kind, 200, random);
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    sort_distinct(points);
     const SolidBoundary expected = rbpa::solid_boundary(solid(points, alpha));
-    std::vector<std::uint32_t> order(points.size());
-    std::iota(order.begin(), order.end(), 0u);
-    random.shuffle(order);
-    Points3 shuffled;
-    for (const std::uint32_t i : order) shuffled.push_back(points[i]);
+    const std::vector<std::uint32_t> order = random_order(points.size(), random);
+    const Points3 shuffled = in_order(points, order);
     const SolidBoundary b = rbpa::solid_boundary(solid(shuffled, alpha));
     REQUIRE(b.tetrahedra.size() == expected.tetrahedra.size());
     std::map<Face, std::set<Face>> neighbors, renamed;  // around each triangle

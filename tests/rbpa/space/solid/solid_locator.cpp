@@ -12,6 +12,8 @@
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/predicate/outer_faces.h"
 #include "rbpa/space/solid/solid.h"
+#include "support/for_solids.h"
+#include "support/infinity.h"
 #include "support/random.h"
 #include "support/solid_sets.h"
 
@@ -23,8 +25,6 @@ using rbpa::SolidLocator;
 TEST_SUITE_BEGIN("space");
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Returns the first of all tetrahedra that contains a point.
 std::uint32_t by_brute_force(const Points3& points, const Solid& delaunay, const Point3& query) {
@@ -61,20 +61,18 @@ Points3 queries_for(const Points3& points, const Solid& delaunay, std::size_t co
 
 TEST_CASE("each query finds the first tetrahedron that contains it, on sets of every shape and grids full of ties") {
   std::size_t inside = 0, outside = 0;
-  for (const SolidSet& set : solid_sets(60)) {
-    if (!set.is_solid) continue;
-    CAPTURE(set.name);
-    const Solid delaunay = rbpa::solid(set.points, infinity);
-    const SolidLocator locator(set.points, delaunay.simplices, delaunay.neighbors);
+  for_solids(60, [&](const Points3& points) {
+    const Solid delaunay = rbpa::solid(points, infinity);
+    const SolidLocator locator(points, delaunay.simplices, delaunay.neighbors);
     Random random(8);
-    const Points3 queries = queries_for(set.points, delaunay, 12, random);
+    const Points3 queries = queries_for(points, delaunay, 12, random);
     const std::vector<std::uint32_t> found = locator.find(queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
       CAPTURE(i);
-      CHECK(found[i] == by_brute_force(set.points, delaunay, queries[i]));
+      CHECK(found[i] == by_brute_force(points, delaunay, queries[i]));
       ++(found[i] == Solid::none ? outside : inside);
     }
-  }
+  });
   CHECK(inside > 500);
   CHECK(outside > 50);
 }

@@ -1,7 +1,6 @@
 #include "space/solid/solid_model.h"
 
 #include <algorithm>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -125,6 +124,17 @@ Rational six_volumes(const Points3& points, const Tetrahedron& t) {
   }
   return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) + m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+Rational volume(const Points3& points, const Solid& solid) {
+  Rational sum = 0;
+  for (const Tetrahedron& t : solid.simplices) sum += six_volumes(points, t);
+  return sum / 6;
+}
+
+bool is_near(double computed, const Rational& exact) {
+  const Rational error = abs(Rational(rational(computed) - exact));
+  return error * rational(0x1p52) <= abs(exact);
 }
 
 std::vector<ModelVoid> voids_by_triangulation(const Points3& points, const Solid& delaunay, const Solid& part) {

@@ -39,6 +39,9 @@ Betti betti_by_ranks(const rbpa::Solid& solid);
 std::vector<std::vector<std::uint32_t>> pieces(const rbpa::Solid& solid, std::size_t shared);
 
 Rational six_volumes(const Points3& points, const Tetrahedron& t);
+Rational volume(const Points3& points, const rbpa::Solid& solid);
+/// Returns whether the relative error is at most 2^-52.
+bool is_near(double computed, const Rational& exact);
 
 /// A bounded component of the outside, as a union of left-out tetrahedra of the triangulation.
 struct ModelVoid {

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <limits>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "meshops/core/contract.h"
@@ -18,6 +17,8 @@
 #include "rbpa/space/solid/solid.h"
 #include "rbpa/space/solid/solid_boundary.h"
 #include "rbpa/space/solid/solid_components.h"
+#include "support/for_solids.h"
+#include "support/infinity.h"
 #include "support/random.h"
 #include "support/solid_sets.h"
 
@@ -28,8 +29,6 @@ using rbpa::Solid;
 TEST_SUITE_BEGIN("space");
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Returns whether `radius` is the least double at which the tetrahedron is admitted.
 bool is_rounded_up(const Point3& a, const Point3& b, const Point3& c, const Point3& d, double radius) {
@@ -138,48 +137,40 @@ TEST_CASE("within() a radius is the solid of that radius") {
 }
 
 TEST_CASE("no point is isolated at the least alpha that covers, and one is below it") {
-  for (const SolidSet& set : solid_sets(200)) {
-    if (!set.is_solid) continue;
-    CAPTURE(set.name);
-    const Solid delaunay = rbpa::solid(set.points, infinity);
-    const double alpha = rbpa::min_alpha(delaunay, rbpa::circumradii(set.points, delaunay.simplices));
-    CHECK(rbpa::solid(set.points, alpha).isolated.empty());
-    CHECK_FALSE(rbpa::solid(set.points, std::nextafter(alpha, 0)).isolated.empty());
-  }
+  for_solids(200, [&](const Points3& points) {
+    const Solid delaunay = rbpa::solid(points, infinity);
+    const double alpha = rbpa::min_alpha(delaunay, rbpa::circumradii(points, delaunay.simplices));
+    CHECK(rbpa::solid(points, alpha).isolated.empty());
+    CHECK_FALSE(rbpa::solid(points, std::nextafter(alpha, 0)).isolated.empty());
+  });
 }
 
 TEST_CASE("one solid component has all points at the least alpha that connects, and none has below it") {
-  for (const SolidSet& set : solid_sets(200)) {
-    if (!set.is_solid) continue;
-    CAPTURE(set.name);
-    const Solid delaunay = rbpa::solid(set.points, infinity);
-    const std::vector<double> radii = rbpa::circumradii(set.points, delaunay.simplices);
+  for_solids(200, [&](const Points3& points) {
+    const Solid delaunay = rbpa::solid(points, infinity);
+    const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
     const double alpha = rbpa::auto_alpha(delaunay, radii);
     CHECK(alpha >= rbpa::min_alpha(delaunay, radii));
-    CHECK(most_corners(set.points, rbpa::within(delaunay, radii, alpha)) == delaunay.distinct);
-    CHECK(most_corners(set.points, rbpa::within(delaunay, radii, std::nextafter(alpha, 0))) < delaunay.distinct);
-  }
+    CHECK(most_corners(points, rbpa::within(delaunay, radii, alpha)) == delaunay.distinct);
+    CHECK(most_corners(points, rbpa::within(delaunay, radii, std::nextafter(alpha, 0))) < delaunay.distinct);
+  });
 }
 
 TEST_CASE("a share of the points is covered, or in one piece, from the least alpha on, and outliers do not decide it") {
-  for (const SolidSet& set : solid_sets(200)) {
-    if (!set.is_solid) continue;
-    CAPTURE(set.name);
-    const Solid delaunay = rbpa::solid(set.points, infinity);
-    const std::vector<double> radii = rbpa::circumradii(set.points, delaunay.simplices);
+  for_solids(200, [&](const Points3& points) {
+    const Solid delaunay = rbpa::solid(points, infinity);
+    const std::vector<double> radii = rbpa::circumradii(points, delaunay.simplices);
     for (const double share : {0.3, 0.9, 0.99}) {
       std::size_t wanted = 0;
       while (static_cast<double>(wanted) / static_cast<double>(delaunay.distinct) < share) ++wanted;
-      const auto covered = [&](double alpha) {
-        return delaunay.distinct - rbpa::solid(set.points, alpha).isolated.size();
-      };
+      const auto covered = [&](double alpha) { return delaunay.distinct - rbpa::solid(points, alpha).isolated.size(); };
       const double least = rbpa::min_alpha(delaunay, radii, share), whole = rbpa::auto_alpha(delaunay, radii, share);
       CHECK(covered(least) >= wanted);
       CHECK(covered(std::nextafter(least, 0)) < wanted);
-      CHECK(most_corners(set.points, rbpa::within(delaunay, radii, whole)) >= wanted);
-      CHECK(most_corners(set.points, rbpa::within(delaunay, radii, std::nextafter(whole, 0))) < wanted);
+      CHECK(most_corners(points, rbpa::within(delaunay, radii, whole)) >= wanted);
+      CHECK(most_corners(points, rbpa::within(delaunay, radii, std::nextafter(whole, 0))) < wanted);
     }
-  }
+  });
   Points3 points = jittered_cubes(1000, 8);
   points.push_back({500, 500, 500});
   const Solid delaunay = rbpa::solid(points, infinity);

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 #include <vector>
@@ -18,6 +16,9 @@
 #include "rbpa/space/surface/surface_components.h"
 #include "space/solid/solid_model.h"
 #include "support/arguments.h"
+#include "support/for_space_sets.h"
+#include "support/infinity.h"
+#include "support/order.h"
 #include "support/vectors.h"
 
 using namespace rbpa_test;
@@ -32,21 +33,6 @@ using rbpa::Voids;
 TEST_SUITE_BEGIN("space");
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-bool is_near(double computed, const Rational& exact) {
-  const Rational error = abs(Rational(rational(computed) - exact));
-  return error * rational(0x1p52) <= abs(exact);
-}
-
-Points3 grid(int columns, int rows, int layers) {
-  Points3 points;
-  for (int x = 0; x < columns; ++x)
-    for (int y = 0; y < rows; ++y)
-      for (int z = 0; z < layers; ++z) points.push_back({double(x), double(y), double(z)});
-  return points;
-}
 
 /// Returns the tetrahedra whose corners are all in a set of points.
 Solid part_on(const Solid& delaunay, std::size_t points, const std::vector<bool>& in) {
@@ -115,25 +101,19 @@ void check_voids(const Points3& points, const Solid& delaunay, const Solid& s, c
 TEST_CASE("Betti numbers of any part of a triangulation are those of its matrices, and voids are left-out pieces") {
   Random random(411);
   std::size_t several_voids = 0, tunnels = 0, pinched = 0;
-  for (int k = 0; k < space_kinds; ++k) {
-    const auto kind = static_cast<SpaceKind>(k);
-    for (int trial = 0; trial < trials(60); ++trial) {
-      CAPTURE(name(kind));
-      CAPTURE(trial);
-      const Points3 points = space_set(kind, 5 + random.below(30), random);
-      const Solid all = solid(points, infinity);
-      const Solid s = trial % 4 == 0 ? solid(points, space_radius(points, random))
-                                     : random_part(all, points.size(), 0.2 + 0.1 * double(random.below(8)), random);
-      const SolidBoundary b = rbpa::solid_boundary(s);
-      const Voids voids = rbpa::voids(points, s, b);
-      check_counts(s, b, voids.counts);
-      CHECK(rbpa::count(points, s, b) == voids.counts);
-      check_voids(points, all, s, b, voids, kind != SpaceKind::extreme);
-      several_voids += voids.all.size() > 1;
-      tunnels += voids.counts.tunnels > 0;
-      pinched += voids.counts.components < voids.counts.solid_components;
-    }
-  }
+  for_space_sets(trials(60), 5, 29, random, [&](const Points3& points, SpaceKind kind, int trial) {
+    const Solid all = solid(points, infinity);
+    const Solid s = trial % 4 == 0 ? solid(points, space_radius(points, random))
+                                   : random_part(all, points.size(), 0.2 + 0.1 * double(random.below(8)), random);
+    const SolidBoundary b = rbpa::solid_boundary(s);
+    const Voids voids = rbpa::voids(points, s, b);
+    check_counts(s, b, voids.counts);
+    CHECK(rbpa::count(points, s, b) == voids.counts);
+    check_voids(points, all, s, b, voids, kind != SpaceKind::extreme);
+    several_voids += voids.all.size() > 1;
+    tunnels += voids.counts.tunnels > 0;
+    pinched += voids.counts.components < voids.counts.solid_components;
+  });
   CHECK(several_voids > static_cast<std::size_t>(trials(60)));
   CHECK(tunnels > static_cast<std::size_t>(trials(100)));
   CHECK(pinched > static_cast<std::size_t>(trials(100)));
@@ -142,7 +122,7 @@ TEST_CASE("Betti numbers of any part of a triangulation are those of its matrice
 TEST_CASE("voids of parts of grids, where most points are in a plane with most others, are right") {
   Random random(412);
   std::size_t voids_found = 0;
-  const Points3 points = grid(5, 5, 5);
+  const Points3 points = corners_of_bricks(5, 5, 5);
   const Solid all = solid(points, infinity);
   for (int trial = 0; trial < trials(60); ++trial) {
     CAPTURE(trial);
@@ -214,7 +194,7 @@ TEST_CASE("walled-in tetrahedra around one point bound the voids that the triang
 TEST_CASE("chambers with a floating cube in each are voids with islands, also where walls are broken through") {
   Random random(414);
   std::size_t islands = 0, open = 0, several = 0;
-  const Points3 points = grid(14, 8, 8);
+  const Points3 points = corners_of_bricks(14, 8, 8);
   const Solid all = solid(points, infinity);
   for (int trial = 0; trial < trials(40); ++trial) {
     CAPTURE(trial);
@@ -251,7 +231,7 @@ TEST_CASE("chambers with a floating cube in each are voids with islands, also wh
 
 TEST_CASE("a box in a box in a box lies in the inner void, not in the outer, in any order") {
   Random random(420);
-  Points3 points = grid(11, 11, 11);
+  Points3 points = corners_of_bricks(11, 11, 11);
   for (int trial = 0; trial < 4; ++trial) {
     if (trial > 0) random.shuffle(points);
     // By the greatest distance from the middle, walls are between 5 and 4, 3 and 2, and 1 and 0.
@@ -282,7 +262,7 @@ TEST_CASE("a box in a box in a box lies in the inner void, not in the outer, in 
 
 TEST_CASE(
     "a plate with holes has as many tunnels, and its boundary that genus; closed on both sides the holes are voids") {
-  const Points3 points = grid(8, 4, 4);
+  const Points3 points = corners_of_bricks(8, 4, 4);
   const Solid all = solid(points, infinity);
   for (const bool closed : {false, true}) {
     std::vector<bool> kept;
@@ -354,14 +334,13 @@ TEST_CASE("shuffled points have the same voids and components, in the same order
   Random random(416);
   std::size_t voids_found = 0;
   for (int trial = 0; trial < 6; ++trial) {
-    Points3 points = trial < 3 ? grid(6, 6, 6) : space_set(SpaceKind::cube, 600, random);
+    Points3 points = trial < 3 ? corners_of_bricks(6, 6, 6) : space_set(SpaceKind::cube, 600, random);
     std::vector<bool> in;
     const Solid all = solid(points, infinity);
     const Solid s = trial < 3 ? random_part(all, points.size(), 0.8, random) : solid(points, 0.12);
     // The tetrahedra by their corners' coordinates.
-    std::vector<std::uint32_t> order(points.size()), place(points.size());
-    std::iota(order.begin(), order.end(), 0u);
-    random.shuffle(order);
+    const std::vector<std::uint32_t> order = random_order(points.size(), random);
+    std::vector<std::uint32_t> place(points.size());
     Points3 shuffled;
     for (std::uint32_t i = 0; i < order.size(); ++i) {
       shuffled.push_back(points[order[i]]);
@@ -416,7 +395,7 @@ TEST_CASE("components are pieces connected through triangles or points, with the
   std::size_t differ = 0;
   for (int trial = 0; trial < trials(80); ++trial) {
     CAPTURE(trial);
-    const Points3 points = trial % 2 == 0 ? grid(4, 4, 4) : space_set(SpaceKind::cube, 40, random);
+    const Points3 points = trial % 2 == 0 ? corners_of_bricks(4, 4, 4) : space_set(SpaceKind::cube, 40, random);
     const Solid s = random_part(solid(points, infinity), points.size(), 0.1 + 0.1 * double(random.below(8)), random);
     const SolidBoundary b = rbpa::solid_boundary(s);
     std::array<std::size_t, 2> sizes{};

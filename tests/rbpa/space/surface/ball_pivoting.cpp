@@ -18,6 +18,7 @@
 #include "rbpa/space/surface/surface_levels.h"
 #include "rbpa/space/surface/surface_mesh.h"
 #include "support/arguments.h"
+#include "support/for_space_sets.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 
@@ -203,35 +204,31 @@ std::size_t parallel_edges(const AnyMesh& mesh) {
 TEST_CASE("ball pivoting on the engine is the surface, with its triangles, gluing, and a vertex for each fan") {
   Random random(97);
   std::size_t triangles = 0, boundary = 0, fans = 0, by_sites_differs = 0, refused_by_sites = 0;
-  for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < trials(40); ++trial) {
-      CAPTURE(name(static_cast<SpaceKind>(k)));
-      CAPTURE(trial);
-      const Points3 points = space_set(static_cast<SpaceKind>(k), 3 + random.below(40), random);
-      const Points3 normals = some_normals(points, random);
-      const double radius = space_radius(points, random);
-      const Surface expected = rbpa::surface(points, normals, radius);
+  for_space_sets(trials(40), 3, 39, random, [&](const Points3& points) {
+    const Points3 normals = some_normals(points, random);
+    const double radius = space_radius(points, random);
+    const Surface expected = rbpa::surface(points, normals, radius);
 
-      Mesh mesh;
-      Watcher watcher;
-      const auto [found, site] = advanced(mesh, points, normals, {radius}, watcher);
-      CHECK(watcher.refusals == 0);
-      CHECK(watcher.glued_seeds == 0);
-      CHECK(meshops::validate(mesh).empty());
-      CHECK(found.triangles == expected.triangles);
-      CHECK(found.neighbors == expected.neighbors);
-      CHECK(mesh.n_vertices() == rbpa::surface_mesh(points, expected).mesh.n_vertices());
-      triangles += found.triangles.size();
-      for (const auto& across : found.neighbors)
-        boundary += static_cast<std::size_t>(std::count(across.begin(), across.end(), Surface::none));
-      fans += mesh.n_vertices() - std::set(site.begin(), site.end()).size();
+    Mesh mesh;
+    Watcher watcher;
+    const auto [found, site] = advanced(mesh, points, normals, {radius}, watcher);
+    CHECK(watcher.refusals == 0);
+    CHECK(watcher.glued_seeds == 0);
+    CHECK(meshops::validate(mesh).empty());
+    CHECK(found.triangles == expected.triangles);
+    CHECK(found.neighbors == expected.neighbors);
+    CHECK(mesh.n_vertices() == rbpa::surface_mesh(points, expected).mesh.n_vertices());
+    triangles += found.triangles.size();
+    for (const auto& across : found.neighbors)
+      boundary += static_cast<std::size_t>(std::count(across.begin(), across.end(), Surface::none));
+    fans += mesh.n_vertices() - std::set(site.begin(), site.end()).size();
 
-      Mesh other;
-      Watcher compared;
-      by_sites_differs +=
-          advanced<BySites>(other, points, normals, {radius}, compared).surface.neighbors != expected.neighbors;
-      refused_by_sites += compared.refusals > 0;
-    }
+    Mesh other;
+    Watcher compared;
+    by_sites_differs +=
+        advanced<BySites>(other, points, normals, {radius}, compared).surface.neighbors != expected.neighbors;
+    refused_by_sites += compared.refusals > 0;
+  });
   CHECK(triangles > trials(3000));
   CHECK(boundary > 1000);
   CHECK(fans > 100);
@@ -242,13 +239,9 @@ TEST_CASE("ball pivoting on the engine is the surface, with its triangles, gluin
 TEST_CASE("ball pivoting by several radii, each a level of the front, is the surface by several radii") {
   Random random(98);
   Compared compared;
-  for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < trials(25); ++trial) {
-      CAPTURE(name(static_cast<SpaceKind>(k)));
-      CAPTURE(trial);
-      const Points3 points = space_set(static_cast<SpaceKind>(k), 5 + random.below(30), random);
-      check_same(points, some_normals(points, random), some_radii(points, random), compared);
-    }
+  for_space_sets(trials(25), 5, 29, random, [&](const Points3& points) {
+    check_same(points, some_normals(points, random), some_radii(points, random), compared);
+  });
   for (std::size_t kind = 0; kind < uneven_kinds; ++kind)
     for (int trial = 0; trial < trials(40); ++trial) {
       const Uneven set = uneven_set(kind, random);
@@ -304,9 +297,7 @@ TEST_CASE("the front has the same surface by several radii in any order of the p
 }
 
 TEST_CASE("a point that hangs over an edge separates the triangles on both sides, which makes a slit") {
-  Points3 points;
-  for (int x = 0; x < 6; ++x)
-    for (int y = 0; y < 6; ++y) points.push_back({double(x), double(y), 0});
+  Points3 points = corners_of_bricks(6, 6, 1);
   points.push_back({2.5, 2, 1.1});  // the ball fits next to it, and not under it
   Points3 normals(points.size(), {0, 0, 1});
   normals.back() = {0, 0, -1};

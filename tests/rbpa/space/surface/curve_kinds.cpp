@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "meshops/core/contract.h"
-#include "support/space_sets.h"
+#include "support/spiral.h"
 
 using namespace rbpa_test;
 using rbpa::CurveKind;
@@ -66,13 +66,8 @@ Sheet square(const LeftOut& is_left_out) {
 /// Returns points of the unit sphere between two heights, about 0.1 apart.
 Sheet zone(double low, double high) {
   Sheet sheet;
-  const int count = 1500;
-  for (int i = 0; i < count; ++i) {
-    const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, r = std::sqrt(1 - z * z);
-    if (z < low || z > high) continue;
-    const Point3 p = {r * std::cos(around), r * std::sin(around), z};
-    sheet.add(p, p);
-  }
+  for (const Point3& p : spiral(1500))
+    if (low <= p.z && p.z <= high) sheet.add(p, p);
   return sheet;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -17,6 +16,7 @@
 #include "rbpa/space/surface/unused_points.h"
 #include "space/surface/model.h"
 #include "support/arguments.h"
+#include "support/order.h"
 
 using namespace rbpa_test;
 using rbpa::Hole;
@@ -173,21 +173,17 @@ TEST_CASE("each boundary side is on one curve, and its cause follows from trying
   Random random(201);
   Causes seen;
   std::size_t sides = 0;
-  for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 30; ++trial) {
-      CAPTURE(name(static_cast<SpaceKind>(k)));
-      CAPTURE(trial);
-      const Points3 points = space_set(static_cast<SpaceKind>(k), 4 + random.below(14), random);
-      const Points3 normals = some_normals(points, random);
-      const Radii radii = some_radii(points, random);
-      const Surface surface = rbpa::surface(points, normals, radii);
-      const std::vector<Hole> curves = rbpa::holes(points, normals, radii, surface);
-      sides += check_curves(curves, surface, points);
-      check_causes(points, normals, radii, surface, curves, seen);
-      check_unused(points, normals, radii, surface, seen);
-      if (radii.size() > 1) continue;
-      CHECK(rbpa::holes(points, normals, radii[0], rbpa::surface(points, normals, radii[0])) == curves);
-    }
+  for_space_sets(30, 4, 13, random, [&](const Points3& points) {
+    const Points3 normals = some_normals(points, random);
+    const Radii radii = some_radii(points, random);
+    const Surface surface = rbpa::surface(points, normals, radii);
+    const std::vector<Hole> curves = rbpa::holes(points, normals, radii, surface);
+    sides += check_curves(curves, surface, points);
+    check_causes(points, normals, radii, surface, curves, seen);
+    check_unused(points, normals, radii, surface, seen);
+    if (radii.size() > 1) return;
+    CHECK(rbpa::holes(points, normals, radii[0], rbpa::surface(points, normals, radii[0])) == curves);
+  });
   CHECK(sides > 500);
   for (const std::size_t count : seen.rim) CHECK(count > 20);
   for (const std::size_t count : seen.unused) CHECK(count > 0);
@@ -225,14 +221,10 @@ TEST_CASE("shuffled points have the same holes, with lengths equal to the last b
   std::size_t sides = 0;
   for (int trial = 0; trial < 10; ++trial) {
     Points3 points = space_set(SpaceKind::noisy_sphere, 150, random);
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());  // each point is unique
+    sort_distinct(points);  // each point is unique
     const Radii radii = {0.25, 0.5};
-    std::vector<std::uint32_t> order(points.size());
-    std::iota(order.begin(), order.end(), 0u);
-    random.shuffle(order);
-    Points3 shuffled;
-    for (const std::uint32_t i : order) shuffled.push_back(points[i]);
+    const std::vector<std::uint32_t> order = random_order(points.size(), random);
+    const Points3 shuffled = in_order(points, order);
     // Lengths, and the data of each side.
     using EdgeFacts = std::tuple<Triangle, std::uint32_t, RimCause, Triangle>;
     const auto holes_of = [&](const Points3& of, const auto& name) {

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 #include <vector>
 
 #include "meshops/core/contract.h"
 #include "support/arguments.h"
 #include "support/space_sets.h"
+#include "support/spiral.h"
 #include "support/triangle.h"
+#include "support/vectors.h"
 
 using namespace rbpa_test;
 using rbpa::Point3;
@@ -23,11 +24,7 @@ TEST_SUITE_BEGIN("space");
 namespace {
 
 void add_sphere(Points3& points, const Point3& center, double radius, int count) {
-  for (int i = 0; i < count; ++i) {
-    const double z = 1 - (2.0 * i + 1) / count, around = i * 2.399963229728653, r = std::sqrt(1 - z * z);
-    points.push_back(
-        {center.x + radius * r * std::cos(around), center.y + radius * r * std::sin(around), center.z + radius * z});
-  }
+  for (const Point3& p : spiral(count)) points.push_back(center + radius * p);
 }
 
 struct Shells {
@@ -109,9 +106,7 @@ TEST_CASE("the shell around a closed body is outer, and the one inside is not") 
 }
 
 TEST_CASE("a sheet is outer on both sides") {
-  Points3 points;
-  for (int x = 0; x < 9; ++x)
-    for (int y = 0; y < 9; ++y) points.push_back({double(x), double(y), 0});
+  const Points3 points = corners_of_bricks(9, 9, 1);
   const Shells sheet(points, 1);
   REQUIRE(sheet.components.all.size() == 1);
   CHECK(sheet.outer == std::vector<bool>{true});

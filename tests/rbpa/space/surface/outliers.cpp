@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <set>
 #include <vector>
 
 #include "rbpa/base/error.h"
 #include "support/arguments.h"
+#include "support/order.h"
 #include "support/random.h"
 #include "support/space_sets.h"
 
@@ -86,11 +85,8 @@ TEST_CASE("order, threads and a power of two change outliers only by their unit"
     CHECK(other.points == whole.points);
     CHECK(other.distance == std::ldexp(whole.distance, exponent));
   }
-  std::vector<std::uint32_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0u);
-  random.shuffle(order);
-  Points3 shuffled;
-  for (const std::uint32_t i : order) shuffled.push_back(points[i]);
+  const std::vector<std::uint32_t> order = random_order(points.size(), random);
+  const Points3 shuffled = in_order(points, order);
   std::vector<std::uint32_t> named;
   for (const std::uint32_t i : rbpa::outliers(shuffled).points) named.push_back(order[i]);
   std::sort(named.begin(), named.end());

@@ -12,11 +12,11 @@
 #include "rbpa/base/error.h"
 #include "rbpa/space/predicate/exact.h"
 #include "rbpa/space/surface/surface.h"
+#include "support/for_space_sets.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 
 using namespace rbpa_test;
-using rbpa::Point3;
 using rbpa::RollingBall;
 using rbpa::Surface;
 
@@ -25,49 +25,46 @@ TEST_SUITE_BEGIN("space");
 TEST_CASE("a rolling ball rests exactly on the exposed triangles, and rolls to their neighbors") {
   Random random(95);
   std::size_t triangles = 0, elsewhere = 0, several = 0;
-  for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 20; ++trial) {
-      CAPTURE(name(static_cast<SpaceKind>(k)));
-      const Points3 points = space_set(static_cast<SpaceKind>(k), 3 + random.below(14), random);
-      const double radius = space_radius(points, random);
-      const Surface exposed = rbpa::exposed_triangles(points, radius);
-      const RollingBall ball(points, radius);
-      REQUIRE(std::equal(ball.points().begin(), ball.points().end(), points.begin(), points.end()));
-      std::vector<Triangle> found;
-      for (std::uint32_t i = 0; i < points.size(); ++i)
-        for (const Triangle& t : ball.triangles_from(i)) found.push_back(t);
-      CHECK(found == exposed.triangles);
-      int wrong = 0;
-      std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<RollingBall::Roll>> about;
-      for (std::size_t t = 0; t < exposed.triangles.size(); ++t)
-        for (std::size_t side = 0; side < 3; ++side) {
-          const Triangle& from = exposed.triangles[t];
-          const std::uint32_t a = from[(side + 1) % 3], b = from[(side + 2) % 3], c = from[side];
-          const auto p = ball.roll(a, b, c);
-          REQUIRE(p);
-          wrong += canonical({{b, a, *p}}) != std::vector{exposed.triangles[exposed.neighbors[t][side]]};
-          wrong += ball.roll(b, a, *p) != c;
-          wrong += !ball.agrees(from);
-          if (p) about[{a, b}].push_back({c, *p});
-        }
-      for (std::uint32_t a = 0; a <= points.size(); ++a)
-        for (std::uint32_t b = 0; b <= points.size(); ++b) {
-          auto expected = about[{a, b}];
-          std::sort(expected.begin(), expected.end(), [](const auto& r, const auto& s) { return r.from < s.from; });
-          wrong += ball.rolls(a, b) != expected;
-          several += expected.size() > 1;
-        }
-      CHECK(wrong == 0);
-      triangles += found.size();
-      for (int any = 0; any < 30; ++any) {
-        const auto one = [&] { return static_cast<std::uint32_t>(random.below(points.size() + 1)); };
-        const std::uint32_t a = one(), b = one(), c = one();
-        const auto triangle = canonical({{a, b, c}});
-        if (std::binary_search(found.begin(), found.end(), triangle.front())) continue;
-        CHECK_FALSE(ball.roll(a, b, c));
-        ++elsewhere;
+  for_space_sets(20, 3, 13, random, [&](const Points3& points) {
+    const double radius = space_radius(points, random);
+    const Surface exposed = rbpa::exposed_triangles(points, radius);
+    const RollingBall ball(points, radius);
+    REQUIRE(std::equal(ball.points().begin(), ball.points().end(), points.begin(), points.end()));
+    std::vector<Triangle> found;
+    for (std::uint32_t i = 0; i < points.size(); ++i)
+      for (const Triangle& t : ball.triangles_from(i)) found.push_back(t);
+    CHECK(found == exposed.triangles);
+    int wrong = 0;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<RollingBall::Roll>> about;
+    for (std::size_t t = 0; t < exposed.triangles.size(); ++t)
+      for (std::size_t side = 0; side < 3; ++side) {
+        const Triangle& from = exposed.triangles[t];
+        const std::uint32_t a = from[(side + 1) % 3], b = from[(side + 2) % 3], c = from[side];
+        const auto p = ball.roll(a, b, c);
+        REQUIRE(p);
+        wrong += canonical({{b, a, *p}}) != std::vector{exposed.triangles[exposed.neighbors[t][side]]};
+        wrong += ball.roll(b, a, *p) != c;
+        wrong += !ball.agrees(from);
+        if (p) about[{a, b}].push_back({c, *p});
       }
+    for (std::uint32_t a = 0; a <= points.size(); ++a)
+      for (std::uint32_t b = 0; b <= points.size(); ++b) {
+        auto expected = about[{a, b}];
+        std::sort(expected.begin(), expected.end(), [](const auto& r, const auto& s) { return r.from < s.from; });
+        wrong += ball.rolls(a, b) != expected;
+        several += expected.size() > 1;
+      }
+    CHECK(wrong == 0);
+    triangles += found.size();
+    for (int any = 0; any < 30; ++any) {
+      const auto one = [&] { return static_cast<std::uint32_t>(random.below(points.size() + 1)); };
+      const std::uint32_t a = one(), b = one(), c = one();
+      const auto triangle = canonical({{a, b, c}});
+      if (std::binary_search(found.begin(), found.end(), triangle.front())) continue;
+      CHECK_FALSE(ball.roll(a, b, c));
+      ++elsewhere;
     }
+  });
   CHECK(triangles > 1500);
   CHECK(elsewhere > 1500);
   CHECK(several > 100);

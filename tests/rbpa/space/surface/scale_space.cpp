@@ -4,13 +4,13 @@
 
 #include <cmath>
 #include <cstring>
-#include <numeric>
 #include <vector>
 
 #include "rbpa/base/error.h"
 #include "rbpa/space/normals/estimate_normals.h"
 #include "rbpa/space/surface/surface_levels.h"
 #include "rbpa/space/surface/unused_points.h"
+#include "support/order.h"
 #include "support/space_sets.h"
 #include "support/vectors.h"
 
@@ -109,9 +109,7 @@ TEST_CASE("neither the order of the points nor the threads nor a power of two ch
     CAPTURE(name(static_cast<SpaceKind>(k)));
     const Points3 points = space_set(static_cast<SpaceKind>(k), 1200, random);
     const Points3 expected = scale_space(points, {.steps = 2, .threads = 1}).points;
-    std::vector<std::uint32_t> order(points.size());
-    std::iota(order.begin(), order.end(), 0u);
-    random.shuffle(order);
+    const std::vector<std::uint32_t> order = random_order(points.size(), random);
     Points3 shuffled, expected_shuffled;
     for (const std::uint32_t i : order) {
       const auto scaled = [](const Point3& p) {

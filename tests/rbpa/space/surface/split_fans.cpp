@@ -9,6 +9,7 @@
 
 #include "rbpa/space/surface/surface_components.h"
 #include "rbpa/space/surface/surface_mesh.h"
+#include "support/for_space_sets.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 
@@ -24,15 +25,11 @@ namespace {
 template <typename Visit>
 void for_each_surface(std::uint64_t seed, int trials, const Visit& visit) {
   Random random(seed);
-  for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < trials; ++trial) {
-      CAPTURE(name(static_cast<SpaceKind>(k)));
-      CAPTURE(trial);
-      const Points3 points = space_set(static_cast<SpaceKind>(k), 3 + random.below(30), random);
-      const double radius = space_radius(points, random);
-      visit(points, rbpa::exposed_triangles(points, radius));
-      visit(points, rbpa::surface(points, random_normals(points.size(), random), radius));
-    }
+  for_space_sets(trials, 3, 29, random, [&](const Points3& points) {
+    const double radius = space_radius(points, random);
+    visit(points, rbpa::exposed_triangles(points, radius));
+    visit(points, rbpa::surface(points, random_normals(points.size(), random), radius));
+  });
 }
 
 }  // namespace

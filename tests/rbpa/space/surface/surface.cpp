@@ -3,17 +3,18 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <set>
 #include <vector>
 
 #include "rbpa/base/error.h"
 #include "rbpa/plane/alpha_complex.h"
 #include "rbpa/space/predicate/resting_ball.h"
+#include "support/for_space_sets.h"
 #include "support/generate.h"
+#include "support/order.h"
+#include "support/refusal_of.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 
@@ -101,18 +102,14 @@ std::vector<Triangle> by_definition(const Points3& points, double radius) {
 TEST_CASE("the exposed triangles follow the definition, and are closed") {
   Random random(81);
   std::size_t triangles = 0;
-  for (int k = 0; k < space_kinds; ++k) {
-    CAPTURE(name(static_cast<SpaceKind>(k)));
-    for (int trial = 0; trial < 25; ++trial) {
-      const Points3 points = space_set(static_cast<SpaceKind>(k), 3 + random.below(9), random);
-      const double radius = space_radius(points, random);
-      const Surface exposed = exposed_triangles(points, radius);
-      CHECK(exposed.triangles == by_definition(points, radius));
-      check_glued(exposed);
-      CHECK(is_closed(exposed));
-      triangles += exposed.triangles.size();
-    }
-  }
+  for_space_sets(25, 3, 8, random, [&](const Points3& points) {
+    const double radius = space_radius(points, random);
+    const Surface exposed = exposed_triangles(points, radius);
+    CHECK(exposed.triangles == by_definition(points, radius));
+    check_glued(exposed);
+    CHECK(is_closed(exposed));
+    triangles += exposed.triangles.size();
+  });
   CHECK(triangles > 1000);
 }
 
@@ -175,20 +172,13 @@ TEST_CASE("shuffled points have the same surface, also scaled by a power of two"
       CAPTURE(name(static_cast<SpaceKind>(k)));
       Points3 points = space_set(static_cast<SpaceKind>(k), 25, random);
       const double radius = space_radius(points, random);
-      std::sort(points.begin(), points.end());
-      points.erase(std::unique(points.begin(), points.end()), points.end());
+      sort_distinct(points);
       const Points3 normals = random_normals(points.size(), random);
       const Surface expected = rbpa::surface(points, normals, radius);
       check_glued(expected);
 
-      std::vector<std::uint32_t> order(points.size());
-      std::iota(order.begin(), order.end(), 0u);
-      random.shuffle(order);
-      Points3 shuffled, turned;
-      for (const std::uint32_t i : order) {
-        shuffled.push_back(points[i]);
-        turned.push_back(normals[i]);
-      }
+      const std::vector<std::uint32_t> order = random_order(points.size(), random);
+      const Points3 shuffled = in_order(points, order), turned = in_order(normals, order);
       const Surface actual = rbpa::surface(shuffled, turned, radius);
       CHECK(renumbered(actual.triangles, order) == expected.triangles);
       CHECK(euler(actual) == euler(expected));
@@ -207,35 +197,33 @@ TEST_CASE("shuffled points have the same surface, also scaled by a power of two"
 TEST_CASE("the surface has the exposed triangles that agree with all normals, glued as exposed triangles are") {
   Random random(83);
   std::size_t kept = 0, boundary = 0;
-  for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 20; ++trial) {
-      const Points3 points = space_set(static_cast<SpaceKind>(k), 12, random);
-      const Points3 normals = random_normals(points.size(), random);
-      const double radius = space_radius(points, random);
-      const Surface all = exposed_triangles(points, radius), some = rbpa::surface(points, normals, radius);
-      std::vector<std::uint32_t> number(all.triangles.size(), Surface::none);
-      std::uint32_t next = 0;
-      std::vector<Triangle> expected;
-      for (std::size_t t = 0; t < all.triangles.size(); ++t) {
-        const auto& [a, b, c] = all.triangles[t];
-        bool agrees = true;
-        for (std::size_t i = 0; i < points.size(); ++i)
-          if (points[i] == points[a] || points[i] == points[b] || points[i] == points[c])
-            agrees = agrees && rbpa::space::exact::normal_sign(points[a], points[b], points[c], normals[i]) > 0;
-        if (!agrees) continue;
-        number[t] = next++;
-        expected.push_back(all.triangles[t]);
-      }
-      CHECK(some.triangles == expected);
-      check_glued(some);
-      for (std::size_t t = 0; t < all.triangles.size(); ++t)
-        for (std::size_t side = 0; side < 3 && number[t] != Surface::none; ++side) {
-          const std::uint32_t mate = number[all.neighbors[t][side]];
-          CHECK(some.neighbors[number[t]][side] == mate);
-          boundary += mate == Surface::none;
-        }
-      kept += expected.size();
+  for_space_sets(20, 12, 0, random, [&](const Points3& points) {
+    const Points3 normals = random_normals(points.size(), random);
+    const double radius = space_radius(points, random);
+    const Surface all = exposed_triangles(points, radius), some = rbpa::surface(points, normals, radius);
+    std::vector<std::uint32_t> number(all.triangles.size(), Surface::none);
+    std::uint32_t next = 0;
+    std::vector<Triangle> expected;
+    for (std::size_t t = 0; t < all.triangles.size(); ++t) {
+      const auto& [a, b, c] = all.triangles[t];
+      bool agrees = true;
+      for (std::size_t i = 0; i < points.size(); ++i)
+        if (points[i] == points[a] || points[i] == points[b] || points[i] == points[c])
+          agrees = agrees && rbpa::space::exact::normal_sign(points[a], points[b], points[c], normals[i]) > 0;
+      if (!agrees) continue;
+      number[t] = next++;
+      expected.push_back(all.triangles[t]);
     }
+    CHECK(some.triangles == expected);
+    check_glued(some);
+    for (std::size_t t = 0; t < all.triangles.size(); ++t)
+      for (std::size_t side = 0; side < 3 && number[t] != Surface::none; ++side) {
+        const std::uint32_t mate = number[all.neighbors[t][side]];
+        CHECK(some.neighbors[number[t]][side] == mate);
+        boundary += mate == Surface::none;
+      }
+    kept += expected.size();
+  });
   CHECK(kept > 100);
   CHECK(boundary > 100);
 }
@@ -293,14 +281,7 @@ TEST_CASE("a surface has the same bytes with any number of threads; a run can be
 TEST_CASE("invalid input is refused by name; few points and far points have an empty surface") {
   constexpr double infinity = std::numeric_limits<double>::infinity(), none = std::numeric_limits<double>::quiet_NaN();
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  const auto refusal = [](auto call) -> std::string {
-    try {
-      call();
-    } catch (const rbpa::InvalidInput& e) {
-      return e.what();
-    }
-    return "";
-  };
+  const auto refusal = [](auto call) -> std::string { return refusal_of<rbpa::InvalidInput>(call); };
   for (const double radius : {0.0, -1.0, none, infinity})
     CHECK(refusal([&] { exposed_triangles(points, radius); }).find("expected a finite number above 0") !=
           std::string::npos);

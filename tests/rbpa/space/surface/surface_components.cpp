@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <vector>
 
 #include "meshops/core/contract.h"
 #include "rbpa/space/surface/holes.h"
 #include "rbpa/space/surface/surface_mesh.h"
+#include "support/for_space_sets.h"
+#include "support/order.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 
@@ -73,85 +74,74 @@ bool equal(const SurfaceComponent& c, const SurfaceComponent& d) {
 TEST_CASE("components are the connected triangles, with measures that are the same to the last bit in any order") {
   Random random(301);
   std::size_t several = 0, open = 0, with_handles = 0;
-  for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 20; ++trial) {
-      CAPTURE(name(static_cast<SpaceKind>(k)));
-      CAPTURE(trial);
-      const Points3 points = space_set(static_cast<SpaceKind>(k), 4 + random.below(40), random);
-      Points3 normals = random_normals(points.size(), random);
-      const double radius = space_radius(points, random);
-      for (const bool shells : {true, false}) {
-        const Surface surface =
-            shells ? rbpa::exposed_triangles(points, radius) : rbpa::surface(points, normals, radius);
-        const SurfaceComponents components = rbpa::surface_components(points, surface);
-        const auto pieces = pieces_of(surface);
-        REQUIRE(components.all.size() == pieces.size());
-        REQUIRE(components.number.size() == surface.triangles.size());
-        several += pieces.size() > 1;
-        std::set<std::uint32_t> numbers;
-        for (const auto& piece : pieces) {
-          const std::uint32_t number = components.number[*piece.begin()];
-          REQUIRE(numbers.insert(number).second);
-          const SurfaceComponent& component = components.all.at(number);
-          CHECK(component.triangles == piece.size());
-          std::size_t sides = 0;
-          std::array<std::array<double, 2>, 3> box;
-          box.fill({INFINITY, -INFINITY});
-          for (const std::size_t t : piece) {
-            CHECK(components.number[t] == number);
-            for (std::size_t j = 0; j < 3; ++j) {
-              sides += surface.neighbors[t][j] == Surface::none;
-              const Point3& p = points[surface.triangles[t][j]];
-              const std::array coordinates = {p.x, p.y, p.z};
-              for (std::size_t axis = 0; axis < 3; ++axis)
-                box[axis] = {std::min(box[axis][0], coordinates[axis]), std::max(box[axis][1], coordinates[axis])};
-            }
+  for_space_sets(20, 4, 39, random, [&](const Points3& points, SpaceKind kind, int) {
+    Points3 normals = random_normals(points.size(), random);
+    const double radius = space_radius(points, random);
+    for (const bool shells : {true, false}) {
+      const Surface surface = shells ? rbpa::exposed_triangles(points, radius) : rbpa::surface(points, normals, radius);
+      const SurfaceComponents components = rbpa::surface_components(points, surface);
+      const auto pieces = pieces_of(surface);
+      REQUIRE(components.all.size() == pieces.size());
+      REQUIRE(components.number.size() == surface.triangles.size());
+      several += pieces.size() > 1;
+      std::set<std::uint32_t> numbers;
+      for (const auto& piece : pieces) {
+        const std::uint32_t number = components.number[*piece.begin()];
+        REQUIRE(numbers.insert(number).second);
+        const SurfaceComponent& component = components.all.at(number);
+        CHECK(component.triangles == piece.size());
+        std::size_t sides = 0;
+        std::array<std::array<double, 2>, 3> box;
+        box.fill({INFINITY, -INFINITY});
+        for (const std::size_t t : piece) {
+          CHECK(components.number[t] == number);
+          for (std::size_t j = 0; j < 3; ++j) {
+            sides += surface.neighbors[t][j] == Surface::none;
+            const Point3& p = points[surface.triangles[t][j]];
+            const std::array coordinates = {p.x, p.y, p.z};
+            for (std::size_t axis = 0; axis < 3; ++axis)
+              box[axis] = {std::min(box[axis][0], coordinates[axis]), std::max(box[axis][1], coordinates[axis])};
           }
-          CHECK(component.boundary_sides == sides);
-          CHECK(component.is_closed() == (sides == 0));
-          open += sides > 0;
-          CHECK(component.low == Point3{box[0][0], box[1][0], box[2][0]});
-          CHECK(component.high == Point3{box[0][1], box[1][1], box[2][1]});
-          const auto [area, volume] = measures(points, surface, piece);
-          if (static_cast<SpaceKind>(k) == SpaceKind::extreme) continue;  // these terms have no digits there
-          CHECK(component.area == doctest::Approx(double(area)));
-          if (sides > 0)
-            CHECK(component.volume == 0);
-          else
-            CHECK(std::abs(component.volume - double(volume)) <= 1e-9 * std::pow(double(area), 1.5));
         }
-        std::size_t curves = 0;
-        for (const SurfaceComponent& component : components.all) {
-          curves += component.boundary_curves;
-          CHECK((component.boundary_curves == 0) == component.is_closed());
-        }
-        // The sum of 2 − 2 genus − curves is the Euler characteristic of the mesh.
-        std::size_t handles = 0;
-        for (const std::size_t genus : rbpa::genus_of(surface, components)) handles += genus;
-        const rbpa::SurfaceMesh mesh = rbpa::surface_mesh(points, surface);
-        CHECK(mesh.mesh.n_vertices() + mesh.mesh.n_faces() + 2 * handles + curves ==
-              2 * components.all.size() + mesh.mesh.n_edges());
-        with_handles += handles > 0;
-        if (!shells) CHECK(curves == rbpa::holes(points, normals, radius, surface).size());
-        for (std::size_t c = 1; c < components.all.size(); ++c)
-          CHECK(components.all[c - 1].area >= components.all[c].area);
-
-        // Shuffled points have the same components, in the same order.
-        std::vector<std::size_t> order(points.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        random.shuffle(order);
-        Points3 shuffled, turned;
-        for (const std::size_t i : order) {
-          shuffled.push_back(points[i]);
-          turned.push_back(normals[i]);
-        }
-        const Surface again =
-            shells ? rbpa::exposed_triangles(shuffled, radius) : rbpa::surface(shuffled, turned, radius);
-        const SurfaceComponents others = rbpa::surface_components(shuffled, again);
-        REQUIRE(others.all.size() == components.all.size());
-        for (std::size_t c = 0; c < others.all.size(); ++c) CHECK(equal(others.all[c], components.all[c]));
+        CHECK(component.boundary_sides == sides);
+        CHECK(component.is_closed() == (sides == 0));
+        open += sides > 0;
+        CHECK(component.low == Point3{box[0][0], box[1][0], box[2][0]});
+        CHECK(component.high == Point3{box[0][1], box[1][1], box[2][1]});
+        const auto [area, volume] = measures(points, surface, piece);
+        if (kind == SpaceKind::extreme) continue;  // these terms have no digits there
+        CHECK(component.area == doctest::Approx(double(area)));
+        if (sides > 0)
+          CHECK(component.volume == 0);
+        else
+          CHECK(std::abs(component.volume - double(volume)) <= 1e-9 * std::pow(double(area), 1.5));
       }
+      std::size_t curves = 0;
+      for (const SurfaceComponent& component : components.all) {
+        curves += component.boundary_curves;
+        CHECK((component.boundary_curves == 0) == component.is_closed());
+      }
+      // The sum of 2 − 2 genus − curves is the Euler characteristic of the mesh.
+      std::size_t handles = 0;
+      for (const std::size_t genus : rbpa::genus_of(surface, components)) handles += genus;
+      const rbpa::SurfaceMesh mesh = rbpa::surface_mesh(points, surface);
+      CHECK(mesh.mesh.n_vertices() + mesh.mesh.n_faces() + 2 * handles + curves ==
+            2 * components.all.size() + mesh.mesh.n_edges());
+      with_handles += handles > 0;
+      if (!shells) CHECK(curves == rbpa::holes(points, normals, radius, surface).size());
+      for (std::size_t c = 1; c < components.all.size(); ++c)
+        CHECK(components.all[c - 1].area >= components.all[c].area);
+
+      // Shuffled points have the same components, in the same order.
+      const std::vector<std::uint32_t> order = random_order(points.size(), random);
+      const Points3 shuffled = in_order(points, order), turned = in_order(normals, order);
+      const Surface again =
+          shells ? rbpa::exposed_triangles(shuffled, radius) : rbpa::surface(shuffled, turned, radius);
+      const SurfaceComponents others = rbpa::surface_components(shuffled, again);
+      REQUIRE(others.all.size() == components.all.size());
+      for (std::size_t c = 0; c < others.all.size(); ++c) CHECK(equal(others.all[c], components.all[c]));
     }
+  });
   CHECK(several > 50);
   CHECK(open > 200);
   CHECK(with_handles > 0);

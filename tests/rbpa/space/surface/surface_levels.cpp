@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,6 +16,8 @@
 #include "rbpa/space/surface/levels/sub_surface.h"
 #include "rbpa/space/surface/surface_mesh.h"
 #include "space/surface/model.h"
+#include "support/order.h"
+#include "support/refusal_of.h"
 
 using namespace rbpa_test;
 using rbpa::Point3;
@@ -59,23 +60,19 @@ bool is_same(const Surface& s, const Surface& t) {
 TEST_CASE("surfaces by several radii follow the rule literally") {
   Random random(301);
   std::size_t added = 0, glued_across = 0;
-  for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 25; ++trial) {
-      CAPTURE(name(static_cast<SpaceKind>(k)));
-      CAPTURE(trial);
-      const Points3 points = space_set(static_cast<SpaceKind>(k), 5 + random.below(14), random);
-      const Points3 normals = some_normals(points, random);
-      const Radii radii = some_radii(points, random);
-      const Surface surface = rbpa::surface(points, normals, radii);
-      ModelSurface model(points, normals);
-      for (const double radius : radii) model.add(radius);
-      CHECK(is_model(surface, model));
-      for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        added += surface.levels[t] > 0;
-        for (const std::uint32_t other : surface.neighbors[t])
-          glued_across += other != Surface::none && surface.levels[other] < surface.levels[t];
-      }
+  for_space_sets(25, 5, 13, random, [&](const Points3& points) {
+    const Points3 normals = some_normals(points, random);
+    const Radii radii = some_radii(points, random);
+    const Surface surface = rbpa::surface(points, normals, radii);
+    ModelSurface model(points, normals);
+    for (const double radius : radii) model.add(radius);
+    CHECK(is_model(surface, model));
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      added += surface.levels[t] > 0;
+      for (const std::uint32_t other : surface.neighbors[t])
+        glued_across += other != Surface::none && surface.levels[other] < surface.levels[t];
     }
+  });
   CHECK(added > 500);
   CHECK(glued_across > 100);
 }
@@ -83,61 +80,47 @@ TEST_CASE("surfaces by several radii follow the rule literally") {
 TEST_CASE("a radius removes nothing and changes no gluing; the mesh is sound; one radius equals surface()") {
   Random random(302);
   std::size_t more = 0;
-  for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 4; ++trial) {
-      CAPTURE(name(static_cast<SpaceKind>(k)));
-      CAPTURE(trial);
-      const Points3 points = space_set(static_cast<SpaceKind>(k), 30, random);
-      const Points3 normals = some_normals(points, random);
-      const Radii radii = some_radii(points, random);
-      const Surface all = rbpa::surface(points, normals, radii);
-      rbpa::require_linked(rbpa::space::arrays_of(all), points.size());
-      for (std::uint32_t i = 1; i <= radii.size(); ++i) {
-        const Surface fewer = rbpa::surface(points, normals, std::span(radii).first(i));
-        CHECK(is_same(rbpa::space::sub_surface(i, all), fewer));
-        more += all.triangles.size() > fewer.triangles.size();
-        if (i > 1) continue;
-        const Surface one = rbpa::surface(points, normals, radii[0]);
-        CHECK(one.triangles == fewer.triangles);
-        CHECK(one.neighbors == fewer.neighbors);
-        CHECK(one.duplicates == all.duplicates);
-      }
-      CHECK(meshops::validate(rbpa::surface_mesh(points, all).mesh).empty());
+  for_space_sets(4, 30, 0, random, [&](const Points3& points) {
+    const Points3 normals = some_normals(points, random);
+    const Radii radii = some_radii(points, random);
+    const Surface all = rbpa::surface(points, normals, radii);
+    rbpa::require_linked(rbpa::space::arrays_of(all), points.size());
+    for (std::uint32_t i = 1; i <= radii.size(); ++i) {
+      const Surface fewer = rbpa::surface(points, normals, std::span(radii).first(i));
+      CHECK(is_same(rbpa::space::sub_surface(i, all), fewer));
+      more += all.triangles.size() > fewer.triangles.size();
+      if (i > 1) continue;
+      const Surface one = rbpa::surface(points, normals, radii[0]);
+      CHECK(one.triangles == fewer.triangles);
+      CHECK(one.neighbors == fewer.neighbors);
+      CHECK(one.duplicates == all.duplicates);
     }
+    CHECK(meshops::validate(rbpa::surface_mesh(points, all).mesh).empty());
+  });
   CHECK(more > 20);
 }
 
 TEST_CASE("shuffled points have the same surface by several radii, with any number of threads") {
   Random random(303);
   std::size_t triangles = 0;
-  for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 3; ++trial) {
-      CAPTURE(name(static_cast<SpaceKind>(k)));
-      Points3 points = space_set(static_cast<SpaceKind>(k), 40, random);
-      const Radii radii = some_radii(points, random);
-      std::sort(points.begin(), points.end());
-      points.erase(std::unique(points.begin(), points.end()), points.end());
-      const Points3 normals = some_normals(points, random);
-      const Surface expected = rbpa::surface(points, normals, radii);
-      triangles += expected.triangles.size();
-      std::vector<std::uint32_t> order(points.size());
-      std::iota(order.begin(), order.end(), 0u);
-      random.shuffle(order);
-      Points3 shuffled, turned;
-      for (const std::uint32_t i : order) {
-        shuffled.push_back(points[i]);
-        turned.push_back(normals[i]);
-      }
-      const Surface actual = rbpa::surface(shuffled, turned, radii);
-      CHECK(renumbered(actual.triangles, order) == expected.triangles);
-      CHECK(boundary_sides(actual) == boundary_sides(expected));
-      for (std::size_t t = 0; t < actual.triangles.size(); ++t) {
-        const Triangle there = renumbered({actual.triangles[t]}, order)[0];
-        const auto at = std::lower_bound(expected.triangles.begin(), expected.triangles.end(), there);
-        REQUIRE(at != expected.triangles.end());
-        CHECK(expected.levels[static_cast<std::size_t>(at - expected.triangles.begin())] == actual.levels[t]);
-      }
+  for_space_sets(3, 40, 0, random, [&](Points3 points) {
+    const Radii radii = some_radii(points, random);
+    sort_distinct(points);
+    const Points3 normals = some_normals(points, random);
+    const Surface expected = rbpa::surface(points, normals, radii);
+    triangles += expected.triangles.size();
+    const std::vector<std::uint32_t> order = random_order(points.size(), random);
+    const Points3 shuffled = in_order(points, order), turned = in_order(normals, order);
+    const Surface actual = rbpa::surface(shuffled, turned, radii);
+    CHECK(renumbered(actual.triangles, order) == expected.triangles);
+    CHECK(boundary_sides(actual) == boundary_sides(expected));
+    for (std::size_t t = 0; t < actual.triangles.size(); ++t) {
+      const Triangle there = renumbered({actual.triangles[t]}, order)[0];
+      const auto at = std::lower_bound(expected.triangles.begin(), expected.triangles.end(), there);
+      REQUIRE(at != expected.triangles.end());
+      CHECK(expected.levels[static_cast<std::size_t>(at - expected.triangles.begin())] == actual.levels[t]);
     }
+  });
   CHECK(triangles > 500);
 
   const Points3 sphere = space_set(SpaceKind::noisy_sphere, 2500, random);
@@ -198,12 +181,7 @@ TEST_CASE("a second radius closes what the first leaves open, on a sphere of spa
 TEST_CASE("radii that do not ascend are refused") {
   const Points3 points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, normals(3, {0, 0, 1});
   const auto refusal = [&](const Radii& radii) -> std::string {
-    try {
-      rbpa::surface(points, normals, radii);
-    } catch (const rbpa::InvalidInput& e) {
-      return e.what();
-    }
-    return "";
+    return refusal_of<rbpa::InvalidInput>([&] { rbpa::surface(points, normals, radii); });
   };
   CHECK(refusal({}) == "found no radius, expected at least one above 0");
   CHECK(refusal({1, 1}) == "radius 1 comes after 1, expected strictly ascending radii");

@@ -3,14 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "meshops/core/contract.h"
 #include "meshops/core/validate.h"
+#include "support/for_space_sets.h"
 #include "support/space_sets.h"
 #include "support/triangle.h"
 
@@ -60,24 +57,19 @@ void check_is(const SurfaceMesh& made, const Surface& surface, const Points3& po
 TEST_CASE("the mesh of a surface is sound, and has its triangles glued in the same way") {
   Random random(91);
   std::size_t faces = 0, fans = 0;
-  for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 25; ++trial) {
-      CAPTURE(name(static_cast<SpaceKind>(k)));
-      CAPTURE(trial);
-      const Points3 points = space_set(static_cast<SpaceKind>(k), 3 + random.below(30), random);
-      const double radius = space_radius(points, random);
-      const Surface exposed = rbpa::exposed_triangles(points, radius),
-                    some = rbpa::surface(points, random_normals(points.size(), random), radius);
-      for (const Surface& surface : {exposed, some}) {
-        const SurfaceMesh made = rbpa::surface_mesh(points, surface);
-        check_is(made, surface, points);
-        Surface given = surface;
-        check_is(rbpa::surface_mesh(points, std::move(given)), surface, points);
-        faces += made.mesh.n_faces();
-        for (std::size_t v = 1; v < made.input_index.size(); ++v)
-          fans += made.input_index[v] == made.input_index[v - 1];
-      }
+  for_space_sets(25, 3, 29, random, [&](const Points3& points) {
+    const double radius = space_radius(points, random);
+    const Surface exposed = rbpa::exposed_triangles(points, radius),
+                  some = rbpa::surface(points, random_normals(points.size(), random), radius);
+    for (const Surface& surface : {exposed, some}) {
+      const SurfaceMesh made = rbpa::surface_mesh(points, surface);
+      check_is(made, surface, points);
+      Surface given = surface;
+      check_is(rbpa::surface_mesh(points, std::move(given)), surface, points);
+      faces += made.mesh.n_faces();
+      for (std::size_t v = 1; v < made.input_index.size(); ++v) fans += made.input_index[v] == made.input_index[v - 1];
     }
+  });
   CHECK(faces > 5000);
   CHECK(fans > 500);
 }

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -17,10 +15,10 @@
 #include "rbpa/space/repair/refine_filling.h"
 #include "rbpa/space/surface/split_fans.h"
 #include "rbpa/space/surface/surface_components.h"
+#include "support/for_space_sets.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;
-using rbpa::Point3;
 using rbpa::Surface;
 using rbpa::SurfaceOfTriangles;
 
@@ -167,21 +165,17 @@ TEST_CASE("bodies that touch along an edge are glued as they face each other; fo
 TEST_CASE("the exposed triangles of any points, given without neighbors, are glued as the ball rolls") {
   Random random(71);
   std::size_t non_manifold = 0;
-  for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 25; ++trial) {
-      CAPTURE(name(static_cast<SpaceKind>(k)));
-      CAPTURE(trial);
-      const Points3 points = space_set(static_cast<SpaceKind>(k), 3 + random.below(40), random);
-      const Surface expected = rbpa::exposed_triangles(points, space_radius(points, random));
-      const SurfaceOfTriangles found = rbpa::surface_of(points, expected.triangles);
-      REQUIRE(found.triangles == expected.triangles);
-      CHECK(found.neighbors == expected.neighbors);
-      CHECK(found.duplicates == expected.duplicates);
-      CHECK(found.distinct == expected.distinct);
-      const SurfaceOfTriangles again = rbpa::surface_of(points, expected.triangles, expected.neighbors);
-      CHECK(again.neighbors == expected.neighbors);
-      non_manifold += rbpa::split_fans(expected).point.size() > expected.distinct;
-    }
+  for_space_sets(25, 3, 39, random, [&](const Points3& points) {
+    const Surface expected = rbpa::exposed_triangles(points, space_radius(points, random));
+    const SurfaceOfTriangles found = rbpa::surface_of(points, expected.triangles);
+    REQUIRE(found.triangles == expected.triangles);
+    CHECK(found.neighbors == expected.neighbors);
+    CHECK(found.duplicates == expected.duplicates);
+    CHECK(found.distinct == expected.distinct);
+    const SurfaceOfTriangles again = rbpa::surface_of(points, expected.triangles, expected.neighbors);
+    CHECK(again.neighbors == expected.neighbors);
+    non_manifold += rbpa::split_fans(expected).point.size() > expected.distinct;
+  });
   CHECK(non_manifold > 10);
 }
 

@@ -1,6 +1,5 @@
 #include "rbpa/space/balls/periodic/cell_axes.h"
 
-#include <cmath>
 #include <limits>
 #include <string>
 

@@ -3,7 +3,6 @@
 // Cost: linear.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>

@@ -17,7 +17,6 @@
 
 #include "meshops/core/progress.h"
 #include "rbpa/space/repair/closing/chords.h"
-#include "rbpa/space/repair/closing/rim.h"
 
 namespace rbpa::space {
 

@@ -1,15 +1,61 @@
 #include "rbpa/space/repair/refining/filling_patch.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include <Eigen/SparseCholesky>
 
 #include "meshops/stellar/flip.h"
 #include "meshops/stellar/split_face.h"
-#include "rbpa/space/repair/refining/least_squares.h"
 #include "rbpa/space/surface/surface_mesh.h"
 
 namespace rbpa::space {
 namespace {
+
+/// Solves a sparse system of linear equations between places by least squares. Cost: about n^1.5 for n places on a
+/// surface.
+class LeastSquares {
+ public:
+  explicit LeastSquares(std::size_t places) : places_(places) {}
+
+  /// Begins another equation: the terms added next sum up to `known`.
+  void add_equation(const Vector& known) { known_.push_back(known); }
+  /// Adds the term factor · place to the last equation.
+  void add(std::uint32_t place, double factor) {
+    entries_.push_back({static_cast<std::uint32_t>(known_.size()) - 1, place, factor});
+  }
+
+  /// Returns the places; nothing if the equations do not determine them.
+  std::optional<std::vector<Vector>> solution() const {
+    using Matrix = Eigen::SparseMatrix<double>;
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const Entry& e : entries_) entries.emplace_back(static_cast<int>(e.row), static_cast<int>(e.column), e.factor);
+    Matrix rows(static_cast<Eigen::Index>(known_.size()), static_cast<Eigen::Index>(places_));
+    rows.setFromTriplets(entries.begin(), entries.end());
+    Eigen::MatrixX3d known(static_cast<Eigen::Index>(known_.size()), 3);
+    for (std::size_t i = 0; i < known_.size(); ++i) {
+      const Vector& v = known_[i];
+      known.row(static_cast<Eigen::Index>(i)) << v.x, v.y, v.z;
+    }
+    const Matrix square = rows.transpose() * rows;
+    const Eigen::SimplicialLDLT<Matrix> solver(square);
+    if (solver.info() != Eigen::Success) return std::nullopt;
+    const Eigen::MatrixX3d found = solver.solve(rows.transpose() * known);
+    if (solver.info() != Eigen::Success || !found.allFinite()) return std::nullopt;
+    std::vector<Vector> places;
+    for (Eigen::Index i = 0; i < found.rows(); ++i) places.push_back({found(i, 0), found(i, 1), found(i, 2)});
+    return places;
+  }
+
+ private:
+  struct Entry {
+    std::uint32_t row, column;
+    double factor;
+  };
+
+  std::size_t places_;
+  std::vector<Entry> entries_;
+  std::vector<Vector> known_;
+};
 
 /// Returns the unit normal of the triangle's plane; 0 if the triangle has no area.
 Vector unit_normal(const Vector& a, const Vector& b, const Vector& c) {
@@ -41,6 +87,13 @@ FillingPatch::FillingPatch(const FillingRim& rim) : rim_(rim), scales_(rim.scale
 Vector FillingPatch::at(Vertex v) const {
   const auto& p = mesh_.point(v);
   return {p[0], p[1], p[2]};
+}
+
+std::array<Vector, 3> FillingPatch::corners(Mesh::FaceHandle f) const {
+  std::array<Vector, 3> corners{};
+  std::size_t k = 0;
+  for (const auto v : mesh_.fv_range(f)) corners[k++] = at(v);
+  return corners;
 }
 
 Vector FillingPatch::place(std::size_t added) const {
@@ -186,10 +239,8 @@ std::optional<std::vector<double>> FillingPatch::bends() const {
 std::optional<double> FillingPatch::most_bend() const {
   double area = 0, around = 0;
   for (const auto f : mesh_.faces()) {
-    std::array<Vector, 3> corners{};
-    std::size_t k = 0;
-    for (const auto v : mesh_.fv_range(f)) corners[k++] = at(v);
-    area += length(cross(minus(corners[1], corners[0]), minus(corners[2], corners[0]))) / 2;
+    const auto [a, b, c] = corners(f);
+    area += length(cross(minus(b, a), minus(c, a))) / 2;
   }
   for (const auto e : mesh_.edges()) {
     const Halfedge h = mesh_.halfedge_handle(e, 0);
@@ -288,10 +339,8 @@ std::vector<std::array<std::uint32_t, 3>> FillingPatch::triangles() const {
 
 bool FillingPatch::is_degenerate() const {
   for (const auto f : mesh_.faces()) {
-    std::array<Vector, 3> corners{};
-    std::size_t k = 0;
-    for (const auto v : mesh_.fv_range(f)) corners[k++] = at(v);
-    const Vector normal = unit_normal(corners[0], corners[1], corners[2]);
+    const auto [a, b, c] = corners(f);
+    const Vector normal = unit_normal(a, b, c);
     if (!(dot(normal, normal) > 0)) return true;
   }
   return false;

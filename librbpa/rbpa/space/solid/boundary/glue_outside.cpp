@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "rbpa/base/triangle.h"
-#include "rbpa/space/solid/boundary/place_of.h"
 #include "rbpa/space/surface/facing_sides.h"
 
 namespace rbpa::space {

@@ -7,9 +7,13 @@
 // Cost: linear; integers take a tenth of the time of an ExactSum.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <span>
+#include <vector>
 
 #include "rbpa/base/point3.h"
 #include "rbpa/base/triangle.h"
@@ -55,5 +59,18 @@ class Measures {
   std::array<PowerOfTwo, 3> to_integers_, to_doubles_;  // factors by axis
   PowerOfTwo to_unit_;
 };
+
+/// Returns the indices of `pieces` of a boundary, sorted by descending absolute volume. Among pieces of equal volume,
+/// the piece with the lexicographically least triangle is first. There are no ties, because no two closed pieces share
+/// a triangle.
+inline std::vector<std::uint32_t> by_volume(const std::vector<ClosedMeasures>& pieces) {
+  std::vector<std::uint32_t> order(pieces.size());
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    const double volume = std::abs(pieces[i].volume), other = std::abs(pieces[j].volume);
+    return volume != other ? volume > other : pieces[i].least < pieces[j].least;
+  });
+  return order;
+}
 
 }  // namespace rbpa::space

@@ -15,6 +15,7 @@
 #include "rbpa/base/triangle.h"
 #include "rbpa/space/solid/solid.h"
 #include "rbpa/space/solid/solid_boundary.h"
+#include "rbpa/space/solid/solid_topology.h"
 
 namespace rbpa::space {
 
@@ -37,5 +38,10 @@ struct Outside {
 /// Requires: `solid` is a solid of `points` with neighbors, and `boundary` is its boundary.
 /// Throws:   ContractViolation where the solid and the boundary visibly do not belong together.
 Outside outside_of(std::span<const Point3> points, const Solid& solid, const SolidBoundary& boundary);
+
+/// Returns the numbers of simplices and the Betti numbers of a solid. Cost: linear.
+/// Requires: `outside` is the result of outside_of() for `solid` and `boundary`.
+/// Throws:   ContractViolation when the counts are impossible: then the three arguments do not belong together.
+SolidCounts count_solid(const Solid& solid, const SolidBoundary& boundary, const Outside& outside);
 
 }  // namespace rbpa::space

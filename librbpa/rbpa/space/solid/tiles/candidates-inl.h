@@ -22,9 +22,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rbpa/base/lanes/compress-inl.h"
-#include "rbpa/base/lanes/mask_bits-inl.h"
-#include "rbpa/base/lanes/vector3-inl.h"
+#include "rbpa/base/lanes/lanes-inl.h"
 #include "rbpa/space/predicate/sphere_minors.h"
 #include "rbpa/space/predicate/vector3.h"
 #include "rbpa/space/solid/tiles/leaf_points.h"

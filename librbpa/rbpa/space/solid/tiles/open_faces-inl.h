@@ -24,7 +24,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rbpa/base/lanes/mask_bits-inl.h"
+#include "rbpa/base/lanes/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rbpa::space::HWY_NAMESPACE {

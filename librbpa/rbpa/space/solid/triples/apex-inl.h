@@ -17,7 +17,7 @@
 #include <limits>
 #include <vector>
 
-#include "rbpa/base/lanes/mask_bits-inl.h"
+#include "rbpa/base/lanes/lanes-inl.h"
 #include "rbpa/space/predicate/vector3.h"
 #include "rbpa/space/solid/triples/near_points-inl.h"
 

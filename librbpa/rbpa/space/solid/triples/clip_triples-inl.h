@@ -23,8 +23,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rbpa/base/lanes/mask_bits-inl.h"
-#include "rbpa/base/lanes/vector3-inl.h"
+#include "rbpa/base/lanes/lanes-inl.h"
 #include "rbpa/space/solid/triples/near_points-inl.h"
 
 HWY_BEFORE_NAMESPACE();

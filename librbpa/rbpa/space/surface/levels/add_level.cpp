@@ -1,7 +1,6 @@
 #include "rbpa/space/surface/levels/add_level.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numeric>
 #include <utility>

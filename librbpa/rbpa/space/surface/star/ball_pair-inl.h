@@ -25,7 +25,7 @@
 
 #include <cstdint>
 
-#include "rbpa/base/lanes/vector3-inl.h"
+#include "rbpa/base/lanes/lanes-inl.h"
 #include "rbpa/space/surface/star/limits.h"
 #include "rbpa/space/surface/star/neighbor.h"
 

@@ -26,12 +26,11 @@
 #include "rbpa/space/surface/star/ball_pair-inl.h"
 #include "rbpa/space/surface/star/bounding_cones-inl.h"
 #include "rbpa/space/surface/star/cap_union-inl.h"
-#include "rbpa/space/surface/star/circle_depths.h"
+#include "rbpa/space/surface/star/circles.h"
 #include "rbpa/space/surface/star/initial_region-inl.h"
 #include "rbpa/space/surface/star/limits.h"
 #include "rbpa/space/surface/star/neighbor.h"
 #include "rbpa/space/surface/star/region_boundary-inl.h"
-#include "rbpa/space/surface/star/waiting_circles.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace rbpa::space::HWY_NAMESPACE {

@@ -23,7 +23,7 @@
 #include <limits>
 #include <span>
 
-#include "rbpa/base/lanes/mask_bits-inl.h"
+#include "rbpa/base/lanes/lanes-inl.h"
 #include "rbpa/space/surface/star/ball_pair-inl.h"
 #include "rbpa/space/surface/star/limits.h"
 #include "rbpa/space/surface/star/neighbor.h"

@@ -22,7 +22,7 @@
 #include <cstdint>
 #include <span>
 
-#include "rbpa/base/lanes/mask_bits-inl.h"
+#include "rbpa/base/lanes/lanes-inl.h"
 #include "rbpa/space/surface/star/bounding_cones-inl.h"
 #include "rbpa/space/surface/star/limits.h"
 #include "rbpa/space/surface/star/neighbor.h"

@@ -20,7 +20,7 @@
 #include <span>
 #include <vector>
 
-#include "rbpa/base/lanes/mask_bits-inl.h"
+#include "rbpa/base/lanes/lanes-inl.h"
 #include "rbpa/space/cells/cells.h"
 #include "rbpa/space/surface/star/bounding_cones-inl.h"
 

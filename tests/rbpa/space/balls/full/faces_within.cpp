@@ -14,7 +14,6 @@
 #include "support/solid_sets.h"
 
 using namespace rbpa_test;
-using rbpa::Point3;
 using rbpa::space::Ball;
 using rbpa::space::FacesWithin;
 

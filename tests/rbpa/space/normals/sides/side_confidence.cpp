@@ -4,14 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <numeric>
 #include <set>
 #include <vector>
 
 #include "rbpa/space/normals/estimate_normals.h"
 #include "rbpa/space/normals/sides/compare_normals.h"
 #include "rbpa/space/surface/neighbors/fit_plane.h"
+#include "support/order.h"
 #include "support/space_sets.h"
 #include "support/vectors.h"
 
@@ -216,9 +215,7 @@ TEST_CASE("the confidence does not depend on the order of the points, the thread
        {SpaceKind::cube, SpaceKind::grid, SpaceKind::noisy_sphere, SpaceKind::plate, SpaceKind::extreme}) {
     const Points3 points = space_set(kind, 1500, random);
     const auto expected = rbpa::estimate_normals_and_confidence(points, {.threads = 1}).confidence;
-    std::vector<std::uint32_t> order(points.size());
-    std::iota(order.begin(), order.end(), 0u);
-    random.shuffle(order);
+    const std::vector<std::uint32_t> order = random_order(points.size(), random);
     Points3 shuffled;
     for (const std::uint32_t i : order)
       shuffled.push_back({std::ldexp(points[i].x, 3), std::ldexp(points[i].y, 3), std::ldexp(points[i].z, 3)});

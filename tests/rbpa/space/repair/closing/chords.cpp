@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "meshops/core/progress.h"
+#include "support/order.h"
 
 using namespace rbpa::space;
 using rbpa::Point3;
@@ -61,8 +62,7 @@ std::vector<Chord> by_all_pairs(const Rim& rim) {
   for (const std::uint32_t i : corners)
     for (const std::uint32_t j : corners)
       if (i < j) chords.emplace_back(i, j);
-  std::sort(chords.begin(), chords.end());
-  chords.erase(std::unique(chords.begin(), chords.end()), chords.end());
+  rbpa_test::sort_distinct(chords);
   return chords;
 }
 

@@ -10,6 +10,8 @@
 
 #include "rbpa/base/error.h"
 #include "rbpa/space/predicate/exact.h"
+#include "support/for_space_sets.h"
+#include "support/order.h"
 #include "support/space_sets.h"
 
 using namespace rbpa_test;
@@ -63,20 +65,16 @@ std::vector<std::array<std::uint32_t, 4>> inserted(const Points3& points, const 
 TEST_CASE("the order of insertion does not change the tetrahedra") {
   Random random(99);
   std::size_t wrong = 0;
-  for (int k = 0; k < space_kinds; ++k)
-    for (int trial = 0; trial < 5; ++trial) {
-      CAPTURE(name(static_cast<SpaceKind>(k)));
-      Points3 points = space_set(static_cast<SpaceKind>(k), 60, random);
-      std::sort(points.begin(), points.end());
-      points.erase(std::unique(points.begin(), points.end()), points.end());
-      std::vector<std::uint32_t> order(points.size());
-      std::iota(order.begin(), order.end(), 0u);
-      const auto expected = inserted(points, order, wrong);
-      for (int shuffle = 0; shuffle < 4; ++shuffle) {
-        random.shuffle(order);
-        CHECK(inserted(points, order, wrong) == expected);
-      }
+  for_space_sets(5, 60, 0, random, [&](Points3 points) {
+    sort_distinct(points);
+    std::vector<std::uint32_t> order(points.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto expected = inserted(points, order, wrong);
+    for (int shuffle = 0; shuffle < 4; ++shuffle) {
+      random.shuffle(order);
+      CHECK(inserted(points, order, wrong) == expected);
     }
+  });
   CHECK(wrong == 0);
 }
 
@@ -137,8 +135,7 @@ TEST_CASE("a cavity with more vertices than the table has room for is filled cor
   for (std::uint64_t seed = 0; seed < 8; ++seed) {  // different collisions of the hash table's entries
     Random random(seed);
     Points3 points = space_set(SpaceKind::near_sphere, 600, random);
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    sort_distinct(points);
     points.push_back({0, 0, 0});
     std::vector<std::uint32_t> order(points.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -174,8 +171,7 @@ TEST_CASE("no point is inside the sphere of a tetrahedron, as integers show") {
   for (const SpaceKind kind : {SpaceKind::near_sphere, SpaceKind::nearest, SpaceKind::plate, SpaceKind::extreme}) {
     CAPTURE(name(kind));
     Points3 points = space_set(kind, 40, random);
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
+    sort_distinct(points);
     std::vector<std::uint32_t> order(points.size());
     std::iota(order.begin(), order.end(), 0u);
     std::size_t wrong = 0;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <tuple>
 #include <vector>
 
 #include "rbpa/space/solid/tiles/open_faces-inl.h"

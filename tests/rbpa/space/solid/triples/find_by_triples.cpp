@@ -135,10 +135,7 @@ TEST_CASE("points in general position need no exact arithmetic") {
 }
 
 TEST_CASE("find_by_triples() gives up where too much needs exact decisions, or too many points are around one") {
-  Points3 grid;
-  for (int x = 0; x < 6; ++x)
-    for (int y = 0; y < 6; ++y)
-      for (int z = 0; z < 6; ++z) grid.push_back({double(x), double(y), double(z)});
+  const Points3 grid = corners_of_bricks(6, 6, 6);
   Threads threads(1);
   const Cells cells(grid, 2, threads);
   Triples found;

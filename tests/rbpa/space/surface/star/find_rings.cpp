@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <string>
-#include <utility>
 
 #include "rbpa/space/cells/scale.h"
 #include "support/arguments.h"
