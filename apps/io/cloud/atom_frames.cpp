@@ -1,12 +1,10 @@
 #include "io/cloud/atom_frames.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <exception>
 #include <functional>
 #include <map>
-#include <tuple>
 #include <utility>
 
 #include "io/cloud/chemical_elements.h"
@@ -27,10 +25,6 @@ namespace {
 /// the highest occupancy, of equal occupancies the first letter. An atom without this location keeps its own best one.
 /// If locations have different residue names, atoms with names other than that of the location are removed.
 std::size_t keep_best_locations(AtomFrame& frame) {
-  using Residue = std::tuple<std::uint32_t, std::uint64_t, std::uint32_t>;
-  const auto residue_of = [](const AtomRow& row) {
-    return Residue(row.chain, std::bit_cast<std::uint64_t>(row.resseq), row.icode);
-  };
   const auto is_better = [&](const AtomRow& row, const AtomRow& than) {
     const double a = std::isnan(row.occupancy) ? 0 : row.occupancy, b = std::isnan(than.occupancy) ? 0 : than.occupancy;
     return a > b || (a == b && frame.text(row.altloc) < frame.text(than.altloc));

@@ -4,6 +4,7 @@
 // Cost: the file and the rows of one frame are in memory.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -11,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -33,6 +35,13 @@ struct AtomRow {
   std::size_t line = 0;   ///< number of the line in the file; 0 for points that are no atoms
   std::size_t index = 0;  ///< number among all atoms of the frame, from 0
 };
+
+/// The chain, the number and the insertion code of a residue, to compare residues of one frame.
+using Residue = std::tuple<std::uint32_t, std::uint64_t, std::uint32_t>;
+
+inline Residue residue_of(const AtomRow& row) {
+  return {row.chain, std::bit_cast<std::uint64_t>(row.resseq), row.icode};
+}
 
 /// Numbers of atoms of a frame: all in the file, and those left out, each for the first reason that applies.
 struct AtomCounts {

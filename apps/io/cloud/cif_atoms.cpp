@@ -174,7 +174,7 @@ class CifAtoms final : public AtomSource {
       return false;
     }
     is_new_frame_ = false;
-    if (finds_cell_ && !is_cell_found_) find_cell();
+    if (std::exchange(finds_cell_, false)) find_cell();
     return true;
   }
 
@@ -201,7 +201,6 @@ class CifAtoms final : public AtomSource {
 
   /// Finds the cell of all frames, also if the text has the cell after the atoms.
   void find_cell() {
-    is_cell_found_ = true;
     const bool is_found =
         std::any_of(cell_values_.begin(), cell_values_.end(), [](auto value) { return !value.empty(); });
     if (!is_found && text_.find("_cell") != std::string_view::npos) {
@@ -382,7 +381,7 @@ class CifAtoms final : public AtomSource {
 
   std::string_view text_;
   CifTokens tokens_;
-  bool all_frames_, finds_cell_ = true, is_cell_found_ = false;
+  bool all_frames_, finds_cell_ = true;  // find_cell() is to be called at the first frame
   std::array<std::string_view, 6> cell_values_ = {};
   std::size_t block_ = 1, first_block_ = 0, last_block_ = 0;  // data block; the first and the last one with atoms
   std::vector<std::string_view> columns_ = {}, values_ = {};  // items of a loop; or items of pairs and their values

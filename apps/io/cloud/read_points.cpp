@@ -113,7 +113,7 @@ bool chooses_height(const std::optional<FieldChoice>& choice) {
 
 /// Adds the heights to the kept fields if they are chosen, as z or by the name of their column.
 void keep_heights(PointFile& file, const std::optional<FieldChoice>& choice) {
-  if (!chooses_height(choice) || file.z.empty()) return;
+  if (!choice || !choice->names || file.z.empty()) return;
   for (const std::string& name : *choice->names) {
     if (find_column(file.kept, name) || !(same_letters(name, file.height_name) || same_letters(name, "z"))) continue;
     PointColumn& column = file.kept.emplace_back();

@@ -4,7 +4,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -135,11 +134,12 @@ void BallsRun::require_groups(const AtomFrame& first) const {
 /// Prints a warning if atoms of one residue are in several places of the file: its number may stand for several.
 void BallsRun::warn_of_parted_residues(const AtomFrame& first) const {
   if (request_.groups != AtomGroups::residue) return;
-  std::set<std::tuple<std::uint32_t, double, std::uint32_t, std::uint32_t>> seen, parted;
-  std::tuple<std::uint32_t, double, std::uint32_t, std::uint32_t> last;
+  using Named = std::pair<Residue, std::uint32_t>;
+  std::set<Named> seen, parted;
+  std::optional<Named> last;
   for (const AtomRow& row : first.rows) {
-    const std::tuple now(row.chain, std::isnan(row.resseq) ? -1e300 : row.resseq, row.icode, row.resname);
-    if (!seen.empty() && now == last) continue;
+    const Named now(residue_of(row), row.resname);
+    if (now == last) continue;
     if (!seen.insert(now).second) parted.insert(now);
     last = now;
   }
