@@ -10,7 +10,7 @@
 
 namespace rbpa::app {
 
-/// What a program consists of besides options that all programs have.
+/// A program: its name, its description, and how it declares its command line.
 struct Program {
   const char *name, *description;
   /// Declares the command line, and returns the work, which is run after parsing. The work returns an exit code.

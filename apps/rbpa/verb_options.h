@@ -184,7 +184,7 @@ void add_output_options(CLI::App& verb, Arguments& arguments, std::string_view f
             "Set the format of each OUT whose ending does not tell");
 }
 
-/// What --quiet does in verbs that print a summary.
+/// Help of --quiet in verbs that print a summary.
 inline constexpr const char* quiet_about_summary = "Print no progress, no warnings about the input, and no summary";
 
 inline void add_run_options(CLI::App& verb, RunArguments& arguments, const std::string& quiet = quiet_about_summary) {

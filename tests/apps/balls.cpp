@@ -210,7 +210,7 @@ TEST_SUITE("balls") {
     }
   }
 
-  TEST_CASE("residues that share a number are told of, as one row stands for them") {
+  TEST_CASE("residues that share a number cause a warning, as one row stands for them") {
     const Folder folder;
     const auto line = [](int serial, int residue) {
       char text[60];

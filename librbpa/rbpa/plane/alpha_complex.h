@@ -55,8 +55,8 @@ struct AlphaComplex {
   operator TriangleArrays() const { return {triangles, neighbors}; }
 };
 
-/// Computes the alpha complex of `points`, solid or full as in the options. Alpha is a radius in the unit of the points,
-/// not its square: triangles have a circumradius of at most alpha.
+/// Computes the alpha complex of `points`, solid or full as in the options. Triangles have a circumradius of at most
+/// alpha, which is a radius in the unit of the points, not its square.
 /// Requires: 0 < alpha ≤ infinity; finite points, at most 357,913,941 of them.
 /// Throws:   InvalidInput that names alpha, the number of points or the first point that is not finite, before anything
 ///           is computed; Cancelled.

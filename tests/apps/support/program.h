@@ -54,8 +54,8 @@ class Folder {
   std::filesystem::path path_;
 };
 
-/// Check that `rbpa ARGUMENTS` or `meshtopo ARGUMENTS` ends with this code, that its only output is this line on standard
-/// error, behind the name of the program, and that the folder has the same files as before.
+/// Check that `rbpa ARGUMENTS` or `meshtopo ARGUMENTS` ends with this code, that its only output is this line on
+/// standard error, behind the name of the program, and that the folder has the same files as before.
 void refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message);
 void meshtopo_refuses(const Folder& folder, const std::string& arguments, int code, const std::string& message);
 /// Check that a program ends with this code, and that its messages have this part.
