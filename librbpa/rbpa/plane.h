@@ -6,6 +6,7 @@
 #include "rbpa/plane/choose_alpha.h"
 #include "rbpa/plane/collinear.h"
 #include "rbpa/plane/complex.h"
+#include "rbpa/plane/constrained_delaunay.h"
 #include "rbpa/plane/contours.h"
 #include "rbpa/plane/corner_polygon.h"
 #include "rbpa/plane/delaunay.h"

@@ -1,4 +1,5 @@
-// What: includes all public headers of rbpa/space/: solids, surfaces, normals, repair, simplification, persistence, balls.
+// What: includes all public headers of rbpa/space/: solids, surfaces, normals, repair, simplification, persistence,
+//       balls.
 #pragma once
 
 #include "rbpa/space/balls/ball_interfaces.h"
@@ -36,6 +37,7 @@
 #include "rbpa/space/simplify/progressive_mesh.h"
 #include "rbpa/space/simplify/quadric.h"
 #include "rbpa/space/simplify/quadric_policy.h"
+#include "rbpa/space/simplify/remesh.h"
 #include "rbpa/space/solid/periodic_solid.h"
 #include "rbpa/space/solid/solid.h"
 #include "rbpa/space/solid/solid_boundary.h"
