@@ -15,8 +15,8 @@ namespace {
 /// Triangles with their neighbors.
 using MaybeTriangles = std::optional<std::pair<Indices, Indices>>;
 
-/// Returns the values of a raster, top row first, and its lower left corner. Interpolates in the given triangles, else
-/// in those of the Delaunay triangulation.
+/// Returns the values of a raster, top row first, and its lower left corner. Interpolates in the given triangles of a
+/// constrained triangulation, else in those of the Delaunay triangulation.
 std::tuple<Doubles, double, double> grid_of(const Doubles& points, const Doubles& values, const MaybeTriangles& given,
                                             double alpha, double cell, const Doubles& extent, bool by_natural_neighbors,
                                             unsigned threads, const py::object& progress) {
@@ -26,9 +26,10 @@ std::tuple<Doubles, double, double> grid_of(const Doubles& points, const Doubles
   std::vector<double> cells = watched(input.size(), progress, [&](Watch& watch) {
     std::optional<Delaunay> delaunay;
     if (!given) delaunay.emplace(input, AlphaComplexOptions{.threads = threads, .progress = watch.progress()});
-    const TriangleArrays triangles =
+    TriangleArrays triangles =
         given ? triangle_arrays_of(given->first, given->second) : TriangleArrays(delaunay->triangulation());
     const Locator locator(input, triangles, {.threads = threads, .go_on = watch.until_stopped()});
+    triangles.is_constrained = given.has_value();
     std::vector<double> all;
     all.reserve(raster.columns * raster.rows);
     interpolate_grid(locator, line_of(values), raster,

@@ -10,11 +10,11 @@ namespace {
 /// A Locator, and the arrays that it views.
 class ArrayLocator {
  public:
-  ArrayLocator(Doubles points, Indices simplices, Indices neighbors)
+  ArrayLocator(Doubles points, Indices simplices, Indices neighbors, bool is_constrained)
       : points_(std::move(points)),
         simplices_(std::move(simplices)),
         neighbors_(std::move(neighbors)),
-        locator_(make()) {}
+        locator_(make(is_constrained)) {}
 
   Indices find(const Doubles& queries) const {
     const auto input = points_of(queries);
@@ -38,9 +38,10 @@ class ArrayLocator {
   }
 
  private:
-  Locator make() const {
+  Locator make(bool is_constrained) const {
     const auto input = points_of(points_);
-    const TriangleArrays triangles = triangle_arrays_of(simplices_, neighbors_);
+    TriangleArrays triangles = triangle_arrays_of(simplices_, neighbors_);
+    triangles.is_constrained = is_constrained;
     return watched(input.size(), py::none(),
                    [&](Watch& watch) { return Locator(input, triangles, {.go_on = watch.until_stopped()}); });
   }
@@ -78,7 +79,8 @@ class ArraySolidLocator {
 void bind_locators(py::module_& module) {
   using py::arg;
   py::class_<ArrayLocator>(module, "Locator")
-      .def(py::init<Doubles, Indices, Indices>(), as_is("points"), as_is("simplices"), as_is("neighbors"))
+      .def(py::init<Doubles, Indices, Indices, bool>(), as_is("points"), as_is("simplices"), as_is("neighbors"),
+           arg("is_constrained"))
       .def("find", &ArrayLocator::find, as_is("queries"))
       .def("interpolate", &ArrayLocator::interpolate, as_is("values"), as_is("queries"), arg("by_natural_neighbors"));
   py::class_<ArraySolidLocator>(module, "SolidLocator")

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rbpa import _core
-from rbpa._heights import Heights, Raster, Values
+from rbpa._heights import Heights
 from rbpa._input import Floats, Indices, Progress, aligned, as_array, as_points, as_threads, index_of, shown
 from rbpa._result import OfPoints, Simplices, fields_of, freeze
 
@@ -63,6 +63,7 @@ class Delaunay(OfPoints, Simplices):
     """
 
     ndim = 2
+    _is_constrained = False
     convex_hull: Indices
     _index: Any  # pandas index of the points, by which values are aligned
 
@@ -291,7 +292,7 @@ class Delaunay(OfPoints, Simplices):
 
     @cached_property
     def _locator(self) -> Any:
-        return _core.Locator(self.points, self.simplices, self.neighbors)
+        return _core.Locator(self.points, self.simplices, self.neighbors, self._is_constrained)
 
     @cached_property
     def vertex_neighbor_vertices(self) -> tuple[Indices, Indices]:
@@ -373,7 +374,7 @@ class ConstrainedDelaunay(Delaunay, Heights):
     region: Indices
     is_inside: npt.NDArray[np.bool_]
     alpha = None
-    _is_delaunay = False
+    _is_constrained = True
 
     def __init__(
         self,
@@ -403,15 +404,6 @@ class ConstrainedDelaunay(Delaunay, Heights):
         made["_index"] = None if split_crossings else index_of(points)
         made["fields"] = fields_of(points) if len(made["points"]) == len(array) else {}
         OfPoints.__init__(self, made)
-
-    def _interpolate(self, rows: Floats, at: Floats, method: str) -> Floats:
-        _require_linear(method)
-        return super()._interpolate(rows, at, method)
-
-    def grid(self, values: Values, cell: float, *, method: Literal["linear", "natural"] = "linear", **options: Any) -> Raster:
-        """Interpolates values on a raster, as `AlphaShape.grid`, linearly in each triangle."""
-        _require_linear(method)
-        return super().grid(values, cell, **options)
 
     def __repr__(self) -> str:
         text = super().__repr__().replace("Delaunay", "ConstrainedDelaunay")
@@ -490,11 +482,6 @@ class DelaunayInSpace(Delaunay):
 
     def __repr__(self) -> str:
         return f"<rbpa.DelaunayInSpace of {self.npoints} points: {self.nsimplex} tetrahedra, {len(self.duplicates)} duplicates>"
-
-
-def _require_linear(method: str) -> None:
-    if method == "natural":
-        raise _core.InvalidInput('method: found "natural", expected "linear", as segments bound neighbors')
 
 
 def _in_space(points: Floats) -> Floats:

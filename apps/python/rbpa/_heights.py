@@ -56,7 +56,7 @@ class Heights(Simplices):
 
     alpha: Optional[float]
     fields: dict[str, npt.NDArray[Any]]
-    _is_delaunay = True  # whether the triangles are those of the Delaunay triangulation within alpha
+    _is_constrained = False  # otherwise the triangles are those of the Delaunay triangulation within alpha
 
     def grid(
         self,
@@ -109,7 +109,7 @@ class Heights(Simplices):
                 raise InvalidInput(f"extent: found {shown(extent)}, expected x0, y0, x1, y1 with x0 <= x1 and y0 <= y1")
         size = as_number(cell, "cell", "a size above 0")
         alpha = math.inf if self.alpha is None else self.alpha
-        of = self.points, heights, None if self._is_delaunay else (self.simplices, self.neighbors)
+        of = self.points, heights, (self.simplices, self.neighbors) if self._is_constrained else None
         cells, x, y = _core.grid(*of, alpha, size, box, method == "natural", as_threads(threads), progress)
         freeze(cells)
         return Raster(cells, (x, y), size)

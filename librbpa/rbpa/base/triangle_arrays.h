@@ -20,6 +20,8 @@ struct TriangleArrays {
   std::span<const Triangle> triangles;  ///< corners as indices of points, counter-clockwise
   /// For each triangle, entry k is the index of the triangle across the side opposite corner k, or `none`.
   std::span<const Triangle> neighbors;
+  /// Whether segments hold some sides in place, so that the triangulation has no natural neighbors.
+  bool is_constrained = false;
 };
 
 /// Triangles and their neighbors, as an owner. Converts to a view, which is valid as long as this object is unchanged.

@@ -53,7 +53,7 @@ struct ConstrainedDelaunay {
   std::vector<Duplicate> duplicates;  ///< ascending by index
 
   bool is_constrained(std::uint32_t triangle, std::uint32_t k) const { return (constrained[triangle] >> k & 1) != 0; }
-  operator TriangleArrays() const { return {triangles, neighbors}; }
+  operator TriangleArrays() const { return {triangles, neighbors, true}; }
 };
 
 /// Returns the constrained Delaunay triangulation. Points on a segment split it; segments may overlap and repeat. Of

@@ -177,6 +177,7 @@ class Locator::Impl {
   }
 
   std::size_t points() const { return points_.size(); }
+  bool is_constrained() const { return of_.is_constrained; }
 
   NaturalNeighbors natural_neighbors() const { return {points_, of_}; }
 
@@ -339,9 +340,11 @@ std::vector<double> Locator::interpolate(std::span<const double> values, std::si
     throw InvalidInput("values: found " + std::to_string(values.size()) + " numbers, expected " +
                        std::to_string(columns) + " for each of the " + std::to_string(impl_->points()) + " points");
   if (!(options.alpha > 0)) throw InvalidInput("alpha: found " + text(options.alpha) + ", expected a radius above 0");
+  const bool is_natural = options.method == Interpolation::natural_neighbor;
+  if (is_natural && impl_->is_constrained())
+    throw InvalidInput("method: found \"natural\", expected \"linear\", as segments bound neighbors");
   const Radius alpha = Radius::of(options.alpha);
   std::vector<double> result(queries.size() * columns);
-  const bool is_natural = options.method == Interpolation::natural_neighbor;
   for_each_query(queries.size(), options.threads, options.go_on, [&] {
     return [&, neighbors = impl_->natural_neighbors()](std::size_t i, std::uint32_t last) mutable {
       const std::uint32_t t = impl_->find(queries[i], last);

@@ -49,8 +49,8 @@ class RBPA_API Locator {
   /// Prepares queries in a triangulation. Keeps the spans: points and triangulation must outlive the object and stay
   /// unchanged.
   /// Requires: finite points and all triangles of their Delaunay triangulation, as alpha_complex() returns them for an
-  ///           infinite alpha with neighbors, or of their constrained one (constrained_delaunay.h), which has no
-  ///           natural neighbors. Whether the triangles are Delaunay is not checked.
+  ///           infinite alpha with neighbors, or of their constrained one (constrained_delaunay.h). Whether the
+  ///           triangles are Delaunay is not checked.
   /// Throws:   InvalidInput when a point is not finite, or there are more than 357,913,941 points; ContractViolation as
   ///           require_linked(), or when there are triangles, but not as many as a triangulation of all points has;
   ///           Cancelled.
@@ -78,8 +78,8 @@ class RBPA_API Locator {
   ///         neighbors is exact; the error of an area is about 1e-9 of the sum of the areas.
   /// Cost:   for a query, that of find(); by natural neighbors also some ten comparisons with circles and as many
   ///         centers; milliseconds where coordinates are a hundred decades apart.
-  /// Throws: InvalidInput when `columns` is 0, `values` does not have n × `columns` numbers, or `alpha` is not above 0;
-  ///         the exceptions of find().
+  /// Throws: InvalidInput when `columns` is 0, `values` does not have n × `columns` numbers, `alpha` is not above 0, or
+  ///         natural neighbors of a constrained triangulation are requested; the exceptions of find().
   std::vector<double> interpolate(std::span<const double> values, std::size_t columns, std::span<const Point> queries,
                                   const InterpolateOptions& options = {}) const;
 

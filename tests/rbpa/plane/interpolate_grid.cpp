@@ -8,11 +8,13 @@
 #include <limits>
 
 #include "rbpa/base/error.h"
+#include "rbpa/plane/constrained_delaunay.h"
 #include "support/arguments.h"
 #include "support/delaunay_arrays.h"
 #include "support/exact.h"
 #include "support/generate.h"
 #include "support/random.h"
+#include "support/refusal_of.h"
 #include "support/sets.h"
 
 using namespace rbpa_test;
@@ -139,6 +141,24 @@ TEST_CASE("a raster has at each cell the value at its center, from the top row o
   CHECK_THROWS_AS(grid_of(locator, values, raster, {.go_on = [] { return false; }}), rbpa::Cancelled);
   CHECK_THROWS_AS(grid_of(locator, values, raster, {.alpha = 0}), rbpa::InvalidInput);
   CHECK_THROWS_AS(grid_of(locator, values, raster, {.alpha = std::nan("")}), rbpa::InvalidInput);
+}
+
+TEST_CASE("natural neighbors of a constrained triangulation are refused, and linear values are not") {
+  const Points points = uniform(300, 4);
+  const std::vector<double> values(points.size(), 2);
+  const std::vector<rbpa::Segment> segments = {{0, 1}};
+  const rbpa::ConstrainedDelaunay made = rbpa::constrained_delaunay(points, segments, {});
+  const Locator locator(points, made);
+  const Raster raster = rbpa::raster_around({2, 2}, {4, 4}, 1);
+  const std::string as_expected = "method: found \"natural\", expected \"linear\", as segments bound neighbors";
+  for (const bool as_grid : {false, true}) {
+    const auto interpolate = [&](Interpolation method) {
+      return as_grid ? grid_of(locator, values, raster, {.method = method})
+                     : locator.interpolate(values, 1, points, {.method = method});
+    };
+    CHECK(interpolate(Interpolation::linear)[0] == 2);
+    CHECK(refusal_of<rbpa::InvalidInput>([&] { interpolate(Interpolation::natural_neighbor); }) == as_expected);
+  }
 }
 
 TEST_CASE("sides of a raster are at multiples of the cell, and impossible cells are refused") {
