@@ -68,5 +68,10 @@ inline LiveRange<Vertex> live_vertices(const Connectivity& mesh) { return {mesh,
 inline LiveRange<Halfedge> live_halfedges(const Connectivity& mesh) { return {mesh, mesh.n_halfedges()}; }
 inline LiveRange<Edge> live_edges(const Connectivity& mesh) { return {mesh, mesh.n_edges()}; }
 inline LiveRange<Face> live_faces(const Connectivity& mesh) { return {mesh, mesh.n_faces()}; }
+// The range would outlive the mesh.
+LiveRange<Vertex> live_vertices(const Connectivity&&) = delete;
+LiveRange<Halfedge> live_halfedges(const Connectivity&&) = delete;
+LiveRange<Edge> live_edges(const Connectivity&&) = delete;
+LiveRange<Face> live_faces(const Connectivity&&) = delete;
 
 }  // namespace meshops

@@ -19,5 +19,7 @@ template <typename Value, typename Index>
 auto by_index(const std::vector<Value>& values, Index index) {
   return boost::make_iterator_property_map(values.begin(), index);
 }
+template <typename Value, typename Index>
+void by_index(const std::vector<Value>&&, Index) = delete;  // the map would outlive the values
 
 }  // namespace meshops

@@ -36,5 +36,7 @@ auto length_map(const Mesh& mesh) {
     return static_cast<double>(along.norm());
   });
 }
+template <typename Mesh>
+void length_map(const Mesh&&) = delete;  // the map would outlive the mesh
 
 }  // namespace meshops

@@ -17,6 +17,7 @@ template <HasPoints Mesh>
 class TriangleArea {
  public:
   explicit TriangleArea(const Mesh& mesh) : mesh_(&mesh) {}
+  explicit TriangleArea(const Mesh&&) = delete;  // the weight would outlive the mesh
 
   double operator()(Vertex a, Vertex b, Vertex c) const {
     const auto u = between(a, b), v = between(a, c);

@@ -8,6 +8,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
+#include "rbpa/base/temporary.h"
 #include "rbpa/plane/alpha_complex.h"
 
 namespace rbpa {
@@ -32,6 +33,12 @@ class RBPA_API Delaunay {
   /// Checks the triangulation as the constructor above does, and moves it into this object.
   Delaunay(AlphaComplex&& triangulation, std::span<const Point> points, const GoOn& go_on = {},
            const char* function = "Delaunay");
+
+  // The span would outlive the points.
+  template <TemporaryOwner<std::span<const Point>> Points>
+  explicit Delaunay(Points&&, const AlphaComplexOptions& = {}) = delete;
+  template <typename Triangulation, TemporaryOwner<std::span<const Point>> Points>
+  Delaunay(Triangulation&&, Points&&, const GoOn& = {}, const char* = "") = delete;
 
   const AlphaComplex& triangulation() const { return *triangulation_; }
   std::span<const Point> points() const { return points_; }

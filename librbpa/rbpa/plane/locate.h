@@ -19,6 +19,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point.h"
+#include "rbpa/base/temporary.h"
 #include "rbpa/base/triangle_arrays.h"
 
 namespace rbpa {
@@ -55,6 +56,11 @@ class RBPA_API Locator {
   ///           require_linked(), or when there are triangles, but not as many as a triangulation of all points has;
   ///           Cancelled.
   Locator(std::span<const Point> points, const TriangleArrays& delaunay, const LocateOptions& options = {});
+  // The spans would outlive the points, or the triangulation.
+  template <TemporaryOwner<std::span<const Point>> Points>
+  Locator(Points&&, const TriangleArrays&, const LocateOptions& = {}) = delete;
+  template <TemporaryOwner<TriangleArrays> Triangulation>
+  Locator(std::span<const Point>, Triangulation&&, const LocateOptions& = {}) = delete;
   Locator(Locator&&) noexcept;
   Locator& operator=(Locator&&) noexcept;
   ~Locator();

@@ -7,10 +7,12 @@
 #include <set>
 
 #include "graph/support.h"
+#include "meshops/core/live_range.h"
 #include "meshops/graph/boundary_graph.h"
 #include "meshops/graph/dual_graph.h"
 #include "meshops/graph/edge_map.h"
 #include "meshops/graph/primal_graph.h"
+#include "meshops/stellar/triangle_area.h"
 
 using namespace meshops;
 using namespace meshops::test;
@@ -28,7 +30,18 @@ using Lengths = decltype(length_map(std::declval<const TestMesh&>()));
 BOOST_CONCEPT_ASSERT((boost::ReadablePropertyMapConcept<Lengths, Halfedge>));
 static_assert(boost::is_undirected_graph<PrimalGraph>::value && boost::is_directed_graph<DirectedPrimal>::value);
 static_assert(sizeof(PrimalGraph) == sizeof(void*) && std::is_trivially_copyable_v<PrimalGraph>);
-static_assert(!std::is_constructible_v<PrimalGraph, TestMesh>, "a view of a temporary would dangle");
+// A view of a temporary would dangle.
+template <typename T>
+concept HasRange = requires(T mesh) {
+  live_faces(std::forward<T>(mesh));
+};
+template <typename T>
+concept HasLengths = requires(T mesh) {
+  length_map(std::forward<T>(mesh));
+};
+static_assert(HasRange<const TestMesh&> && !HasRange<TestMesh> && HasLengths<const TestMesh&> && !HasLengths<TestMesh>);
+static_assert(!std::is_constructible_v<PrimalGraph, TestMesh>);
+static_assert(!std::is_constructible_v<TriangleArea<TestMesh>, TestMesh>);
 
 namespace {
 

@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <span>
 #include <string>
+#include <type_traits>
 
 #include "meshops/core/contract.h"
 #include "plane/filtration/small_sets.h"
@@ -18,8 +21,17 @@
 using namespace rbpa_test;
 using rbpa::AlphaComplex;
 using rbpa::Delaunay;
+using rbpa::Point;
 
 TEST_SUITE_BEGIN("filtration");
+
+// A span of a temporary would dangle.
+static_assert(std::is_constructible_v<Delaunay, Points&> && std::is_constructible_v<Delaunay, std::span<Point>>);
+static_assert(std::is_constructible_v<Delaunay, AlphaComplex, const Points&>);
+static_assert(!std::is_constructible_v<Delaunay, Points> && !std::is_constructible_v<Delaunay, const Points>);
+static_assert(!std::is_constructible_v<Delaunay, std::array<Point, 3>>);
+static_assert(!std::is_constructible_v<Delaunay, const AlphaComplex&, Points>);
+static_assert(!std::is_constructible_v<Delaunay, AlphaComplex, Points>);
 
 namespace {
 

@@ -3,10 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <type_traits>
 
 #include "meshops/core/contract.h"
 #include "rbpa/base/error.h"
 #include "rbpa/plane/alpha_complex.h"
+#include "rbpa/plane/constrained_delaunay.h"
 #include "support/arguments.h"
 #include "support/delaunay_arrays.h"
 #include "support/exact.h"
@@ -20,6 +22,15 @@ using rbpa::AlphaComplex;
 using rbpa::Point;
 
 TEST_SUITE_BEGIN("locate");
+
+// Spans of temporaries would dangle.
+static_assert(std::is_constructible_v<rbpa::Locator, Points&, AlphaComplex&>);
+static_assert(std::is_constructible_v<rbpa::Locator, std::span<Point>, rbpa::TriangleArrays>);
+static_assert(!std::is_constructible_v<rbpa::Locator, Points, AlphaComplex&>);
+static_assert(!std::is_constructible_v<rbpa::Locator, Points&, AlphaComplex>);
+static_assert(!std::is_constructible_v<rbpa::Locator, Points&, rbpa::ConstrainedDelaunay>);
+static_assert(!std::is_constructible_v<rbpa::Locator, Points&, rbpa::OwnedTriangles>);
+static_assert(!std::is_constructible_v<rbpa::Locator, Points, AlphaComplex>);
 
 namespace {
 
@@ -198,7 +209,8 @@ TEST_CASE("a complex with a radius is refused, other points too, and a cancelled
   const Points points = uniform(20000, 3);
   const AlphaComplex solid = rbpa::alpha_complex(points, 0.6, {.neighbors = true}), all = delaunay_arrays(points);
   CHECK_THROWS_AS(rbpa::Locator(points, solid), meshops::ContractViolation);
-  CHECK_THROWS_AS(rbpa::Locator(uniform(100, 3), all), meshops::ContractViolation);
+  const Points fewer = uniform(100, 3);
+  CHECK_THROWS_AS(rbpa::Locator(fewer, all), meshops::ContractViolation);
   CHECK_THROWS_AS(rbpa::Locator(points, all, {.go_on = [] { return false; }}), rbpa::Cancelled);
   CHECK_THROWS_AS(rbpa::Locator(points, all).find(points, {.go_on = [] { return false; }}), rbpa::Cancelled);
   // The triangles of other points: a walk leads anywhere, but it ends.

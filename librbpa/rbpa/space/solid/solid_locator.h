@@ -15,6 +15,7 @@
 
 #include "rbpa/base/api.h"
 #include "rbpa/base/point3.h"
+#include "rbpa/base/temporary.h"
 #include "rbpa/space/solid/solid.h"
 
 namespace rbpa {
@@ -33,6 +34,13 @@ class RBPA_API SolidLocator {
   ///           requirement is checked.
   SolidLocator(std::span<const Point3> points, std::span<const std::array<std::uint32_t, 4>> simplices,
                std::span<const std::array<std::uint32_t, 4>> neighbors);
+  // A span would outlive its array.
+  template <typename Points, typename Simplices, typename Neighbors>
+  requires(TemporaryOwner<Points, std::span<const Point3>> ||
+           TemporaryOwner<Simplices, std::span<const std::array<std::uint32_t, 4>>> ||
+           TemporaryOwner<Neighbors, std::span<const std::array<std::uint32_t, 4>>>)
+      SolidLocator(Points&&, Simplices&&, Neighbors&&)
+  = delete;
 
   /// Returns for each query the lowest index of a tetrahedron that contains the query, boundary included; Solid::none
   /// if the query is outside of the triangulation or not finite.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "meshops/core/contract.h"
@@ -23,6 +24,13 @@ using rbpa::Solid;
 using rbpa::SolidLocator;
 
 TEST_SUITE_BEGIN("space");
+
+// A span of a temporary would dangle.
+using Rows = std::vector<std::array<std::uint32_t, 4>>;
+static_assert(std::is_constructible_v<SolidLocator, std::vector<Point3>&, Rows&, Rows&>);
+static_assert(!std::is_constructible_v<SolidLocator, std::vector<Point3>, Rows&, Rows&>);
+static_assert(!std::is_constructible_v<SolidLocator, std::vector<Point3>&, Rows, Rows&>);
+static_assert(!std::is_constructible_v<SolidLocator, std::vector<Point3>&, Rows&, Rows>);
 
 namespace {
 
