@@ -1,5 +1,6 @@
-// A decimator with costs of its own: the shortest edge collapses to its middle, unless it touches the boundary or a
-// triangle would turn over. The engine keeps the topology.
+// Two decimators. One has costs of its own: the shortest edge collapses to its middle, unless it touches the boundary
+// or a triangle would turn over. The other has quadric errors, and a condition of its own: no vertex of the boundary
+// moves. The engine keeps the topology.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <array>
 #include <cmath>
@@ -9,6 +10,7 @@
 
 #include "meshops/simplify/simplify.h"
 #include "meshops/topology/report.h"
+#include "rbpa/space/simplify/quadric_policy.h"
 
 using namespace meshops;
 using Mesh = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
@@ -16,16 +18,21 @@ using Point = Mesh::Point;
 
 namespace {
 
+std::array<Vertex, 2> ends_of(const Mesh& mesh, Edge e) {
+  const Halfedge h = mesh.halfedge_handle(e, 0);
+  return {mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)};
+}
+
 class ShortestEdges {
  public:
   std::optional<double> cost(const Mesh& mesh, Edge e) const {
-    for (const Vertex v : ends(mesh, e))
+    for (const Vertex v : ends_of(mesh, e))
       if (mesh.is_boundary(v)) return std::nullopt;
     return mesh.calc_edge_sqr_length(e);
   }
   Point place(const Mesh& mesh, Edge e) const { return mesh.calc_edge_midpoint(e); }
   bool allows(const Mesh& mesh, Edge e, const Point& place) const {
-    const auto [a, b] = ends(mesh, e);
+    const auto [a, b] = ends_of(mesh, e);
     for (const Vertex v : {a, b})
       for (const Face f : mesh.vf_range(v)) {
         std::array<Point, 3> before, after;
@@ -47,11 +54,18 @@ class ShortestEdges {
   }
 
  private:
-  static std::array<Vertex, 2> ends(const Mesh& mesh, Edge e) {
-    const Halfedge h = mesh.halfedge_handle(e, 0);
-    return {mesh.from_vertex_handle(h), mesh.to_vertex_handle(h)};
-  }
   static Point normal(const std::array<Point, 3>& t) { return (t[1] - t[0]) % (t[2] - t[0]); }
+};
+
+class BoundaryStays : public rbpa::MeshQuadrics<Mesh> {
+ public:
+  using MeshQuadrics::MeshQuadrics;
+  static constexpr bool costs_grow = false;
+  std::optional<double> cost(const Mesh& mesh, Edge e) const {
+    for (const Vertex v : ends_of(mesh, e))
+      if (mesh.is_boundary(v)) return std::nullopt;
+    return MeshQuadrics::cost(mesh, e);
+  }
 };
 
 /// Returns a torus of 2 · 48 · 24 triangles without two of them.
@@ -90,4 +104,10 @@ int main() {
   print("after", mesh);
   std::printf("%zu collapses, the longest edge among them: %.3f\n", result.collapses,
               std::sqrt(result.cost.value_or(0)));
+
+  mesh = torus_with_hole();
+  request_status(mesh);
+  simplify(mesh, BoundaryStays(mesh), {.faces = 300});
+  mesh.garbage_collection();
+  print("by quadric errors", mesh);
 }

@@ -120,7 +120,7 @@ set(allowed
 
   # Programs: folders of ours first, then what each uses of the libraries.
   "apps/examples: meshops meshops/core meshops/front meshops/graph meshops/simplify meshops/topology rbpa/plane rbpa/space/repair
-    rbpa/space/surface"
+    rbpa/space/simplify rbpa/space/surface"
   "apps/io: rbpa/base"
   "apps/io/bytes: apps/io meshops/core"
   "apps/io/cloud: apps/io apps/io/bytes apps/io/laz apps/io/polygon apps/io/text meshops/core rbpa/base"

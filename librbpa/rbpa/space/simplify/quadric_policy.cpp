@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "meshops/core/contract.h"
 #include "meshops/core/live_range.h"
@@ -115,10 +116,27 @@ struct Sums {
   }
 };
 
+/// Returns the options. Throws ContractViolation that names one that is out of its range.
+const QuadricOptions& checked(const QuadricOptions& options) {
+  const auto require = [](bool fits, const char* name, const char* expected) {
+    if (!fits) throw meshops::ContractViolation(std::string("QuadricOptions: ") + name + " is not " + expected);
+  };
+  const auto is_weight = [](double x) { return x >= 0 && std::isfinite(x); };
+  constexpr const char* weight = "a finite number, at least 0";
+  require(is_weight(options.boundary_weight), "boundary_weight", weight);
+  require(is_weight(options.sharp_weight), "sharp_weight", weight);
+  require(is_weight(options.normal_deviation), "normal_deviation", weight);
+  require(options.sharp_angle >= 0 && options.sharp_angle <= 180, "sharp_angle", "an angle from 0 to 180 degrees");
+  return options;
+}
+
 }  // namespace
 
 QuadricPolicy::QuadricPolicy(const Connectivity& mesh, std::vector<Point3> places, const QuadricOptions& options)
-    : costs_grow(!options.at_ends), options_(options), places_(std::move(places)), quadrics_(mesh.n_vertices()) {
+    : costs_grow(!options.at_ends),
+      options_(checked(options)),
+      places_(std::move(places)),
+      quadrics_(mesh.n_vertices()) {
   meshops::require_one_each("QuadricPolicy", places_.size(), "places", mesh.n_vertices(), "vertices");
   rank_ = space::vertex_ranks(mesh, places_);
   space::Box box;

@@ -113,34 +113,45 @@ class RBPA_API QuadricPolicy {
   double scale_ = 1;
 };
 
-namespace detail {
-
-/// Policy that also writes the places to the points of the mesh.
+/// QuadricPolicy that also moves the points of the mesh. The policy of simplify(), and the base of policies with
+/// conditions or costs of their own. A derived class with a cost() of its own declares
+/// `static constexpr bool costs_grow = false`, and one with a merge() of its own calls that of this class.
 template <meshops::HasPoints AnyMesh>
-struct MeshQuadrics : QuadricPolicy {
-  using QuadricPolicy::QuadricPolicy;
+class MeshQuadrics : public QuadricPolicy {
+ public:
+  /// Computes the quadrics of the mesh, at the positions of its vertices; places are rounded to the numbers of its
+  /// points.
+  /// Requires: as QuadricPolicy::QuadricPolicy().
+  explicit MeshQuadrics(const AnyMesh& mesh, const QuadricOptions& options = {})
+      : QuadricPolicy(mesh, places_of(mesh), rounded_for_points(options)) {}
+
   void merge(AnyMesh& mesh, const meshops::WeldEffect& effect, const Point3& place) {
     QuadricPolicy::merge(mesh, effect, place);
-    using Number = std::remove_cvref_t<decltype(mesh.point(effect.survivor)[0])>;
     mesh.set_point(effect.survivor,
                    {static_cast<Number>(place.x), static_cast<Number>(place.y), static_cast<Number>(place.z)});
   }
-};
 
-}  // namespace detail
+ private:
+  using Number = typename OpenMesh::vector_traits<typename AnyMesh::Point>::value_type;
+  static QuadricOptions rounded_for_points(QuadricOptions options) {
+    options.single_precision = options.single_precision || std::is_same_v<Number, float>;
+    return options;
+  }
+};
 
 /// Simplifies a mesh in place, down to the limits of `options`. Deleted elements stay in the mesh until
 /// garbage_collection(). `options.cost` is in units of QuadricPolicy::cost().
 /// Requires: simplify_blocker(mesh) is empty; a sound mesh with three finite coordinates for each vertex.
-/// Throws:   as meshops::simplify().
+/// Throws:   ContractViolation that names a vertex that is not at a finite place, or an option of `quadrics` that is
+///           out of its range; as meshops::simplify().
 template <meshops::HasPoints AnyMesh, typename Visitor = meshops::SimplifyVisitor>
-meshops::SimplifyResult simplify(AnyMesh& mesh, const meshops::SimplifyOptions& options, QuadricOptions quadrics = {},
-                                 Visitor&& visitor = {}) {
+meshops::SimplifyResult simplify(AnyMesh& mesh, const meshops::SimplifyOptions& options,
+                                 const QuadricOptions& quadrics = {}, Visitor&& visitor = {}) {
   meshops::detail::enforce("simplify", meshops::simplify_blocker(mesh));
-  if constexpr (std::is_same_v<std::remove_cvref_t<decltype(std::declval<AnyMesh&>().point(meshops::Vertex())[0])>,
-                               float>)
-    quadrics.single_precision = true;
-  return meshops::simplify(mesh, detail::MeshQuadrics<AnyMesh>(mesh, places_of(mesh), quadrics), options, visitor);
+  const std::vector<Point3> places = places_of(mesh);
+  for (std::size_t v = 0; v < places.size(); ++v)
+    meshops::require(is_finite(places[v]), "simplify: vertex ", static_cast<long long>(v), " is not at a finite place");
+  return meshops::simplify(mesh, MeshQuadrics<AnyMesh>(mesh, quadrics), options, visitor);
 }
 
 }  // namespace rbpa

@@ -23,6 +23,7 @@
 #include "rbpa/space/predicate/normal_sign.h"
 #include "space/simplify/triangle_sets.h"
 #include "support/data_folder.h"
+#include "support/refusal_of.h"
 
 using namespace rbpa_test;
 using meshops::Edge;
@@ -250,12 +251,52 @@ TEST_CASE("corners and sharp edges of a cube stay where they are") {
   CHECK(left[1] == doctest::Approx(whole[1]).epsilon(0.01));
 }
 
+namespace {
+
+/// Policy that allows every collapse that MeshQuadrics allows, and counts them.
+template <typename Mesh>
+struct Counting : rbpa::MeshQuadrics<Mesh> {
+  using rbpa::MeshQuadrics<Mesh>::MeshQuadrics;
+  bool allows(const Mesh& mesh, Edge e, const Point3& place) {
+    const bool is_allowed = rbpa::MeshQuadrics<Mesh>::allows(mesh, e, place);
+    allowed += is_allowed;
+    return is_allowed;
+  }
+  std::size_t allowed = 0;
+};
+
+template <typename Mesh>
+void check_derived() {
+  Mesh one, other;
+  build(read_off(bundled_data() / "m3_spot.off"), one);
+  build(read_off(bundled_data() / "m3_spot.off"), other);
+  Counting<Mesh> policy(one);
+  const auto made = meshops::simplify(one, policy, {.faces = 500});
+  rbpa::simplify(other, {.faces = 500});
+  CHECK(policy.allowed == made.collapses);
+  CHECK(canonical(one) == canonical(other));
+  for (const Vertex v : meshops::live_vertices(one))
+    CHECK(rbpa::places_of(one)[static_cast<std::size_t>(v.idx())] ==
+          policy.places()[static_cast<std::size_t>(v.idx())]);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a class derived from MeshQuadrics moves the points of the mesh as rbpa::simplify() does, in double and float") {
+  check_derived<rbpa::Mesh>();
+  check_derived<FloatMesh>();
+}
+
 TEST_CASE("places that are not finite are refused with the mesh untouched, and fewer places than vertices too") {
   for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     rbpa::Mesh mesh;
     build(sheet(4, 1), mesh);
     mesh.set_point(Vertex(12), {0, wrong, 0});
-    CHECK_THROWS_AS(rbpa::simplify(mesh, {}), meshops::ContractViolation);
+    for (const std::size_t faces : {std::size_t{0}, std::size_t{32}})
+      CHECK(refusal_of<meshops::ContractViolation>([&] { rbpa::simplify(mesh, {.faces = faces}); }) ==
+            "simplify: vertex 12 is not at a finite place");
+    CHECK_THROWS_AS(meshops::simplify(mesh, rbpa::MeshQuadrics(mesh)), meshops::ContractViolation);
     CHECK(meshops::report(mesh).faces == 32);
   }
   rbpa::Mesh mesh;
@@ -264,6 +305,23 @@ TEST_CASE("places that are not finite are refused with the mesh untouched, and f
   rbpa::Mesh empty;
   meshops::request_status(empty);
   CHECK(rbpa::simplify(empty, {}).collapses == 0);
+}
+
+TEST_CASE("options of quadrics that are out of their range are refused by name") {
+  rbpa::Mesh mesh;
+  build(sheet(4, 1), mesh);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  const auto refusal = [&](const QuadricOptions& options) {
+    return refusal_of<meshops::ContractViolation>([&] { rbpa::simplify(mesh, {.faces = 30}, options); });
+  };
+  for (const double wrong : {-1.0, nan, infinite}) {
+    CHECK(refusal({.boundary_weight = wrong}) == "QuadricOptions: boundary_weight is not a finite number, at least 0");
+    CHECK(refusal({.sharp_weight = wrong}) == "QuadricOptions: sharp_weight is not a finite number, at least 0");
+    CHECK(refusal({.normal_deviation = wrong}) ==
+          "QuadricOptions: normal_deviation is not a finite number, at least 0");
+    CHECK(refusal({.sharp_angle = wrong}) == "QuadricOptions: sharp_angle is not an angle from 0 to 180 degrees");
+  }
+  CHECK(refusal({.boundary_weight = 0, .sharp_weight = 0, .sharp_angle = 180, .normal_deviation = 0}).empty());
 }
 
 TEST_CASE("the minimum of a quadric is where its planes meet, and none is given where they leave it open") {
