@@ -208,9 +208,9 @@ TEST_SUITE("contracts") {
         {{"weld_face:", [](TestMesh& m, Vertex v) { weld_face(m, v); }},
          {"remove_vertex:", [](TestMesh& m, Vertex v) { remove_vertex(m, v); }},
          {"boundary_curve_at:", [](TestMesh& m, Vertex v) { boundary_curve_at(m, v); }},
-         {"graph view:", [](TestMesh& m, Vertex v) { out_edges(v, PrimalGraph(m)); }},
-         {"graph view:", [](TestMesh& m, Vertex v) { in_edges(v, directed(PrimalGraph(m))); }},
-         {"graph view:", [](TestMesh& m, Vertex v) { adjacent_vertices(v, BoundaryGraph(m)); }},
+         {"graph view: vertex ", [](TestMesh& m, Vertex v) { out_edges(v, PrimalGraph(m)); }},
+         {"graph view: vertex ", [](TestMesh& m, Vertex v) { in_edges(v, directed(PrimalGraph(m))); }},
+         {"graph view: vertex ", [](TestMesh& m, Vertex v) { adjacent_vertices(v, BoundaryGraph(m)); }},
          {"TopologyTracker:", [](TestMesh& m, Vertex v) { TopologyTracker(m).in_same_component(Vertex(0), v); }},
          {"TopologyTracker:", [](TestMesh& m, Vertex v) { TopologyTracker(m).note(weld_of(v, Halfedge(0))); }},
          {"weld_face:", [](TestMesh& m, Vertex v) { History(m).weld_face(v); }},
@@ -248,7 +248,7 @@ TEST_SUITE("contracts") {
                  {"detach:", [](TestMesh& m, Face f) { Front(m).detach(f); }},
                  {"smaller_part:", [](TestMesh& m, Face f) { smaller_part(m, f, Face(0)); }},
                  {"in_same_component:", [](TestMesh& m, Face f) { in_same_component(m, Face(0), f); }},
-                 {"graph view:", [](TestMesh& m, Face f) { out_edges(f, DualGraph(m)); }}});
+                 {"graph view: face ", [](TestMesh& m, Face f) { out_edges(f, DualGraph(m)); }}});
   }
 
   TEST_CASE_FIXTURE(Annulus, "no function of a front follows a site that does not exist") {

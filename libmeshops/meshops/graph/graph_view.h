@@ -87,7 +87,9 @@ class TurnIterator : public boost::iterator_facade<TurnIterator<Kind, Read>, typ
   TurnIterator() = default;
 
   static std::pair<TurnIterator, TurnIterator> range(const Connectivity& mesh, typename Kind::Node node) {
-    require(Kind::has(mesh, node), "graph view: vertex ", node.idx(), " is not in the graph");
+    constexpr bool is_of_faces = std::is_same_v<typename Kind::Node, Face>;
+    require(Kind::has(mesh, node), is_of_faces ? "graph view: face " : "graph view: vertex ", node.idx(),
+            " is not in the graph");
     const Halfedge first = Kind::first_leaving(mesh, node);
     return {TurnIterator(mesh, first, !first.is_valid()), TurnIterator(mesh, first, true)};
   }

@@ -30,6 +30,10 @@ bool is_triangle(const Triangle& corners, std::size_t points) {
 }  // namespace
 
 void require_linked(const TriangleArrays& arrays, std::size_t points, const GoOn& go_on) {
+  if (arrays.neighbors.empty() && !arrays.triangles.empty())
+    throw meshops::ContractViolation("neighbors: found none for " + std::to_string(arrays.triangles.size()) +
+                                     " triangles, expected a row for each (alpha_complex() fills them in with the "
+                                     "option neighbors)");
   meshops::require_one_each("neighbors", arrays.neighbors.size(), "rows", arrays.triangles.size(), "triangles");
   for (std::size_t t = 0; t < arrays.triangles.size(); ++t) {
     if (t % 65536 == 0) stop_if_cancelled(go_on);

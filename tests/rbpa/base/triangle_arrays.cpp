@@ -8,8 +8,10 @@
 #include "rbpa/base/error.h"
 #include "rbpa/plane/alpha_complex.h"
 #include "support/generate.h"
+#include "support/refusal_of.h"
 
 using rbpa::AlphaComplex;
+using rbpa_test::refusal_of;
 
 TEST_SUITE_BEGIN("arrays");
 
@@ -39,6 +41,10 @@ TEST_CASE("arrays of alpha_complex() are linked, and are no longer linked after 
   AlphaComplex shorter = good;
   shorter.neighbors.pop_back();
   is_refused(shorter);
+  shorter.neighbors.clear();
+  CHECK(refusal_of<meshops::ContractViolation>([&] {
+          rbpa::require_linked(shorter, points.size());
+        }).ends_with("expected a row for each (alpha_complex() fills them in with the option neighbors)"));
 }
 
 TEST_SUITE_END();

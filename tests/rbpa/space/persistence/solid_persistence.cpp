@@ -193,3 +193,15 @@ TEST_CASE("few points have pairs, arguments that do not belong together are refu
   filtration.triangles_of.pop_back();
   CHECK_THROWS_AS(rbpa::solid_persistence(filtration), meshops::ContractViolation);
 }
+
+TEST_CASE("a filtration in which a radius is no number is refused") {
+  const SolidFiltration good = rbpa::solid_filtration(uniform_cube(50, 3));
+  for (std::vector<double> SolidFiltration::*alpha :
+       {&SolidFiltration::tetrahedron_alpha, &SolidFiltration::triangle_alpha, &SolidFiltration::edge_alpha}) {
+    SolidFiltration bad = good;
+    REQUIRE(!(bad.*alpha).empty());
+    (bad.*alpha).back() = std::nan("");
+    CHECK_THROWS_AS(rbpa::solid_persistence(bad), meshops::ContractViolation);
+  }
+  CHECK_NOTHROW(rbpa::solid_persistence(good));
+}

@@ -1,6 +1,7 @@
 #include "rbpa/space/persistence/pairing/pairing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
@@ -55,6 +56,9 @@ void check_filtration(const char* function, const SolidFiltration& filtration) {
               (neighbors[t][k] == Solid::none || neighbors[t][k] < simplices.size()));
   for (const auto& of : filtration.edges_of)
     for (const std::uint32_t edge : of) require(edge < edges);
+  for (const auto* values :
+       {&filtration.tetrahedron_alpha, &filtration.triangle_alpha, &filtration.edge_alpha, &filtration.point_alpha})
+    require(std::none_of(values->begin(), values->end(), [](double alpha) { return std::isnan(alpha); }));
   require(filtration.point_alpha.empty() || corner_bound<2>(filtration.edges) <= filtration.point_alpha.size());
 }
 
