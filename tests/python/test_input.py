@@ -4,6 +4,8 @@ import decimal
 import fractions
 import importlib.util
 import math
+import pathlib
+import tempfile
 import types
 
 import numpy as np
@@ -252,3 +254,60 @@ def test_normals_and_viewpoints_of_pandas_go_by_index():
     message = "normals: found an index without 50 of the 300 labels of the points, such as 3.., expected all of them \\(normals.to_numpy"
     refuses(message, rbpa.surface, mixed, table.reset_index(drop=True), 0.4)
     refuses("viewpoint: found an index with labels that repeat", rbpa.estimate_normals, mixed, viewpoint=table.set_axis([0] * 300))
+
+
+def _saved(surface, **options):
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "surface.ply"
+        surface.save(path, **options)
+        return path.read_bytes()
+
+
+def _remeshed(points, length):
+    mesh = rbpa.surface(np.asarray(points), "none", radius=2).mesh()
+    assert np.array_equal(mesh.point_of_vertex, range(len(points)))
+    return mesh.remesh(points, length).points
+
+
+IN_SPACE = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
+SEGMENTS = [[0, 1]]
+# For each argument with a value for each point: its name, the points, and a call with points and values.
+WITH_VALUES = {
+    "Delaunay.interpolate": ("values", POINTS, lambda p, v: rbpa.Delaunay(p).interpolate(v, POINTS[:50])),
+    "Delaunay.interpolate in space": ("values", IN_SPACE, lambda p, v: rbpa.Delaunay(p).interpolate(v, IN_SPACE / 2 + 0.2)),
+    "ConstrainedDelaunay.interpolate": ("values", POINTS, lambda p, v: rbpa.Delaunay(p, segments=SEGMENTS).interpolate(v, POINTS[:50])),
+    "ConstrainedDelaunay.grid": ("values", POINTS, lambda p, v: rbpa.Delaunay(p, segments=SEGMENTS).grid(v, 0.1).values),
+    "ConstrainedDelaunay.contours": ("values", POINTS, lambda p, v: rbpa.Delaunay(p, segments=SEGMENTS).contours(v, [1.5])[0].points),
+    "AlphaShape.grid": ("values", POINTS, lambda p, v: rbpa.alpha_shape(p, math.inf).grid(v, 0.1).values),
+    "AlphaShape.contours": ("values", POINTS, lambda p, v: rbpa.alpha_shape(p, math.inf).contours(v, [1.5])[0].points),
+    "discs": ("radii", POINTS, lambda p, v: rbpa.discs(p, v).areas),
+    "balls": ("radii", IN_SPACE, lambda p, v: rbpa.balls(p, v).areas),
+    "Balls.interfaces": ("groups", IN_SPACE, lambda p, v: rbpa.balls(p, 0.8).interfaces(v).areas),
+    "alpha_shapes": ("groups", POINTS, lambda p, v: rbpa.alpha_shapes(p, v, 0.5).labels),
+    "Surface.save": ("colors", IN_SPACE, lambda p, v: np.frombuffer(_saved(rbpa.surface(p, "none", radius=2).keep_largest(), colors=v), np.uint8)),
+    "surface": ("normals", IN_SPACE, lambda p, v: rbpa.surface(p, v, 2).triangles),
+    "surface_of": ("normals", IN_SPACE, lambda p, v: rbpa.surface_of(p, [[0, 1, 2]], v).normals),
+    "Mesh.remesh": ("length", IN_SPACE, _remeshed),
+    "estimate_normals": ("viewpoint", IN_SPACE, lambda p, v: rbpa.estimate_normals(p, 3, viewpoint=v)),
+}
+
+
+@pytest.mark.parametrize("function", WITH_VALUES)
+def test_values_of_pandas_beside_points_go_by_index(function):
+    pandas = pytest.importorskip("pandas")
+    name, array, call = WITH_VALUES[function]
+    labels = [f"p{i}" for i in range(len(array))]
+    points = pandas.DataFrame(array, index=labels)
+    random = np.random.default_rng(3)
+    if name == "colors":
+        values = pandas.DataFrame(random.integers(0, 255, (len(array), 3)), index=labels)
+    elif name in ("normals", "viewpoint"):
+        values = pandas.DataFrame((array - 0.5) * 9, index=labels)
+    else:
+        values = pandas.Series(random.integers(1, 4, len(array)) * (0.25 if name in ("radii", "length") else 1), index=labels)
+    expected = call(array, values.to_numpy())
+    mixed = values.sample(frac=1, random_state=0)
+    assert not np.array_equal(mixed.to_numpy(), values.to_numpy())
+    assert np.array_equal(call(points, mixed), expected, equal_nan=expected.dtype.kind == "f")
+    assert np.array_equal(call(points, values.to_numpy()), expected, equal_nan=expected.dtype.kind == "f")  # by position
+    refuses(f"{name}: found an index without 1 of the {len(array)} labels of the points, such as 'p0'", call, points, values.iloc[1:])

@@ -11,7 +11,7 @@ import numpy.typing as npt
 from rbpa import _core
 from rbpa._heights import Heights
 from rbpa._input import PLATEAU, Alpha, Floats, Indices, Progress
-from rbpa._input import as_choice, as_count, as_number, as_points, as_share, as_threads, or_auto
+from rbpa._input import as_choice, as_count, as_number, as_points, as_share, as_threads, index_of, or_auto
 from rbpa._plot import draw_dots, median_side, page_scale, side_style
 from rbpa._polygons import Outlined, Polygons
 from rbpa._result import fields_of, of_file
@@ -76,7 +76,8 @@ def alpha_shape(
     radius = choice.radius if choice.is_given else _core.choose_alpha(array, choice, workers, progress)
     # If no radius covers the points, all points are on a line, and no radius gives a triangle.
     made = _core.triangulate(array, math.inf if radius is None else radius, workers, progress)
-    return AlphaShape(array, radius, {"fields": fields_of(points), "crs": of_file(points, "crs"), **made})
+    made.update(fields=fields_of(points), crs=of_file(points, "crs"), _index=index_of(points))
+    return AlphaShape(array, radius, made)
 
 
 def concave_hull(

@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from rbpa import _core, molecules
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, as_array, as_number, as_numbers, as_points, as_threads
+from rbpa._input import Floats, Indices, Progress, aligned, as_array, as_number, as_numbers, as_points, as_threads, index_of
 from rbpa._result import Result, brief, entry, freeze
 from rbpa._solid_filtration import BallFiltration
 
@@ -37,7 +37,7 @@ def balls(
     radii : array_like of shape (n,) or (frames, n), a number, "bondi" or "protor", optional
         The radius of each ball, at least 0; one number for all is refused for atoms. By default atoms have the radii of
         their file, if the file has radii, and otherwise Bondi's; "bondi" and "protor" choose radii by element and name
-        (`molecules.radii`).
+        (`molecules.radii`). Radii and centers of pandas are aligned by index.
     probe : float
         The length that is added to each radius: 1.4 for water, in angstroms.
     box : array_like, optional
@@ -76,7 +76,8 @@ def balls(
         array = as_points(array, "centers", 3)
     if radii is None or isinstance(radii, str):
         radii = molecules.radii(centers, radii)
-    sizes = as_numbers(radii, "radii", "numbers of at least 0, one for each center")
+    index = index_of(centers)
+    sizes = as_numbers(aligned(radii, index, "radii"), "radii", "numbers of at least 0, one for each center")
     if sizes.ndim == 0 and of_atoms:
         hint = f"(probe={sizes} is the probe, np.full(n, {sizes}) one radius for all)"
         raise InvalidInput(f"radii: found {sizes} for atoms, expected 'bondi', 'protor' or one for each {hint}")
@@ -85,7 +86,7 @@ def balls(
     if sizes.shape not in (array.shape[-2:-1], array.shape[:-1]):
         raise InvalidInput(f"radii: found an array of shape {sizes.shape}, expected {array.shape[-2:-1]}, one for each center")
     frames = array.shape[0] if array.ndim == 3 else None
-    return Balls(array, sizes, as_number(probe, "probe", "a finite number"), _cells_of(box, frames), threads, progress)
+    return Balls(array, sizes, as_number(probe, "probe", "a finite number"), _cells_of(box, frames), index, threads, progress)
 
 
 def _cells_of(box: Optional[npt.ArrayLike], frames: Optional[int]) -> Floats:
@@ -235,6 +236,7 @@ class Balls(Result):
     areas: Floats
     arcs: Indices
     hidden: Any
+    _index: Any  # pandas index of the centers, by which groups are aligned
 
     def __init__(
         self,
@@ -242,10 +244,11 @@ class Balls(Result):
         radii: Floats,
         probe: float,
         cells: Floats,
+        index: Any,
         threads: Optional[int] = None,
         progress: Progress = None,
     ) -> None:
-        super().__init__({"probe": probe, "cells": cells}, centers=centers, radii=radii)
+        super().__init__({"probe": probe, "cells": cells, "_index": index}, centers=centers, radii=radii)
         made = self._measured(False, threads, progress)
         self.__dict__.update({name: made[name] for name in ("volume", "area", "volumes", "areas", "arcs", "hidden")})
 
@@ -284,7 +287,7 @@ class Balls(Result):
     def without_probe(self) -> Balls:
         """The union of the balls without the probe: for atoms, with the van der Waals volume and area. Measures
         again."""
-        return self if self.probe == 0 else Balls(self.centers, self.radii, 0.0, self.cells)
+        return self if self.probe == 0 else Balls(self.centers, self.radii, 0.0, self.cells, self._index)
 
     @cached_property
     def simplices(self) -> Any:
@@ -362,14 +365,15 @@ class Balls(Result):
         """Returns the areas of the surfaces of groups of balls, with the probe, that other groups cover.
 
         `groups` has a label for each ball: the chains of atoms, or any other numbers or texts. Each two groups are
-        compared without the others. In a box, the images of a ball are in its group, and areas are those per box.
+        compared without the others. In a box, the images of a ball are in its group, and areas are those per box. Groups
+        and centers of pandas are aligned by index.
 
         >>> two = rbpa.balls([[0, 0, 0], [0, 0, 3]], [2, 2]).interfaces(["A", "B"])
         >>> two.groups.tolist(), two.areas.round(6).tolist()  # caps of height 1/2: 2π each
         ([['A', 'B']], [[6.283185, 6.283185]])
         """
         radii = self._of_one_frame("interfaces")
-        given = np.asarray(groups)
+        given = np.asarray(aligned(groups, self._index, "groups"))
         if given.shape != radii.shape:
             raise InvalidInput(f"groups: found an array of shape {given.shape}, expected {radii.shape}, one for each ball")
         labels, number = np.unique(given, return_inverse=True)

@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Indices, Progress, as_numbers, as_points, as_threads
+from rbpa._input import Floats, Indices, Progress, aligned, as_numbers, as_points, as_threads, index_of
 from rbpa._polygons import Polygons
 from rbpa._result import Result, brief, freeze, of_file
 
@@ -31,7 +31,7 @@ def discs(
     centers : array_like of shape (n, 2), or points of the plane as for `alpha_shape`
         Finite coordinates; a float64 array in C order must not be changed while the result is in use.
     radii : array_like of shape (n,), or a number
-        The radius of each disc, at least 0, in the units of the centers.
+        The radius of each disc, at least 0, in the units of the centers. Radii and centers of pandas are aligned by index.
     corners : int
         The number of corners of a whole circle in `polygons`, from 3 to 100000.
     threads, progress
@@ -54,7 +54,7 @@ def discs(
     (True, 6, -0.606223)
     """
     array = as_points(centers, "centers")
-    sizes = as_numbers(radii, "radii", "numbers of at least 0, one for each center")
+    sizes = as_numbers(aligned(radii, index_of(centers), "radii"), "radii", "numbers of at least 0, one for each center")
     if sizes.ndim == 0:
         sizes = np.full(len(array), sizes)
     if sizes.shape != array.shape[:1]:

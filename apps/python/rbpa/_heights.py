@@ -10,7 +10,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Progress, as_number, as_numbers, as_threads, require_one_of, shown
+from rbpa._input import Floats, Progress, aligned, as_number, as_numbers, as_threads, require_one_of, shown
 from rbpa._result import Simplices, brief, freeze
 
 Values = Union[npt.ArrayLike, str]
@@ -56,6 +56,7 @@ class Heights(Simplices):
 
     alpha: Optional[float]
     fields: dict[str, npt.NDArray[Any]]
+    _index: Any  # pandas index of the points, by which values are aligned
     _is_constrained = False  # otherwise the triangles are those of the Delaunay triangulation within alpha
 
     def grid(
@@ -73,7 +74,8 @@ class Heights(Simplices):
         Parameters
         ----------
         values : array_like of shape (n,), or the name of one of `fields`
-            A finite number for each point. The value of the first of equal points counts.
+            A finite number for each point. The value of the first of equal points counts. Values and points of pandas
+            are aligned by index.
         cell : float
             The size of the square cells. The sides of the raster are at multiples of it.
         method : "linear" or "natural"
@@ -163,7 +165,7 @@ class Heights(Simplices):
             if values not in self.fields:
                 raise InvalidInput(f"values: found {shown(values)}, expected numbers, or one of the fields {list(self.fields)}")
             values = self.fields[values]
-        heights = as_numbers(values, "values", "a number for each point")
+        heights = as_numbers(aligned(values, self._index, "values"), "values", "a number for each point")
         if heights.shape != (len(self.points),):
             raise InvalidInput(f"values: found an array of shape {heights.shape}, expected ({len(self.points)},)")
         bad = np.flatnonzero(~np.isfinite(heights))

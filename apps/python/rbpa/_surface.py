@@ -136,7 +136,7 @@ def surface_of(
     """
     array = as_points(points, columns=3)
     normals = of_file(points, "normals") if normals is None else normals
-    vectors = None if normals is None else as_points(normals, "normals", columns=3)
+    vectors = None if normals is None else as_points(aligned(normals, index_of(points), "normals"), "normals", columns=3)
     if vectors is not None and len(vectors) != len(array):
         raise InvalidInput(f"normals: found {len(vectors)} normals, expected one for each of {len(array)} points")
     rows = np.asarray(triangles)
@@ -153,9 +153,9 @@ def surface_of(
 
 
 def _beside(points: Any) -> dict[str, Any]:
-    """Returns what a surface keeps of points beside coordinates and normals: fields and colors."""
+    """Returns what a surface keeps of points beside coordinates and normals: fields, colors and their index."""
     colors = of_file(points, "colors")
-    return {"fields": fields_of(points), "colors": None if colors is None else colors.view()}
+    return {"fields": fields_of(points), "colors": None if colors is None else colors.view(), "_index": index_of(points)}
 
 
 def _not_empty(radii: Floats) -> Floats:
@@ -221,6 +221,7 @@ class Surface(Result):
     duplicates: Indices
     fields: dict[str, npt.NDArray[Any]]
     colors: Optional[npt.NDArray[np.uint8]]
+    _index: Any  # pandas index of the points, by which colors are aligned; None for added points
     given: Optional[Indices] = None
     distance: Optional[float] = None
     # For a part of a surface: the whole surface, and the flags of the triangles that were kept.
@@ -349,6 +350,7 @@ class Surface(Result):
             "duplicates": self.duplicates,
             "fields": self.fields,
             "colors": self.colors,
+            "_index": self._index,
         }
         part = Surface(self.points, self.normals, self.radii, made)
         if self._kept_from is not None:
@@ -394,7 +396,7 @@ class Surface(Result):
         place = np.full(len(kept), -1, dtype=np.int32)
         place[kept] = np.flatnonzero(old)
         made = {name: of[name] for name in ("triangles", "neighbors", "boundary")}
-        made.update(fields=of.get("fields", self.fields), colors=of.get("colors", self.colors))
+        made.update(fields=of.get("fields", self.fields), colors=of.get("colors", self.colors), _index=self._index if points is self.points else None)
         filled = Surface(points, normals, self.radii, {**made, "levels": levels, "duplicates": self.duplicates})
         freeze(place)
         filled._filled_from = (self, place)
@@ -527,7 +529,8 @@ class Surface(Result):
             self.points, self.triangles, self.neighbors, *as_limits(faces, error), bool(no_crossings), bool(measured), progress
         )
         of["levels"] = self.levels[of["given"]]
-        return Surface(self.points, self.normals, self.radii, {**of, "duplicates": self.duplicates, "fields": self.fields, "colors": self.colors})
+        kept = {name: getattr(self, name) for name in ("duplicates", "fields", "colors", "_index")}
+        return Surface(self.points, self.normals, self.radii, {**of, **kept})
 
     @cached_property
     def _unused(self) -> tuple[Indices, npt.NDArray[np.uint8]]:
@@ -563,6 +566,7 @@ class Surface(Result):
             The file, which appears whole or not at all.
         colors : array_like of integers, of shape (n, 3), optional
             Red, green and blue of each point, from 0 to 255, by default `colors`; written to .ply, .vtu and .glb.
+            Colors and points of pandas are aligned by index.
         fields : sequence of str, optional
             The names of the fields to write to .ply and .vtu, by default all of `fields`.
         manifold : bool
@@ -591,7 +595,7 @@ class Surface(Result):
         _core.save_surface(os.fsencode(path), self.points, *beside, self.triangles, self.neighbors, bool(manifold), by)
 
     def _as_colors(self, colors: npt.ArrayLike) -> npt.NDArray[np.uint8]:
-        array, shape = np.asarray(colors), (len(self.points), 3)
+        array, shape = np.asarray(aligned(colors, self._index, "colors")), (len(self.points), 3)
         if array.shape != shape or array.dtype.kind not in "iu" or (array != array.astype(np.uint8)).any():
             raise InvalidInput(f"colors: found {array.dtype} of shape {array.shape}, expected integers from 0 to 255 of shape {shape}")
         return np.ascontiguousarray(array, np.uint8)

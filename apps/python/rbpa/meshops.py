@@ -31,7 +31,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import ComponentReport, Defect, Delta, InvalidInput, RepairStep, Report
-from rbpa._input import Floats, Indices, Integers, Progress, as_count, as_limits, as_number, as_numbers, as_points, shown
+from rbpa._input import Floats, Indices, Integers, Progress, aligned, as_count, as_limits, as_number, as_numbers, as_points, index_of, shown
 from rbpa._result import brief
 
 __all__ = ["ComponentReport", "Decimation", "Defect", "Delta", "Mesh", "ProgressiveMesh", "Remeshing", "Repair", "RepairStep", "Report", "find_defects", "repair", "report"]
@@ -169,7 +169,7 @@ class Mesh(_core.Mesh):
             As in `decimate`.
         """
         array = as_points(points, columns=3)
-        lengths = as_numbers(length, "length", _LENGTHS)
+        lengths = as_numbers(aligned(length, index_of(points), "length"), "length", _LENGTHS)
         if lengths.ndim > 1 or not lengths.size:
             raise InvalidInput(f"length: found {shown(length)}, expected {_LENGTHS}")
         if error is not None:
