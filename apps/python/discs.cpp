@@ -30,8 +30,8 @@ py::dict discs_of(const Doubles& centers, const Doubles& radii, unsigned threads
 }
 
 /// Returns the arguments of rbpa.Polygons. `boundary` is that of rbpa.Discs.
-std::tuple<Doubles, py::dict> disc_polygons_of(const Doubles& centers, const Doubles& radii, const py::list& boundary,
-                                               unsigned corners) {
+std::tuple<Doubles, py::dict, Indices> disc_polygons_of(const Doubles& centers, const Doubles& radii,
+                                                        const py::list& boundary, unsigned corners) {
   DiscMeasures measures;
   for (const py::handle of : boundary) {
     DiscCurve& curve = measures.boundary.emplace_back();
@@ -49,7 +49,7 @@ std::tuple<Doubles, py::dict> disc_polygons_of(const Doubles& centers, const Dou
   FlatPolygons<std::uint32_t> flat;
   for (const Polygon& polygon : made.polygons) flat.add(polygon);
   py::dict of_polygons = flat.as_arrays(total(made.polygons));
-  return {rows<double>(std::move(made.points)), std::move(of_polygons)};
+  return {rows<double>(std::move(made.points)), std::move(of_polygons), line<std::int32_t>(std::move(made.components))};
 }
 
 }  // namespace

@@ -134,6 +134,10 @@ def test_geojson_pickles_and_threads():
     assert first["properties"]["group"] == 0 and first["properties"]["points"] == shapes.counts[0]
     assert first["properties"]["area"] == shapes.areas[0]
     assert json.dumps(first["geometry"]) == json.dumps(shapes[0].__geo_interface__)
+    of_first = json.loads(shapes[0].to_geojson())["features"]
+    assert [feature["properties"]["number"] for feature in of_first] == list(range(1, len(shapes[0]) + 1))
+    assert of_first == json.loads(rbpa.alpha_shape(POINTS[LABELS == 0], float(shapes.alphas[0])).to_geojson())["features"]
+    assert shapes.polygons.to_wkt().startswith("GEOMETRYCOLLECTION (POLYGON ((")  # groups may overlap
     again = pickle.loads(pickle.dumps(shapes))
     assert again.to_geojson() == shapes.to_geojson() == rbpa.alpha_shapes(POINTS, LABELS, threads=2).to_geojson()
     with pytest.raises(ValueError):

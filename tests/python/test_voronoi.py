@@ -10,6 +10,7 @@ import pytest
 import rbpa
 import sets
 from scipy import spatial
+from shapely import geometry, wkt
 from shapely.geometry import MultiPolygon, Point, box
 from shapely.ops import unary_union
 
@@ -148,7 +149,19 @@ def test_cells_within_the_shape_are_those_of_the_program(tmp_path, program):
     assert cells.areas.tolist() == made.cells(rbpa.alpha_shape(points)).areas.tolist() and cells.area < made.cells("hull").area
     written = [feature["geometry"]["coordinates"] for feature in features]
     assert sorted(written) == sorted(polygon.__geo_interface__["coordinates"] for polygon in cells.polygons)
+    ours = json.loads(cells.polygons.to_geojson())["features"]
+    for key in ("number", "points"):
+        assert [feature["properties"][key] for feature in ours] == [feature["properties"][key] for feature in features]
     assert len(rbpa.Voronoi([[0, 0], [1, 1]]).cells("shape").polygons) == 0
+
+
+def test_cells_together_are_a_valid_collection():
+    cells = rbpa.Voronoi(sets.uniform(50)).cells()
+    text = cells.polygons.to_wkt()
+    assert text.startswith("GEOMETRYCOLLECTION (POLYGON ((") and text.count("POLYGON") == 50
+    for made in (wkt.loads(text), cells.polygons.to_shapely(), geometry.shape(cells.polygons)):
+        assert made.geom_type == "GeometryCollection" and made.is_valid and made.area == pytest.approx(cells.area)
+    assert rbpa.Voronoi([[0, 0]]).cells("hull").polygons.to_wkt() == "GEOMETRYCOLLECTION EMPTY"
 
 
 def test_the_order_of_points_does_not_matter():

@@ -60,6 +60,9 @@ namespace {
 constexpr PolygonSigns geojson{"\n", ",\n", true, "[", "]", "[", ",", "]", ",", "}", "\n]}\n", "\n]}\n"};
 constexpr PolygonSigns wkt{"MULTIPOLYGON (",      ", ", false, "(", ")", "", " ", "", ", ", "", ")\n",
                            "MULTIPOLYGON EMPTY\n"};
+constexpr PolygonSigns wkt_collection{
+    "GEOMETRYCOLLECTION (POLYGON ", ", POLYGON ", false, "(", ")", "", " ", "", ", ", "", ")\n",
+    "GEOMETRYCOLLECTION EMPTY\n"};
 
 /// Returns the member "crs" of the draft of 2008, and a comma; "" for WGS 84, the default of GeoJSON, and for an
 /// unknown system.
@@ -146,8 +149,13 @@ void write_geojson_polygon(OutputFile& file, const std::vector<PositionRing>& po
   file.write(is_one ? "}" : "]}");
 }
 
-PolygonWriter::PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs, bool cuts)
-    : file_(file), signs_(format == Format::geojson ? geojson : wkt), cuts_(cuts && format == Format::geojson) {
+PolygonWriter::PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs, bool cuts,
+                             bool may_share_edges)
+    : file_(file),
+      signs_(format == Format::geojson ? geojson
+             : may_share_edges         ? wkt_collection
+                                       : wkt),
+      cuts_(cuts && format == Format::geojson) {
   if (format == Format::geojson) file_.write(geojson_collection(crs));
 }
 
@@ -185,7 +193,8 @@ void PolygonWriter::end() {
 void PolygonWriter::finish() { file_.write(number_ == 0 ? signs_.end_of_none : signs_.end); }
 
 void write_polygons(OutputFile& file, Format format, const Shape& shape) {
-  PolygonWriter writer(file, format, shape.crs, is_cut_in_geojson(shape.points, shape.crs, shape.degrees));
+  PolygonWriter writer(file, format, shape.crs, is_cut_in_geojson(shape.points, shape.crs, shape.degrees),
+                       shape.may_share_edges);
   const std::vector<std::size_t> counts = points_in_polygons(shape);
   for (std::size_t i = 0; i < shape.polygons.size(); ++i) {
     const Polygon& polygon = shape.polygons[i];

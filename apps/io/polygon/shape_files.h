@@ -36,6 +36,7 @@ struct Shape {
   std::span<const std::uint32_t> index = {};  ///< input index of each point; empty if point i has index i
   std::span<const PointColumn> fields = {};   ///< written where points are listed
   std::span<const Attribute> summaries = {};  ///< further attributes of the polygons
+  bool may_share_edges = false;  ///< polygons may have common edges, as cells do, and are then no valid MULTIPOLYGON
 };
 
 /// Returns for each polygon the number of points that shape.polygon_of assigns to it.
@@ -87,12 +88,14 @@ void write_geojson_polygon(OutputFile& file, const std::vector<PositionRing>& po
 /// polygon, whose properties are "number", from 1, "area", "perimeter", "holes" (their number) and "points" (the number
 /// of points in this polygon and in no earlier one). An area beyond the range of double is null. A system other than
 /// WGS 84 is a member "crs". If coordinates are degrees, a polygon on both sides of longitude 180 is cut there
-/// (antimeridian.h), and its geometry is a MultiPolygon. Well-known text: one MULTIPOLYGON, or MULTIPOLYGON EMPTY.
+/// (antimeridian.h), and its geometry is a MultiPolygon. Well-known text: one MULTIPOLYGON; of
+/// polygons that may share edges, which no MULTIPOLYGON may, one GEOMETRYCOLLECTION of POLYGONs. Each may be EMPTY.
 class PolygonWriter final : public PolygonSink {
  public:
   /// Requires: `format` is geojson or wkt. With `cuts`, polygons are cut at the antimeridian. Keeps a reference to
   /// `file`; all members throw as OutputFile::write().
-  PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs, bool cuts);
+  PolygonWriter(OutputFile& file, Format format, const std::optional<Crs>& crs, bool cuts,
+                bool may_share_edges = false);
   void begin(const PolygonFacts& facts) override { begin(facts, ""); }
   /// Begins a polygon with further members of its properties in GeoJSON, each after a comma.
   void begin(const PolygonFacts& facts, std::string_view more);

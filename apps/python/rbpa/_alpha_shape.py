@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, Optional
 
 import numpy.typing as npt
@@ -13,7 +13,7 @@ from rbpa._heights import Heights
 from rbpa._input import PLATEAU, Alpha, Floats, Indices, Progress
 from rbpa._input import as_choice, as_count, as_number, as_points, as_share, as_threads, index_of, or_auto
 from rbpa._plot import draw_dots, median_side, page_scale, side_style
-from rbpa._polygons import Outlined, Polygons
+from rbpa._polygons import Outlined, Polygons, count_points
 from rbpa._result import fields_of, of_file
 
 
@@ -170,7 +170,7 @@ class AlphaShape(Outlined, Heights):
         given = {"min_hole_area": min_hole_area, "min_part_area": min_part_area}
         areas = [as_number(area, name, "an area, 0 or more") for name, area in given.items()]
         flat = _core.polygons(self.points, self.simplices, self.neighbors, *areas)
-        return Polygons(self.points, flat, self.crs)
+        return Polygons(self.points, flat, self.crs, partial(count_points, self.points))
 
     def plot(self, ax: Any = None, *, triangles: bool = False, points: bool = True, **style: Any) -> Any:
         """Draws the shape with matplotlib, and returns the axes.

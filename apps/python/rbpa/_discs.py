@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, NamedTuple, Optional
 
 import numpy as np
@@ -11,7 +11,7 @@ import numpy.typing as npt
 from rbpa import _core
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, aligned, as_numbers, as_points, as_threads, index_of
-from rbpa._polygons import Polygons
+from rbpa._polygons import Polygons, counted
 from rbpa._result import Result, brief, freeze, of_file
 
 
@@ -131,7 +131,9 @@ class Discs(Result):
         """The components as polygons with holes, with corners on the circles: parts of the union, and valid, up to the
         rounding of corners where circles nearly touch. Made at the first access."""
         self._require_unchanged()
-        return Polygons(*_core.disc_polygons(self.centers, self.radii, self.boundary, self.corners), self._crs)
+        points, flat, components = _core.disc_polygons(self.centers, self.radii, self.boundary, self.corners)
+        counts = np.bincount(self.components[self.components >= 0])[components]
+        return Polygons(points, flat, self._crs, partial(counted, counts))
 
     def __len__(self) -> int:
         return len(self.centers)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping
+from functools import partial
 from typing import Any, Iterator, Optional, Union
 
 import numpy as np
@@ -15,7 +16,7 @@ from rbpa._core import InvalidInput
 from rbpa._input import PLATEAU, Alpha, Floats, Indices, Integers, Progress
 from rbpa._input import aligned, as_choice, as_count, as_numbers, as_points, as_radius, as_share, as_threads
 from rbpa._input import index_of, or_auto, shown
-from rbpa._polygons import Polygons, feature_collection, number_or_none
+from rbpa._polygons import Polygons, count_group, feature_collection, number_or_none
 from rbpa._result import Result, of_file
 
 GroupAlphas = Union[Alpha, npt.ArrayLike, Mapping[Any, float]]
@@ -225,6 +226,7 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
         The system of the coordinates, if `read_points` returned the points and the file names one.
     """
 
+    points: Floats
     names: npt.NDArray[Any]
     labels: Indices
     counts: Integers
@@ -239,7 +241,7 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
     ) -> None:
         self._keys = keys
         self._number = {name: g for g, name in enumerate(keys)}
-        self.polygons = Polygons(points, made.pop("polygons"), made["crs"])
+        self.polygons = Polygons(points, made.pop("polygons"), made["crs"], is_one=False)
         self._polygon_begin, self._simplex_begin = made.pop("polygon_begin"), made.pop("simplex_begin")
         self._simplices = made.pop("simplices")
         made["problems"] = {self._keys[g]: why for g, why in made["problems"].items()}
@@ -253,7 +255,8 @@ class AlphaShapes(Result, Mapping[Any, Polygons]):
 
     def __getitem__(self, name: Any) -> Polygons:
         g, begin = self._number_of(name), self._polygon_begin
-        return self.polygons.part(int(begin[g]), int(begin[g + 1]), float(self.areas[g]), float(self.perimeters[g]))
+        totals = float(self.areas[g]), float(self.perimeters[g])
+        return self.polygons.part(int(begin[g]), int(begin[g + 1]), *totals, partial(count_group, self.points, self.labels, g))
 
     def _number_of(self, name: Any) -> int:
         if name in self._number or self.names.dtype.kind not in "mM":

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Dict, Iterator, Optional, overload
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterator, Optional, overload
 
 import numpy as np
 
@@ -21,8 +21,8 @@ class Geometry(Dict[str, Any]):
     """A GeoJSON geometry that also works as a feature with properties, as geopandas.GeoDataFrame.from_features() needs
     both."""
 
-    def __init__(self, kind: str, coordinates: list[Any], properties: dict[str, Any]) -> None:
-        super().__init__(type=kind, coordinates=coordinates)
+    def __init__(self, kind: str, parts: list[Any], properties: dict[str, Any]) -> None:
+        super().__init__({"type": kind, "geometries" if kind == "GeometryCollection" else "coordinates": parts})
         self._properties = properties
 
     def __missing__(self, key: str) -> dict[str, Any]:
@@ -105,6 +105,7 @@ class Outlined:
     """Base of `Polygons` and of results with polygons, which other packages accept in place of polygons."""
 
     polygons: Any  # Polygons
+    _is_one = True  # whether the polygons neither overlap nor share sides, so that they are one valid MultiPolygon
     crs: Optional[str] = None
     """The system of the coordinates, such as "EPSG:28992", if `read_points` returned the points and the file names one."""
 
@@ -126,58 +127,102 @@ class Outlined:
 
     @property
     def __geo_interface__(self) -> Geometry:
-        """A MultiPolygon for GeoPandas, Shapely and others."""
-        coordinates = [p.__geo_interface__["coordinates"] for p in self]
-        properties = {"area": number_or_none(self.area), "perimeter": number_or_none(self.perimeter), "polygons": len(coordinates)}
-        return Geometry("MultiPolygon", coordinates, properties)
+        """A MultiPolygon for GeoPandas, Shapely and others; a GeometryCollection of polygons that may share sides or
+        overlap, as cells and the polygons of several groups may."""
+        parts = [p.__geo_interface__ for p in self]
+        properties = {"area": number_or_none(self.area), "perimeter": number_or_none(self.perimeter), "polygons": len(parts)}
+        if not self._is_one:
+            return Geometry("GeometryCollection", parts, properties)
+        return Geometry("MultiPolygon", [part["coordinates"] for part in parts], properties)
 
     def to_geojson(self, crs: Optional[str] = None) -> str:
-        """Returns the text of a GeoJSON FeatureCollection: a feature for each polygon, with area, perimeter and number
-        of holes.
+        """Returns the text of a GeoJSON FeatureCollection: a feature for each polygon, with its `number`, from 1, `area`,
+        `perimeter`, the number of its `holes`, and that of the `points` in it and in no polygon before it. Polygons of
+        parts, as of `rbpa.dask`, have no `points`.
 
         Every coordinate reads back to the same double. `crs` names the system of the coordinates, by default the
         attribute of this name; readers that follow RFC 7946 take coordinates for degrees of WGS 84 all the same.
         """
-        of = [p.__geo_interface__ for p in self]
-        features = [{"type": "Feature", "properties": geometry["properties"], "geometry": geometry} for geometry in of]
+        counts = self.polygons._counts()
+        features = []
+        for i, geometry in enumerate(p.__geo_interface__ for p in self):
+            properties = {"number": i + 1, **geometry["properties"]}
+            if counts is not None:
+                properties["points"] = int(counts[i])
+            features.append({"type": "Feature", "properties": properties, "geometry": geometry})
         return json.dumps(feature_collection(features, crs or self.crs))
 
     def to_wkt(self) -> str:
-        """Returns the text of an OGC MULTIPOLYGON. Every coordinate reads back to the same double."""
+        """Returns the text of an OGC MULTIPOLYGON, or a GEOMETRYCOLLECTION where `__geo_interface__` is one. Every
+        coordinate reads back to the same double."""
 
         def ring(coordinates: Floats) -> str:
             return "(" + ", ".join(f"{x!r} {y!r}" for x, y in coordinates.tolist()) + ")"
 
-        polygons = ["(" + ", ".join(map(ring, p._rings())) + ")" for p in self]
-        return f"MULTIPOLYGON ({', '.join(polygons)})" if polygons else "MULTIPOLYGON EMPTY"
+        kind, of_each = ("MULTIPOLYGON", "") if self._is_one else ("GEOMETRYCOLLECTION", "POLYGON ")
+        polygons = [of_each + "(" + ", ".join(map(ring, p._rings())) + ")" for p in self]
+        return f"{kind} ({', '.join(polygons)})" if polygons else f"{kind} EMPTY"
 
     def to_shapely(self) -> Any:
-        """Returns a shapely.geometry.MultiPolygon. Needs the package shapely."""
-        from shapely.geometry import MultiPolygon
+        """Returns a shapely.geometry.MultiPolygon, or a GeometryCollection where `__geo_interface__` is one. Needs the
+        package shapely."""
+        from shapely.geometry import GeometryCollection, MultiPolygon
+        from shapely.geometry import Polygon as OfShapely
 
-        return MultiPolygon([(p.exterior, p.interiors) for p in self])
+        return (MultiPolygon if self._is_one else GeometryCollection)([OfShapely(p.exterior, p.interiors) for p in self])
+
+
+def count_points(points: Floats, polygons: Polygons) -> Any:
+    """Returns the number of points in each polygon and in none before it."""
+    flat = polygons._flat
+    return _core.points_in_polygons(polygons._points, flat["indices"], flat["ring_begin"], flat["polygon_begin"], points)
+
+
+def count_group(points: Floats, labels: Indices, group: int, polygons: Polygons) -> Any:
+    """Returns what count_points() returns for the points of a group."""
+    return count_points(points[labels == group], polygons)
+
+
+def counted(counts: Any, polygons: Polygons) -> Any:
+    """Returns known numbers of points."""
+    return counts
+
+
+Count = Callable[["Polygons"], Any]
 
 
 class Polygons(Outlined, Sequence[Polygon]):
     """The polygons of a shape, one for each solid component, and their totals: a sequence of `Polygon`."""
 
-    def __init__(self, points: Floats, flat: dict[str, Any], crs: Optional[str] = None) -> None:
+    def __init__(
+        self, points: Floats, flat: dict[str, Any], crs: Optional[str] = None, count: Optional[Count] = None, is_one: bool = True
+    ) -> None:
         self._points = points
         self._flat = flat
+        self._count = count  # returns the number of points in each polygon; None if they are not known
+        self._is_one = is_one
         self.crs = crs
         freeze(*(array for array in flat.values() if isinstance(array, np.ndarray)))
 
     area: float = entry("_flat", "area", "The exact sum of the polygons' areas, rounded once, in squared units of the points.")
     perimeter: float = entry("_flat", "perimeter", "The exact sum of the polygons' perimeters, rounded once, in units of the points.")
 
+    @property
+    def polygons(self) -> Polygons:
+        """These polygons, as those of a shape."""
+        return self
+
+    def _counts(self) -> Any:
+        return None if self._count is None else self._count(self)
+
     def __len__(self) -> int:
         return len(self._flat["areas"])
 
-    def part(self, first: int, last: int, area: float, perimeter: float) -> Polygons:
-        """Returns polygons first to last - 1, with their totals. Arrays are shared."""
+    def part(self, first: int, last: int, area: float, perimeter: float, count: Count) -> Polygons:
+        """Returns polygons first to last - 1 of one group, with their totals. Arrays are shared."""
         flat = {name: self._flat[name][first:last] for name in ("areas", "perimeters")}
         flat["polygon_begin"] = self._flat["polygon_begin"][first : last + 1]
-        return Polygons(self._points, {**self._flat, **flat, "area": area, "perimeter": perimeter}, self.crs)
+        return Polygons(self._points, {**self._flat, **flat, "area": area, "perimeter": perimeter}, self.crs, count)
 
     @overload
     def __getitem__(self, index: int) -> Polygon: ...

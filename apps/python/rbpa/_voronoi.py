@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, Optional
 
 import numpy as np
@@ -13,7 +13,7 @@ from rbpa import _core
 from rbpa._alpha_shape import alpha_shape
 from rbpa._core import InvalidInput
 from rbpa._input import Floats, Indices, Progress, as_points, as_threads, shown
-from rbpa._polygons import Polygons
+from rbpa._polygons import Polygons, counted
 from rbpa._result import OfPoints, Result, of_file
 
 _EXPECTED = '"box", "hull", "shape", (xmin, ymin, xmax, ymax), an (n, 2) array of corners, or polygons with __geo_interface__'
@@ -154,12 +154,14 @@ class VoronoiCells(Result, Sequence[Any]):
     _end: npt.NDArray[np.intp]
 
     def __init__(self, diagram: Voronoi, made: dict[str, Any]) -> None:
-        polygons, points = Polygons(made.pop("vertices"), made.pop("polygons"), diagram._crs), made["polygon_points"]
+        points = made["polygon_points"]
         first = np.full(len(diagram.regions), len(diagram.points))
         np.minimum.at(first, diagram.point_region, np.arange(len(diagram.points)))
         cell = first[diagram.point_region]  # of equal points, the first
-        areas = np.bincount(points, polygons._flat["areas"], len(cell))[cell]
         begin, end = np.searchsorted(points, cell), np.searchsorted(points, cell, "right")
+        counts = np.bincount(begin[begin < end], minlength=len(points))  # a point is in the first polygon of its cell
+        polygons = Polygons(made.pop("vertices"), made.pop("polygons"), diagram._crs, partial(counted, counts), is_one=False)
+        areas = np.bincount(points, polygons._flat["areas"], len(cell))[cell]
         super().__init__({**made, "polygons": polygons, "areas": areas, "_begin": begin, "_end": end})
 
     @property

@@ -138,7 +138,8 @@ void run_voronoi(const VoronoiArguments& arguments) {
   for (Attribute& attribute : attributes) attribute.rows = cells.of;
   attributes.insert(attributes.begin(), {"point", view_of(index), {}});
   const std::vector<Point> points = with_corners(file.points, cells.points, cells.polygons);
-  const Shape shape{points, cells.polygons, polygon_of, file.crs, file.degrees, file.index, file.kept, attributes};
+  const Shape shape{points,     cells.polygons, polygon_of, file.crs, file.degrees,
+                    file.index, file.kept,      attributes, true};
   {
     const ProgressLine line = run.writing();
     add_shapes(run, request.targets, shape, isolated, request.width);
