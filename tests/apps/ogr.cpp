@@ -264,6 +264,32 @@ TEST_SUITE("ogr") {
     }
   }
 
+  TEST_CASE("a GeoPackage without a system is in the undefined Cartesian one, and of degrees in the geographic one") {
+    const Folder folder("p.xy", squares);
+    folder.file("p.csv", "lon,lat,g\n0,0,a\n1,0,a\n0,1,a\n");
+    // Each run, and the number of the system that the standard of GeoPackages demands.
+    const std::pair<std::string, int> runs[] = {{"shape p.xy --alpha 1", -1},
+                                                {"voronoi p.xy", -1},
+                                                {"mesh p.xy --alpha 1", -1},
+                                                {"shape p.csv --alpha 9", 0},
+                                                {"shape p.csv --group-by g --alpha 9", 0},
+                                                {"mesh p.csv --alpha 9", 0},
+                                                {"mesh p.xy --alpha 1 --crs EPSG:28992", 28992}};
+    for (const auto& [run, number] : runs) {
+      CAPTURE(run);
+      REQUIRE(folder.rbpa(run + " -o s.gpkg -q").code == 0);
+      const GDALDatasetUniquePtr file = open(folder.path("s.gpkg"));
+      for (const std::string table : {"gpkg_contents", "gpkg_geometry_columns"}) {
+        OGRLayer* const found = file->ExecuteSQL(("SELECT DISTINCT srs_id FROM " + table).c_str(), nullptr, nullptr);
+        REQUIRE(found != nullptr);
+        CHECK(found->GetFeatureCount() == 1);
+        CHECK(OGRFeatureUniquePtr(found->GetNextFeature())->GetFieldAsInteger(0) == number);
+        file->ReleaseResultSet(found);
+      }
+    }
+    CHECK(!contains(folder.rbpa("info s.gpkg --vertices").err, "system"));
+  }
+
   TEST_CASE("broken files are refused in a line") {
     const Folder folder("p.xy", squares);
     REQUIRE(folder.rbpa("shape p.xy --alpha 1 -o s.gpkg -o s.fgb -o s.shp -q").code == 0);

@@ -170,14 +170,18 @@ const char* driver_of(Format format) {
 /// Files that GDAL writes into memory, so that only complete files are written to the disk.
 class OgrWriter {
  public:
-  OgrWriter(Format format, const std::optional<Crs>& crs) : format_(format), path_(path_of(format)) {
+  /// Without a system, the layers of a GeoPackage are in an undefined one: geographic if coordinates are `degrees`, and
+  /// otherwise Cartesian.
+  OgrWriter(Format format, const std::optional<Crs>& crs, bool degrees) : format_(format), path_(path_of(format)) {
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(driver_of(format));
     if (driver == nullptr) fail(std::string("this GDAL has no driver ") + driver_of(format));
     dataset_.reset(driver->Create(path_.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
     if (!dataset_) fail(gdal_.reason());
     // Use one transaction for all features: a database would otherwise make one for each.
     in_transaction_ = dataset_->TestCapability(ODsCTransactions) != 0 && dataset_->StartTransaction() == OGRERR_NONE;
-    has_system_ = crs.has_value();
+    const bool is_cartesian = !crs && !degrees && format == Format::gpkg;
+    if (is_cartesian) system_.SetLocalCS("Undefined Cartesian SRS");  // GDAL writes its number in the standard, -1
+    has_system_ = crs.has_value() || is_cartesian;
     if (!crs) return;
     system_.SetAxisMappingStrategy(
         OAMS_TRADITIONAL_GIS_ORDER);  // x is the longitude, also where EPSG orders latitude first
@@ -377,26 +381,26 @@ class OgrWriter {
 }  // namespace
 
 std::vector<OgrFile> ogr_polygons(Format format, const Shape& shape) {
-  OgrWriter writer(format, shape.crs);
+  OgrWriter writer(format, shape.crs, shape.degrees);
   writer.write_polygons(shape);
   if (format == Format::gpkg) writer.write_isolated(shape);
   return writer.files();
 }
 
 std::vector<OgrFile> ogr_groups(Format format, const NamedShapes& groups) {
-  OgrWriter writer(format, groups.crs);
+  OgrWriter writer(format, groups.crs, groups.degrees);
   writer.write_groups(groups);
   return writer.files();
 }
 
 std::vector<OgrFile> ogr_triangles(Format format, const TriangleTable& triangles) {
-  OgrWriter writer(format, triangles.crs);
+  OgrWriter writer(format, triangles.crs, triangles.degrees);
   writer.write_triangles(triangles);
   return writer.files();
 }
 
 std::vector<OgrFile> ogr_isolated(Format format, const Shape& shape) {
-  OgrWriter writer(format, shape.crs);
+  OgrWriter writer(format, shape.crs, shape.degrees);
   writer.write_isolated(shape);
   return writer.files();
 }
