@@ -8,6 +8,7 @@
 
 #include "io/failure.h"
 #include "io/number.h"
+#include "io/utf8.h"
 #include "io/words.h"
 
 namespace rbpa::app {
@@ -29,8 +30,8 @@ std::string folded_name(std::string_view name) {
 }  // namespace
 
 std::int32_t PointColumn::number_of(std::string_view text) {
-  const auto [place, is_new] = numbers.try_emplace(std::string(text), static_cast<std::int32_t>(texts.size()));
-  if (is_new) texts.emplace_back(text);
+  const auto [place, is_new] = numbers.try_emplace(as_utf8(text), static_cast<std::int32_t>(texts.size()));
+  if (is_new) texts.push_back(place->first);
   return place->second;
 }
 

@@ -30,7 +30,7 @@ struct PointColumn {
   std::string fault = {};  ///< reason why the column is left out; empty if it is not
 
   const std::string& text(std::size_t i) const { return texts[static_cast<std::size_t>(value<std::int32_t>(i))]; }
-  /// Returns the index of a text in `texts`, to which it is appended if it is new.
+  /// Returns the index of a text in `texts`, to which it is appended, in UTF-8, if it is new.
   std::int32_t number_of(std::string_view text);
   /// Returns whether value number `i` is missing: NaN, or an empty text.
   bool is_missing(std::size_t i) const;

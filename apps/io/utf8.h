@@ -1,8 +1,9 @@
-// What: characters of texts in UTF-8.
+// What: characters of texts in UTF-8, and the conversion of other texts.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace rbpa::app {
@@ -45,6 +46,33 @@ inline bool is_utf8(std::string_view text) {
     text.remove_prefix(size);
   }
   return true;
+}
+
+/// Returns a text in UTF-8: unchanged if it is, and otherwise read as Windows-1252, as older programs write it. The
+/// five bytes that Windows-1252 lacks become the control characters of their numbers.
+inline std::string as_utf8(std::string_view text) {
+  if (is_utf8(text)) return std::string(text);
+  static constexpr std::array<char16_t, 32> from_0x80 = {
+      0x20AC, 0x81,   0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+      0x2039, 0x0152, 0x8D,   0x017D, 0x8F,   0x90,   0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+      0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0x9D,   0x017E, 0x0178};
+  std::string result;
+  const auto append = [&](unsigned byte) { result += static_cast<char>(byte); };
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const unsigned code = byte >= 0x80U && byte < 0xA0U ? from_0x80[byte - 0x80U] : byte;
+    if (code < 0x80U) {
+      append(code);
+    } else if (code < 0x800U) {
+      append(0xC0U | code >> 6U);
+      append(0x80U | (code & 0x3FU));
+    } else {
+      append(0xE0U | code >> 12U);
+      append(0x80U | (code >> 6U & 0x3FU));
+      append(0x80U | (code & 0x3FU));
+    }
+  }
+  return result;
 }
 
 }  // namespace rbpa::app

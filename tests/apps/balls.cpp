@@ -295,7 +295,7 @@ TEST_SUITE("balls") {
     CHECK(json_of(folder, "m.pdb --models 39,40")["frames"][1]["frame"] == 40);
   }
 
-  TEST_CASE("names with commas and quotes are quoted, and bytes that are not UTF-8 are kept") {
+  TEST_CASE("names with commas and quotes are quoted, and texts that are not UTF-8 become so") {
     const Folder folder("q.cif",
                         "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n"
                         "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
@@ -303,7 +303,7 @@ TEST_SUITE("balls") {
     REQUIRE(folder.rbpa("balls q.cif -o q.csv -q").code == 0);
     const std::string text = folder.content("q.csv");
     CHECK(contains(text, "\n0,,,,,\"A,\"\"B\",C5',C,1.7,"));
-    CHECK(contains(text, "\n1,,,,,\xe9,\"C 6\",C,1.7,"));
+    CHECK(contains(text, "\n1,,,,,\xc3\xa9,\"C 6\",C,1.7,"));
   }
 
   TEST_CASE("voids and pockets have sizes, the largest ball that fits in, and the atoms around them") {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/utf8.h"
 #include "support/las_file.h"
 #include "support/program.h"
 
@@ -199,15 +200,27 @@ TEST_SUITE("listed_fields") {
     }
   }
 
-  TEST_CASE("names that are not UTF-8 give files that are; a backslash is none of them") {
+  TEST_CASE("names and texts that are not UTF-8 are read as Windows-1252, and every file is UTF-8") {
     const Folder folder("t.csv", "x,y,h\xE4he,g\n0,0,1,K\xF6ln\n1,0,2,K\xF6ln\n0,1,3,K\xF6ln\n");
-    const std::string instead = "\xEF\xBF\xBD";
+    const std::string o = "\xC3\xB6", euro = "\xE2\x82\xAC";
     folder.rbpa("mesh t.csv --alpha 3 -o t.vtu", 0);
-    CHECK(contains(folder.content("t.vtu"), "Name=\"h" + instead + "he\""));
-    CHECK(contains(folder.rbpa("shape t.csv --group-by g --alpha 3 -o g.svg", 0).err, "K\\xf6ln', is not in UTF-8"));
-    CHECK(contains(folder.content("g.svg"), "K" + instead + "ln"));
-    folder.file("t.csv", "x,y,g\n0,0,C:\\xampp\n1,0,C:\\xampp\n0,1,C:\\xampp\n");
-    CHECK(!contains(folder.rbpa("shape t.csv --group-by g --alpha 3 -o g.csv", 0).err, "UTF-8"));
+    CHECK(contains(folder.content("t.vtu"), "Name=\"h\xC3\xA4he\""));
+    // Each line: a run, its file, and what the file has.
+    const std::string shown[][3] = {
+        {"shape t.csv --group-by g --alpha 3 -o g.svg", "g.svg", "K" + o + "ln"},
+        {"shape t.csv --group-by g --alpha 3 -o g.csv", "g.csv", "\nK" + o + "ln,3,"},
+        {"stream t.csv --group-by g --alpha 3 -o g.geojson", "g.geojson", "\"K" + o + "ln\""},
+        {"shape t.csv --alpha 3 -o s.csv", "s.csv", "h\xC3\xA4he,g\n0,0,1,1,K" + o + "ln\n"},
+        {"shape t.csv --where \"g == 'K" + o + "ln'\" --alpha 3 -o w.csv", "w.csv", "1,0,1,2,K"},
+        {"voronoi t.csv --fields g -o v.geojson", "v.geojson", "\"g\":\"K" + o + "ln\""},
+        {"shape u.csv --group-by g --alpha 3 -o u.geojson", "u.geojson", "\"5 " + euro + "\""}};
+    folder.file("u.csv", "x,y,g\n0,0,5 \x80\n1,0,5 \x80\n0,1,5 \x80\n");
+    for (const auto& [run, file, text] : shown) {
+      CAPTURE(run);
+      CHECK(!contains(folder.rbpa(run, 0).err, "UTF-8"));
+      CHECK(contains(folder.content(file), text));
+      CHECK(rbpa::app::is_utf8(folder.content(file)));
+    }
   }
 
   TEST_CASE("--fields of shape needs a list of points, and fields that are there") {

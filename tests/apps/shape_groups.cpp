@@ -154,8 +154,8 @@ TEST_SUITE("shape groups") {
     CHECK(folder.content("s.csv") == "group,points,alpha,area,perimeter,polygons,problem,geometry\n");
     folder.file("l.csv", "x,y,g\n0,0,K\xf6ln\n1,0,K\xf6ln\n0,1,K\xf6ln\n3,3,\"a \"\"b\"\"\"\n");
     REQUIRE(folder.rbpa("shape l.csv --group-by g --alpha 1 -o s.geojson -o s.csv -q").code == 0);
-    CHECK(properties(folder.content("s.geojson"))[0]["group"] == "K\xef\xbf\xbdln");
-    CHECK(contains(folder.content("s.csv"), "\nK\xf6ln,3,1,"));
+    CHECK(properties(folder.content("s.geojson"))[0]["group"] == "K\xc3\xb6ln");  // Windows-1252
+    CHECK(contains(folder.content("s.csv"), "\nK\xc3\xb6ln,3,1,"));
   }
 
   TEST_CASE(

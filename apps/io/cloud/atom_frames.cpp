@@ -15,6 +15,7 @@
 #include "io/number.h"
 #include "io/text/plain_text.h"
 #include "io/text/signature.h"
+#include "io/utf8.h"
 #include "meshops/core/large_pages.h"
 #include "rbpa/base/read_ahead.h"
 
@@ -133,8 +134,8 @@ void find_values(AtomBatch& batch, const AtomSource& source, std::optional<std::
 
 std::uint32_t AtomFrame::number_of(std::string_view text, std::uint32_t likely) {
   if (likely < texts.size() && texts[likely] == text) return likely;
-  const auto [place, is_new] = numbers.try_emplace(std::string(text), static_cast<std::uint32_t>(texts.size()));
-  if (is_new) texts.emplace_back(text);
+  const auto [place, is_new] = numbers.try_emplace(as_utf8(text), static_cast<std::uint32_t>(texts.size()));
+  if (is_new) texts.push_back(place->first);
   return place->second;
 }
 

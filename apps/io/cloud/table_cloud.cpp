@@ -20,6 +20,7 @@
 #include "io/text/fields.h"
 #include "io/text/line_selection.h"
 #include "io/text/written.h"
+#include "io/utf8.h"
 
 namespace rbpa::app {
 namespace {
@@ -127,9 +128,9 @@ class TableCloud final : public Cloud {
       for (std::size_t k = 0; k < numbers_; ++k) is(layout.numbers[k], k);
     for (std::size_t k = 0; k < layout.colors.size(); ++k) is(layout.colors[k], first_color + k);
     if (layout.height) is(*layout.height, height);
-    if (layout.height && *layout.height < names.size()) facts_.file.height_name = names[*layout.height];
+    if (layout.height && *layout.height < names.size()) facts_.file.height_name = as_utf8(names[*layout.height]);
     for (std::size_t k = 0; request_.keeps && k < names.size(); ++k) {
-      const std::string& name = names[k];
+      const std::string name = as_utf8(names[k]);
       if (name.empty() || !request_.keeps->has(name) || k == wkt_ || (k < role_.size() && role_[k] != nothing))
         continue;
       reading_.keep(k, name);

@@ -9,6 +9,7 @@
 #include "io/interrupt.h"
 #include "io/number.h"
 #include "io/text/written.h"
+#include "io/utf8.h"
 
 namespace rbpa::app {
 namespace {
@@ -216,20 +217,19 @@ bool is_comment(std::string_view line) {
 }
 
 bool has_column(const std::vector<std::string_view>& header, std::string_view wanted) {
-  return std::any_of(header.begin(), header.end(), [&](std::string_view field) { return same_letters(field, wanted); });
+  return std::any_of(header.begin(), header.end(),
+                     [&](std::string_view field) { return same_letters(as_utf8(field), wanted); });
 }
 
 std::size_t find_column(const std::vector<std::string_view>& header, const std::string& wanted, const Lines& lines,
                         const std::string& name, const std::string& way) {
   auto found = std::find(header.begin(), header.end(), wanted);
   if (found == header.end())
-    found =
-        std::find_if(header.begin(), header.end(), [&](std::string_view field) { return same_letters(field, wanted); });
+    found = std::find_if(header.begin(), header.end(),
+                         [&](std::string_view field) { return same_letters(as_utf8(field), wanted); });
   if (found == header.end())
-    bad_input(
-        at_line(name, lines.number()), in_quotes(lines.line()),
-        "a header with a column " + in_quotes(wanted) +
-            (printable(lines.line()) == lines.line() ? way : " in UTF-8 (iconv -f CP1252 -t UTF-8; or by its number)"));
+    bad_input(at_line(name, lines.number()), in_quotes(lines.line()),
+              "a header with a column " + in_quotes(wanted) + way);
   return static_cast<std::size_t>(found - header.begin());
 }
 

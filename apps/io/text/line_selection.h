@@ -18,16 +18,17 @@
 #include "io/text/condition.h"
 #include "io/text/fields.h"
 #include "io/text/typed_words.h"
+#include "io/utf8.h"
 
 namespace rbpa::app {
 
-/// Numbers distinct texts in the order of their first occurrence, so that a column of texts is kept as numbers and a
-/// list of texts.
+/// Numbers distinct texts, in UTF-8, in the order of their first occurrence, so that a column of texts is kept as
+/// numbers and a list of texts.
 class TextNumbers {
  public:
   double number_of(std::string_view text) {
-    const auto [place, is_new] = numbers_.try_emplace(std::string(text), texts_.size());
-    if (is_new) texts_.emplace_back(text);
+    const auto [place, is_new] = numbers_.try_emplace(as_utf8(text), texts_.size());
+    if (is_new) texts_.push_back(place->first);
     return static_cast<double>(place->second);
   }
   /// Returns the distinct texts in the order of their numbers. Call once.
@@ -37,6 +38,11 @@ class TextNumbers {
   std::vector<std::string> texts_ = {};
   std::unordered_map<std::string, std::size_t> numbers_ = {};
 };
+
+/// Returns whether a text of a file, in any encoding that as_utf8() knows, is a text in UTF-8.
+inline bool is_text(std::string_view of_file, std::string_view text) {
+  return of_file == text || (!is_utf8(of_file) && as_utf8(of_file) == text);
+}
 
 /// A refusal of a table that --skip-invalid does not mend: points would be wrong without the refused lines, or a line
 /// has no end.
@@ -89,7 +95,7 @@ class LineSelection {
       Fields field = found_[i];
       return read(field);
     };
-    if (!selection_->holds(number, [&](std::size_t i) { return text(texts + i) == where_->texts()[i].text; }))
+    if (!selection_->holds(number, [&](std::size_t i) { return is_text(text(texts + i), where_->texts()[i].text); }))
       return false;
     for (std::size_t k = 0; k < where_->columns(); ++k)
       if (places_[k] != not_there)

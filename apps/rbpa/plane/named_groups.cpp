@@ -28,8 +28,8 @@ constexpr double no_radius = std::numeric_limits<double>::quiet_NaN(), no_height
 /// The names of groups by one column, or by files, and the number of the name of each point.
 struct Key {
   std::uint32_t number_of(std::string_view name) {
-    const auto [place, is_new] = numbers.try_emplace(std::string(name), static_cast<std::uint32_t>(names.size()));
-    if (is_new) names.emplace_back(name);
+    const auto [place, is_new] = numbers.try_emplace(as_utf8(name), static_cast<std::uint32_t>(names.size()));
+    if (is_new) names.push_back(place->first);
     return place->second;
   }
   /// Appends the numbers of the points of a file, whose names are in column `k` of its fields.
@@ -285,14 +285,9 @@ std::vector<Attribute> key_attributes(const NamedGroups& named, std::vector<std:
   return attributes_of(named.keys, std::move(taken));
 }
 
-std::vector<std::string> warnings_on(const NamedGroups& named, bool by_file, std::size_t left_out) {
-  std::vector<std::string> warnings;
-  const auto other = std::find_if_not(named.names.begin(), named.names.end(), is_utf8);
-  if (other != named.names.end() && !by_file)
-    warnings.push_back("the name of a group, " + in_quotes(*other) +
-                       ", is not in UTF-8: names may become equal in files (iconv -f CP1252 -t UTF-8)");
-  if (left_out > 0) warnings.push_back(counted(left_out, "point") + " without a group");
-  return warnings;
+std::vector<std::string> warnings_on(std::size_t left_out) {
+  if (left_out == 0) return {};
+  return {counted(left_out, "point") + " without a group"};
 }
 
 NamedGroups read_groups(const Run& run, const GroupSources& sources) {
@@ -305,7 +300,7 @@ NamedGroups read_groups(const Run& run, const GroupSources& sources) {
   std::vector<std::string> warnings;
   settle_columns(named.file.kept, warnings);
   run.warning(warnings);
-  run.warning(warnings_on(named, sources.by_file, named.file.points.size() - named.groups.members.size()));
+  run.warning(warnings_on(named.file.points.size() - named.groups.members.size()));
   return named;
 }
 

@@ -50,8 +50,8 @@ NamedGroups groups_in(const GroupSources& sources, std::vector<PointFile> files)
 /// Returns the keys as attributes of features, whose names are not those of other properties of groups or in `taken`.
 std::vector<Attribute> key_attributes(const NamedGroups& named, std::vector<std::string> taken = {});
 
-/// Returns warnings about the names of groups, and about `left_out` points without a group.
-std::vector<std::string> warnings_on(const NamedGroups& named, bool by_file, std::size_t left_out);
+/// Returns a warning about `left_out` points without a group; none if it is 0.
+std::vector<std::string> warnings_on(std::size_t left_out);
 
 /// Reads all files. Prints warnings and the number of points without a group, unless quiet. Throws BadInput, also if
 /// coordinate systems differ; Failure, Cancelled.

@@ -147,8 +147,7 @@ class GroupStream {
     named_ = groups_in({.files = request_.sources}, std::move(files));
     std::uint64_t in_groups = 0;
     for (std::size_t g = 0; g < named_.groups.size(); ++g) in_groups += size_of(g);
-    for (const std::string& text : warnings_on(named_, false, stats_.points - in_groups))
-      run_.summarize(input() + ": " + text);
+    for (const std::string& text : warnings_on(stats_.points - in_groups)) run_.summarize(input() + ": " + text);
   }
 
   void compute() {
