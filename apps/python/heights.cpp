@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/lowest_values.h"
 #include "python/module.h"
 #include "rbpa/plane/contours.h"
 #include "rbpa/plane/delaunay.h"
@@ -28,8 +29,8 @@ std::tuple<Doubles, double, double> grid_of(const Doubles& points, const Doubles
     if (!given) delaunay.emplace(input, AlphaComplexOptions{.threads = threads, .progress = watch.progress()});
     TriangleArrays triangles =
         given ? triangle_arrays_of(given->first, given->second) : TriangleArrays(delaunay->triangulation());
-    const Locator locator(input, triangles, {.threads = threads, .go_on = watch.until_stopped()});
     triangles.is_constrained = given.has_value();
+    const Locator locator(input, triangles, {.threads = threads, .go_on = watch.until_stopped()});
     std::vector<double> all;
     all.reserve(raster.columns * raster.rows);
     interpolate_grid(locator, line_of(values), raster,
@@ -60,6 +61,20 @@ py::list contours_of(const Doubles& points, const Indices& simplices, const Indi
   return result;
 }
 
+/// Returns a copy of values, with a row for each point, in which the lowest of each column at one place counts, and the
+/// number of places with several values. `duplicates` is that of rbpa.Delaunay.
+std::tuple<Doubles, std::size_t> with_lowest(const Doubles& values, const Indices& duplicates) {
+  Doubles lowest(std::vector<py::ssize_t>(values.shape(), values.shape() + values.ndim()));
+  std::copy(values.data(), values.data() + values.size(), lowest.mutable_data());
+  std::vector<Duplicate> all;
+  for (py::ssize_t i = 0; i < duplicates.shape(0); ++i)
+    all.push_back({static_cast<std::uint32_t>(duplicates.at(i, 0)), static_cast<std::uint32_t>(duplicates.at(i, 1))});
+  const auto columns = static_cast<std::size_t>(values.ndim() == 2 ? values.shape(1) : 1);
+  const std::size_t places =
+      app::take_lowest(all, {lowest.mutable_data(), static_cast<std::size_t>(lowest.size())}, columns);
+  return {std::move(lowest), places};
+}
+
 }  // namespace
 
 void bind_heights(py::module_& module) {
@@ -68,6 +83,7 @@ void bind_heights(py::module_& module) {
              as_is("extent"), arg("by_natural_neighbors"), arg("threads"), arg("progress"));
   module.def("contours", &contours_of, as_is("points"), as_is("simplices"), as_is("neighbors"), as_is("values"),
              as_is("levels"), arg("threads"), arg("progress"));
+  module.def("with_lowest", &with_lowest, as_is("values"), as_is("duplicates"));
   module.def(
       "levels_every",
       [](double step, const Doubles& values) { return line<double>(levels_every(step, line_of(values))); }, arg("step"),

@@ -128,6 +128,35 @@ TEST_SUITE("grid") {
           "MULTILINESTRING Z EMPTY\n");
   }
 
+  TEST_CASE("of several heights at one place the lowest counts, in any order of the file, and a warning counts them") {
+    const std::string a = "0 0 5\n0 0 1\n4 0 2\n4 0 2\n0 4 3\n4 4 4\n0 4 9\n0 0 7\n";
+    const std::string b = "0 0 7\n0 4 9\n4 4 4\n0 4 3\n4 0 2\n4 0 2\n0 0 1\n0 0 5\n";
+    const Folder folder({{"a.xyz", a}, {"b.xyz", b}, {"lines.wkt", "LINESTRING (0 0, 4 4)\n"}});
+    for (const std::string run :
+         {"--cell 1 -o X.asc", "--contours 2.5 -o X.wkt", "--cell 1 --segments lines.wkt -o X.asc"}) {
+      CAPTURE(run);
+      for (const std::string name : {"a", "b"}) {
+        std::string arguments = run;
+        arguments.replace(arguments.find('X'), 1, name);
+        CHECK(contains(folder.rbpa("grid " + name + ".xyz " + arguments, 0).err,
+                       name + ".xyz: 2 places have points of several heights: the lowest counts\n"));
+      }
+      const std::string ending = run.substr(run.rfind('.'));
+      CHECK(folder.content("a" + ending) == folder.content("b" + ending));
+    }
+    for (const std::string grouped : {"", " --group-by g"}) {
+      folder.file("a.csv", "x,y,z,g\n0,0,5,1\n0,0,1,1\n4,0,2,1\n0,4,3,1\n");
+      folder.file("b.csv", "x,y,z,g\n0,0,1,1\n0,0,5,1\n4,0,2,1\n0,4,3,1\n");
+      for (const std::string name : {"a", "b"})
+        CHECK(contains(folder.rbpa("mesh " + name + ".csv --alpha inf --compact -o " + name + ".obj" + grouped, 0).err,
+                       "1 place has points of several heights: the lowest counts\n"));
+      CHECK(contains(folder.content("a.obj"), "v 0 0 1\n"));
+      CHECK(folder.content("a.obj") == folder.content("b.obj"));
+    }
+    folder.file("apart.csv", "x,y,z,g\n0,0,5,1\n1,0,5,1\n0,1,5,1\n0,0,1,2\n1,0,1,2\n0,1,1,2\n");
+    CHECK(!contains(folder.rbpa("mesh apart.csv --alpha inf --group-by g -o o.obj", 0).err, "several heights"));
+  }
+
   TEST_CASE("wrong calls and values are refused, and nothing is written") {
     const Folder folder({{"p.csv", plane_of(3)},
                          {"missing.csv", "x,y,z,d\n0,0,1,2\n1,1,,3\n1,0,4,nan\n"},

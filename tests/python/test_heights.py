@@ -152,3 +152,28 @@ def test_wrong_calls_are_refused(call, message):
     refuses(message, call, rbpa.alpha_shape([[0, 0], [1, 0], [0, 1], [1, 1]], math.inf))
     with pytest.raises(rbpa.Cancelled):
         rbpa.alpha_shape(uniform(30000, 1), math.inf).grid(np.ones(30000), 1e-3, progress=lambda *_: False)
+
+
+@pytest.mark.parametrize("method", ["linear", "natural"])
+def test_of_several_heights_at_one_place_the_lowest_counts_in_any_order(method):
+    points = np.concatenate([grid(5), grid(5)[:10], grid(5)[:10]])
+    heights = np.concatenate([np.full(25, 2.0), np.full(10, 7.0), np.arange(10) - 4.0])
+    lowest = np.concatenate([np.minimum(2, np.arange(10) - 4.0), np.full(15, 2.0)])
+    at = np.random.default_rng(1).uniform(0, 4, (50, 2))
+    expected = rbpa.alpha_shape(grid(5), math.inf)
+    for order in (np.arange(45), np.arange(45)[::-1], np.random.default_rng(2).permutation(45)):
+        of, values = points[order], heights[order]
+        for made in (rbpa.alpha_shape(of, math.inf), rbpa.Delaunay(of, segments=np.empty((0, 2), int))):
+            if method == "natural" and isinstance(made, rbpa.Delaunay):
+                continue
+            with pytest.warns(UserWarning, match="values: found 10 places with points of several values: the lowest counts"):
+                raster = made.grid(values, 0.5, method=method)
+            assert np.array_equal(raster.values, expected.grid(lowest, 0.5, method=method).values)
+            with pytest.warns(UserWarning, match="several values"):
+                lines = made.contours(values, [0.5])
+            assert [line.points.tolist() for line in lines] == [line.points.tolist() for line in expected.contours(lowest, [0.5])]
+        with pytest.warns(UserWarning, match="several values"):
+            found = rbpa.Delaunay(of).interpolate(np.column_stack((values, -values)), at, method=method)
+        assert np.array_equal(found[:, 0], rbpa.Delaunay(grid(5)).interpolate(lowest, at, method=method))
+    shape = rbpa.alpha_shape(points, math.inf)
+    assert shape.grid(np.zeros(45), 1).values.max() == 0  # no warning

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from rbpa import _core
-from rbpa._heights import Heights
+from rbpa._heights import Heights, lowest
 from rbpa._input import Floats, Indices, Progress, aligned, as_array, as_points, as_threads, index_of, shown
 from rbpa._result import OfPoints, Simplices, fields_of, freeze
 
@@ -134,8 +134,8 @@ class Delaunay(OfPoints, Simplices):
         Parameters
         ----------
         values : array_like of shape (n, ...)
-            One or several numbers for each of the points, real or complex. The value of the first of equal points
-            counts. Values and points of pandas are aligned by index.
+            One or several numbers for each of the points, real or complex. Of equal points the lowest value counts, with
+            a UserWarning; of complex values the first. Values and points of pandas are aligned by index.
         xi : array_like of shape (..., 2)
             The points at which to interpolate.
         fill_value : float
@@ -187,6 +187,8 @@ class Delaunay(OfPoints, Simplices):
             return np.empty(shape, table.dtype)
         columns = math.prod(given.shape[1:]) * (2 if is_complex else 1)
         rows = table.view(np.float64).reshape(self.npoints, columns)
+        if not is_complex:
+            rows = lowest(rows, self.duplicates)
         found = self._interpolate(rows, at, method).reshape(len(at), columns)
         left = np.empty(0, np.intp)
         if outside == "nearest" or self.nsimplex == 0 or not math.isnan(fill_value):

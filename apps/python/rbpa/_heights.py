@@ -1,8 +1,10 @@
-"""Heights, or other values, between points of the plane: rasters and contour lines."""
+"""Heights, or other values, between points of the plane: rasters and contour lines. Of several values at one place the
+lowest counts."""
 
 from __future__ import annotations
 
 import math
+import warnings
 from typing import Any, Literal, NamedTuple, Optional, Union
 
 import numpy as np
@@ -10,7 +12,7 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import InvalidInput
-from rbpa._input import Floats, Progress, aligned, as_number, as_numbers, as_threads, require_one_of, shown
+from rbpa._input import Floats, Indices, Progress, aligned, as_number, as_numbers, as_threads, require_one_of, shown
 from rbpa._result import Simplices, brief, freeze
 
 Values = Union[npt.ArrayLike, str]
@@ -74,7 +76,7 @@ class Heights(Simplices):
         Parameters
         ----------
         values : array_like of shape (n,), or the name of one of `fields`
-            A finite number for each point. The value of the first of equal points counts. Values and points of pandas
+            A finite number for each point. Of equal points the lowest value counts, with a UserWarning. Values and points of pandas
             are aligned by index.
         cell : float
             The size of the square cells. The sides of the raster are at multiples of it.
@@ -171,4 +173,14 @@ class Heights(Simplices):
         bad = np.flatnonzero(~np.isfinite(heights))
         if len(bad):
             raise InvalidInput(f"values: value {bad[0]} is {heights[bad[0]]}, expected a finite number")
-        return heights
+        return lowest(heights, self.duplicates)
+
+
+def lowest(values: Floats, duplicates: Indices) -> Floats:
+    """Returns values, with a row for each point, in which the lowest of each column counts at one place. Warns of places
+    with several values."""
+    if len(duplicates):
+        values, places = _core.with_lowest(values, duplicates)
+        if places:
+            warnings.warn(f"values: found {places} places with points of several values: the lowest counts", stacklevel=4)
+    return values

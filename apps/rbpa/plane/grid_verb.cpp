@@ -202,6 +202,7 @@ void run_grid(const GridArguments& arguments) {
   } else {
     delaunay.emplace(build_delaunay(file.points, run.options()));
     stats.distinct = delaunay->triangulation().distinct;
+    run.take_lowest_heights(delaunay->triangulation().duplicates, values);
   }
   stats.points = file.points.size();
   stats.build_seconds = run.lap();

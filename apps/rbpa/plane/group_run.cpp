@@ -1,5 +1,7 @@
 #include "plane/group_run.h"
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "io/failure.h"
@@ -37,6 +39,26 @@ void explain_radii(const NamedGroups& named, GroupShapes& shapes) {
     if (!named.radius_problems[problem.group].empty()) problem.what = named.radius_problems[problem.group];
 }
 
+/// Returns the points that equal others of their group; none if the points have no heights.
+std::vector<Duplicate> duplicates_in_groups(const NamedGroups& named) {
+  std::vector<Duplicate> duplicates;
+  if (named.file.z.empty()) return duplicates;
+  const std::vector<Point>& points = named.file.points;
+  for (std::size_t g = 0; g < named.groups.size(); ++g) {
+    const std::span<const std::uint32_t> members = named.groups[g];
+    std::vector<std::uint32_t> group(members.begin(), members.end());
+    std::sort(group.begin(), group.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return points[a] < points[b] || (points[a] == points[b] && a < b);
+    });
+    for (std::size_t k = 1; k < group.size(); ++k) {
+      const bool is_again = !duplicates.empty() && duplicates.back().index == group[k - 1];
+      if (points[group[k]] == points[group[k - 1]])
+        duplicates.push_back({group[k], is_again ? duplicates.back().stands_for : group[k - 1]});
+    }
+  }
+  return duplicates;
+}
+
 }  // namespace
 
 GroupRun::GroupRun(const GroupRequest& wanted, const ComplexArguments& arguments, GroupShapesOptions shape_options)
@@ -44,6 +66,7 @@ GroupRun::GroupRun(const GroupRequest& wanted, const ComplexArguments& arguments
           arguments.outputs, wanted.complex.options),
       request(wanted),
       named(read_groups(*this, request.sources)) {
+  take_lowest_heights(duplicates_in_groups(named), named.file.z);
   complete_heights(named.file.z);
   stats.points = named.file.points.size();
   stats.read_seconds = lap();

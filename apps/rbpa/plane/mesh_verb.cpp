@@ -125,12 +125,15 @@ void run_mesh(const MeshArguments& arguments) {
   std::string more;
   Built built;
   if (segments) {
+    run.complete_heights(run.file.z);
     const ConstrainedDelaunay constrained = triangulate_with_segments(run, *segments, run.file);
     built.complex = complex_of(constrained, arguments.inside);
     more = text_of_segments(constrained);
     run.stats.points = run.points().size();
   } else {
     built = build(run.points(), run.alpha, request.method, kind, links, run.options(), levels.has_value());
+    run.take_lowest_heights(built.complex.duplicates, run.file.z);
+    run.complete_heights(run.file.z);
   }
   const AlphaComplex& made = built.complex;
   run.stats.build_seconds = run.lap();

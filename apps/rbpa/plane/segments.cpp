@@ -9,6 +9,7 @@
 
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/lowest_values.h"
 #include "io/number.h"
 #include "rbpa/base/error.h"
 #include "rbpa/plane/locate.h"
@@ -81,13 +82,15 @@ void drape(PointFile& file, std::size_t first, const RunOptions& run) {
   if (which.empty()) return;
   const std::vector<Point> points(file.points.begin(), file.points.begin() + static_cast<std::ptrdiff_t>(first));
   const Delaunay delaunay = build_delaunay(points, run);
+  std::vector<double> z(file.z.begin(), file.z.begin() + static_cast<std::ptrdiff_t>(first));
+  take_lowest(delaunay.triangulation().duplicates, z);
   const Locator locator(points, delaunay.triangulation(), {run.threads, until_interrupted()});
-  const std::vector<double> heights = locator.interpolate(std::span(file.z).first(first), 1, places,
-                                                          {.threads = run.threads, .go_on = until_interrupted()});
+  const std::vector<double> heights =
+      locator.interpolate(z, 1, places, {.threads = run.threads, .go_on = until_interrupted()});
   const std::vector<Segment> hull = hull_of(delaunay.triangulation());
   for (std::size_t i = 0; i < which.size(); ++i) {
     stop_if_interrupted();
-    file.z[which[i]] = std::isnan(heights[i]) ? height_beside(places[i], hull, points, file.z) : heights[i];
+    file.z[which[i]] = std::isnan(heights[i]) ? height_beside(places[i], hull, points, z) : heights[i];
   }
 }
 
@@ -151,6 +154,9 @@ ConstrainedDelaunay triangulate_with_segments(const Run& run, const SegmentSourc
       what.replace(at, std::string_view("split_crossings").size(), "--split-crossings");
     throw BadInput(name + ": " + what);
   }
+  std::vector<Duplicate> alike = made.duplicates;  // where a vertex is at a point, the height of the point counts
+  std::erase_if(alike, [&](const Duplicate& d) { return d.stands_for < before && d.index >= before; });
+  run.take_lowest_heights(alike, file.z);
   for (std::size_t i = 0; i < made.crossed.size(); ++i) {
     const Point& at = made.points[file.points.size()];
     if (has_heights) file.z.push_back(height_at(at, made.crossed[i], segments, file));

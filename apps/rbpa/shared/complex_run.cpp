@@ -38,7 +38,6 @@ ComplexRun::ComplexRun(const ComplexRequest& wanted, const OutputArguments& argu
     : Run(wanted.source.path, arguments.outputs, wanted.options), request(wanted) {
   const AlphaChoice& choice = request.alpha;
   file = read_points(request.source);
-  complete_heights(file.z);
   stats.points = points().size();
   stats.read_seconds = lap();
   caution_about_memory(*this, request.bytes_a_point, points().size());

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "io/failure.h"
+#include "io/lowest_values.h"
 #include "io/number.h"
 #include "shared/point_arguments.h"
 
@@ -61,6 +62,13 @@ void Run::complete_heights(std::vector<double>& z) const {
     z.clear();
   else if (without > 0)
     warning(counted(without, "point") + (without == 1 ? " has" : " have") + " no z: 0 is written in its place");
+}
+
+void Run::take_lowest_heights(std::span<const Duplicate> duplicates, std::vector<double>& z) const {
+  if (z.empty()) return;
+  if (const std::size_t places = take_lowest(duplicates, z); places > 0)
+    warning(counted(places, "place") + (places == 1 ? " has" : " have") +
+            " points of several heights: the lowest counts");
 }
 
 void Run::summarize(const std::string& text) const {

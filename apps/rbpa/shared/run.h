@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "io/cloud/read_points.h"
 #include "io/interrupt.h"
 #include "io/progress_line.h"
+#include "rbpa/base/duplicate.h"
 #include "shared/arguments.h"
 
 namespace rbpa::app {
@@ -72,6 +74,10 @@ class Run {
   /// Replaces the missing heights in `z`, which are not finite, by 0, and prints their number unless quiet. Clears `z`
   /// instead if all heights are missing.
   void complete_heights(std::vector<double>& z) const;
+
+  /// Lets the lowest of several heights at one place count, as take_lowest() does, and prints the number of these
+  /// places unless quiet. `z` may be empty.
+  void take_lowest_heights(std::span<const Duplicate> duplicates, std::vector<double>& z) const;
 
   /// Returns the progress line that is shown while files are written.
   ProgressLine writing() const { return options_.line("writing", written_to_terminal(outputs_)); }
