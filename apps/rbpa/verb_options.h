@@ -108,7 +108,7 @@ template <typename Arguments>
 void add_group_by_option(CLI::App& verb, Arguments& arguments, const std::string& what) {
   add_value(verb, "--group-by", arguments.group_by, "COLUMN",
             what +
-                " for each group of points: those with the same value in a column of text, in a field of LAS, PLY "
+                " for each group of points: those with the same value in a column of text, by its name, in a field of LAS, PLY "
                 "or PCD, or in a property of GeoJSON; of several columns, a,b, those with the same value in each");
 }
 

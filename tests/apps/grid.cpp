@@ -128,6 +128,29 @@ TEST_SUITE("grid") {
           "MULTILINESTRING Z EMPTY\n");
   }
 
+  TEST_CASE("a result without content is written, and its reason is said, also with -q") {
+    const Folder folder({{"line.xyz", "0 0 1\n1 1 2\n2 2 3\n"},
+                         {"p.xyz", "0 0 1\n1 0 2\n0 1 3\n"},
+                         {"none.wkt", "MULTIPOINT EMPTY\n"}});
+    const std::pair<std::string, std::string> calls[] = {
+        {"line.xyz --cell 1 -o o.asc", "no cell has a value: all points are collinear"},
+        {"none.wkt --cell 1 -o o.asc", "no cell has a value: fewer than three distinct points (0)"},
+        {"p.xyz --cell 1 --extent 5,5,6,6 -o o.asc", "no cell has a value: the center of no cell is in a triangle"},
+        {"p.xyz --cell 1 --alpha 0.1 -o o.asc",
+         "no cell has a value: the center of no cell is in a triangle of circumradius <= 0.1"},
+        {"p.xyz --contours 7,8 -o o.wkt",
+         "there is no contour line: no height of --contours is above the lowest, 1, and up to the highest, 3"},
+        {"line.xyz --contours 2 -o o.wkt", "there is no contour line: all points are collinear"},
+        {"p.xyz --contours 2 --alpha 0.1 -o o.wkt",
+         "there is no contour line: no triangle of circumradius <= 0.1 reaches a height"},
+        {"none.wkt --contours 2 -o o.wkt", "there is no contour line: there is no point"}};
+    for (const auto& [call, reason] : calls) {
+      CAPTURE(call);
+      CHECK(folder.rbpa("grid " + call + " -q", 0).err == "rbpa: " + reason + "\n");
+    }
+    CHECK(folder.rbpa("grid p.xyz --cell 1 --contours 2 -o o.asc -o o.wkt -q", 0).err.empty());
+  }
+
   TEST_CASE("of several heights at one place the lowest counts, in any order of the file, and a warning counts them") {
     const std::string a = "0 0 5\n0 0 1\n4 0 2\n4 0 2\n0 4 3\n4 4 4\n0 4 9\n0 0 7\n";
     const std::string b = "0 0 7\n0 4 9\n4 4 4\n0 4 3\n4 0 2\n4 0 2\n0 0 1\n0 0 5\n";

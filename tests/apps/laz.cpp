@@ -365,6 +365,7 @@ TEST_SUITE("laz") {
       for (std::size_t size = begin; size < laz.size(); size += layered ? 61 : 17) {
         CAPTURE(size);
         CHECK(refusal(laz.substr(0, size)).starts_with("p.laz: byte "));
+        CHECK(refusal(laz.substr(0, size)).ends_with("(--skip-invalid reads the points before)"));
         const std::string some = records_of(laz.substr(0, size), {}, true);
         CHECK(some == records.substr(0, some.size()));
         if (size >= place) CHECK(some == records);
@@ -428,7 +429,7 @@ TEST_SUITE("laz") {
     laz[at] = static_cast<char>(151);
     for (const unsigned threads : {1U, 2U, 5U}) {
       const std::string why = "p.laz: byte " + std::to_string(at) + ": found a chunk of 151 points";
-      CHECK(outcome(laz, false, threads) == why + ", expected 150");
+      CHECK(outcome(laz, false, threads) == why + ", expected 150 (--skip-invalid reads the points before)");
       CHECK(outcome(laz, true, threads) == why + records.substr(0, 450 * 38));
     }
   }
@@ -473,7 +474,7 @@ TEST_SUITE("laz") {
     CHECK(refusal(with(begin, little(laz.size() + 1, 8))).starts_with("p.laz: byte 329: found byte "));
     CHECK(refusal(with(begin, little(5, 8))) ==
           "p.laz: byte 329: found byte 5 as the place of a table of chunks, expected a table of version 0 behind the "
-          "points");
+          "points (--skip-invalid reads the points before)");
   }
 
   TEST_CASE("every verb reads .laz by its ending and by its content") {

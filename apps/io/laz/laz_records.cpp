@@ -84,6 +84,8 @@ std::optional<std::vector<LazChunk>> read_chunk_table(const Content& content, st
   return chunks;
 }
 
+const std::string way_out = " (--skip-invalid reads the points before)";
+
 }  // namespace
 
 LazRecords::LazRecords(const Content& content, std::size_t begin, LazFormat format, std::size_t points,
@@ -93,8 +95,8 @@ LazRecords::LazRecords(const Content& content, std::size_t begin, LazFormat form
   if (format_.has_chunks && points > 0) {
     try {
       table_ = read_chunk_table(content, begin, format_, points);
-    } catch (const BadInput&) {
-      if (!choice_.skip_invalid) throw;  // else read on without the table
+    } catch (const BadInput& e) {
+      if (!choice_.skip_invalid) throw BadInput(e.what() + way_out);  // else read on without the table
     }
     place_ += 8;
     if (is_windowed() && format_.chunk_size == LazFormat::varying)
@@ -232,7 +234,7 @@ void LazRecords::decode(ChunkDecoder& decoder, std::size_t points, Piece& piece)
 
 void LazRecords::end_at(const BadStream& fault, std::string_view bytes, std::uint64_t place, Piece& piece) const {
   const std::string where = byte_of(content_, place + static_cast<std::uint64_t>(fault.at - bytes.data()));
-  if (!choice_.skip_invalid) bad_input(where, fault.found, fault.expected);
+  if (!choice_.skip_invalid) bad_input(where, fault.found, fault.expected + way_out);
   piece.fault = where + ": found " + fault.found;
 }
 

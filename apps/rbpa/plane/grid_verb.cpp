@@ -16,6 +16,7 @@
 #include "plane/shape_outputs.h"
 #include "plane/triangle_outputs.h"
 #include "rbpa/base/error.h"
+#include "rbpa/plane/collinear.h"
 #include "shared/arguments.h"
 #include "shared/method.h"
 #include "shared/stats.h"
@@ -124,9 +125,11 @@ struct GridRun {
   const std::vector<double>& values;
   TriangleArrays triangles;  ///< all, with neighbors
   double alpha;
+  std::size_t distinct;                 ///< number of distinct points
+  std::vector<std::string> empty = {};  ///< what has no content, and why
 
   /// Writes all rasters at once, block by block, and returns "20 x 30 cells, 550 with a value".
-  std::string add_rasters() const {
+  std::string add_rasters() {
     const auto [left, right] = std::minmax_element(file.points.begin(), file.points.end());
     const auto [low, high] = std::minmax_element(file.points.begin(), file.points.end(),
                                                  [](const Point& a, const Point& b) { return a.y < b.y; });
@@ -151,12 +154,30 @@ struct GridRun {
     };
     interpolate_grid(locator, values, raster, take, how);
     for (OutputFile* written : files) written->finish();
+    if (with_value == 0) empty.push_back("no cell has a value: " + why_no_value());
     return std::to_string(raster.columns) + " x " + std::to_string(raster.rows) + " cells, " +
            std::to_string(with_value) + " with a value";
   }
 
+  std::string why_no_value() const {
+    if (triangles.triangles.empty())
+      return why_no_triangle(distinct, are_collinear(file.points, until_interrupted()), alpha);
+    return "the center of no cell is in a triangle" +
+           (std::isinf(alpha) ? "" : " of circumradius <= " + text_of(alpha));
+  }
+
+  std::string why_no_line(const std::vector<double>& levels) const {
+    if (values.empty()) return "there is no point";
+    const auto [low, high] = std::minmax_element(values.begin(), values.end());
+    if (std::none_of(levels.begin(), levels.end(), [&](double h) { return *low < h && h <= *high; }))
+      return "no height of --contours is above the lowest, " + text_of(*low) + ", and up to the highest, " +
+             text_of(*high);
+    if (triangles.triangles.empty()) return why_no_value();
+    return "no triangle" + (std::isinf(alpha) ? "" : " of circumradius <= " + text_of(alpha)) + " reaches a height";
+  }
+
   /// Writes all files of contour lines, and returns "12 contour lines at 3 heights".
-  std::string add_lines() const {
+  std::string add_lines() {
     const std::vector<double> levels = request.step ? levels_every(*request.step, values) : request.levels;
     AlphaComplex part;
     if (!std::isinf(alpha))
@@ -175,6 +196,7 @@ struct GridRun {
       }
       run.add(target.path, [&](OutputFile& output) { write_contours(output, target.format, lines, levels, file.crs); });
     }
+    if (lines.empty()) empty.push_back("there is no contour line: " + why_no_line(levels));
     return counted(lines.size(), "contour line") + " at " + counted(levels.size(), "height");
   }
 };
@@ -208,7 +230,7 @@ void run_grid(const GridArguments& arguments) {
   stats.build_seconds = run.lap();
   const double alpha = stats.alpha.value_or(std::numeric_limits<double>::infinity());
   const TriangleArrays triangles = delaunay ? TriangleArrays(delaunay->triangulation()) : TriangleArrays(constrained);
-  const GridRun made_of{request, run, file, values, triangles, alpha};
+  GridRun made_of{request, run, file, values, triangles, alpha, stats.distinct};
   try {
     const ProgressLine line = run.writing();
     if (!request.rasters.empty()) made += ", " + made_of.add_rasters();
@@ -222,6 +244,7 @@ void run_grid(const GridArguments& arguments) {
   run.add_stats([&](OutputFile& output) { write_stats(output, stats); });
   run.publish();
   caution(request.lines, file.points, file);
+  for (const std::string& what : made_of.empty) say("rbpa", what);
   for (const Target& target : request.rasters)
     if (request.source.crs && target.format == Format::esri_grid)
       run.summarize(output_name(target.path) + " does not name " + request.source.crs->text() +

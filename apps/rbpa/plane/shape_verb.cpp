@@ -83,8 +83,9 @@ void run_shape(const ShapeArguments& arguments) {
       parse_summaries(arguments.summarize, any_of(files.targets, holds), endings(Use::shape, holds));
   request.source.keeps = with_summaries(listed, summaries);
 
+  request.check = [&](const PointFile& file) { require_srid(files.all(), file.crs); };
+
   ComplexRun run(request, arguments);
-  require_srid(files.all(), run.file.crs);
   std::vector<PointColumn>& columns = run.file.kept;  // listed columns first, then columns that are only summarized
   const auto end = std::stable_partition(columns.begin(), columns.end(),
                                          [&](const PointColumn& column) { return listed && listed->has(column.name); });

@@ -38,6 +38,7 @@ ComplexRun::ComplexRun(const ComplexRequest& wanted, const OutputArguments& argu
     : Run(wanted.source.path, arguments.outputs, wanted.options), request(wanted) {
   const AlphaChoice& choice = request.alpha;
   file = read_points(request.source);
+  if (request.check) request.check(file);
   stats.points = points().size();
   stats.read_seconds = lap();
   caution_about_memory(*this, request.bytes_a_point, points().size());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,7 @@ struct ComplexRequest {
   int width;  ///< width of pictures, in pixels
   double bytes_a_point =
       0;  ///< peak memory for each point, in bytes beyond the point itself; 0: not compared with the available memory
+  std::function<void(const PointFile&)> check = {};  ///< called after reading; may refuse the points
 };
 
 /// Parses the command line, and reads no file. For groups, `source` is the first file. `bytes_a_point` remains 0.
