@@ -78,9 +78,11 @@ void add_format_options(CLI::App& verb, Arguments& arguments) {
   add_value(verb, "--format", arguments.format, "NAME",
             "Set the format of POINTS, if its ending does not tell: " + endings(Use::points) +
                 (has_gdal() ? ", or ogr for all that GDAL reads (gpkg, fgb, shp, ...)" : ""));
-  add_value(verb, "--columns", arguments.columns, "X,Y",
-            "Read x and y, or geometries, from these columns of text: numbers from 1, or names of the header "
-            "(by default those that the header names, else 1,2)");
+  const bool may_have_z = arguments.columns_may_have_z;
+  add_value(verb, "--columns", arguments.columns, may_have_z ? "X,Y[,Z]" : "X,Y",
+            "Read x and y, " + std::string(may_have_z ? "and heights if given, " : "") +
+                "or geometries, from these columns of text: numbers from 1, or names of the header "
+                "(by default those that the header names, else 1,2)");
   add_selection_options(verb, arguments);
   add_switch(verb, "--vertices", arguments.vertices, "Take the vertices of lines and polygons as points");
   add_value(verb, "--crs", arguments.crs, "CRS",
@@ -108,7 +110,8 @@ template <typename Arguments>
 void add_group_by_option(CLI::App& verb, Arguments& arguments, const std::string& what) {
   add_value(verb, "--group-by", arguments.group_by, "COLUMN",
             what +
-                " for each group of points: those with the same value in a column of text, by its name, in a field of LAS, PLY "
+                " for each group of points: those with the same value in a column of text, by its name, in a field of "
+                "LAS, PLY "
                 "or PCD, or in a property of GeoJSON; of several columns, a,b, those with the same value in each");
 }
 

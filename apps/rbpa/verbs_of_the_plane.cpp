@@ -25,6 +25,7 @@ CLI::Option* add_segment_options(CLI::App& verb, SegmentArguments& arguments) {
 CLI::App* add_mesh(CLI::App& app, MeshArguments& arguments) {
   CLI::App& verb = *app.add_subcommand(
       "mesh", "Make the triangles of the solid alpha complex: Delaunay triangles with circumradius <= alpha");
+  arguments.columns_may_have_z = true;
   add_group_options(verb, arguments, "Make triangles");
   add_alpha_options(verb, arguments);
   add_output_options(verb, arguments, endings(Use::triangles) + with_world_file);
@@ -209,6 +210,7 @@ CLI::App* add_voronoi(CLI::App& app, VoronoiArguments& arguments) {
 
 CLI::App* add_grid(CLI::App& app, GridArguments& arguments) {
   CLI::App& verb = *app.add_subcommand("grid", "Interpolate heights of points: a raster of cells, and contour lines");
+  arguments.columns_may_have_z = true;
   add_point_options(verb, arguments);
   add_value(verb, "--cell", arguments.cell, "S",
             "Set the size of the square cells of a raster, in units of the points");

@@ -73,8 +73,10 @@ TEST_SUITE("fields") {
     folder.rbpa("mesh q.xy --alpha inf -o o.ply", 0);  // a file without fields
     CHECK(folder.content("o.ply") == folder.content("n.ply"));
     const auto refused = [&](const std::string& arguments) { return folder.rbpa(arguments).err; };
-    CHECK(refused("mesh p.csv --alpha inf -o m.ply --fields a,c") ==
-          "rbpa: p.csv: found no field 'c' beside the coordinates, expected some of 'a' (--fields chooses them)\n");
+    CHECK(
+        refused("mesh p.csv --alpha inf -o m.ply --fields a,c") ==
+        "rbpa: p.csv: no column has a known name of heights, so there is no z (--columns X,Y,Z takes z from 'a' or "
+        "'b')\nrbpa: p.csv: found no field 'c' beside the coordinates, expected some of 'a' (--fields chooses them)\n");
     CHECK(refused("mesh q.xy --alpha inf -o m.ply --fields c") ==
           "rbpa: q.xy: found no field 'c' beside the coordinates, expected one, as --fields requires\n");
     CHECK(refused("mesh p.csv --alpha inf -o m.off --fields a") ==

@@ -118,6 +118,41 @@ TEST_SUITE("heights") {
     CHECK(folder.content("i.csv").find(",5\n") != std::string::npos);
   }
 
+  TEST_CASE("mesh and grid take z from a third column, and say which columns may have it") {
+    const Folder folder("p.csv", "x,y,Nr,H,name,NN\n0,0,1,5,a,7\n4,0,2,6,b,8\n0,4,3,7,c,9\n");
+    folder.file("n.txt", "0 0 1 5\n4 0 2 6\n0 4 3 7\n");
+    const std::string start =
+        ": no column has a known name of heights, so there is no z (--columns X,Y,Z takes z from ";
+    CHECK(contains(folder.rbpa("mesh p.csv --alpha inf -o m.obj", 0).err, "p.csv" + start + "'Nr', 'H' or 'NN')\n"));
+    CHECK(contains(folder.content("m.obj"), "v 0 0 0\n"));
+    CHECK(contains(folder.rbpa("mesh n.txt --alpha inf -o m.obj", 0).err, "n.txt" + start + "column 3 or column 4)\n"));
+    CHECK(contains(folder.rbpa("grid p.csv --cell 1 -o g.asc", 3).err, start));
+    // A mesh without z, or values of another column, need no heights.
+    for (const std::string run :
+         {"mesh p.csv --alpha inf -o m.svg", "mesh p.csv --alpha inf --where \"Nr < 9 and H < 9 and NN < 99\" -o m.obj",
+          "grid p.csv --value NN --cell 1 -o g.asc"})
+      CHECK(!contains(folder.rbpa(run, 0).err, "no z"));
+    for (const std::string columns : {"x,y,NN", "1,2,6", "x,2,nn"}) {
+      CAPTURE(columns);
+      CHECK(!contains(folder.rbpa("mesh p.csv --alpha inf --columns " + columns + " -o m.obj", 0).err, "no z"));
+      CHECK(contains(folder.content("m.obj"), "v 0 0 7\nv 4 0 8\nv 0 4 9\n"));
+      CHECK(folder.rbpa("grid p.csv --contours 8 --columns " + columns + " -o g.wkt -q", 0).err.empty());
+      CHECK(contains(folder.content("g.wkt"), "8)"));
+    }
+    folder.rbpa("mesh n.txt --alpha inf --columns 1,2,4 -o m.obj", 0);
+    CHECK(contains(folder.content("m.obj"), "v 0 0 5\n"));
+    // A named column replaces the one whose name is known.
+    folder.file("z.csv", "x,y,z,H\n0,0,1,5\n4,0,2,6\n0,4,3,7\n");
+    folder.rbpa("mesh z.csv --alpha inf --columns x,y,H -o m.obj", 0);
+    CHECK(contains(folder.content("m.obj"), "v 0 0 5\n"));
+    for (const std::string wrong : {"x,y,", "x,y,x", "x,y,H,NN", "x,y,1"})
+      CHECK(folder.rbpa("mesh p.csv --alpha inf --columns " + wrong + " -o m.obj", 2)
+                .err.starts_with("rbpa: --columns: found "));
+    says(folder, "mesh p.csv --alpha inf --columns x,y,9 -o m.obj", 3, "expected at least 9 columns");
+    says(folder, "mesh p.csv --alpha inf --columns x,y,W -o m.obj", 3, "expected a header with a column 'W'");
+    says(folder, "shape p.csv --alpha inf --columns x,y,H -o s.wkt", 2, "expected X,Y (two column numbers or names)");
+  }
+
   TEST_CASE("all verbs of the plane without vertices print that warning, and info says how it counts duplicates") {
     const Folder folder("p.csv", "x,y,z\n0,0,1\n1,0,1\n0,1,2\n0,1,3\n");
     for (const std::string verb : {"info p.csv", "alpha p.csv", "mesh p.csv --alpha 2 -o m.svg",

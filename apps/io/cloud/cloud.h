@@ -40,8 +40,8 @@ enum class Waters {
 /// The data that are requested from a file.
 struct CloudRequest {
   bool in_space = false;  ///< read x, y, z, normals and colors; otherwise x and y, and whether heights differ
-  /// The columns of a table: of x, y; of geometries; of x, y, z; or of x, y, z and the normal. Absent: the columns that
-  /// the header names, or else the first columns.
+  /// The columns of a table: of x, y; of geometries; of x, y, z; or, in space, of x, y, z and the normal. Absent: the
+  /// columns that the header names, or else the first columns.
   std::optional<std::vector<Column>> columns = std::nullopt;
   std::optional<Condition> where = std::nullopt;  ///< selects points by their fields
   bool heights = false;                           ///< read z also in the plane, if the file has z

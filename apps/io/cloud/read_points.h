@@ -18,7 +18,7 @@ namespace rbpa::app {
 struct PointSource {
   std::string path = {};  ///< "-" is standard input
   Format format = Format::text;
-  /// Columns of a table; absent: the columns that the header names, or else the first two.
+  /// Columns of a table: as CloudRequest::columns in the plane.
   std::optional<std::vector<Column>> columns = std::nullopt;
   PixelRule pixels = {};                          ///< for images
   bool heights = false;                           ///< fill PointFile::z

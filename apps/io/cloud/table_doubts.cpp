@@ -421,4 +421,24 @@ void doubt_coordinates(const TableBeginning& table, const TableLayout& layout, c
           "decimal degrees in one column (degrees + minutes / 60 + seconds / 3600)");
 }
 
+void warn_of_no_height(const TableBeginning& table, const TableLayout& layout, const CloudRequest& request,
+                       const TableSample& sample, std::vector<std::string>& warnings) {
+  const std::size_t first = layout.header ? 1 : 0;
+  const auto is_in_condition = [&](std::string_view name) {
+    return request.where && std::any_of(request.where->fields().begin(), request.where->fields().end(),
+                                        [&](const std::string& field) { return same_letters(field, name); });
+  };
+  const std::vector<std::string_view>& names = layout.header ? table.fields : layout.names;
+  std::vector<std::string> others;
+  for (std::size_t i = 0; i < table.fields.size(); ++i)
+    if (i != layout.numbers[0] && i != layout.numbers[1] && sample.any(i, is_number, first) &&
+        sample.all(i, is_number_or_missing, first) && !(i < names.size() && is_in_condition(names[i])))
+      others.push_back(i < names.size() && !names[i].empty() ? in_quotes(names[i]) : column_text(i));
+  if (others.empty()) return;
+  constexpr std::size_t most = 4;
+  if (others.size() > most) others.resize(most), others.push_back("others");
+  warnings.push_back("no column has a known name of heights, so there is no z (--columns X,Y,Z takes z from " +
+                     listed(others, " or ") + ")");
+}
+
 }  // namespace rbpa::app

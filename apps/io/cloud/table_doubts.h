@@ -48,6 +48,10 @@ void doubt_first_columns(const TableBeginning& table, const TableSample& sample,
 /// Throws WholeRefusal if the numbers of a table without a header may be halves of numbers with decimal commas.
 void refuse_decimal_commas(const TableBeginning& table, const TableSample& sample);
 
+/// Adds the warning that no column is read as z, if others than x, y and the columns of the condition have numbers.
+void warn_of_no_height(const TableBeginning& table, const TableLayout& layout, const CloudRequest& request,
+                       const TableSample& sample, std::vector<std::string>& warnings);
+
 /// Adds warnings about the columns of coordinates. Throws WholeRefusal if signs of coordinates, or minutes, are in
 /// other columns, the header says that west or south is positive, or numbers have signs between thousands.
 void doubt_coordinates(const TableBeginning& table, const TableLayout& layout, const CloudRequest& request,

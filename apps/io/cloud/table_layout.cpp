@@ -107,8 +107,9 @@ bool find_by_header(const FieldTexts& fields, const TableBeginning& table, Table
   return true;
 }
 
+/// Sets the column of heights by its name, unless the column is requested.
 void find_height_column(const FieldTexts& fields, TableLayout& layout) {
-  if (layout.wkt) return;
+  if (layout.wkt || layout.height) return;
   layout.height = find_height(fields);
   if (std::find(layout.numbers.begin(), layout.numbers.end(), layout.height) != layout.numbers.end())
     layout.height.reset();
@@ -213,6 +214,10 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
       layout.header = by_name ? !has_comment : is_unknown_header(fields, {*layout.wkt});
       return layout;
     }
+    if (layout.numbers.size() == 3) {
+      layout.height = layout.numbers.back();
+      layout.numbers.pop_back();
+    }
   } else if (find_by_header(fields, table, layout, warnings)) {
     layout.header = true;
     find_height_column(fields, layout);
@@ -226,13 +231,15 @@ TableLayout lay_out_plane(const TableBeginning& table, TableKind kind, const Clo
              (find_by_comment(table, false, layout, warnings) || find_by_kind(table, kind, false, layout))) {
     return layout;
   }
-  const std::size_t x = layout.numbers[0], y = layout.numbers[1], needed = std::max(x, y) + 1;
+  const std::size_t x = layout.numbers[0], y = layout.numbers[1],
+                    needed = std::max({x, y, layout.height.value_or(0)}) + 1;
   if (fields.size() < needed)
     bad_input(here(table), is_text_only(fields) ? in_quotes(table.lines.line()) : counted(fields.size(), "column"),
               needed == 2 ? (is_text_only(fields) ? "two numbers" : "two columns") +
                                 way_of_fields(table.lines.line(), table.choice.separator, false)
                           : "at least " + counted(needed, "column") + ", as --columns requires");
   if (x == y) refuse_repeated_column(fields[x], "two columns");  // under two names, or by name and by number
+  if (layout.height == x || layout.height == y) refuse_repeated_column(fields[*layout.height]);
   const bool is_known = find_coordinates(fields).has_value() && may_be_known_header(fields);
   const auto places = request.columns ? layout.numbers : std::vector<std::size_t>();
   if (layout.header) return layout;
@@ -378,7 +385,10 @@ TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const Clo
                           std::vector<std::string>& warnings) {
   const TableLayout layout =
       request.in_space ? lay_out_space(table, kind, request, warnings) : lay_out_plane(table, kind, request, warnings);
-  if (!layout.wkt) doubt_coordinates(table, layout, request, TableSample(table), warnings);
+  if (layout.wkt) return layout;
+  const TableSample sample(table);
+  doubt_coordinates(table, layout, request, sample, warnings);
+  if (request.heights && !layout.height) warn_of_no_height(table, layout, request, sample, warnings);
   return layout;
 }
 

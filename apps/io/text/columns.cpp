@@ -23,21 +23,31 @@ Column parse_column(std::string_view text) {
   return {.number = number};
 }
 
+/// Throws WrongUsage, which names `text`, if two columns are the same.
+void refuse_repeated(const std::vector<Column>& columns, const std::string& text) {
+  for (auto column = columns.begin(); column != columns.end(); ++column)
+    if (std::find(columns.begin(), column, *column) != column) refuse_repeated_column(text);
+}
+
 }  // namespace
 
 void refuse_repeated_column(std::string_view columns, const std::string& expected) {
   bad_usage("--columns", in_quotes(columns) + ", the same column twice", expected);
 }
 
-std::vector<Column> parse_columns(const std::string& text) {
+std::vector<Column> parse_columns(const std::string& text, bool may_have_z) {
   const std::vector<std::string_view> words = split_at_commas(text);
-  if (words.size() > 2 || words.front().empty() || words.back().empty())
-    bad_usage("--columns", in_quotes(text), "X,Y (two column numbers or names), or one column of geometries");
+  const bool any_empty = std::any_of(words.begin(), words.end(), [](std::string_view word) { return word.empty(); });
+  if (words.size() > (may_have_z ? 3 : 2) || any_empty)
+    bad_usage("--columns", in_quotes(text),
+              (may_have_z ? "X,Y or X,Y,Z (" : "X,Y (two ") +
+                  std::string("column numbers or names), or one column of geometries"));
   if (words.size() == 1 && text.find(';') != std::string::npos)
     bad_usage("--columns", in_quotes(text), "X,Y, with a comma between two columns");
   std::vector<Column> columns;
   for (const std::string_view word : words) columns.push_back(parse_column(word));
   if (columns.size() == 2 && columns[0] == columns[1]) refuse_repeated_column(text, "two columns");
+  refuse_repeated(columns, text);
   return columns;
 }
 
@@ -51,8 +61,7 @@ std::vector<Column> parse_space_columns(const std::string& text) {
     columns.push_back(parse_column(word));
   }
   if (columns.size() != 3 && columns.size() != 6) refuse();
-  for (auto column = columns.begin(); column != columns.end(); ++column)
-    if (std::find(columns.begin(), column, *column) != column) refuse_repeated_column(text);
+  refuse_repeated(columns, text);
   return columns;
 }
 

@@ -20,9 +20,9 @@ struct Column {
 /// Throws WrongUsage that says that `columns`, a text, has one column twice.
 [[noreturn]] void refuse_repeated_column(std::string_view columns, const std::string& expected = "different columns");
 
-/// Parses "X,Y", two different columns, each by its number from 1 or its name; or "GEOMETRY", one column. Throws
-/// WrongUsage.
-std::vector<Column> parse_columns(const std::string& text);
+/// Parses "X,Y", two different columns, each by its number from 1 or its name; "GEOMETRY", one column; or, if
+/// `may_have_z`, "X,Y,Z". Throws WrongUsage.
+std::vector<Column> parse_columns(const std::string& text, bool may_have_z = false);
 
 /// Parses "X,Y,Z" or "X,Y,Z,NX,NY,NZ", different columns, each by its number from 1 or its name. Throws WrongUsage.
 std::vector<Column> parse_space_columns(const std::string& text);

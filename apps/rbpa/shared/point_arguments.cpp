@@ -59,7 +59,7 @@ PointSource parse_source(const PointArguments& arguments, const GroupColumns& co
                      .vertices = arguments.vertices,
                      .shift_longitude = arguments.shift_longitude,
                      .window = parse_window(arguments.bounds, arguments.resolution)};
-  if (arguments.columns) source.columns = parse_columns(*arguments.columns);
+  if (arguments.columns) source.columns = parse_columns(*arguments.columns, arguments.columns_may_have_z);
   if (arguments.crs) source.crs = parse_crs(*arguments.crs);
   source.layer = arguments.layer;
   source.format = parse_format(Use::points, arguments.points, arguments.format, "POINTS");

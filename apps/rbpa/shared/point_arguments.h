@@ -25,6 +25,7 @@ struct PointArguments : SpacePointArguments {
   std::optional<std::string> foreground, threshold;  ///< of an image: which pixels are points
   std::optional<std::string> crs, layer;
   bool vertices = false, shift_longitude = false;
+  bool columns_may_have_z = false;  ///< the verb uses heights, and takes their column from --columns
 };
 
 /// The reason why an option is refused when groups are requested.
