@@ -38,7 +38,7 @@
 #include "bench/options.h"
 #include "bench/tables.h"
 #include "rbpa/base/mesh.h"
-#include "rbpa/space/simplify/quadric_policy.h"
+#include "rbpa/space/simplify/decimate_mesh.h"
 #include "rbpa/space/simplify/remesh.h"
 
 namespace rbpa_bench {
@@ -228,7 +228,12 @@ std::pair<CgalMesh, double> decimated_by_rbpa(const Soup& soup, std::size_t face
   rbpa::Mesh mesh = open_mesh(soup);
   meshops::request_status(mesh);
   const Stopwatch watch;
-  rbpa::simplify(mesh, {.faces = faces});
+  std::vector<rbpa::Point3> places = rbpa::places_of(mesh);
+  rbpa::decimate(mesh, places, {.faces = faces});
+  for (const auto v : mesh.vertices()) {
+    const rbpa::Point3& p = places[static_cast<std::size_t>(v.idx())];
+    mesh.set_point(v, {p.x, p.y, p.z});
+  }
   const double seconds = watch.processor_seconds();
   mesh.garbage_collection();
   return {as_cgal(mesh), seconds};

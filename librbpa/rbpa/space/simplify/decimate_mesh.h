@@ -24,7 +24,7 @@ struct RecordedCollapse {
 /// Requires: simplify_blocker(mesh) is empty; a sound mesh, except that vertices may have several fans; `places` has a
 ///           position for each vertex by index, finite if the vertex is not deleted.
 /// Throws:   InvalidInput that names a vertex whose place is not finite, and ContractViolation unless there is one
-///           place for each vertex: the mesh is then unchanged. Cancelled: the mesh is then as after the last collapse,
+///           place for each vertex: the mesh is then unchanged. Cancelled: the mesh is then as after some collapse,
 ///           and `places` is unchanged. ContractViolation as meshops::simplify() throws it.
 RBPA_API Decimation decimate(meshops::Connectivity& mesh, std::vector<Point3>& places, const DecimationOptions& options,
                              QuadricOptions quadrics = {}, std::vector<RecordedCollapse>* record = nullptr);

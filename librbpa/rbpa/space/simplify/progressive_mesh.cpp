@@ -18,6 +18,7 @@
 #include "meshops/topology/build_mesh.h"
 #include "meshops/topology/soup_defects.h"
 #include "rbpa/base/error.h"
+#include "rbpa/space/simplify/distance/distance_of_mesh.h"
 
 namespace rbpa {
 namespace {
@@ -37,8 +38,7 @@ constexpr std::uint32_t version = 1, most_faces = 1U << 29U;
 constexpr std::uint64_t size_of_head = 32, size_of_vertex = 28, size_of_triangle = 16, size_of_split = 21,
                         size_of_place = 24;
 
-std::size_t index_of(Vertex v) { return static_cast<std::size_t>(v.idx()); }
-std::size_t index_of(Face f) { return static_cast<std::size_t>(f.idx()); }
+using space::index_of;
 
 auto bits_of(const Point3& p) { return std::bit_cast<std::array<std::uint64_t, 3>>(p); }
 

@@ -40,6 +40,10 @@ class Quadric {
     x_ += q.x_, y_ += q.y_, z_ += q.z_, one_ += q.one_;
     return *this;
   }
+  Quadric& operator*=(double factor) {
+    for (double* term : {&xx_, &yy_, &zz_, &xy_, &xz_, &yz_, &x_, &y_, &z_, &one_}) *term *= factor;
+    return *this;
+  }
   friend Quadric operator+(Quadric a, const Quadric& b) { return a += b; }
 
   /// Returns the value at a point. Rounding may make it slightly negative.

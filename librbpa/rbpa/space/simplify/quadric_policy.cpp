@@ -213,4 +213,20 @@ void QuadricPolicy::merge(const Connectivity& mesh, const meshops::WeldEffect& e
   if (triangles_) triangles_->update(mesh, effect, places_);
 }
 
+std::vector<QuadricPolicy::State> QuadricPolicy::states(const Connectivity& mesh) const {
+  std::vector<State> all;
+  for (const Vertex v : meshops::live_vertices(mesh)) all.push_back({v, places_[index(v)], quadrics_[index(v)]});
+  return all;
+}
+
+void QuadricPolicy::restore(const Connectivity& mesh, const std::vector<State>& states,
+                            const std::vector<double>& weights) {
+  for (const auto& [v, place, quadric] : states) {
+    places_[index(v)] = place;
+    quadrics_[index(v)] = quadric;
+    quadrics_[index(v)] *= weights[index(v)];
+  }
+  if (triangles_) triangles_ = std::make_unique<space::LiveTriangles>(mesh, places_);
+}
+
 }  // namespace rbpa

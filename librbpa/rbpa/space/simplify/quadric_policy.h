@@ -88,6 +88,19 @@ class RBPA_API QuadricPolicy {
   const std::vector<Point3>& places() const& { return places_; }
   std::vector<Point3> places() && { return std::move(places_); }
 
+  /// The place and the quadric of a vertex at some time.
+  struct State {
+    meshops::Vertex vertex;
+    Point3 place;
+    Quadric quadric;
+  };
+  /// Returns the states of all vertices of the mesh as they are now.
+  std::vector<State> states(const meshops::Connectivity& mesh) const;
+  /// Restores earlier states, and multiplies each quadric by the weight of its vertex, by index: a vertex of a greater
+  /// weight stays nearer to the triangles around it.
+  /// Requires: the mesh is as it was when states() returned them; weights are positive and finite (not checked).
+  void restore(const meshops::Connectivity& mesh, const std::vector<State>& states, const std::vector<double>& weights);
+
   /// Returns the power of two by which lengths are multiplied in errors, so that the mesh has about the size 1.
   double scale() const { return scale_; }
 

@@ -71,17 +71,6 @@ struct WatchPieces : meshops::SimplifyVisitor {
   std::size_t collapses = 0;
 };
 
-/// Returns the triangles of a mesh as points, each in the least of its rotations, sorted.
-std::vector<std::array<Point3, 3>> sorted_triangles(const Connectivity& mesh, const std::vector<Point3>& places) {
-  std::vector<std::array<Point3, 3>> all;
-  for (const auto& [a, b, c] : rbpa::space::corners_of(mesh)) {
-    const Point3 &p = places[a], &q = places[b], &r = places[c];
-    all.push_back(std::min({std::array{p, q, r}, {q, r, p}, {r, p, q}}));
-  }
-  std::sort(all.begin(), all.end());
-  return all;
-}
-
 /// Returns whether places tell all vertices with triangles apart, their own or those of their neighbors.
 bool has_order(const Placed& with) {
   const std::vector<std::uint32_t> rank = rbpa::space::vertex_ranks(with.mesh, with.places);
@@ -96,7 +85,7 @@ std::vector<std::array<Point3, 3>> left_of(const Triangles& t, std::size_t faces
   Placed with(t);
   QuadricPolicy policy(with.mesh, with.places, options);
   meshops::simplify(with.mesh, policy, {.faces = faces});
-  return sorted_triangles(with.mesh, policy.places());
+  return sorted_triangles(policy.places(), rbpa::space::corners_of(with.mesh));
 }
 
 }  // namespace

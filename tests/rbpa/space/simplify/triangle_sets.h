@@ -55,6 +55,18 @@ inline Triangles shuffled(const Triangles& t, std::mt19937& random) {
   return result;
 }
 
+/// Returns triangles as points, each in the least of its rotations, sorted.
+inline std::vector<std::array<Point3, 3>> sorted_triangles(const std::vector<Point3>& points,
+                                                           const std::vector<std::array<std::uint32_t, 3>>& corners) {
+  std::vector<std::array<Point3, 3>> all;
+  for (const auto& [a, b, c] : corners) {
+    const Point3 &p = points[a], &q = points[b], &r = points[c];
+    all.push_back(std::min({std::array{p, q, r}, {q, r, p}, {r, p, q}}));
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 /// Adds the triangles of `more`, with its points moved along the x axis.
 inline void append(Triangles& all, const Triangles& more, double shift = 0) {
   const auto first = static_cast<std::uint32_t>(all.points.size());

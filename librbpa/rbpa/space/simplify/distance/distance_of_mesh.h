@@ -1,8 +1,9 @@
-// What: bounds the distance of a mesh from given triangles, and checks the places of vertices.
+// What: bounds the distance of a mesh from given triangles, and connects its elements with arrays.
 // Law:  conservative: no point of the mesh is farther than the bound.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +13,12 @@
 #include "rbpa/space/simplify/distance/surface_distance.h"
 
 namespace rbpa::space {
+
+/// Returns the index of an element as an index into arrays.
+template <typename Handle>
+std::size_t index_of(Handle h) {
+  return static_cast<std::size_t>(h.idx());
+}
 
 /// Throws ContractViolation unless there is one place for each vertex. Throws InvalidInput that names a vertex if the
 /// vertex is not marked deleted and its place is not finite. Messages begin with `operation`.

@@ -2,21 +2,15 @@
 // Cost: linear, and a sort of the edges.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "meshops/core/connectivity.h"
 #include "rbpa/base/point3.h"
+#include "rbpa/space/simplify/distance/distance_of_mesh.h"
 #include "rbpa/space/simplify/distance/surface_distance.h"
 #include "rbpa/space/simplify/remesh.h"
 
 namespace rbpa::space {
-
-/// Returns the index of an element as an index into arrays.
-template <typename Handle>
-std::size_t index_of(Handle h) {
-  return static_cast<std::size_t>(h.idx());
-}
 
 struct MeshCurves {
   static constexpr int none = 0, fixed = -1;
