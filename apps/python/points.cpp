@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "io/crs.h"
 #include "io/failure.h"
 #include "io/interrupt.h"
+#include "io/mesh/read_mesh.h"
 #include "io/number.h"
 #include "io/polygon/ogr.h"
 #include "python/file_errors.h"
@@ -169,6 +171,20 @@ py::dict read_points(const py::bytes& path, bool space, const WantedFields& fiel
   });
 }
 
+/// Positions, corners, the begin of each face among the corners, and warnings.
+using MeshArrays = std::tuple<Doubles, Indices, Begins, std::vector<std::string>>;
+
+MeshArrays read_mesh(const py::bytes& path, const MaybeText& format) {
+  return with_file_errors([&] {
+    const app::MeshSource source{path, format_of(path, format, app::Use::mesh)};
+    app::MeshFile file = read_watched([&] { return app::read_mesh(source); });
+    for (std::string& warning : file.warnings) warning = app::printable(warning);
+    std::vector<std::int64_t> begin(file.soup.begin.begin(), file.soup.begin.end());
+    return MeshArrays(rows<double>(std::move(file.positions)), line<std::int32_t>(std::move(file.soup.corners)),
+                      line<std::int64_t>(std::move(begin)), std::move(file.warnings));
+  });
+}
+
 /// Returns the name of a system for the member "crs" of GeoJSON; nothing for WGS 84, GeoJSON's default.
 std::optional<std::string> crs_urn(const std::string& name) {
   const std::optional<app::Crs> crs = app::crs_of_name(name);
@@ -183,6 +199,7 @@ void bind_points(py::module_& module) {
   module.def("crs_urn", &crs_urn, arg("name"));
   module.def("read_points", &read_points, arg("path"), arg("space"), arg("fields"), arg("where"), arg("columns"),
              arg("format"), arg("skip_invalid"), arg("vertices"), arg("bounds"), arg("resolution"));
+  module.def("read_mesh", &read_mesh, arg("path"), arg("format"));
 }
 
 }  // namespace rbpa::python

@@ -351,3 +351,29 @@ def test_stubs_say_what_there_is():
     assert functions == {n for n in dir(core) if not n.startswith("_") and n not in classes and n not in ("version", "EXPECTED_ALPHA")}
     for name in {m for m in dir(Mesh) if not m.startswith("_")}:
         assert getattr(Mesh, name).__doc__, name
+
+
+def test_files_of_meshes_are_read_as_by_the_program(tmp_path: pathlib.Path) -> None:
+    corners = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    for ending in ("off", "ply", "obj", "stl"):
+        path = tmp_path / f"part.{ending}"
+        rbpa.surface_of(corners, TETRAHEDRON).save(path)
+        points, faces, warnings = meshops.read(path)
+        assert sorted(map(tuple, points)) == sorted(map(tuple, corners)) and not warnings
+        assert Mesh(faces, len(points)).report().betti == (1, 0, 1)
+        again = meshops.read(path.rename(tmp_path / f"part_{ending}.dat"), format=ending)
+        assert (again.points == points).all() and (again.faces == faces).all()
+    mixed = tmp_path / "mixed.off"
+    mixed.write_text("OFF 5 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 2\n4 0 1 3 2\n3 1 4 3\n")
+    assert [face.tolist() for face in meshops.read(mixed).faces] == [[0, 1, 3, 2], [1, 4, 3]]
+    mixed.write_text("OFF 5 2 0\n0 0 0\n")
+    for call, message in (
+        (lambda: meshops.read(mixed), "mixed.off"),
+        (lambda: meshops.read(tmp_path / "part_off.dat"), "format"),
+        (lambda: meshops.read(mixed, format="las"), "format: found 'las'"),
+        (lambda: meshops.read(mixed, format=3), "format: found 3"),  # type: ignore[arg-type]
+    ):
+        with pytest.raises(rbpa.InvalidInput, match=message):
+            call()
+    with pytest.raises(FileNotFoundError):
+        meshops.read(tmp_path / "none.off")

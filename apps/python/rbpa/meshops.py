@@ -17,12 +17,13 @@ Operators return an effect: its `delta`, the new elements, and the data to undo 
 returns why it would refuse, or None. An operator that refuses raises `rbpa.ContractViolation` (a ValueError) and leaves
 the mesh unchanged.
 
-For faces of any kind, not only manifolds, `find_defects` lists their defects, `repair` makes a manifold of them, and
+`read` takes points and faces from a file. For faces of any kind, not only manifolds, `find_defects` lists their defects, `repair` makes a manifold of them, and
 `report` computes their topology.
 """
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple, Optional, Union
 
@@ -31,10 +32,10 @@ import numpy.typing as npt
 
 from rbpa import _core
 from rbpa._core import ComponentReport, Defect, Delta, InvalidInput, RepairStep, Report
-from rbpa._input import Floats, Indices, Integers, Progress, aligned, as_count, as_limits, as_number, as_numbers, as_points, index_of, shown
+from rbpa._input import Floats, Indices, Integers, Progress, aligned, as_count, as_limits, as_number, as_numbers, as_points, in_python, index_of, shown
 from rbpa._result import brief
 
-__all__ = ["ComponentReport", "Decimation", "Defect", "Delta", "Mesh", "ProgressiveMesh", "Remeshing", "Repair", "RepairStep", "Report", "find_defects", "repair", "report"]
+__all__ = ["ComponentReport", "Decimation", "Defect", "Delta", "Mesh", "MeshFile", "ProgressiveMesh", "Remeshing", "Repair", "RepairStep", "Report", "find_defects", "read", "repair", "report"]
 
 Faces = Union[npt.NDArray[Any], Iterable[Sequence[int]]]
 _LENGTHS = "a length, > 0, or one for each vertex"
@@ -241,6 +242,56 @@ class Decimation(NamedTuple):
     times."""
     distance: Optional[float]
     """A distance from the triangles before that no point of the result exceeds, certified; None if it is not measured."""
+
+
+@brief
+class MeshFile(NamedTuple):
+    """The content of a file, as returned by `read`."""
+
+    points: Floats
+    """The positions, of shape (n, 3), all finite, in the order of the file."""
+    faces: Any
+    """The corners of each face as numbers of points: int32 array of shape (m, k), or a list of arrays if faces have
+    different numbers of corners. They need not be a manifold."""
+    warnings: list[str]
+    """Warnings, one sentence each, about data that were left out."""
+
+
+def read(path: Union[str, os.PathLike[str]], *, format: Optional[str] = None) -> MeshFile:
+    """Reads a mesh from a file, as the program `meshtopo` does: OFF, PLY, OBJ, STL. Files compressed by gzip are
+    decompressed. Corners of STL at equal positions are one point.
+
+    Parameters
+    ----------
+    path : path
+    format : str, optional
+        "ply", "stl", ...; by default according to the ending of the path.
+
+    Raises
+    ------
+    InvalidInput
+        A ValueError with the message of the program: an invalid file, with the line, or an unknown format.
+    OSError
+        There is no such file, or reading fails.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> path = pathlib.Path(tempfile.mkdtemp(), "two.off")
+    >>> _ = path.write_text("OFF 4 2 0\\n0 0 0\\n1 0 0\\n0 1 0\\n1 1 0\\n3 0 1 2\\n3 1 3 2\\n")
+    >>> points, faces, _ = rbpa.meshops.read(path)
+    >>> points.shape, rbpa.meshops.Mesh(faces, len(points)).n_edges
+    ((4, 3), 5)
+    """
+    if format is not None and not isinstance(format, str):
+        raise InvalidInput(f"format: found {shown(format)}, expected a str")
+    try:
+        points, corners, begin, warnings = _core.read_mesh(os.fsencode(path), format)
+    except InvalidInput as error:
+        if not os.path.exists(path):
+            raise FileNotFoundError(str(error)) from None
+        raise InvalidInput(in_python(str(error), {"--format": "format"})) from None
+    return MeshFile(points, _cycles(corners, begin, True), warnings)
 
 
 @brief
