@@ -126,7 +126,7 @@ void become_texts(PointColumn& column) {
 
 namespace {
 
-/// Appends the values of `more`, a column of the same type. Texts get their numbers in `column`.
+/// Appends the values of `more`, a column of the same type. Texts are numbered anew, by the texts of `column`.
 void append_values(PointColumn& column, const PointColumn& more) {
   if (!column.is_text) {
     column.bytes.insert(column.bytes.end(), more.bytes.begin(), more.bytes.end());

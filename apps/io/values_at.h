@@ -1,4 +1,4 @@
-// What: selects and renumbers items.
+// What: selects values by a list of indices, and replaces indices by new numbers.
 #pragma once
 
 #include <cstdint>

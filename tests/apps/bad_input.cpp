@@ -87,6 +87,40 @@ TEST_SUITE("bad input") {
     CHECK_FALSE(folder.has("m.off"));
   }
 
+  TEST_CASE("text after the points and faces that a header counts is refused, and faces that are missing") {
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::string pcd =
+        "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 3\nHEIGHT 1\n"
+        "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3\nDATA ascii\n";
+    const std::string points = "0 0 1\n1 0 1\n0 1 1\n";
+    struct Case {
+      std::string name, head, faces, before_end;
+      bool is_mesh;
+    };
+    for (const auto& [name, head, faces, before_end, is_mesh] :
+         std::initializer_list<Case>{{"p.off", "OFF\n3 0 0\n", "", "0 face lines as line 2 says", true},
+                                     {"f.off", "OFF\n3 1 0\n", "3 0 1 2\n", "1 face line as line 2 says", true},
+                                     {"p.ply", ply, "3 0 1 2\n", "1 face element as line 7 says", true},
+                                     {"p.pcd", pcd, "", "3 points as line 9 says", false}}) {
+      CAPTURE(name);
+      const Folder folder(name, head + points + faces + "# a comment\n\n");
+      CHECK(folder.rbpa("surface --radius 2 -o s.off " + name).code == 0);
+      folder.file(name, head + points + faces + "5 5 1\n");
+      const std::string line = std::to_string(std::count(head.begin(), head.end(), '\n') + 4 + (faces.empty() ? 0 : 1));
+      const std::string found = name + ":" + line + ": found '5 5 1', expected the end of the file after " + before_end;
+      CHECK(contains(folder.rbpa("surface --radius 2 -o s.off " + name).err, found));
+      if (!is_mesh) continue;  // the plane does not read PCD
+      CHECK(contains(folder.rbpa("info " + name).err, found));
+      CHECK(contains(folder.meshtopo(name + " -q").err, found));
+      if (faces.empty()) continue;
+      folder.file(name, head + points);
+      for (const std::string verb : {"info ", "surface --radius 2 -o s.off "})
+        CHECK(folder.rbpa(verb + name).code == 3);
+    }
+  }
+
   TEST_CASE("a header that claims more points than the file holds is refused before memory is allocated") {
     const Folder folder;
     folder.file("p.npy",

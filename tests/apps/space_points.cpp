@@ -201,7 +201,7 @@ TEST_SUITE("points of space") {
     REQUIRE(file.warnings.size() == 2);
     CHECK(file.warnings[1] ==
           "x and y are degrees and z is not, which distorts balls; a degree of longitude is as long as 0.50 degrees of "
-          "latitude there (ogr2ogr -t_srs or pdal translate project them)");
+          "latitude there; project them first, to UTM zone 31N (EPSG:32631), for example");
     CHECK(table("x,y,z\n5,60,100\n").warnings.empty());
     LasFile las{.scale = {1, 1, 1}, .points = {{.x = 5, .y = 60, .z = 100}}};
     las.records = {{"LASF_Projection", 34735,

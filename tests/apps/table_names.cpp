@@ -238,14 +238,14 @@ TEST_SUITE("names of columns") {
         "others)\n";
     const std::string degrees =
         "rbpa: fiji.csv: coordinates are degrees, and so are radii, lengths and areas; a degree of longitude is as "
-        "long as 0.95 to 0.96 degrees of latitude there (ogr2ogr -t_srs projects them)\n";
+        "long as 0.95 to 0.96 degrees of latitude there; project them first";
     const Outcome far = folder.rbpa("info fiji.csv");
     CHECK(far.err == columns + degrees +
-                         "rbpa: fiji.csv: points lie on both sides of the antimeridian, longitude 180, and are far "
+                         "\nrbpa: fiji.csv: points lie on both sides of the antimeridian, longitude 180, and are far "
                          "apart in the plane (--shift-longitude adds 360 to longitudes below 0)\n");
     CHECK(contains(far.out, "box         x -180 .. 179\n"));
     const Outcome near = folder.rbpa("info fiji.csv --shift-longitude");
-    CHECK(near.err == columns + degrees);
+    CHECK(near.err == columns + degrees + ", to UTM zone 60S (EPSG:32760), for example\n");
     CHECK(contains(near.out, "box         x 178.25 .. 180.5\n"));
     CHECK(folder.rbpa("info fiji.csv -q").err.empty());
     // Around the world, but not around the antimeridian.

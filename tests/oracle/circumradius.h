@@ -7,8 +7,8 @@
 
 namespace rbpa_test {
 
-/// Returns whether the circumradius of (a, b, c) is at most alpha. alpha² is the exact square of the double; true for
-/// infinity.
+/// Returns whether the circumradius of (a, b, c) is at most alpha, by the exact square of alpha. True if alpha is
+/// infinite.
 /// Requires: a, b, c are not on a line.
 bool circumradius_at_most(const rbpa::Point& a, const rbpa::Point& b, const rbpa::Point& c, double alpha);
 

@@ -105,7 +105,7 @@ class ElementCloud final : public Cloud {
       }
       taken_ += block.count;
     }
-    if (block.count == 0 && binary_) pass_rest();
+    if (block.count == 0) pass_rest();
     if (block.count == 0 && layout_.colors_behind) colors_.settle(vertex_.count > 0, facts_);
     return block.count > 0;
   }
@@ -257,13 +257,16 @@ class ElementCloud final : public Cloud {
     if (z.fault == NumberFault::none) take_height(block, i, z.value);
   }
 
-  /// Skips the elements after the vertices of a binary file, so that a truncated file is noticed.
+  /// Skips the elements after the vertices once, so that a truncated file is noticed, and text after the last element.
   void pass_rest() {
-    for (std::size_t i = layout_.element + 1; i < header_.elements.size(); ++i) {
-      binary_->require_room(header_.elements[i]);
-      binary_->skip(header_.elements[i]);
+    for (std::size_t i = layout_.element + 1; i < header_.elements.size() && (binary_ || text_); ++i) {
+      const PlyElement& element = header_.elements[i];
+      binary_ ? binary_->require_room(element) : text_->require_room(element);
+      binary_ ? binary_->skip(element) : text_->skip(element);
     }
+    if (text_) text_->require_end();
     binary_.reset();
+    text_.reset();
   }
 
   Content content_;

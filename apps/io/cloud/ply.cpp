@@ -195,6 +195,12 @@ void PlyText::pass_words(const PlyProperty& property, std::string_view& rest, st
       bad_input(at_line(name_, lines_.number()), in_quotes(lines_.line()), "a value for each property");
 }
 
+void PlyText::require_end() {
+  if (!rest_.empty() || lines_.next_with_content())
+    bad_input(at_line(name_, lines_.number()), in_quotes(lines_.line()),
+              "the end of the file after " + announced(header_.elements.back()));
+}
+
 void PlyText::next(const PlyElement& element, std::size_t index) {
   if (!lines_.next_with_content()) bad_input(name_, counted(index, element.noun), announced(element));
   rest_ = lines_.line();

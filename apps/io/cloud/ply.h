@@ -157,8 +157,8 @@ class PlyText {
   void pass_words(const PlyProperty& property, std::string_view& rest, std::size_t read = 0) const;
 
   const Lines& lines() const { return lines_; }
-  /// Goes to the text after the elements, past blank lines and comments. Returns whether there is any.
-  bool has_more() { return !rest_.empty() || lines_.next_with_content(); }
+  /// Throws BadInput if there is more text than blank lines and comments after the elements.
+  void require_end();
 
  private:
   void next(const PlyElement& element, std::size_t index);

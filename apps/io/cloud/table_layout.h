@@ -65,7 +65,7 @@ HeaderKind header_kind(const std::vector<std::string_view>& fields, const CloudR
 TableLayout lay_out_table(const TableBeginning& table, TableKind kind, const CloudRequest& request,
                           std::vector<std::string>& warnings);
 
-/// Opens a table, for CloudFormat::open.
+/// Opens a table of the kind; called by CloudFormat::open, and throws as that does.
 std::unique_ptr<Cloud> open_table(Content content, const CloudRequest& request, TableKind kind);
 
 /// The CloudFormat of tables of a kind.

@@ -22,7 +22,7 @@ struct SeparatorChoice {
   bool begin_with_atoms = false;                       ///< first fields of lines of data may be numbers of elements
 };
 
-/// The size of the text, in bytes, by which the separator is chosen.
+/// The number of bytes at the beginning of a table by which the separator is chosen.
 constexpr std::size_t separator_sample = std::size_t{1} << 16U;
 
 /// Returns the separator of the table that begins with `text`, of which only the first separator_sample bytes count.

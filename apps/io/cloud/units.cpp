@@ -178,6 +178,18 @@ std::string share_of_latitude(const Box& box) {
   return text == greatest ? text : text + " to " + greatest;
 }
 
+/// Returns how to mend degrees: a projection of the points, with the UTM zone of the middle unless the box is wider
+/// than two zones.
+std::string way_to_project(const Box& box) {
+  const std::string way = "; project them first";
+  if (box.greatest.x - box.least.x > 12) return way;
+  const double middle = std::remainder((box.least.x + box.greatest.x) / 2, 360);
+  const int zone = std::clamp(static_cast<int>(std::floor((middle + 180) / 6)) + 1, 1, 60);
+  const bool is_south = box.least.y + box.greatest.y < 0;
+  return way + ", to UTM zone " + std::to_string(zone) + (is_south ? "S" : "N") +
+         " (EPSG:" + std::to_string((is_south ? 32700 : 32600) + zone) + "), for example";
+}
+
 }  // namespace
 
 void shift_longitude(std::vector<Point>& points, const std::string& name) {
@@ -194,13 +206,13 @@ std::string warning_on_degrees(const std::vector<Point3>& points) {
   const Box box = box_of(points);
   if (!may_be_degrees(box)) return no_degrees(box);
   return "x and y are degrees and z is not, which distorts balls; a degree of longitude is as long as " +
-         share_of_latitude(box) + " degrees of latitude there (ogr2ogr -t_srs or pdal translate project them)";
+         share_of_latitude(box) + " degrees of latitude there" + way_to_project(box);
 }
 
 std::string warning_on_degrees(const Box& box) {
   if (!may_be_degrees(box)) return no_degrees(box);
   return "coordinates are degrees, and so are radii, lengths and areas; a degree of longitude is as long as " +
-         share_of_latitude(box) + " degrees of latitude there (ogr2ogr -t_srs projects them)";
+         share_of_latitude(box) + " degrees of latitude there" + way_to_project(box);
 }
 
 void warning_on_degrees(PointFile& file) {

@@ -30,7 +30,7 @@ namespace at10 {
 constexpr std::size_t intensity = 12, returns = 14, classification = 15, scan_angle = 16, user_data = 17, source = 18;
 }
 
-/// The fields that both versions of points decode alike.
+/// The models of the fields that both versions of point records decode alike, and the decoding of these fields.
 struct PointModels {
   using Bytes = ModelTable<256, 256>;
 

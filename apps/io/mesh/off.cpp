@@ -111,7 +111,7 @@ std::unique_ptr<Cloud> open_off(Content content, const CloudRequest& request) {
 
 }  // namespace
 
-/// Reads the vertices of OFF, with the normals of NOFF and the colors of COFF. Does not read the faces.
+/// Reads the vertices of OFF, with the normals of NOFF and the colors of COFF; skips the faces.
 const CloudFormat off_reader = {.open = open_off};
 
 MeshFile read_off_mesh(std::string_view text, const std::string& name) {
@@ -138,9 +138,7 @@ MeshFile read_off_mesh(std::string_view text, const std::string& name) {
     mesh.soup.add_face(corners);
     mesh.face_lines.push_back(data.lines().number());
   });
-  if (data.has_more())
-    bad_input(at_line(name, data.lines().number()), in_quotes(data.lines().line()),
-              "the end of the file after " + announced(face));
+  data.require_end();
   return mesh;
 }
 

@@ -145,6 +145,7 @@ MeshFile read_ascii(const PlyHeader& header, const PlyMeshLayout& layout, const 
     mesh.face_lines.push_back(data.lines().number());
   };
   pass_all(data, header, layout, mesh, read_vertex, read_face);
+  data.require_end();
   return mesh;
 }
 

@@ -27,12 +27,12 @@ FieldNames names_of_columns();
 struct WantedColumn {
   enum class Kind {
     /// Numbers if the first value that is not missing is a number, else texts; for atoms, the column decides. The
-    /// values are unspecified in LAS if CloudRequest::keeps is present, and in binary PLY and PCD if it chooses the
-    /// field: the field is then kept with its type instead.
+    /// values are unspecified in LAS if CloudRequest::keeps is present, and in binary PLY and PCD if
+    /// CloudRequest::keeps chooses the field, because the field is then kept with its own type.
     by_value,
     number,
     text,
-    radius  ///< a number; any other text is read as NaN, as only the group of that point has no radius then
+    radius  ///< a number; any other text is NaN, so that only the group of that point is without a radius
   };
   std::string name;
   Kind kind = Kind::number;

@@ -1,4 +1,5 @@
-// What: tells which handles of a mesh are live, visits live elements, tells or ensures that elements can be deleted.
+// What: tells which handles of a mesh are live, visits live elements, and gives a mesh the status by which elements are
+//       marked deleted.
 #pragma once
 
 #include <cstddef>

@@ -113,7 +113,7 @@ class MESHOPS_API WaitingEdges {
   std::vector<Halfedge> active_;  // a queue from head_ on; halfedges that are no longer active are skipped
   std::size_t head_ = 0;
   std::vector<Halfedge> frozen_;
-  std::vector<Deferred> deferred_;  // a queue from deferred_head_ on, in ascending order of the revisions of deferral
+  std::vector<Deferred> deferred_;          // a queue from deferred_head_ on; the revisions of the deferrals ascend
   std::vector<std::size_t> last_deferral_;  // for each edge that was deferred, the number of its last deferral
   std::size_t deferrals_ = 0;
   std::size_t deferred_head_ = 0;

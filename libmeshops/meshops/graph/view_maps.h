@@ -14,7 +14,8 @@ namespace meshops {
 template <typename Kind, typename Direction>
 class GraphView;
 
-/// Map from a handle to its index; for `PerIndex` = 2, from a halfedge to the index of its edge.
+/// Map from a handle to its index divided by `PerIndex`: 1, or 2 for the halfedges of an undirected view, whose index
+/// is that of their edge.
 template <typename Handle, int PerIndex>
 struct IndexMap {
   using key_type = Handle;

@@ -12,6 +12,7 @@
 
 namespace meshops {
 
+/// The changes that glue() made, by which unglue() undoes them.
 struct GlueEffect {
   struct Ends {
     Vertex from{}, to{};
@@ -41,7 +42,7 @@ MESHOPS_API GlueCase glue_case(const Connectivity& mesh, Halfedge first, Halfedg
 /// Effect:      `first` becomes inner, a side of the face beyond `second`. The edge of `second` is marked deleted.
 ///              Where two vertices meet, the vertex of the higher handle is marked deleted; the other keeps its
 ///              properties.
-/// Requires:    glue_blocker() is empty; the mesh has status of every kind, to mark elements as deleted.
+/// Requires:    glue_blocker() is empty.
 /// Throws:      ContractViolation; the mesh is then unchanged.
 /// Invalidates: `second`, its edge, and the vertices that are marked deleted.
 /// Inverse:     unglue() of the returned effect, exactly.

@@ -1,6 +1,7 @@
 // What:   adds a triangle and glues up to three of its sides to boundary edges, in one step.
-// Law:    insert_triangle() leaves the same live mesh, up to handles, as create_triangle() followed by a glue() for
-//         each given side, without the elements that glue() marks deleted. A front attaches every triangle in this way.
+// Law:    insert_triangle() leaves the live mesh, up to handles, that create_triangle() followed by a glue() for each
+//         given side would leave, except that a vertex that is merged into another stays, isolated and not marked
+//         deleted. A front attaches every triangle in this way.
 // Source: Medeiros, A topological framework for advancing front triangulations (2003), attach cases.
 #pragma once
 
@@ -19,6 +20,7 @@ struct TriangleSides {
   std::array<Vertex, 3> corner = {Vertex(), Vertex(), Vertex()};
 };
 
+/// The elements that insert_triangle() made and merged.
 struct InsertedTriangle {
   Face face{};
   /// The sides of the face, numbered as in TriangleSides. Side 0 is the halfedge of the face.
@@ -112,8 +114,8 @@ InsertedTriangle insert_triangle_on(Connectivity& mesh, const TriangleSides& sid
 
 }  // namespace detail
 
-/// Inserts a triangle at `sides`, with a face and the edges of sides that are not given from `elements`. If two given
-/// sides meet at a corner but end at two vertices, the vertex of the higher handle is merged into the other.
+/// Inserts a triangle at `sides`. Its face, and an edge for each side that is not given, come from `elements`. If two
+/// given sides meet at a corner but end at two vertices, the vertex of the higher handle is merged into the other.
 /// Requires: the mesh is sound; given sides are distinct boundary halfedges; corners between two new sides are isolated
 ///           vertices; no two corners become the same vertex; no edge joins two vertices that merge. Not checked: this
 ///           is the inner loop of every advancing front.

@@ -16,6 +16,7 @@
 
 namespace meshops {
 
+/// The changes that unglue() made; glue(first, second) is the inverse.
 struct UnglueEffect {
   GlueCase what;       ///< the case of the glue() that is the inverse
   Halfedge first{};    ///< the halfedge `h`, now on the boundary; the opposite of `h` keeps its face
@@ -32,9 +33,8 @@ MESHOPS_API std::optional<Blocker> unglue_blocker(const Connectivity& mesh, Half
 
 /// Returns the case of the glue() whose inverse is the unglue() of the edge of `h`.
 /// Requires: unglue_blocker() is empty. Throws ContractViolation.
-/// Cost:     the degrees of the ends that are on the boundary. If both are, also the shorter way between them along
-///           their curve; if they are on two curves, the length of the shorter instead; if they are on one, also
-///           in_same_component() (core/reach.h).
+/// Cost:     the degrees of the ends that are on the boundary. If both are on one curve, also the shorter way between
+///           them along it, and in_same_component() (core/reach.h); if they are on two, also the length of the shorter.
 MESHOPS_API GlueCase unglue_case(const Connectivity& mesh, Halfedge h);
 
 /// Splits an inner edge into two boundary edges. `h` comes to the boundary, and a new halfedge replaces `h` in its

@@ -6,7 +6,8 @@
 
 namespace rbpa {
 
-/// A point of space, or a vector; any finite value. The order is lexicographic, x before y before z, and −0 equals +0.
+/// A point of space, or a vector. Functions that take points require finite coordinates. The order is lexicographic, x
+/// before y before z, and −0 equals +0.
 struct Point3 {
   double x = 0;
   double y = 0;

@@ -173,7 +173,7 @@ Point quick_circumcenter(const Point& a, const Point& b, const Point& c) {
   return {certain_sum(a.x, x, divisor, error(x, x_size)), certain_sum(a.y, y, divisor, error(y, y_size))};
 }
 
-/// Returns the point that `construct` makes of differences, rounded. `points` has all points that it uses.
+/// Returns the point that `construct` computes from differences of `points`, rounded.
 template <typename Construct>
 Point rounded_point(std::initializer_list<Point> points, const Construct& construct) {
   const Quotient<Bounded> quick = construct(InBounded());

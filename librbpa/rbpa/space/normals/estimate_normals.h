@@ -74,11 +74,11 @@ inline constexpr double least_confidence = 0.5;
 ///   neighbors' covariance; 1 in a plane, about 0 in a ball of points, 0 on a line;
 /// - the confidence in the side. Each edge of the spanning tree cuts the graph of nearest points in two; the edges
 ///   across the cut vote whether the normals at their ends agree, each edge weighted by its own confidence. A cut
-///   counts 1 if all edges agree, 0 if half of the weight or more does not; the confidence is the least cut on the path
-///   from the middle of the tree to the point. Where tetrahedra decide, the confidence is instead the length, along
-///   the normal, of the mean of the unit normals of the facets between inside and outside around the point. With
-///   viewpoints, the confidence in the side is four times the cosine of the angle between normal and view, at most 1; 0
-///   at the viewpoint itself.
+///   counts the share of the weight that agrees minus the share that does not, at least 0; the confidence is the least
+///   cut on the path from the middle of the tree to the point. Where tetrahedra decide, the confidence is instead the
+///   length, along the normal, of the mean of the unit normals of the facets between inside and outside around the
+///   point. With viewpoints, the confidence in the side is four times the cosine of the angle between normal and view,
+///   at most 1; 0 at the viewpoint itself.
 /// Requires: what estimate_normals() requires.
 /// Throws:   what estimate_normals() throws.
 /// Cost:     O(n log n) in addition, in one thread; measured, 0 to 16 % of the estimate's time in one thread.

@@ -35,13 +35,13 @@ double reach_of(std::span<const Point3> points) {
   return static_cast<double>(std::sqrt(dot(diagonal, diagonal)) / 2);
 }
 
-/// The growth of the complex from each radius to the next.
+/// The complex as alpha grows: element i of each list belongs to the radius alpha[i].
 struct Growth {
   std::vector<double> alpha;
-  std::vector<Wide> change;
-  meshops::FreshVector<double> volume;
-  std::vector<Wide> filled;  // the volume of the complex divided by that of complex and voids
-  std::size_t begin = 0;     // index of the first radius from which on enough points are covered
+  std::vector<Wide> change;             // P · H · E^(1/12) of solid_plateaus.h, up to a constant factor
+  meshops::FreshVector<double> volume;  // of the complex
+  std::vector<Wide> filled;             // the volume of the complex divided by that of complex and voids
+  std::size_t begin = 0;                // index of the first radius from which on enough points are covered
 };
 
 /// The components, connected through points, of all tetrahedra added, with their numbers of points.

@@ -68,7 +68,7 @@ class RBPA_API ProgressiveMesh {
   meshops::Connectivity mesh_;
   std::vector<Point3> places_;
   std::vector<Step> steps_;  // the collapses; the first done_ of them are done
-  bool moves_ = false;       // whether a survivor moves
+  bool moves_ = false;       // whether any collapse moves its survivor
   std::size_t done_ = 0, faces_ = 0;
   Decimation counts_;
   std::vector<std::uint32_t> vertex_number_, face_number_;  // numbers in the given mesh

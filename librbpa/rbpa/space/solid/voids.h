@@ -2,8 +2,8 @@
 // Law:  voids and their boundaries are exact. Voids, boundaries and every bit of the measures are functions of the set
 //       of points and alpha. The volume of a void excludes the islands in the void. Tetrahedra outside of the solid are
 //       not needed. docs/explanation/space.md, section 18.
-// Cost: that of count(), and of measure() for the triangles around voids; also a search among the components of the
-//       solid for each triangle around a void that may have islands.
+// Cost: linear but for islands: for a void whose bounding box has components of the solid in it, each of the void's
+//       triangles is compared with those whose ranges of y it meets, at worst with all.
 #pragma once
 
 #include <cstddef>
@@ -27,8 +27,8 @@ struct SolidVoid {
   std::vector<std::uint32_t> points;     ///< corners of these triangles; ascending
   std::size_t islands = 0;               ///< components of the solid that lie in the void
   double volume = 0;                     ///< volume without islands; as accurate as BoundaryMeasures::volume
-  /// Volume of the part of the void that is at least alpha from every input point: the possible centers of a ball of
-  /// radius alpha. Set only by functions on the full complex.
+  /// Volume of the part of the void that is at least alpha away from every point: of the places at which a ball of
+  /// radius alpha can have its center and no point inside. Set by full_voids() only (balls/full_topology.h).
   std::optional<double> outside_balls = {};
   double area = 0;   ///< area of all `triangles`, which include those of islands
   Point3 low, high;  ///< opposite corners of the bounding box

@@ -193,7 +193,7 @@ TEST_CASE("a hole in a plane is filled in the plane; a hole of three edges gets 
 
 TEST_CASE("an obstacle in the place of the smooth filling keeps it flat, and nothing crosses") {
   Sample sample = sphere_without(3000, [](const Point3& p) { return p.z > 0.8; });
-  // A small octahedron in the place of the sphere.
+  // A small octahedron around the pole, where the missing cap of the sphere would pass.
   const std::size_t first = sample.points.size();
   for (const Point3& d : {Point3{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}) {
     sample.points.push_back({0.03 * d.x, 0.03 * d.y, 1 + 0.03 * d.z});
