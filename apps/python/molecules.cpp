@@ -24,6 +24,24 @@ using app::AtomFrame;
 using app::AtomRow;
 using MaybeText = std::optional<std::string>;
 
+/// Puts the atoms of a frame in the order of the first frame, if the serials are the same numbers in another order, as
+/// in dumps that are not sorted.
+void sort_as(const AtomFrame& first, AtomFrame& frame) {
+  std::map<double, std::size_t> place;
+  for (const AtomRow& row : first.rows)
+    if (!std::isnan(row.serial)) place.try_emplace(row.serial, place.size());
+  if (place.size() != first.rows.size() || frame.rows.size() != place.size()) return;
+  std::vector<AtomRow> sorted(place.size());
+  std::vector<bool> is_taken(place.size(), false);
+  for (const AtomRow& row : frame.rows) {
+    const auto at = std::isnan(row.serial) ? place.end() : place.find(row.serial);
+    if (at == place.end() || is_taken[at->second]) return;
+    is_taken[at->second] = true;
+    sorted[at->second] = row;
+  }
+  frame.rows = std::move(sorted);
+}
+
 /// All frames that were read. Names of atoms are those of the first frame.
 struct Frames {
   AtomFrame first = {};
@@ -65,6 +83,7 @@ Frames read_frames(app::AtomFrames& file) {
     if (result.numbers.empty()) {
       result.first = frame;
     } else {
+      sort_as(result.first, frame);
       require_same_atoms(frame, result.first, file.name());
     }
     result.numbers.push_back(frame.number);
@@ -76,6 +95,8 @@ Frames read_frames(app::AtomFrames& file) {
     }
   }
   result.warnings = file.warnings();
+  if (const std::string text = app::warning_of_symmetry(result.first.cell); !text.empty())
+    result.warnings.push_back(text);
   return result;
 }
 

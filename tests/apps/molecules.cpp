@@ -270,6 +270,7 @@ TEST_SUITE("molecules") {
     const Point3 sides = {55.865, 56.886, 80.993};
     CHECK(of_pdb("CRYST1   55.865   56.886   80.993  90.00  90.00  90.00 P 1           1").sides == sides);
     CHECK(of_cif("55.865", "90").sides == sides);
+    CHECK(of_pdb("CRYST1  146.200  146.200  214.861  90.00  90.00 120.00 P 65 2 2     12").symmetry == "P 65 2 2");
     CHECK(of_pdb("CRYST1  146.200  146.200  214.861  90.00  90.00 120.00 P 65 2 2     12").fault ==
           "CRYST1 with angles of 90, 90 and 120 degrees");
     CHECK(of_cif("55.865", "120").fault == "_cell with angles of 90, 90 and 120 degrees");
@@ -286,8 +287,29 @@ TEST_SUITE("molecules") {
     CHECK(read("data_x" + cif_atom + loop + row, Format::cif).cell.sides == sides);
     CHECK(read("data_x\n" + loop + row + "Y 1 2 3 90 90 90\n" + cif_atom, Format::cif).cell.sides == sides);
     CHECK(read("data_x" + cif_atom + "data_y\n" + loop + row, Format::cif).cell.fault.empty());
+    for (const std::string name : {"_symmetry.space_group_name_H-M", "_space_group.name_H-M_alt"})
+      CHECK(read("data_x " + name + " 'P 43 21 2'" + cif_atom + loop + row, Format::cif).cell.symmetry == "P 43 21 2");
     CHECK(of_pdb("REMARK").fault.empty());
     CHECK(!of_pdb("REMARK").sides);
+  }
+
+  TEST_CASE("the symmetry of a cell is told with --box auto, and a last line that is cut within z is refused") {
+    const std::string atom = "ATOM      1  CA  RES A   1       4.000   0.000   0.000";
+    const std::string cell = "CRYST1   55.865   56.886   80.993  90.00  90.00  90.00 ";
+    for (const std::string verb : {"balls", "solid --alpha 2 -o t.npy"})
+      for (const std::string group : {"P 43 21 2", "C 1 2 1", "P 1", "P1", ""}) {
+        CAPTURE(group);
+        const Folder folder("m.pdb", cell + group + "\n" + atom + "\n");
+        const Outcome outcome = folder.rbpa(verb + " m.pdb --box auto");
+        CHECK(contains(outcome.err, "space group") == (group.size() > 3));
+        CHECK(!contains(folder.rbpa(verb + " m.pdb --box 30").err, "space group"));
+      }
+    for (std::size_t cut = 1; cut < 4; ++cut) {
+      const Folder folder("m.pdb", atom + "\n" + atom.substr(0, atom.size() - cut));
+      CHECK(contains(folder.rbpa("balls m.pdb", 3).err, "m.pdb:2: found "));
+      folder.file("m.pdb", atom + "\n" + atom.substr(0, atom.size() - cut) + "\n" + atom);
+      CHECK(!contains(folder.rbpa("balls m.pdb").err, "is the file whole"));
+    }
   }
 
   TEST_CASE("atoms of water are left out on request, unless the condition asks for residues") {

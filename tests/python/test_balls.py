@@ -130,7 +130,8 @@ def test_frames_of_a_file_have_an_axis_and_their_radii(tmp_path):
     assert rbpa.molecules.read(path, models=[2, 4]).frames == rbpa.molecules.read(path, models="2,4").frames == [2, 4]
     assert atoms[:1].positions.shape == (4, 1, 3) and atoms[:1].radii().shape == (4, 1)
     assert atoms.radii("bondi", default=1.5).tolist() == [1.7, 1.5]
-    assert atoms.radii(overrides={"fe": 1.25}).tolist() == [1.7, 1.25]
+    assert atoms.radii(overrides={"fe": 1.25}).tolist() == [[1.0, 1.25], [1.1, 1.25], [1.2, 1.25], [1.3, 1.25]]
+    assert atoms.radii("bondi", overrides={"fe": 1.25}).tolist() == [1.7, 1.25]
     names = FRAMES.splitlines()[1]
     path.write_text(FRAMES + f"2\n{names}\nC 0 0 0 1\nN 1 0 0 1\n")
     with pytest.raises(rbpa.InvalidInput, match=r"found element 'N' of atom 1 in frame 5, expected 'Fe', as in frame 1 \(models=5 reads"):
@@ -231,11 +232,13 @@ def test_atoms_of_other_packages_have_positions_and_radii():
         (lambda: rbpa.balls(numpy.zeros((3, 2, 3)), -1), "frame 0: radius 0: found -1"),
         (lambda: rbpa.balls([[0, 0]], 1), r"centers: found an array of shape \(1, 2\)"),
         (lambda: rbpa.balls([[0, 0, math.nan]], 1), "nan"),
-        (lambda: rbpa.balls([[0, 0, 0]], 1, "x"), "probe: found 'x', expected a finite number"),
+        (lambda: rbpa.balls([[0, 0, 0]], 1, "x"), "probe: found 'x', expected a length of at least 0"),
+        (lambda: rbpa.balls([[0, 0, 0]], 1, -0.5), "probe: found -0.5, expected a length of at least 0"),
+        (lambda: rbpa.balls(iter(()), [1.0]), "centers: found no frame, expected at least one"),
         (lambda: rbpa.balls([[0, 0, 0]], 1, math.inf), "finite"),
         (lambda: rbpa.balls([[0, 0, 0]]), "without elements and names, expected radii: numbers, one for each center"),
         (lambda: rbpa.balls([[0, 0, 0]], "bondi"), "without elements and names"),
-        (lambda: rbpa.balls(Group(), "mine"), "mine: found no such file, expected a file of radii, or bondi"),
+        (lambda: rbpa.balls(Group(), "mine"), "mine: found no such file, expected a file of radii, 'bondi' or"),
         (lambda: rbpa.molecules.radii(Named(positions=[[0, 0, 0]], elements=["Fe"])), r"overrides=\{symbol: R\} sets its radius"),
         (lambda: rbpa.molecules.radii(Group(), overrides={"Qq": 1}), "overrides: found 'Qq', expected an element"),
         (lambda: rbpa.molecules.read(LYSOZYME, models=2), "found 1 frame, expected frame 2"),
@@ -453,3 +456,46 @@ def test_what_a_box_does_not_have_is_refused():
 def test_wrong_boxes_are_refused(box):
     with pytest.raises(rbpa.InvalidInput):
         rbpa.balls([[0, 0, 0]], [1], box=box)
+
+
+def test_atoms_of_dumps_in_another_order_are_those_of_the_first_frame(tmp_path: pathlib.Path) -> None:
+    def frame(step: int, rows: list[str]) -> str:
+        head = f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n3\nITEM: BOX BOUNDS pp pp pp\n0 20\n0 20\n0 20\nITEM: ATOMS id type x y z\n"
+        return head + "".join(row + "\n" for row in rows)
+
+    path = tmp_path / "o.dump"
+    path.write_text(frame(0, ["1 1 1 1 1", "2 1 5 5 5", "3 1 9 5 5"]) + frame(1, ["3 1 9 5 6", "1 1 1 1 2", "2 1 5 5 4"]))
+    atoms = rbpa.molecules.read(path, models="all")
+    assert atoms.positions[1].tolist() == [[1, 1, 2], [5, 5, 4], [9, 5, 6]] and atoms.serials.tolist() == [1, 2, 3]
+    path.write_text(frame(0, ["1 1 1 1 1", "2 1 5 5 5", "3 1 9 5 5"]) + frame(1, ["4 1 9 5 6", "1 1 1 1 2", "2 1 5 5 4"]))
+    assert rbpa.molecules.read(path, models="all").positions[1].tolist() == [[9, 5, 6], [1, 1, 2], [5, 5, 4]]  # other atoms
+
+
+def test_radii_of_the_file_stay_unless_they_are_overridden(tmp_path: pathlib.Path) -> None:
+    path = tmp_path / "x.pqr"
+    path.write_text("ATOM 1 N ALA 1 0 0 0 0.1 1.8\nATOM 2 CA ALA 1 3 0 0 0.1 2.0\nHETATM 3 NA NA 2 9 0 0 1.0 1.1\n")
+    atoms = rbpa.molecules.read(path)
+    assert atoms.radii().tolist() == [1.8, 2.0, 1.1]
+    for given in (atoms.radii(overrides={"na": 1.0}), rbpa.molecules.radii(atoms, overrides={"Na": 1.0})):
+        assert given.tolist() == [1.8, 2.0, 1.0]
+    assert atoms.radii().tolist() == [1.8, 2.0, 1.1]
+    assert len(atoms[1]) == 1 and atoms[1].names.tolist() == ["CA"] and atoms[-1].positions.shape == (1, 3)
+    assert [one.elements.tolist() for one in atoms] == [["N"], ["C"], ["Na"]]
+    refuses("overrides: found 'Qq', expected an element", atoms.radii, overrides={"Qq": 1.0})
+    for choice in ("column:bfactor", "column:nonsense"):
+        refuses(f"choice: found '{choice}', expected 'bondi'", rbpa.balls, atoms, choice, 1.4)
+    refuses("read\\(path, radius=NAME\\)", rbpa.balls, atoms, "foo", 1.4)
+
+
+def test_frames_of_atoms_are_a_list_or_an_iterator() -> None:
+    atoms = rbpa.molecules.read(LYSOZYME)[:40]
+    one = rbpa.balls(atoms, probe=1.4)
+    for frames in ([atoms, atoms], iter([atoms, atoms]), (atoms, atoms)):
+        assert rbpa.balls(frames, probe=1.4).areas.tolist() == [one.areas.tolist()] * 2
+
+
+def test_a_box_in_another_unit_or_of_a_crystal_gives_a_warning() -> None:
+    atoms = rbpa.molecules.read(LYSOZYME)
+    assert any("space group P 43 21 2" in text for text in atoms.warnings)
+    with pytest.warns(UserWarning, match="is it in their unit"):
+        rbpa.balls(atoms, probe=1.4, box=5)

@@ -128,6 +128,14 @@ UnitCell unit_cell(const std::string& record, const std::array<std::string_view,
   return unit_cell(record, numbers);
 }
 
+std::string warning_of_symmetry(const UnitCell& cell) {
+  std::string name = cell.symmetry;
+  std::erase(name, ' ');
+  if (name.empty() || same_letters(name, "P1")) return {};
+  return "the cell has the space group " + shown(cell.symmetry) +
+         ", and the file one of the copies of the atoms in it: the box has no others (apply the symmetry first)";
+}
+
 UnitCell unit_cell(const std::string& record, const std::array<double, 6>& lengths_and_angles) {
   const auto& [a, b, c, alpha, beta, gamma] = lengths_and_angles;
   UnitCell cell{.edges = edges_of_cell(lengths_and_angles)};

@@ -146,6 +146,9 @@ UnitCell unit_cell(const std::string& record, const std::array<double, 6>& lengt
 UnitCell unit_cell(const std::string& record, const std::array<double, 9>& edges,
                    const std::array<bool, 3>& repeats = {true, true, true});
 
+/// Returns a warning if a cell has more copies of the atoms than the one that the file has; empty if it does not.
+std::string warning_of_symmetry(const UnitCell& cell);
+
 /// Returns a number of CIF without its standard uncertainty: "5.28(3)" is 5.28.
 std::string_view without_uncertainty(std::string_view number);
 

@@ -44,16 +44,22 @@ std::string_view element_of_name(std::string_view name, std::string_view residue
   const std::string_view two = word.size() < 2 ? std::string_view() : symbol_of(word.substr(0, 2));
   const std::string_view likely = one.empty() ? two : one;
   constexpr std::string_view nucleotides = "A C G U I T DA DC DG DT DU DI ADE CYT GUA THY URA";
-  if (is_amino_acid(residue) || is_word_of(residue, nucleotides) || is_digit(name.front())) return likely;  // 1HB
+  // Beads of coarse models have names like BB and SC1, which are no boron and no sulfur.
+  if (is_amino_acid(residue))
+    return is_word_of(likely, "H D C N O P Se") || (likely == "S" && is_word_of(residue, "CYS CYX CYM MET"))
+               ? likely
+               : std::string_view();
+  if (is_word_of(residue, nucleotides) || is_digit(name.front())) return likely;  // 1HB
   // Ions of CHARMM have the names of their residues.
   constexpr std::string_view ions[][2] = {{"SOD", "Na"}, {"POT", "K"},  {"CLA", "Cl"}, {"CAL", "Ca"}, {"CES", "Cs"},
                                           {"LIT", "Li"}, {"RUB", "Rb"}, {"BAR", "Ba"}, {"CAD", "Cd"}};
   for (const auto& [ion, symbol] : ions)
     if (name == ion && residue == ion) return symbol;
-  if (two.empty() || begins == 14) return likely;
-  // Other ions, too, have the names of their residues: NA, CU1.
+  if (two.empty()) return likely;
+  // Other ions, too, have the names of their residues, also in the wrong column of PDB: NA, CU1.
   const bool is_ion = word.size() == 2 && same_letters(residue.substr(0, 2), word) &&
                       std::none_of(residue.begin() + 2, residue.end(), is_letter);
+  if (begins == 14 && !is_ion) return likely;
   const bool is_mixed = std::islower(static_cast<unsigned char>(word[1])) != 0;
   if (is_ion || is_mixed || is_word_of(two, "Cl Br Si Se") || (begins == 13 && name.size() < 4)) return two;
   // The first letter is the element of C12A and HG11, but F is not the element of FE.

@@ -170,7 +170,7 @@ class CifAtoms final : public AtomSource {
       waits_ = find_row();
       if (waits_) continue;
       if (frames_ == 0) bad_input(name_, "no atom in a category _atom_site", "the atoms of a file in PDBx/mmCIF");
-      cell_ = unit_cell("_cell", cell_values_);
+      cell_ = cell_of_values();
       return false;
     }
     is_new_frame_ = false;
@@ -202,14 +202,22 @@ class CifAtoms final : public AtomSource {
   /// Finds the cell of all frames, also if the text has the cell after the atoms.
   void find_cell() {
     const bool is_found =
-        std::any_of(cell_values_.begin(), cell_values_.end(), [](auto value) { return !value.empty(); });
+        std::any_of(cell_values_.begin(), cell_values_.begin() + symmetry, [](auto value) { return !value.empty(); });
     if (!is_found && text_.find("_cell") != std::string_view::npos) {
       CifAtoms all(text_, name_, false);
       all.finds_cell_ = false;
       while (all.next_frame()) continue;
       cell_values_ = all.cell_values_;
     }
-    cell_ = unit_cell("_cell", cell_values_);
+    cell_ = cell_of_values();
+  }
+
+  UnitCell cell_of_values() const {
+    std::array<std::string_view, symmetry> numbers{};
+    std::copy_n(cell_values_.begin(), symmetry, numbers.begin());
+    UnitCell cell = unit_cell("_cell", numbers);
+    cell.symmetry = cell_values_[symmetry];
+    return cell;
   }
 
   /// Goes to the first value of the next loop of atoms; returns false at the end of the file.
@@ -236,10 +244,10 @@ class CifAtoms final : public AtomSource {
   /// cell.
   bool read_names() {
     bool is_of_atoms = false;
-    std::vector<std::string_view> of_cell;
+    std::vector<std::size_t> of_cell;
     for (tokens_.next(); tokens_.kind() == Kind::name; tokens_.next()) {
       columns_.push_back(item_of(tokens_.text(), "_atom_site"));
-      of_cell.push_back(item_of(tokens_.text(), "_cell"));
+      of_cell.push_back(place_in_cell(tokens_.text()));
       is_of_atoms = is_of_atoms || !columns_.back().empty();
     }
     if (is_of_atoms) return true;
@@ -250,7 +258,7 @@ class CifAtoms final : public AtomSource {
 
   /// Reads a name and its value.
   void read_pair(std::string_view item) {
-    const std::string_view of_cell = item_of(tokens_.text(), "_cell");
+    const std::size_t of_cell = place_in_cell(tokens_.text());
     tokens_.next();
     if (!tokens_.is_value()) return;
     if (!item.empty()) {
@@ -262,12 +270,24 @@ class CifAtoms final : public AtomSource {
     tokens_.next();
   }
 
-  /// Takes the current value, if `item` is a length or an angle of the cell.
-  void take_of_cell(std::string_view item) {
-    constexpr std::array<std::string_view, 6> items = {"length_a",    "length_b",   "length_c",
-                                                       "angle_alpha", "angle_beta", "angle_gamma"};
-    for (std::size_t k = 0; k < items.size() && (first_block_ == 0 || block_ == first_block_); ++k)
-      if (same_letters(item, items[k])) cell_values_[k] = without_uncertainty(tokens_.text());
+  /// Returns the index in cell_values_ of an item with this name; another index if it is not of the cell.
+  static std::size_t place_in_cell(std::string_view name) {
+    constexpr std::string_view items[][2] = {{"_cell", "length_a"},
+                                             {"_cell", "length_b"},
+                                             {"_cell", "length_c"},
+                                             {"_cell", "angle_alpha"},
+                                             {"_cell", "angle_beta"},
+                                             {"_cell", "angle_gamma"},
+                                             {"_symmetry", "space_group_name_H-M"},
+                                             {"_space_group", "name_H-M_alt"}};
+    std::size_t k = 0;
+    while (k < std::size(items) && !same_letters(item_of(name, items[k][0]), items[k][1])) ++k;
+    return k == symmetry + 1 ? symmetry : k;
+  }
+  /// Takes the current value, if it has a place in cell_values_.
+  void take_of_cell(std::size_t place) {
+    if (place <= symmetry && (first_block_ == 0 || block_ == first_block_))
+      cell_values_[place] = place == symmetry ? tokens_.text() : without_uncertainty(tokens_.text());
   }
 
   bool begin_rows() {
@@ -382,7 +402,8 @@ class CifAtoms final : public AtomSource {
   std::string_view text_;
   CifTokens tokens_;
   bool all_frames_, finds_cell_ = true;  // find_cell() is to be called at the first frame
-  std::array<std::string_view, 6> cell_values_ = {};
+  static constexpr std::size_t symmetry = 6;
+  std::array<std::string_view, 7> cell_values_ = {};          // lengths, angles, the space group
   std::size_t block_ = 1, first_block_ = 0, last_block_ = 0;  // data block; the first and the last one with atoms
   std::vector<std::string_view> columns_ = {}, values_ = {};  // items of a loop; or items of pairs and their values
   std::vector<std::string_view> row_ = {};                    // values of the current atom

@@ -89,6 +89,7 @@ struct UnitCell {
   /// The edges a, b and c of a cell of any angles. From lengths and angles, a is along x and b in the plane of x and y.
   std::optional<CellEdges> edges = std::nullopt;
   std::array<bool, 3> repeats = {true, true, true};  ///< whether the cell repeats along a, b and c
+  std::string symmetry = {};  ///< the name of the space group, "P 43 21 2"; empty if the file does not name it
 
   bool is_there() const { return sides || edges || !fault.empty(); }
 };

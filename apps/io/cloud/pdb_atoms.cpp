@@ -98,6 +98,7 @@ class PdbAtoms final : public AtomSource {
         next_cell_ =
             unit_cell("CRYST1", {at_columns(line, 7, 15), at_columns(line, 16, 24), at_columns(line, 25, 33),
                                  at_columns(line, 34, 40), at_columns(line, 41, 47), at_columns(line, 48, 54)});
+        next_cell_.symmetry = at_columns(line, 56, 66);
         if (!cell_.is_there()) cell_ = next_cell_;
       }
       // Another structure, or the next frame of a simulation, may follow END.
@@ -109,6 +110,9 @@ class PdbAtoms final : public AtomSource {
 
   void take(std::string_view line, Atom& atom) const {
     atom.line = lines_.number();
+    if (line.size() < 54 && !lines_.has_end())
+      bad_input(at_line(name_, atom.line), in_quotes(line) + " at the end",
+                "z in columns 47 to 54: is the file whole?");
     atom.is_hetero = line.starts_with("HETATM");
     atom.name_begins = line.size() > 12 && line[12] != ' ' ? 13 : 14;
     const std::size_t serial_end = has_digit(line, 11) && has_digit(line, 12) ? 12 : 11;

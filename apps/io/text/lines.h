@@ -63,6 +63,8 @@ class Lines {
   }
 
   std::string_view line() const { return line_; }
+  /// Returns whether this line has an end; the last line of a text may lack it.
+  bool has_end() const { return at_ != end_ || (at_ != line_.data() && at_[-1] == '\n'); }
   std::size_t number() const { return number_; }                                         ///< of this line, from 1
   std::string_view rest() const { return {at_, static_cast<std::size_t>(end_ - at_)}; }  ///< text after line()
 

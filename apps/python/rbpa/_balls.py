@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator
 from functools import cached_property
 from typing import Any, NamedTuple, Optional, Union
@@ -30,7 +31,7 @@ def balls(
 
     Parameters
     ----------
-    centers : array_like of shape (n, 3) or (frames, n, 3), an iterator of frames, or atoms
+    centers : array_like of shape (n, 3) or (frames, n, 3), atoms, or a list or iterator of frames of either kind
         Finite coordinates; a float64 array in C order must not be changed while the result is in use. Frames are shared
         among the threads. Atoms are those of `molecules.read`, or an object of MDAnalysis, ASE or mdtraj
         (`molecules.positions_of`).
@@ -39,11 +40,12 @@ def balls(
         their file, if the file has radii, and otherwise Bondi's; "bondi" and "protor" choose radii by element and name
         (`molecules.radii`). Radii and centers of pandas are aligned by index.
     probe : float
-        The length that is added to each radius: 1.4 for water, in angstroms.
+        The length, at least 0, that is added to each radius: 1.4 for water, in angstroms.
     box : array_like, optional
         The box if it repeats (periodic boundary conditions): a length or three sides; lengths and angles in degrees,
         (a, b, c, alpha, beta, gamma); or the three edges as rows, shape (3, 3). An array with a first axis for frames
-        has a box for each. Sizes are then those of the balls and all their images, per box; centers may be outside.
+        has a box for each. Sizes are then those of the balls and all their images, per box; centers may be outside. It
+        is in the unit of the centers: ``10 * trajectory.unitcell_vectors`` for mdtraj, whose places become angstroms.
     threads
         As for `solid`.
     progress : callable, optional
@@ -65,10 +67,17 @@ def balls(
     >>> two.contacts.areas.round(6).tolist()
     [5.497787]
     """
-    of_atoms = molecules.are_atoms(centers)
-    if isinstance(centers, Iterator):
-        each = [(np.array(molecules.positions_of(frame), float), molecules.are_atoms(frame)) for frame in centers]
-        centers, of_atoms = np.stack([positions for positions, _ in each]), any(atoms for _, atoms in each)
+    atoms = centers if molecules.are_atoms(centers) else None
+    if isinstance(centers, Iterator) or (isinstance(centers, (list, tuple)) and centers and molecules.are_atoms(centers[0])):
+        frames_of: list[Floats] = []
+        for frame in centers:
+            atoms = frame if atoms is None and molecules.are_atoms(frame) else atoms
+            if radii is None or isinstance(radii, str):
+                radii = molecules.radii(frame, radii)  # of the first frame
+            frames_of.append(np.array(molecules.positions_of(frame), float))
+        if not frames_of:
+            raise InvalidInput("centers: found no frame, expected at least one")
+        centers = np.stack(frames_of)
     array = as_array(molecules.positions_of(centers), "centers", 3)
     if array.ndim == 3:
         array = as_points(array.reshape(-1, array.shape[2]), "centers", 3).reshape(array.shape)
@@ -78,7 +87,7 @@ def balls(
         radii = molecules.radii(centers, radii)
     index = index_of(centers)
     sizes = as_numbers(aligned(radii, index, "radii"), "radii", "numbers of at least 0, one for each center")
-    if sizes.ndim == 0 and of_atoms:
+    if sizes.ndim == 0 and atoms is not None:
         hint = f"(probe={sizes} is the probe, np.full(n, {sizes}) one radius for all)"
         raise InvalidInput(f"radii: found {sizes} for atoms, expected 'bondi', 'protor' or one for each {hint}")
     if sizes.ndim == 0:
@@ -86,7 +95,24 @@ def balls(
     if sizes.shape not in (array.shape[-2:-1], array.shape[:-1]):
         raise InvalidInput(f"radii: found an array of shape {sizes.shape}, expected {array.shape[-2:-1]}, one for each center")
     frames = array.shape[0] if array.ndim == 3 else None
-    return Balls(array, sizes, as_number(probe, "probe", "a finite number"), _cells_of(box, frames), index, threads, progress)
+    length = as_number(probe, "probe", "a length of at least 0")
+    if length < 0:
+        raise InvalidInput(f"probe: found {length}, expected a length of at least 0")
+    cells = _cells_of(box, frames)
+    _warn_of_small_boxes(array, cells)
+    return Balls(array, sizes, length, cells, index, threads, progress)
+
+
+def _warn_of_small_boxes(centers: Floats, cells: Floats) -> None:
+    """Warns if the box of the first frame is smaller than half of its centers' extent: its unit may be another one."""
+    if not len(cells) or not centers.size:
+        return
+    reach = np.ptp(centers[0] if centers.ndim == 3 else centers, axis=0)
+    size = np.abs(cells[0]).sum(axis=0)
+    if (reach > 2 * size).any():
+        numbers = [" x ".join(f"{x:.3g}" for x in lengths) for lengths in (reach, size)]
+        text = f"centers reach over {numbers[0]}, far more than the box, {numbers[1]}: is it in their unit? mdtraj's unitcell_vectors are nanometers"
+        warnings.warn(text, stacklevel=3)
 
 
 def _cells_of(box: Optional[npt.ArrayLike], frames: Optional[int]) -> Floats:

@@ -33,6 +33,7 @@ Texts = npt.NDArray[np.str_]
 _WAYS = {
     "--radii FILE names its radius, --radius-default R is for all without one": "overrides={symbol: R} sets its radius, default=R that of all without one",
     "--radii column:NAME, or --radius-default R": "default=R",
+    ", or bondi, protor or column:NAME": ", 'bondi' or 'protor' (read(path, radius=NAME) takes the radii of a column)",
     "--no-hydrogens": "hydrogens=False",
     "--waters reads": "waters=True reads",
     "--radii": "radius",
@@ -58,7 +59,7 @@ def read(
     ----------
     path : path
     models : int, sequence of int, or str
-        The models, or frames, counted from 1, or "all"; all must have the same atoms. Unless this is an int, positions
+        The models, or frames, counted from 1, or "all"; all must have the same atoms. Those of dumps may have another order. Unless this is an int, positions
         have a first axis for frames.
     where : str, optional
         A condition that selects atoms: "chain == 'A' and resseq < 100".
@@ -89,7 +90,8 @@ def read(
 
 
 class Atoms:
-    """Atoms, as returned by `read`, as columns: arrays of shape (n,). ``atoms[atoms.chains == "A"]`` selects some.
+    """Atoms, as returned by `read`, as columns: arrays of shape (n,). ``atoms[atoms.chains == "A"]`` selects some, in all
+    frames.
 
     Attributes
     ----------
@@ -133,11 +135,20 @@ class Atoms:
     def radii(self, choice: Optional[str] = None, *, default: Optional[float] = None, overrides: Optional[Mapping[str, float]] = None) -> Floats:
         """Returns the radius of each atom, as `molecules.radii` does; without a choice those of the file, if it has
         some."""
-        if choice is None and self._radii is not None and not overrides:
+        if choice is not None or self._radii is None:
+            return radii(self, choice or "bondi", default=default, overrides=overrides)
+        if not overrides:
             return self._radii
-        return radii(self, choice or "bondi", default=default, overrides=overrides)
+        table = _table_of(overrides)
+        _core.atom_radii([], "bondi", None, table)  # refuses unknown elements
+        found = self._radii.copy()
+        for element, radius in table.items():
+            found[..., np.char.lower(self.elements) == element.lower()] = radius
+        return found
 
     def __getitem__(self, chosen: Any) -> Atoms:
+        if isinstance(chosen, (int, np.integer)):
+            chosen = [chosen]
         some = copy.copy(self)
         some._columns = {name: values[chosen] for name, values in self._columns.items()}
         some._radii = None if self._radii is None else self._radii[..., chosen]
@@ -153,6 +164,10 @@ class Atoms:
     def __repr__(self) -> str:
         frames = f" in {len(self.positions)} frames" if self.positions.ndim == 3 else ""
         return f"<rbpa.molecules.Atoms: {len(self)} atoms{frames}>"
+
+
+def _table_of(overrides: Mapping[str, float]) -> dict[str, float]:
+    return {str(element): as_number(radius, "overrides", "numbers of at least 0") for element, radius in overrides.items()}
 
 
 def _member(atoms: Any, *names: str) -> Any:
@@ -222,7 +237,9 @@ def radii(
     if choice is None and isinstance(atoms, Atoms):
         return atoms.radii(default=default, overrides=overrides)
     otherwise = None if default is None else as_number(default, "default", "a number of at least 0")
-    table = {str(element): as_number(radius, "overrides", "numbers of at least 0") for element, radius in (overrides or {}).items()}
+    if choice is not None and str(choice).startswith("column:"):
+        raise InvalidInput(f"choice: found {shown(choice)}, expected 'bondi', 'protor' or a file of radii (read(path, radius=NAME) takes the radii of a column)")
+    table = _table_of(overrides or {})
     first: dict[tuple[str, str, str], int] = {}
     kinds = _kinds(atoms)
     for i, kind in enumerate(kinds):

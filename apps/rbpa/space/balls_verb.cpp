@@ -188,6 +188,8 @@ std::vector<MeasuredAtoms> BallsRun::read_some(AtomFrames& file) {
     frame.counts = texts_.counts;
     frame.radii = request_.radii.of(texts_, file.name());
     if (request_.box) frame.cell = cell(file.name());
+    if (request_.box && !request_.box->edges && frames_.empty() && some.size() == 1)
+      if (const std::string text = warning_of_symmetry(texts_.cell); !text.empty()) warning(text);
     frame.rows = std::move(texts_.rows);
     frame.kept = frame.rows.size();
     atoms += frame.kept;

@@ -65,6 +65,7 @@ void PeriodicRun::settle_box() {
       throw BadInput(input() + ": found " + (fault.empty() ? "no cell" : fault) +
                      ", expected CRYST1 or _cell with right angles for --box auto (--box LX,LY,LZ gives the sides)");
     request_.box = sides;
+    if (const std::string text = warning_of_symmetry(file_.cell); !text.empty()) warning(text);
   } else if (sides && *sides != given) {
     warning("--box is not the cell of the file, which is " + text_of(sides->x) + " x " + text_of(sides->y) + " x " +
             text_of(sides->z) + " (--box auto uses that)");
