@@ -73,8 +73,8 @@ std::function<ExitCode()> declare(CLI::App& app) {
             "Read meshes that --progressive wrote, each at the greatest number of faces up to N that it has");
   add_value(app, "--remesh", arguments.remesh, "LENGTH[,error=E]",
             "Make the edges of a mesh of triangles about as long as LENGTH, in units of the vertices, with six at "
-            "a vertex, after a decimation; with error=E shorter where the surface curves, so that triangles are "
-            "about within E of it. Sharp edges and boundary curves stay, and the topology is the same");
+            "a vertex, after a decimation; with error=E shorter where the surface curves, and no point of the result "
+            "farther than E from the faces before. Sharp edges and boundary curves stay, and the topology is the same");
   add_value(app, "--check", arguments.checks, "LIST",
             "Check properties of each mesh, such as closed,manifold,oriented,genus=0,components=1; print a line "
             "on standard error for each that does not hold, and exit with code 4. Check the changed mesh, and a "

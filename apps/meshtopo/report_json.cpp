@@ -97,7 +97,8 @@ Json as_json(const Findings& findings) {
                       {"splits", findings.remeshed->splits},
                       {"collapses", findings.remeshed->collapses},
                       {"flips", findings.remeshed->flips},
-                      {"distance", *findings.remeshed->distance}};
+                      {"distance", *findings.remeshed->distance},
+                      {"distance_back", *findings.remeshed->distance_back}};
   return json;
 }
 

@@ -149,7 +149,8 @@ std::string changes(const Findings& findings) {
   if (findings.remeshed)
     text += "  remeshed from " + std::to_string(findings.remeshed->given) + " to " +
             app::counted(findings.remeshed->left, "triangle") + ", at most " +
-            rounded_up(*findings.remeshed->distance) + " from those before\n";
+            rounded_up(*findings.remeshed->distance) + " from those before, which are at most " +
+            rounded_up(*findings.remeshed->distance_back) + " from them\n";
   return text;
 }
 

@@ -130,6 +130,7 @@ class Run {
       require_triangles("--remesh", small, source);
       remeshed = remesh(small, source);
       findings.remeshed = remeshed->report;
+      warn_if_far(*plan_.remesh, remeshed->report, source);
     }
     const MeshFile& result = remeshed ? remeshed->mesh : small;
     const bool is_stl = plan_.written && plan_.written->format == Format::stl;
@@ -148,6 +149,15 @@ class Run {
     }
     check(findings, source);
     report(findings);
+  }
+
+  /// Prints a warning if a distance exceeds --remesh error=E: that of the result by rounding, or that of the mesh before
+  /// from the result, which is not limited, by more than a fifth, as where thin parts vanish.
+  static void warn_if_far(const RemeshOptions& wanted, const Remeshing& made, const MeshSource& source) {
+    if (!wanted.error || (*made.distance <= *wanted.error && *made.distance_back <= 1.2 * *wanted.error)) return;
+    say("meshtopo", name_of(source) + ": --remesh: the result is at most " + rounded_up(*made.distance) +
+                        " from the mesh before, which is at most " + rounded_up(*made.distance_back) +
+                        " from the result: more than error=" + text_of(*wanted.error) + " (a lesser error)");
   }
 
   /// Examines the mesh that a reader of the STL file gets, and prints warnings about losses. Returns whether to write

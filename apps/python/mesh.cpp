@@ -290,7 +290,7 @@ auto remesh_copy(Mesh& mesh, const Doubles& points, const Doubles& lengths, std:
                        .go_on = go_on});
       });
   return std::make_tuple(places, counts.given, counts.left, counts.splits, counts.collapses, counts.flips,
-                         *counts.distance);
+                         *counts.distance, *counts.distance_back);
 }
 
 void bind_progressive(py::module_& module) {

@@ -36,6 +36,7 @@ TEST_SUITE("meshtopo --remesh") {
       CHECK(counts["triangles"] == report["result"]["faces"]);
       CHECK(counts["splits"].get<int>() + counts["collapses"].get<int>() > 0);
       CHECK(counts["distance"].get<double>() < 0.6 * length);
+      CHECK(counts["distance_back"].get<double>() < 0.6 * length);
       // An equilateral triangle has an area of √3/4 · length².
       const double mean = report["result"]["area"].get<double>() / counts["triangles"].get<double>();
       CHECK(std::sqrt(mean * 4 / std::sqrt(3.0)) == doctest::Approx(length).epsilon(0.15));

@@ -146,8 +146,8 @@ class Mesh(_core.Mesh):
             The length of edges, everywhere or at each vertex: above 0, and at most the diagonal of the box around the
             mesh. From a vertex on, it grows at most by half of the distance.
         error : float
-            Makes edges shorter where the surface curves, down to this distance: triangles with corners on a ball of
-            the same curvature are within it of the ball. `Remeshing.distance` is what came out.
+            No point of the result is farther than this from the triangles before. Edges get shorter where the surface
+            curves, down to this distance.
         rounds : int
             The number of rounds, each of which splits, collapses and flips edges, and moves vertices.
         sharp_angle : float
@@ -215,8 +215,8 @@ class ProgressiveMesh(_core.ProgressiveMesh):
 
 @brief
 class Remeshing(NamedTuple):
-    """The result of `Mesh.remesh`: the position of each vertex, of shape (n_vertices, 3), counts, and a distance from the
-    triangles before that no point of the result exceeds."""
+    """The result of `Mesh.remesh`: the position of each vertex, of shape (n_vertices, 3), counts, a distance from the
+    triangles before that no point of the result exceeds, and one from the result that no point before exceeds."""
 
     points: Floats
     faces_before: int
@@ -225,6 +225,7 @@ class Remeshing(NamedTuple):
     collapses: int
     flips: int
     distance: float
+    distance_back: float
 
 
 @brief

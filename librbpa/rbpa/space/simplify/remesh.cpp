@@ -171,10 +171,21 @@ Remeshing remesh(Connectivity& mesh, std::vector<Point3>& places, const RemeshOp
   space::MeshCurves curves(changed, moved, options);
   std::vector<double> wanted = space::wanted_lengths(changed, moved, curves, lengths, options);
   if (!wanted.empty()) require_few_faces(moved, triangles, wanted, options);
-  const space::SurfaceDistance beginning(moved, triangles, options.go_on);
+  const std::vector<Point3> before = moved;
+  const space::SurfaceDistance beginning(before, triangles, options.go_on);
   Remeshing counts{.given = triangles.size()};
   space::RemeshRun(changed, moved, std::move(curves), std::move(wanted), beginning, options, counts)();
-  if (options.measured) counts.distance = space::distance_of(changed, moved, beginning, options.go_on);
+  if (options.measured) {
+    const Triangles last = space::corners_of(changed);
+    counts.distance = space::distance_of(last, moved, beginning, options.go_on);
+    const bool is_within =
+        options.error && std::all_of(last.begin(), last.end(), [&](const auto& corners) {
+          return beginning.is_within({moved[corners[0]], moved[corners[1]], moved[corners[2]]}, *options.error);
+        });
+    if (is_within) counts.distance = std::min(*counts.distance, *options.error);
+    const space::SurfaceDistance end(moved, last, options.go_on);
+    counts.distance_back = space::distance_of(triangles, before, end, options.go_on);
+  }
   CanonicalSoup made(changed, moved);
   counts.left = made.soup.faces();
   replace(mesh, made.soup);

@@ -22,6 +22,8 @@
 #include "meshops/topology/build_mesh.h"
 #include "meshops/topology/report.h"
 #include "rbpa/base/error.h"
+#include "rbpa/space/repair/crossing_triangles.h"
+#include "rbpa/space/simplify/distance/distance_of_mesh.h"
 #include "space/simplify/triangle_sets.h"
 #include "support/data_folder.h"
 
@@ -108,7 +110,108 @@ Triangles torn(unsigned seed) {
   return t;
 }
 
+using Ring = std::vector<std::uint32_t>;
+
+/// Adds a copy of the ring at each height, and the walls between the copies in order, as a CAD program writes them: two
+/// triangles for each side.
+std::vector<Ring> extrude(Triangles& t, const std::vector<Point3>& ring, const std::vector<double>& heights) {
+  std::vector<Ring> rings;
+  for (const double z : heights) {
+    Ring& copy = rings.emplace_back();
+    for (const Point3& p : ring) {
+      copy.push_back(static_cast<std::uint32_t>(t.points.size()));
+      t.points.push_back({p.x, p.y, z});
+    }
+  }
+  for (std::size_t k = 1; k < rings.size(); ++k)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const std::size_t j = (i + 1) % ring.size();
+      t.corners.push_back({rings[k - 1][i], rings[k - 1][j], rings[k][j]});
+      t.corners.push_back({rings[k - 1][i], rings[k][j], rings[k][i]});
+    }
+  return rings;
+}
+
+std::vector<Point3> circle(std::uint32_t sides, double radius, double turn) {
+  std::vector<Point3> ring;
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const double angle = turn * 2 * 3.14159265358979 * (i + 0.5) / sides;
+    ring.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
+  }
+  return ring;
+}
+
+/// A convex prism, whose ends are fans of triangles.
+Triangles prism(const std::vector<Point3>& ring, double height) {
+  Triangles t;
+  const auto rings = extrude(t, ring, {0, height});
+  for (std::size_t i = 2; i < ring.size(); ++i) {
+    t.corners.push_back({rings[0][0], rings[0][i], rings[0][i - 1]});
+    t.corners.push_back({rings[1][0], rings[1][i - 1], rings[1][i]});
+  }
+  return t;
+}
+
+/// A square plate with a round hole of a multiple of four sides, which turn by less than the sharp angle.
+Triangles plate(std::uint32_t sides) {
+  Triangles t;
+  const auto outer = extrude(t, circle(4, 30, 1), {0, 5}), inner = extrude(t, circle(sides, 4, -1), {0, 5});
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const std::uint32_t j = (i + 1) % sides, a = 3 - i / (sides / 4), b = 3 - j / (sides / 4);
+    for (const std::size_t k : {0U, 1U}) {
+      const auto add = [&](std::uint32_t p, std::uint32_t q, std::uint32_t r) {
+        t.corners.push_back(k == 1 ? std::array{p, q, r} : std::array{p, r, q});
+      };
+      add(inner[k][i], inner[k][j], outer[k][a]);
+      if (a != b) add(inner[k][j], outer[k][b], outer[k][a]);
+    }
+  }
+  return t;
+}
+
 }  // namespace
+
+TEST_CASE("with an error, the result is within it, and near all of the given mesh, of parts from CAD as well") {
+  struct Row {
+    const char* name;
+    Triangles given;
+    double length;
+    double uncrossed = 1;  // greatest error, in lengths, at which no triangles cross: none is promised
+  };
+  // Edges that turn by up to 60 degrees, which are not sharp, beside large flat faces.
+  const std::vector<Row> rows = {
+      {"prism of 6 sides", prism(circle(6, 5, 1), 40), 5},
+      {"prism of 8 sides", prism(circle(8, 5, 1), 40), 5},
+      {"prism of 32 sides", prism(circle(32, 5, 1), 40), 5},
+      {"plate with a hole of 8 sides", plate(8), 5},
+      {"plate with a hole of 32 sides", plate(32), 5},
+      {"chamfer", prism({{0, 0, 0}, {40, 0, 0}, {40, 29, 0}, {39, 30, 0}, {0, 30, 0}}, 20), 5},
+      {"m3_spot.off", read_off(bundled_data() / "m3_spot.off"), 0.3},
+      {"m3_plate_holes.off", read_off(bundled_data() / "m3_plate_holes.off"), 20, 0.01},
+      {"sphere", sphere(3), 0.3},
+  };
+  for (const Row& row : rows)
+    for (const double part : {0.02, 0.005}) {
+      INFO(std::string(row.name) << " " << part);
+      Placed with(row.given);
+      const auto before = meshops::report(with.mesh);
+      const double error = part * row.length;
+      const Remeshing counts =
+          rbpa::remesh(with.mesh, with.places, {.length = row.length, .error = error, .rounds = 5, .measured = true});
+      check_topology(with.mesh, before);
+      CHECK(counts.distance.value() <= error);
+      CHECK(counts.distance_back.value() <= 1.2 * error);
+      if (part <= row.uncrossed)
+        CHECK(rbpa::crossing_triangles(with.places, rbpa::space::corners_of(with.mesh), 1).empty());
+      CHECK(Evenness(with, row.length).regular >= 0.5);
+      // The distances are those of the arrays.
+      const Placed given(row.given);
+      const auto triangles = rbpa::space::corners_of(with.mesh), first = rbpa::space::corners_of(given.mesh);
+      const rbpa::space::SurfaceDistance from_given(given.places, first), from_result(with.places, triangles);
+      CHECK(rbpa::space::distance_of(with.mesh, with.places, from_given, {}) <= 1.05 * error);
+      CHECK(rbpa::space::distance_of(given.mesh, given.places, from_result, {}) == counts.distance_back);
+    }
+}
 
 TEST_CASE("remesh makes edges of about one length and six at a vertex, near the input, with the same topology") {
   struct Row {
@@ -242,7 +345,7 @@ TEST_CASE("with an error, edges are as long as the curvature allows, also betwee
     CHECK(scaled.mean_length() == unit * ball.mean_length());
   }
   // A plane, with a triangle whose corners are on one line.
-  Placed flat({.points = {{0, 0, 0}, {8, 0, -8}, {4, 0, -4}, {4, -8, 4}, {4, 8, -12}},
+  Placed flat({.points = {{0, 0, 0}, {8, 0, -8}, {4, 0, -4}, {4, -3, -1}, {4, 3, -7}},
                .corners = {{0, 1, 3}, {1, 0, 2}, {0, 4, 2}, {4, 1, 2}}});
   Placed plain = flat;
   remeshed(flat, 3, 0.01);

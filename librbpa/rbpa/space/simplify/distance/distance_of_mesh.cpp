@@ -33,10 +33,15 @@ std::vector<std::array<std::uint32_t, 3>> corners_of(const meshops::Connectivity
 
 double distance_of(const meshops::Connectivity& mesh, const std::vector<Point3>& places, const SurfaceDistance& given,
                    const GoOn& go_on) {
+  return distance_of(corners_of(mesh), places, given, go_on);
+}
+
+double distance_of(const std::vector<std::array<std::uint32_t, 3>>& all, const std::vector<Point3>& places,
+                   const SurfaceDistance& given, const GoOn& go_on) {
   meshops::Steps step(go_on);
   std::vector<SurfaceDistance::Corners> triangles;
   double least = 0, greatest = 0;
-  for (const auto& [a, b, c] : corners_of(mesh)) {
+  for (const auto& [a, b, c] : all) {
     auto& corners = triangles.emplace_back(std::array{places[a], places[b], places[c]});
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     least = std::max(least, given.least(corners));

@@ -30,5 +30,8 @@ std::vector<std::array<std::uint32_t, 3>> corners_of(const meshops::Connectivity
 /// Returns a distance from the given triangles that no point of the mesh exceeds. Throws: Cancelled.
 double distance_of(const meshops::Connectivity& mesh, const std::vector<Point3>& places, const SurfaceDistance& given,
                    const GoOn& go_on);
+/// Returns such a distance for triangles whose corners are numbers of places.
+double distance_of(const std::vector<std::array<std::uint32_t, 3>>& triangles, const std::vector<Point3>& places,
+                   const SurfaceDistance& given, const GoOn& go_on);
 
 }  // namespace rbpa::space

@@ -25,6 +25,7 @@ namespace {
 using Vector = Vector3<double>;
 
 constexpr unsigned moves_in_a_round = 3;
+constexpr double allowed_part = 1 - 0x1p-20;  // of options.error; the rest is for the rounding of middles of edges
 
 Point3 middle(const Point3& a, const Point3& b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2}; }
 
@@ -198,14 +199,17 @@ bool RemeshRun::may_collapse(Halfedge h, const Target& target) const {
   }
   for (const auto& [moved, other] : {std::pair(v, w), std::pair(w, v)}) {
     if (at(moved) == place) continue;
-    for (const Vertex u : mesh_.vv_range(moved))
-      if (u != other && squared_distance(at(u), place) / squared(std::min(wanted(u), target.wanted)) > long_)
-        return false;
+    for (const Halfedge out : mesh_.voh_range(moved)) {
+      const Vertex u = mesh_.to_vertex_handle(out);
+      if (u == other) continue;
+      if (squared_distance(at(u), place) / squared(std::min(wanted(u), target.wanted)) > long_) return false;
+      if (!is_near_curve(mesh_.edge_handle(out), {at(u), place, place})) return false;
+    }
   }
-  return for_each_moved_triangle(mesh_, mesh_.edge_handle(h), places_, place,
-                                 [&](const Point3& old, const Point3& p, const Point3& q) {
-                                   return place != p && place != q && keeps_direction(old, p, q, place, p, q);
-                                 });
+  return for_each_moved_triangle(
+      mesh_, mesh_.edge_handle(h), places_, place, [&](const Point3& old, const Point3& p, const Point3& q) {
+        return place != p && place != q && keeps_direction(old, p, q, place, p, q) && is_near({place, p, q});
+      });
 }
 
 /// Flips edges until no edge is left to flip. The flips come to an end, as each flip makes progress in one order.
@@ -243,6 +247,8 @@ bool RemeshRun::try_flip(Edge e, std::vector<int>& excess) {
   for (const auto& [p, q, r] : was)
     for (const auto& [s, t, u] : becomes)
       if (!keeps_direction(at(p), at(q), at(r), at(s), at(t), at(u))) return false;
+  for (const auto& [p, q, r] : becomes)
+    if (!is_near({at(p), at(q), at(r)})) return false;
   if (meshops::flip_blocker(mesh_, e)) return false;
   meshops::flip(mesh_, e);
   for (const Vertex v : {a, b}) --excess[index_of(v)];
@@ -267,11 +273,26 @@ bool RemeshRun::may_move(Vertex v, const Point3& place) const {
     const double length = squared_distance(place, p),
                  least = short_ / 16 * squared(std::min(wanted(v), wanted(mesh_.to_vertex_handle(out))));
     if (place == p || (length < least && length < squared_distance(old, p))) return false;
+    if (!is_near_curve(mesh_.edge_handle(out), {place, p, p})) return false;
     if (mesh_.is_boundary(out)) continue;
     const Point3& q = at_end(mesh_.next_halfedge_handle(out));
-    if ((is_cap(place, p, q) && !is_cap(old, p, q)) || !keeps_direction(old, p, q, place, p, q)) return false;
+    if ((is_cap(place, p, q) && !is_cap(old, p, q)) || !keeps_direction(old, p, q, place, p, q) ||
+        !is_near({place, p, q}))
+      return false;
   }
   return true;
+}
+
+/// Returns whether options.error allows the triangle.
+bool RemeshRun::is_near(const SurfaceDistance::Corners& triangle) const {
+  return !options_.error || given_.is_within(triangle, *options_.error * allowed_part);
+}
+
+/// Returns whether options.error allows the edge to become the segment, a triangle a, b, b; true if it is on no curve.
+bool RemeshRun::is_near_curve(Edge e, const SurfaceDistance::Corners& segment) const {
+  const int curve = curves_.of_edge[index_of(e)];
+  return !options_.error || curve == MeshCurves::none ||
+         curves_.shapes[static_cast<std::size_t>(curve) - 1].is_within(segment, *options_.error * allowed_part);
 }
 
 /// Returns the place to which the vertex should move; nothing if it stays.

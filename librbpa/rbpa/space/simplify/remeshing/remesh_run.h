@@ -47,6 +47,8 @@ class RemeshRun {
   bool may_collapse(Halfedge h, const Target& target) const;
   bool try_flip(Edge e, std::vector<int>& excess);
   bool may_move(Vertex v, const Point3& place) const;
+  bool is_near(const SurfaceDistance::Corners& triangle) const;
+  bool is_near_curve(Edge e, const SurfaceDistance::Corners& segment) const;
   std::optional<Target> target(Vertex v, bool onto_given) const;
   std::optional<Target> along_surface(Vertex v, bool onto_given) const;
   std::optional<Target> on_curve(const Target& target, int curve) const;

@@ -20,9 +20,9 @@ using Vector = Vector3<double>;
 
 constexpr double growth = 0.5;  // greatest difference of lengths at neighbors, in units of their distance
 
-/// Returns the curvature across an inner edge: the angle between the normals of its triangles, over the distance of
-/// their centroids from each other across the edge. It is 1/r for triangles between points of a sphere of radius r, and
-/// 0 if a triangle has no area.
+/// Returns the curvature across an inner edge: the angle between the normals of its triangles, over two thirds of the
+/// lesser height on the edge, as a large triangle on one side does not make an edge flat. It is 1/r for triangles
+/// between points of a sphere of radius r, and 0 if a triangle has no area.
 double curvature_across(const Connectivity& mesh, const std::vector<Point3>& places, Edge e) {
   const Halfedge h = mesh.halfedge_handle(e, 0), o = mesh.opposite_halfedge_handle(h);
   const auto at_end = [&](Halfedge of) -> const Point3& { return places[index_of(mesh.to_vertex_handle(of))]; };
@@ -35,7 +35,7 @@ double curvature_across(const Connectivity& mesh, const std::vector<Point3>& pla
   // Powers of two bring the normals to lengths near 1, as the squares below would leave the range of double.
   const Vector p = times(std::ldexp(1, -std::ilogb(of_m)), m), q = times(std::ldexp(1, -std::ilogb(of_n)), n),
                turn = cross(p, q);
-  return 3 * std::atan2(std::sqrt(dot(turn, turn)), dot(p, q)) * std::sqrt(dot(along, along)) / (of_m + of_n);
+  return 1.5 * std::atan2(std::sqrt(dot(turn, turn)), dot(p, q)) * std::sqrt(dot(along, along)) / std::min(of_m, of_n);
 }
 
 /// Returns the length of edges of an equilateral triangle with corners on a sphere, whose points are within `error` of
