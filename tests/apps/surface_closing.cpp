@@ -152,6 +152,15 @@ TEST_SUITE("surface") {
     const auto given_up = report["filled"]["given_up"].get<int>();
     CHECK(given_up > 0);
     CHECK(contains(outcome.err, "\nrbpa: " + std::to_string(given_up) + " triangles around holes removed, so that"));
+    // Each point is a vertex, unused, or lost with a component.
+    CHECK(report["touching_points"] == 0);
+    CHECK(report["vertices"].get<int>() + report["unused"].get<int>() + report["dropped"]["points"].get<int>() ==
+          report["distinct"].get<int>());
+    const auto& unused = report["unused_points"];
+    const auto lost =
+        std::count_if(unused.begin(), unused.end(), [](const json& u) { return u["cause"] == "given_up"; });
+    CHECK(lost > 0);
+    CHECK(contains(outcome.err, std::to_string(lost) + " whose triangles were removed to close the surface"));
     CHECK(report["filled"]["left"] ==
           json::parse(R"({"crosses": 0, "edge_taken": 0, "no_area": 0, "too_much_work": 0})"));
     CHECK(folder.meshtopo("m.off -q --check closed,manifold,components=1").code == 0);

@@ -31,9 +31,10 @@ constexpr std::array rim_texts{"with nothing within reach", "where normals disag
 std::size_t cause_of(const RimEdge& edge) {
   return edge.next[0] == edge.next[1] ? 3 : static_cast<std::size_t>(edge.cause);
 }
-constexpr std::array unused_names{"no_ball_rests", "hidden", "normals_disagree", "blocked"};
+constexpr std::array unused_names{"no_ball_rests", "hidden", "normals_disagree", "blocked", "given_up"};
 constexpr std::array unused_texts{"on which no ball rests", "hidden among others", "where normals disagree",
-                                  "blocked by triangles of smaller radii"};
+                                  "blocked by triangles of smaller radii",
+                                  "whose triangles were removed to close the surface"};
 
 /// Adds lines about boundary curves: a line for each of the longest curves, rims first; a line for all rims and holes
 /// if there are more; and a line for the rims of islands.
@@ -197,7 +198,7 @@ std::vector<std::string> explanations(const SurfaceFacts& facts) {
                     (facts.has_viewpoint ? " though seen from --viewpoint" : "") + ": --color normals shows where" +
                     (facts.has_viewpoint ? "" : ", --viewpoint decides their side"));
   if (!facts.unused.empty()) {
-    std::array<std::size_t, 4> causes{};
+    std::array<std::size_t, unused_texts.size()> causes{};
     for (const UnusedPoint& point : facts.unused) ++causes[static_cast<std::size_t>(point.cause)];
     lines.push_back(counted(facts.unused.size(), "point") + " unused: " + list_of_causes(causes, unused_texts));
   }

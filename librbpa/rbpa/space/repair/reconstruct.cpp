@@ -326,12 +326,28 @@ class Reconstructing {
     const GoOn go_on = counting();
     made_.dropped = dropped_components(cloud_.points, closed.components, made_.surface, made_.components, go_on);
     made_.given_up = closed.given_up;
+    if (options_.explain || options_.repairs) add_given_up(closed.surface, closed.components);
     made_.crossing = std::move(closed.crossing);
     take(closed, std::move(closed.added));
     made_.components = surface_components(cloud_.places(), made_.surface, go_on);
     made_.holes = std::move(closed.open);
     made_.kinds = curve_kinds(cloud_.places(), made_.components, made_.holes);
     if (made_.is_watertight()) made_.inside = nesting_depths(cloud_.places(), made_.surface, made_.components, go_on);
+  }
+
+  /// Adds the points to the unused ones that have triangles in the kept components and none in the closed surface.
+  void add_given_up(const Surface& closed, const std::vector<bool>& kept) {
+    std::vector<bool> is_lost(cloud_.points.size(), false);
+    const auto set = [&](const auto& triangle, bool lost) {
+      for (const std::uint32_t corner : triangle)
+        if (corner < is_lost.size()) is_lost[corner] = lost;  // other corners are added points
+    };
+    for (std::size_t t = 0; t < made_.surface.triangles.size(); ++t)
+      if (kept[made_.components.number[t]]) set(made_.surface.triangles[t], true);
+    for (const auto& triangle : closed.triangles) set(triangle, false);
+    for (std::uint32_t i = 0; i < is_lost.size(); ++i)
+      if (is_lost[i]) made_.unused.push_back({i, UnusedCause::given_up});
+    std::sort(made_.unused.begin(), made_.unused.end(), [](const auto& a, const auto& b) { return a.index < b.index; });
   }
 
   void decimate() {

@@ -107,7 +107,7 @@ struct Reconstruction {
   std::size_t distinct = 0;     ///< number of distinct points over which the ball rolled
   std::size_t scale_space = 0;  ///< number of steps of scale_space()
   Outliers outliers = {};       ///< the points that were left out
-  std::vector<UnusedPoint> unused = {};  ///< with `explain` or `repairs`; computed before components are dropped
+  std::vector<UnusedPoint> unused = {};  ///< with `explain` or `repairs`; without points of dropped components
   /// A radius that has triangles, if the radii used have none; absent if no such radius was found or sought.
   std::optional<double> larger_ball = {};
   /// The components, with measures by `points`. `components`, `holes` and `kinds` are computed only with `explain`,

@@ -21,6 +21,7 @@ enum class UnusedCause : std::uint8_t {
   hidden,            ///< every ball of the largest radius that touches the point contains another point
   normals_disagree,  ///< the point is on exposed triangles, but each disagrees with a normal at a corner
   blocked,  ///< an exposed triangle at the point agrees, but touches the interior of the surface of smaller radii
+  given_up  ///< reconstruct() has removed all triangles of the point to close the surface; not from unused_points()
 };
 
 /// A distinct point in no triangle.
